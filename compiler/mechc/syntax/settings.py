@@ -85,8 +85,9 @@ def _given_loads(
     """Yield ``let F = 2 kN`` for each load with a value from outside that no line gives it."""
     names = dict.fromkeys(s.name.text for s in statements if isinstance(s, LOADS))
     lets = {s.name.text for s in statements if isinstance(s, ast.Let)}
-    for name in names.keys() & values.keys() - lets:
-        yield ast.Let(values[name].span, ast.Name(name, values[name].span), values[name])
+    for name in names:
+        if name in values and name not in lets:
+            yield ast.Let(values[name].span, ast.Name(name, values[name].span), values[name])
 
 
 def drives(statements: Iterable[ast.Statement]) -> tuple[ast.Drive, ...]:
