@@ -14,7 +14,7 @@ def thrust_under(
 ) -> Product | str:
     """Return a force along an axis under given loads, or the load that is not among them."""
     sizes = {}
-    for load in symbols(thrust) & equations.owners.keys():
+    for load in sorted(symbols(thrust) & equations.owners.keys()):
         base, factor = equations.owner(load)
         if base not in given:
             return load

@@ -167,7 +167,7 @@ def _statements(
             yield _parameter(statement.name.text, there, joining, given)
         else:
             yield from at_joints.left(statement, there, report)
-    for name in given.keys() & used.loads.keys():
+    for name in filter(used.loads.__contains__, given):
         yield ast.Let(use.span, ast.Name(quantities[name], use.span), given[name])
 
 
