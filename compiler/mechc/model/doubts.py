@@ -36,6 +36,9 @@ TURN = 2 * math.pi * (1 + SAME_VALUE)
 FAR = 200.0
 """How many times a length in another unit is the largest, or the smallest, of the others."""
 
+FARTHER = 500.0
+"""How many times one in the same unit is: it has a digit too many, or lacks some."""
+
 SOME = 0.731
 """A value for what is open, at which no formula vanishes by chance."""
 
@@ -47,8 +50,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield a remark on each thing that is hardly meant."""
     chain = Chain(dependent(mechanism))
     values = chain.complete(defaults(mechanism))
-    if not mechanism.meshes:
-        yield from _turns(mechanism)
+    yield from _turns(mechanism)
     yield from _vanishing(mechanism, chain, values)
     yield from _far_off(mechanism, values)
     yield from _asked_twice(mechanism.finds)
@@ -67,15 +69,30 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
 def _turns(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield the angles beyond a turn: values, ends of ranges and strokes, directions.
 
-    A rope may be wound around a pulley several times.
+    A rope may be wound around a pulley several times, and wheels lead links round and round.
     """
     ranged = {p.name for p in mechanism.parameters if p.range}
     wraps = (j.wrap for j in mechanism.friction.joints if isinstance(j, RopeFriction))
     wound = {name for wrap in wraps for name in symbols(wrap)}
+    if mechanism.meshes:
+        wound |= _turning(mechanism)
     for parameter in mechanism.parameters:
         turns = parameter.dimension == ANGLE and parameter.name not in wound
         if turns and not parameter.dependent:
             yield from _turn_of(parameter)
+    if not mechanism.meshes:
+        yield from _turns_written(mechanism, ranged)
+
+
+def _turning(mechanism: Mechanism) -> set[str]:
+    """Return the names that directions rest on, and the drive's."""
+    given = (d.angle for d in directions(mechanism) if isinstance(d, Absolute))
+    driving = {mechanism.drive.parameter} if mechanism.drive else set[str]()
+    return driving.union(*map(symbols, given))
+
+
+def _turns_written(mechanism: Mechanism, ranged: set[str]) -> Iterator[Diagnostic]:
+    """Yield the ends of strokes and the directions beyond a turn."""
     drive = mechanism.drive
     angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
     if drive and drive.parameter in angles - ranged:
@@ -176,7 +193,7 @@ def _reach(
 
 
 def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
-    """Yield the largest length that is in another unit than the rest, and far from it.
+    """Yield the largest length that is far from the rest, and the more so in another unit.
 
     Those written in place, as in ``OA = 100 mm @ x``, give the size of a mechanism, too.
     """
@@ -186,15 +203,18 @@ def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     lengths = [p for p in mechanism.parameters if p.dimension == LENGTH and p.name in used]
     given = [p for p in lengths if values.get(p.name) and not p.dependent]
     units = Counter(p.unit for p in given)
-    if len(units) != 2:
+    if len(units) not in (1, 2):
         return
+    far = FAR if len(units) == 2 else FARTHER
     sizes = {p.name: abs(values[p.name]) for p in given}
-    alone = [p for p in given if units[p.unit] == 1]
+    alone = [p for p in given if len(units) == 1 or units[p.unit] == 1]
     for parameter in sorted(alone, key=lambda p: -sizes[p.name]):
         size = sizes[parameter.name]
         others = [*plain, *(s for name, s in sizes.items() if name != parameter.name)]
-        if size > FAR * max(others) or size * FAR < min(others):
-            (other,) = units.keys() - {parameter.unit}
+        if len(others) < 3 - len(units):
+            continue
+        if size > far * max(others) or size * far < min(others):
+            other = next(iter(units.keys() - {parameter.unit}), "")
             yield messages.length_far_off(parameter.span, parameter.name, parameter.unit, other)
             return
 

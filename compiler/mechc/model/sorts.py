@@ -85,7 +85,8 @@ def multiplied(factors: Sequence[tuple[Sort, int]]) -> Sort:
     """Return the sort of a product of factors, each with its exponent (±1).
 
     Literals leave the sort of a single other factor alone: ``2*alpha`` is an angle. So do
-    counts that an angle is divided by; the quotient may serve as a pure number, too.
+    counts that an angle is divided by; the quotient may serve as a pure number, too. An angle
+    times an angle, or divided by one, is none any more.
     """
     solid = [(s, e) for s, e in factors if s.nature not in (Nature.BARE, Nature.ZERO)]
     if not solid:
@@ -100,6 +101,9 @@ def multiplied(factors: Sequence[tuple[Sort, int]]) -> Sort:
     dimension = NUMBER
     for sort, exponent in factors:
         dimension = dimension.joined(sort.dimension.scaled(exponent))
+    angles = [exponent for sort, exponent in solid if sort == Sort(ANGLE)]
+    if dimension == NUMBER and len(angles) > 1 and sum(angles) != 1:
+        return Sort(NUMBER, Nature.VALUE)
     return Sort.of(dimension)
 
 
