@@ -264,7 +264,11 @@ class Routine:
     checks: Checks | None = None
 
 
-def programs(routine: Routine) -> list[Common | Function | Pose | Checks]:
+Program = Common | Function | Pose | Checks
+"""What is written out with inputs and steps of its own."""
+
+
+def programs(routine: Routine) -> list[Program]:
     """Return all that is written out: what functions have in common first, and once.
 
     A function that takes what is common has its own steps only.

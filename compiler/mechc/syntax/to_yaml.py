@@ -4,7 +4,7 @@ YAML orders by sections: the statements of a section keep their order, and sever
 name stand together; :func:`in_yaml_order` is the tree that reading the text gives back.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
@@ -192,49 +192,49 @@ def other_text(statement: ast.Statement, key: Key) -> str:
     return f"{point.text}: {kind_text(key.kind, value, True)}"
 
 
+SCALARS: Mapping[Kind, Callable[..., str]] = {
+    Kind.RANGE: text.range_of,
+    Kind.RIM: text.rim,
+    Kind.ROUTE: text.route,
+    Kind.MEASURE: text.measure,
+    Kind.LET_VALUE: text.let_value,
+    Kind.RESULT: lambda target, name, on: text.result(ast.Find(target.span, target, name, on)),
+    Kind.CONDITION: lambda operands, operators: text.condition(
+        ast.Require(operands[0].span, operands, operators)
+    ),
+    Kind.REPORTED: lambda name, over: text.reported(ast.Reported(name.span, name, over)),
+    Kind.EXPECTATION: lambda subject, *fields: text.expectation(
+        ast.Expect(subject.span, subject, *fields)
+    ),
+}
+"""Values that YAML has as the DSL's own words, in one scalar."""
+
+
 def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
     """Return a value by its kind, the reverse of the reader's table."""
+    if kind in SCALARS:
+        return scalar(SCALARS[kind](*fields), flow)
     match kind, fields:
         case Kind.TEXT, [value]:
             return text_scalar(value, flow)
-        case Kind.FLAG, [value]:
-            return "true" if value else "false"
-        case Kind.RANGE, [low, high]:
-            return scalar(text.range_of(low, high), flow)
-        case Kind.PAIR, [first, first_link, second, second_link]:
-            return f"[{text.end(first, first_link)}, {text.end(second, second_link)}]"
-        case Kind.RIM, [radius, link]:
-            return scalar(text.rim(radius, link), flow)
-        case Kind.ROUTE, [start, falls]:
-            return scalar(text.route(start, falls), flow)
-        case Kind.SHARED, [points]:
-            return f"[{', '.join(point.text for point in points)}]"
-        case Kind.RESULT, [target, name, on]:
-            return scalar(text.result(ast.Find(target.span, target, name, on)), flow)
-        case Kind.CONDITION, [operands, operators]:
-            required = ast.Require(operands[0].span, operands, operators)
-            return scalar(text.condition(required), flow)
-        case Kind.MEASURE, [value, tolerance]:
-            return scalar(text.measure(value, tolerance), flow)
-        case Kind.LET_VALUE, [value]:
-            return scalar(text.let_value(value), flow)
-        case Kind.ROWS, [rows]:
-            return f"[{', '.join(f'[{_listed(row)}]' for row in rows)}]"
-        case Kind.SIZES, [sizes]:
-            return f"[{_listed(sizes)}]"
         case Kind.USED, [used]:
             return text_scalar(used.text, flow)
-        case Kind.GIVEN, [given_values]:
-            return f"{{{', '.join(_setting(*setting) for setting in given_values)}}}"
-        case Kind.REPORTED, [name, over]:
-            return scalar(text.reported(ast.Reported(name.span, name, over)), flow)
+        case Kind.FLAG, [value]:
+            return "true" if value else "false"
+        case Kind.PAIR, [first, first_link, second, second_link]:
+            return _list([text.end(first, first_link), text.end(second, second_link)])
+        case Kind.SHARED, [points]:
+            return _list(point.text for point in points)
+        case Kind.NAMES, [names]:
+            return _list(scalar(name.text, True) for name in names)
+        case Kind.SIZES, [sizes]:
+            return _expressions(sizes)
+        case Kind.ROWS, [rows]:
+            return _list(map(_expressions, rows))
+        case Kind.GIVEN, [settings]:
+            return f"{{{', '.join(_setting(*setting) for setting in settings)}}}"
         case Kind.JOINTS, [joined]:
             return f"{{{', '.join(f'{there.text}: {here.text}' for there, here in joined)}}}"
-        case Kind.NAMES, [names]:
-            return f"[{', '.join(scalar(name.text, True) for name in names)}]"
-        case Kind.EXPECTATION, [subject, value, at, tolerance]:
-            expected = ast.Expect(subject.span, subject, value, at, tolerance)
-            return scalar(text.expectation(expected), flow)
         case _, [value]:
             return value_of(value, flow)
         case _:
@@ -245,8 +245,12 @@ def _setting(name: ast.Name, value: ast.Expr) -> str:
     return f"{scalar(name.text, True)}: {scalar(text.expression(value), True)}"
 
 
-def _listed(values: Iterable[ast.Expr]) -> str:
-    return ", ".join(scalar(text.expression(value), True) for value in values)
+def _list(items: Iterable[str]) -> str:
+    return f"[{', '.join(items)}]"
+
+
+def _expressions(values: Iterable[ast.Expr]) -> str:
+    return _list(scalar(text.expression(value), True) for value in values)
 
 
 def value_of(value: Any, flow: bool) -> str:

@@ -10,6 +10,7 @@ from ...routine.gradient import gradients
 from ...routine.steps import Function, Pose, formulas_of, names_of
 from .. import describe
 from ..names import Names, mangle
+from ..printer import Printer
 from .layout import harmless, wrapped
 from .printer import CIRCULAR, CPrinter, QuickPrinter
 from .reserved import RESERVED
@@ -53,34 +54,42 @@ def _context(
     names = own | mangle((n for s in program.steps for n in names_of(s)), inner)
     outputs = {name: inner.claim(f"{names[name]}_out") for name in program.outputs}
     number, loop, missing = map(inner.claim, ("n", "i", "missing"))
-    heads = [*(f"double {a}" for a in own.values()), *(f"double *{o}" for o in outputs.values())]
-    arrays = [
-        f"size_t {number}",
-        *(f"const double *MECHC_RESTRICT {a}" for a in own.values()),
-        *(f"double *MECHC_RESTRICT {o}" for o in outputs.values()),
-    ]
-    given = [*(f"{a}[{loop}]" for a in own.values()), *(f"{o} + {loop}" for o in outputs.values())]
-    called = ", ".join(given)
-    results = [f"*{o} = {names[n]};" for n, o in outputs.items()]
+    inputs, slots = list(own.values()), list(outputs.values())
+    heads = [*(f"double {a}" for a in inputs), *(f"double *{o}" for o in slots)]
+    given = ", ".join([*(f"{a}[{loop}]" for a in inputs), *(f"{o} + {loop}" for o in slots)])
     plain, quick = (
-        [*lines(program.steps, frozenset(program.outputs), {}, p, inner)[0], *results]
-        for p in (CPrinter(names), QuickPrinter(names))
+        _body(program, printer, outputs, inner)
+        for printer in (CPrinter(names), QuickPrinter(names))
     )
-    is_quick = _is_circular(program)
     return GradientContext(
         remarks=[*map(harmless, _remarks(function, program, own, outputs, number))],
         single=wrapped(f"void {single}(", heads),
-        batch=wrapped(f"void {batch}(", arrays),
-        kernel=wrapped(f"void {kernel}(", heads) if is_quick else "",
+        batch=wrapped(f"void {batch}(", _arrays(number, inputs, slots)),
+        kernel=wrapped(f"void {kernel}(", heads) if _is_circular(program) else "",
         plain=plain,
         quick=quick,
-        call=f"{single}({called})",
-        quick_call=f"{kernel}({called})",
+        call=f"{single}({given})",
+        quick_call=f"{kernel}({given})",
         value=f"{outputs[program.outputs[0]]}[{loop}]",
         number=number,
         loop=loop,
         missing=missing,
     )
+
+
+def _arrays(number: str, inputs: Iterable[str], outputs: Iterable[str]) -> list[str]:
+    """Return the parameters of the form for many poses."""
+    return [
+        f"size_t {number}",
+        *(f"const double *MECHC_RESTRICT {a}" for a in inputs),
+        *(f"double *MECHC_RESTRICT {o}" for o in outputs),
+    ]
+
+
+def _body(program: Pose, printer: Printer, outputs: Mapping[str, str], inner: Names) -> list[str]:
+    """Return the statements of a program, and those that hand its outputs on."""
+    statements, _ = lines(program.steps, frozenset(program.outputs), {}, printer, inner)
+    return [*statements, *(f"*{slot} = {printer.names[n]};" for n, slot in outputs.items())]
 
 
 def _is_circular(program: Pose) -> bool:

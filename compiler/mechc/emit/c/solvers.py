@@ -58,35 +58,42 @@ def solvers_of(statements: Iterable[Statement]) -> list[Solver]:
 def solver_context(solver: Solver, name: str) -> SolverContext:
     """Return a system's function."""
     space = Names(RESERVED.besides(_OWN), {name})
-    steps = [step.name for step in solver.steps]
-    names = mangle((*solver.unknowns, *solver.outer, *steps), space)
-    ends = {n: space.claim(f"{names[n]}_end") for n, _ in _anchored(solver)}
+    names = mangle((*solver.unknowns, *solver.outer, *(step.name for step in solver.steps)), space)
+    anchored = list(_anchored(solver))
+    ends = {outer: space.claim(f"{names[outer]}_end") for outer, _ in anchored}
+    arguments = (f"double {ends.get(outer, names[outer])}" for outer in solver.outer)
+    start = (names[s] if isinstance(s, str) else repr(s) for s in solver.start)
+    gaps = (_square(_gap(ends[outer], a), newton.scale(a)) for outer, a in anchored)
+    changes = (_square(f"change[{i}]", newton.scale(s)) for i, s in enumerate(solver.start))
     printer = QuickPrinter(names)
-    heads = [*(f"double {ends.get(n, names[n])}" for n in solver.outer), "double *found"]
-    start = [names[s] if isinstance(s, str) else repr(s) for s in solver.start]
-    unknowns = [Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)]
-    lines = {s.name: Line(names[s.name], printer.print(s.formula)) for s in solver.steps}
-    fixed, left = fixed_steps(solver), reduced(solver.jacobian)
+    fixed, body = _steps(solver, printer)
+    left = reduced(solver.jacobian)
     return SolverContext(
-        harmless(f"The unknowns {', '.join(solver.unknowns)}, for which these are zero"),
-        [harmless(text(equation)) for equation in solver.equations],
-        wrapped(f"static int {name}(", heads),
-        len(solver.unknowns),
-        f"{{{', '.join(start)}}}",
-        [
-            *(_between(n, names, ends, a) for n, a in _anchored(solver)),
-            *(line for n, line in lines.items() if n in fixed),
-        ],
-        [*unknowns, *(line for n, line in lines.items() if n not in fixed)],
-        [printer.print(f) for f in solver.residuals],
-        [[printer.print(f) for f in row] for row in solver.jacobian],
-        left,
-        opening(solver, names),
-        " + ".join(_square(_gap(ends[n], a), newton.scale(a)) for n, a in _anchored(solver))
-        or "0.0",
-        " + ".join(_square(f"change[{i}]", newton.scale(s)) for i, s in enumerate(solver.start)),
-        solver.side * left.turn or NEVER,
-        solver.corrections,
+        title=harmless(f"The unknowns {', '.join(solver.unknowns)}, for which these are zero"),
+        zeros=[harmless(text(equation)) for equation in solver.equations],
+        head=wrapped(f"static int {name}(", [*arguments, "double *found"]),
+        size=len(solver.unknowns),
+        start=f"{{{', '.join(start)}}}",
+        fixed=[*(_between(outer, names, ends, a) for outer, a in anchored), *fixed],
+        body=[*(Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)), *body],
+        residuals=[printer.print(f) for f in solver.residuals],
+        jacobian=[[printer.print(f) for f in row] for row in solver.jacobian],
+        left=left,
+        opening=opening(solver, names),
+        far=" + ".join(gaps) or "0.0",
+        norm=" + ".join(changes),
+        side=solver.side * left.turn or NEVER,
+        corrections=solver.corrections,
+    )
+
+
+def _steps(solver: Solver, printer: Printer) -> tuple[list[Line], list[Line]]:
+    """Return the lines that a step along the way fixes, and those of every correction."""
+    fixed = fixed_steps(solver)
+    lines = {s.name: Line(printer.names[s.name], printer.print(s.formula)) for s in solver.steps}
+    return (
+        [line for name, line in lines.items() if name in fixed],
+        [line for name, line in lines.items() if name not in fixed],
     )
 
 

@@ -56,25 +56,26 @@ def status_context(
     printer = CPrinter(own | mangle((n for s in asked.steps for n in names_of(s)), space))
     used = mentioned(asked.steps, asked.sides)
     body, statuses = lines(asked.steps, used, solvers, printer, space)
-    needed_first = isinstance(asked.drive, Drive)
+    ideal, load = driving(asked, printer, lambda n: describe.call(functions[n], names, own))
+    is_needed_first = isinstance(asked.drive, Drive)
     single, inputs = names[asked.name], list(own.values())
     arrays = [f"const double *MECHC_RESTRICT {name}" for name in inputs]
-    listed = ["size_t n", *arrays, "int *MECHC_RESTRICT status"]
     return StatusContext(
-        [harmless(line) for line in _remarks(function, own)],
-        wrapped(f"int {single}(", [f"double {a}" for a in inputs] or ["void"]),
-        wrapped(f"void {batch}(", listed),
-        describe.call(function, names, own),
-        *driving(asked, printer, lambda name: describe.call(functions[name], names, own)),
-        body if needed_first else [],
-        [] if needed_first else body,
-        [printer.condition(g) for g in asked.guards],
-        statuses[:-1],
-        statuses[-1] if statuses else "2",
-        asked.standstill,
-        f"{single}({', '.join(f'{a}[i]' for a in inputs)})",
-        "n",
-        "i",
+        remarks=[harmless(line) for line in _remarks(function, own)],
+        single=wrapped(f"int {single}(", [f"double {a}" for a in inputs] or ["void"]),
+        batch=wrapped(f"void {batch}(", ["size_t n", *arrays, "int *MECHC_RESTRICT status"]),
+        value=describe.call(function, names, own),
+        ideal=ideal,
+        load=load,
+        before=body if is_needed_first else [],
+        body=[] if is_needed_first else body,
+        conditions=[printer.condition(g) for g in asked.guards],
+        loops=statuses[:-1],
+        friction=statuses[-1] if statuses else "2",
+        standstill=asked.standstill,
+        call=f"{single}({', '.join(f'{a}[i]' for a in inputs)})",
+        number="n",
+        loop="i",
     )
 
 

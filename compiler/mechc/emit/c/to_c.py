@@ -1,7 +1,7 @@
 """C99: a header and a source that C++ reads too, each result for one pose and for many."""
 
 import re
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from types import ModuleType
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
@@ -11,6 +11,7 @@ from ...formula import newton
 from ...formula.choices import SIGNS
 from ...routine.steps import (
     Common,
+    Program,
     Routine,
     every,
     programs,
@@ -195,26 +196,40 @@ def _parts(compiled: Compiled, slopes: bool) -> Parts:
     routine, space = compiled.routine, Names(LINKED)
     written, listed = programs(routine), list(every(routine.functions))
     linked = linked_names(routine, space)
-    called = [linked[f.otherwise.name].single for f in listed if f.otherwise]
-    arguments = mangle((i.name for p in written for i in p.inputs), Names(RESERVED.besides(called)))
     status, statuses = (space.claim(f"{routine.name}_status{end}") for end in ("", "_n"))
-    found = solvers_of(step for p in written for step in p.steps)
-    solvers = {s: space.claim(f"{routine.name}_solution_{i}") for i, s in enumerate(found, 1)}
-    commons = [p for p in written if isinstance(p, Common)]
-    handing = {c.number: space.claim(f"{routine.name}_values_{c.number}") for c in commons}
-    scope = FileScope(linked, arguments, solvers, handing)
+    scope = _file_scope(routine, written, linked, space)
+    arguments, solvers = scope.arguments, scope.solvers
     poses = pose_contexts(compiled, space, arguments, solvers)
     gradients = _gradients(routine, space, arguments) if slopes else []
+    checks = routine.checks
     return Parts(
-        [function_context(f, scope, listed) for f in listed],
-        poses,
-        checks_context(routine.checks, status, statuses, arguments, solvers)
-        if routine.checks
-        else None,
-        [solver_context(solver, name) for solver, name in solvers.items()],
-        [common_context(c, handing, arguments, solvers) for c in commons],
-        gradients,
-        parameters_context(routine, scope.singles, poses, status, space, arguments),
+        functions=[function_context(f, scope, listed) for f in listed],
+        poses=poses,
+        checks=checks_context(checks, status, statuses, arguments, solvers) if checks else None,
+        solvers=[solver_context(solver, name) for solver, name in solvers.items()],
+        commons=[
+            common_context(c, scope.commons, arguments, solvers)
+            for c in written
+            if isinstance(c, Common)
+        ],
+        gradients=gradients,
+        parameters=parameters_context(routine, scope.singles, poses, status, space, arguments),
+    )
+
+
+def _file_scope(
+    routine: Routine, written: Sequence[Program], linked: Mapping[str, Symbols], space: Names
+) -> FileScope:
+    """Return the names at file scope; no argument is called as a function that a body calls."""
+    called = (linked[f.otherwise.name].single for f in every(routine.functions) if f.otherwise)
+    free = Names(RESERVED.besides(called))
+    found = solvers_of(step for program in written for step in program.steps)
+    numbers = [program.number for program in written if isinstance(program, Common)]
+    return FileScope(
+        symbols=linked,
+        arguments=mangle((i.name for program in written for i in program.inputs), free),
+        solvers={s: space.claim(f"{routine.name}_solution_{i}") for i, s in enumerate(found, 1)},
+        commons={number: space.claim(f"{routine.name}_values_{number}") for number in numbers},
     )
 
 

@@ -46,14 +46,14 @@ def _context(
     printer = PythonPrinter(own | mangle((n for s in program.steps for n in names_of(s)), inner))
     used = frozenset(program.outputs)
     return GradientContext(
-        space.claim(f"{function.name}_gradient"),
-        describe.one_line(function.title),
-        function.name,
-        list(own.values()),
-        [Line(own[i.name], describe.input_words(i, own[i.name])) for i in program.inputs],
-        describe.slope_remarks(function),
-        [line(step, used, {}, printer) for step in program.steps],
-        [Line(repr(n), printer.names[n]) for n in program.outputs],
-        operations(program.steps),
-        program,
+        name=space.claim(f"{function.name}_gradient"),
+        title=describe.one_line(function.title),
+        of=function.name,
+        arguments=list(own.values()),
+        inputs=[Line(own[i.name], describe.input_words(i, own[i.name])) for i in program.inputs],
+        remarks=describe.slope_remarks(function),
+        body=[line(step, used, {}, printer) for step in program.steps],
+        outputs=[Line(repr(n), printer.names[n]) for n in program.outputs],
+        operations=operations(program.steps),
+        program=program,
     )

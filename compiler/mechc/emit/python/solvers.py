@@ -38,25 +38,22 @@ def solver_names(statements: Iterable[Statement]) -> dict[Solver, str]:
 
 def solver_context(solver: Solver, name: str) -> SolverContext:
     """Return a system's function."""
-    space = Names(RESERVED.besides(_OWN))
     steps = (step.name for step in solver.steps)
-    names = mangle((*solver.unknowns, *solver.outer, *steps), space)
+    names = mangle((*solver.unknowns, *solver.outer, *steps), Names(RESERVED.besides(_OWN)))
     printer = PythonPrinter(names)
+    anchored = zip(solver.outer, solver.anchor, strict=True)
     return SolverContext(
-        name,
-        [names[n] for n in solver.unknowns],
-        [names[n] for n in solver.outer],
-        zeros(solver),
-        [Line(names[s.name], printer.print(s.formula)) for s in solver.steps],
-        [[printer.print(f) for f in row] for row in (solver.residuals, *solver.jacobian)],
-        [names[s] if isinstance(s, str) else repr(s) for s in solver.start],
-        [
-            names[n] if a is None else repr(a)
-            for n, a in zip(solver.outer, solver.anchor, strict=True)
-        ],
-        solver.side,
-        solver.corrections,
-        [newton.scale(s) for s in solver.start],
+        name=name,
+        unknowns=[names[n] for n in solver.unknowns],
+        outer=[names[n] for n in solver.outer],
+        zeros=zeros(solver),
+        body=[Line(names[s.name], printer.print(s.formula)) for s in solver.steps],
+        rows=[[printer.print(f) for f in row] for row in (solver.residuals, *solver.jacobian)],
+        start=[names[s] if isinstance(s, str) else repr(s) for s in solver.start],
+        anchor=[names[outer] if a is None else repr(a) for outer, a in anchored],
+        side=solver.side,
+        corrections=solver.corrections,
+        scales=[newton.scale(s) for s in solver.start],
     )
 
 

@@ -1,6 +1,6 @@
 """Python: one module that needs only NumPy, for floats and arrays alike."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -11,10 +11,11 @@ from ...formula.choices import SIGNS
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
 from ...routine.steps import (
-    Checks,
     Common,
     Function,
+    Input,
     Pose,
+    Program,
     Routine,
     Solver,
     every,
@@ -109,43 +110,56 @@ def _stem(options: Options) -> str:
 
 
 def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
-    routine = compiled.routine
-    space, listed = Names(RESERVED), list(every(routine.functions))
-    names = function_names(routine, space)
-    parts = programs(routine)
-    called = [names[f.otherwise.name] for f in listed if f.otherwise]
-    free = Names(RESERVED.besides(called))
-    arguments = mangle((i.name for part in parts for i in part.inputs), free)
-    solvers = solver_names(step for part in parts for step in part.steps)
-    functions = [_function(f, names, arguments, solvers, listed) for f in listed]
+    routine, space = compiled.routine, Names(RESERVED)
+    names, parts = function_names(routine, space), programs(routine)
     inputs = {i.name: i for part in parts for i in part.inputs}.values()
+    arguments = mangle((i.name for i in inputs), _free(routine, names))
+    solvers = solver_names(step for part in parts for step in part.steps)
     poses = pose_contexts(compiled, space, arguments, solvers)
-    status = space.claim("status") if routine.checks else ""
+    checks = _checks(routine, space, arguments, solvers)
     gradients = _gradients(routine, space, arguments) if slopes else []
-    programs_of_slopes = (gradient.program for gradient in gradients)
-    called_functions = {name for part in (*parts, *programs_of_slopes) for name in _called(part)}
+    written = (*parts, *(gradient.program for gradient in gradients))
+    called = {name for program in written for name in _called(program)}
+    listed = list(every(routine.functions))
     return ModuleContext(
         heading=_quoted(describe.heading(compiled.mechanism)),
         preface=[_quoted(line) for line in _preface(compiled)],
-        defaults=[
-            Line(arguments[i.name], repr(i.default)) for i in inputs if i.default is not None
-        ],
-        ranges=[
-            Line(arguments[i.name], f"({i.low!r}, {i.high!r})") for i in inputs if i.low is not None
-        ],
+        defaults=_defaults(inputs, arguments),
+        ranges=_ranges(inputs, arguments),
         solvers=[solver_context(solver, name) for solver, name in solvers.items()],
         newton=newton,
-        conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called_functions],
-        chooses="choose" in called_functions,
+        conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
+        chooses="choose" in called,
         commons=[common_context(p, arguments, solvers) for p in parts if isinstance(p, Common)],
-        functions=functions,
+        functions=[_function(f, names, arguments, solvers, listed) for f in listed],
         poses=poses,
-        checks=checks_context(routine.checks, status, arguments, solvers)
-        if routine.checks
-        else None,
+        checks=checks,
         gradients=gradients,
         main=[_shown(f, names[f.name], arguments) for f in routine.functions],
     )
+
+
+def _free(routine: Routine, names: Mapping[str, str]) -> Names:
+    """Return the names that arguments may have: none of a function that another one calls."""
+    called = (f.otherwise.name for f in every(routine.functions) if f.otherwise)
+    return Names(RESERVED.besides(names[name] for name in called))
+
+
+def _defaults(inputs: Iterable[Input], arguments: Mapping[str, str]) -> list[Line]:
+    return [Line(arguments[i.name], repr(i.default)) for i in inputs if i.default is not None]
+
+
+def _ranges(inputs: Iterable[Input], arguments: Mapping[str, str]) -> list[Line]:
+    ranged = (i for i in inputs if i.low is not None)
+    return [Line(arguments[i.name], f"({i.low!r}, {i.high!r})") for i in ranged]
+
+
+def _checks(
+    routine: Routine, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+) -> ChecksContext | None:
+    if not routine.checks:
+        return None
+    return checks_context(routine.checks, space.claim("status"), arguments, solvers)
 
 
 def _gradients(
@@ -163,7 +177,7 @@ def function_names(routine: Routine, space: Names) -> dict[str, str]:
     return mangle((*(f.name for f in listed), *statuses), space)
 
 
-def _called(part: Common | Function | Pose | Checks) -> Iterator[str]:
+def _called(part: Program) -> Iterator[str]:
     """Yield the functions of the language that a program calls."""
     guards = () if isinstance(part, Common | Pose) else part.guards
     sides = [side for guard in guards for side in (guard.left, guard.right)]
