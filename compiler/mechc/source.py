@@ -79,6 +79,10 @@ class Source:
         start, part = max(p for p in self.parts() if p[0] <= span.start)
         return part, span.moved(-start)
 
+    def is_setting(self, span: Span) -> bool:
+        """Return whether a place is in what the command line sets, and in no file."""
+        return span.start > len(self.text) and self.part(span)[0].folder is None
+
     def written(self, span: Span) -> str:
         """Return the text at a span."""
         part, (start, end) = self.part(span)

@@ -4,6 +4,7 @@ import pytest
 
 from mechc.diagnostics import Diagnostic, MechcError, Report
 from mechc.diagnostics.render import render
+from mechc.driver import Compilation
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.settings import attached, parse, put_in
@@ -56,3 +57,32 @@ def test_messages_point_at_the_setting() -> None:
 def test_what_is_no_value_is_refused(setting: str) -> None:
     with pytest.raises(MechcError):
         parse(setting)
+
+
+@pytest.mark.parametrize(
+    ("setting", "code", "used"),
+    [("l=-1mm", "E245", 4), ("r=0mm", "E294", 6), ("m=-2kg", "E235", 7)],
+)
+def test_a_wrong_value_is_shown_at_the_setting_it_comes_from(setting, code, used):
+    text = """param l = 90 mm
+param r = 20 mm
+param m = 2 kg
+OA = l @ 40 deg
+QB = 40 mm @ 50 deg
+gear O r, Q 20 mm
+weight W mass m at A
+pivot O at (0 mm, 0 mm)
+pivot Q at (50 mm, 0 mm)
+link OA
+link QB
+torque M on QB
+find k = M/W"""
+    name, value = parse(setting)
+    compilation = Compilation(Source("m.mech", text), {name: value})
+    with pytest.raises(MechcError) as raised:
+        assert compilation.balance
+    (found,) = raised.value.diagnostics
+    source = raised.value.source
+    assert (found.code, source.part(found.span)[0].name) == (code, "-D")
+    (related,) = found.related
+    assert source.position(related.span.start).line == used

@@ -31,6 +31,11 @@ class Related(NamedTuple):
     message: str
 
 
+def used_at(use: Span, cause: Span) -> tuple[Related, ...]:
+    """Return the place of a wrong value's use beside the place that it comes from."""
+    return () if use == cause else (Related(use, "it is used here"),)
+
+
 class Message(NamedTuple):
     """What a wording function returns: where, what was found and expected, one hint."""
 

@@ -104,7 +104,7 @@ def efficiency_near_dead_centre(span: Span, name: str, where: Sequence[str]) -> 
 
 
 @coded("W513")
-def drive_jams(span: Span, name: str, drive: str) -> Message:
+def drive_jams(span: Span, name: str, drive: str, grips: bool) -> Message:
     """Friction is so large at the default pose that no force of the drive moves anything.
 
     The drive's line of force passes the friction circle of a pivot, or stands within the
@@ -113,9 +113,14 @@ def drive_jams(span: Span, name: str, drive: str) -> Message:
 
     Of a ratio P/F the drive is P. A screw that does not yield to its load jams where F/P is
     asked for, for then the load drives.
+
+    A band brake with both ends of its band on the lever grips by itself where the end that is
+    tightened by friction opens the brake less than the other end closes it, times e^(μθ).
     """
     message = f"{name} has no value at the default pose: no force {drive} overcomes the friction"
     hint = "move the default values from the dead centre, or let the other load drive"
+    if grips:
+        hint = "the rope grips by itself: take a smaller wrap, or a shorter arm of its tight end"
     return Message(span, message, hint)
 
 

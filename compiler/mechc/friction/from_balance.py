@@ -9,6 +9,7 @@ from ..diagnostics import friction as messages
 from ..diagnostics.power import length_not_given
 from ..formula.rounding import Size
 from ..frozen import replace
+from ..model.joint_friction import RopeFriction
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -59,12 +60,14 @@ def _with_friction(
 
     problem = Problem(balance, report)
     ideal = {r.target: r for r in balance.results}
+    joints = problem.mechanism.friction.joints
+    grips = bool(joints) and all(isinstance(joint, RopeFriction) for joint in joints)
     for find in asked:
         assert isinstance(find.target, WithFriction | Efficiency)
         without = ideal[find.target.of]
         if (found := _answer(problem, find, find.target, without)) is not None:
             _check_lengths(find, found.result, balance, report)
-            result = _with_default(find, found.result, without, numbers, report)
+            result = _with_default(find, found.result, without, numbers, grips, report)
             yield replace(found, result=result)
 
 
@@ -94,15 +97,16 @@ def _check_lengths(find: Find, result: Result, balance: Balance, report: Report)
 
 
 def _with_default(
-    find: Find, result: Result, ideal: Result, numbers: DefaultNumbers, report: Report
+    find: Find, result: Result, ideal: Result, numbers: DefaultNumbers, grips: bool, report: Report
 ) -> Result:
     """Return a result with its value at the default pose; warn where the drive jams there.
 
-    Where a coefficient has no value there is nothing to say of that.
+    It ``grips`` where nothing but ropes has friction. Where a coefficient has no value nothing is
+    said of that.
     """
     size = numbers.of(result)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
-        report.add(messages.drive_jams(find.span, find.name, _drive(find)))
+        report.add(messages.drive_jams(find.span, find.name, _drive(find), grips))
         size = Size(None)
     return with_default(result, size)
 

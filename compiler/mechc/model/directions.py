@@ -53,9 +53,10 @@ def value_of(formula: Formula, scope: Scope) -> float | None:
 def check_sign(formula: Formula | None, span: Span, what: str, scope: Scope) -> None:
     """Report a quantity that cannot be negative and is; ``what`` names it in messages."""
     value = value_of(formula, scope) if formula else None
-    if value is not None and value < 0:
-        written = scope.report.source.written(span)
-        scope.report.add(quantities.negative_quantity(span, what, written))
+    if formula and value is not None and value < 0:
+        cause = scope.cause(formula, span)
+        written = scope.report.source.written(cause)
+        scope.report.add(quantities.negative_quantity(span, what, written, cause))
 
 
 def check_reach(formula: Formula | None, dimension: Dimension, span: Span, scope: Scope) -> None:

@@ -70,9 +70,10 @@ def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | 
     formula = Reader(scope, DESCRIPTION).wanted(length, LENGTH, "the length")
     value = value_of(formula, scope) if formula else None
     check_reach(formula, LENGTH, length.span, scope)
-    if value is not None and value <= 0:
-        shown = f"{value * 1000:g} mm"
-        scope.report.add(messages.length_not_positive(length.span, statement.points.text, shown))
+    if formula and value is not None and value <= 0:
+        shown, cause = f"{value * 1000:g} mm", scope.cause(formula, length.span)
+        name = statement.points.text
+        scope.report.add(messages.length_not_positive(length.span, name, shown, cause))
         return None
     return formula
 
@@ -83,7 +84,9 @@ def _long_enough(offset: Offset, statement: ast.Vector, scope: Scope) -> bool:
     Reports E203 where it has none.
     """
     if value_of(offset.x, scope) == value_of(offset.y, scope) == 0 and not _runs(offset):
-        scope.report.add(messages.length_not_positive(offset.span, statement.points.text, "0"))
+        scope.report.add(
+            messages.length_not_positive(offset.span, statement.points.text, "0", offset.span)
+        )
         return False
     return True
 

@@ -172,6 +172,8 @@ def _note_value(parameter: Parameter, statement: ast.Param, scope: Scope) -> Non
     scope.sizes[name] = 1.0
     if not formula or not statement.value:
         return
+    if scope.report.source.is_setting(statement.value.span):
+        scope.settings[name] = statement.value.span
     size = scope.size(formula)
     if out_of_reach(size, parameter.dimension):
         scope.report.add(quantities.out_of_reach(statement.value.span, parameter.dimension))
@@ -196,7 +198,9 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
     if low < 0 and parameter.dimension in (MASS, STIFFNESS):
         what = "a mass" if parameter.dimension == MASS else "a stiffness"
         written = scope.report.source.written(statement.low.span)
-        scope.report.add(quantities.negative_quantity(statement.low.span, what, written))
+        scope.report.add(
+            quantities.negative_quantity(statement.low.span, what, written, statement.low.span)
+        )
     scope.ranges[parameter.name] = low, high
     value = scope.values.get(parameter.name)
     if parameter.dependent:

@@ -95,9 +95,9 @@ class Scope:
     ``feeding`` those that the description itself (geometry, parameters, loads) uses; ``values``
     the numbers of the parameters that have one, in SI, and ``sizes`` those of all parameters, 1
     for an open one, which reveal multiples that are out of reach; ``ranges`` has the ends of
-    those that run over one. ``constants`` are the numbers
-    that have got a name, by what they are and their value, with their places. Of a calculation
-    ``sheet`` a condition keeps the names of lets.
+    those that run over one, ``settings`` the places where the command line gives a value.
+    ``constants`` are the numbers that have got a name, by what they are and their value, with
+    their places. Of a calculation ``sheet`` a condition keeps the names of lets.
     """
 
     def __init__(self, report: Report, points: Points, sheet: bool = False) -> None:
@@ -109,6 +109,7 @@ class Scope:
         self.feeding: set[str] = set()
         self.lets: set[str] = set()
         self.values: dict[str, float] = {}
+        self.settings: dict[str, Span] = {}
         self.sizes: dict[str, float] = {}
         self.ranges: dict[str, tuple[float, float]] = {}
         self.constants: dict[tuple[str, Formula], Named] = {}
@@ -163,6 +164,10 @@ class Scope:
         entry = self.entries.get(name)
         return entry.span if entry else None
 
+    def cause(self, formula: Formula, span: Span) -> Span:
+        """Return what a wrong value comes from: the setting of a name in it, else its own place."""
+        return next((self.settings[n] for n in symbols(formula) if n in self.settings), span)
+
     def named(
         self, kind: str, of: str, formula: Formula, dimension: Dimension, span: Span
     ) -> Formula:
@@ -193,6 +198,8 @@ class Scope:
         hint = messages.vector_as_quantity(symbol.name, usage.posed) if vector else ""
         if symbol.name.lower() in ("inf", "infinity", "nan"):
             hint = "a value is a number, and finite"
+        if symbol.name == "radius":
+            hint = messages.NEGATIVE_RADIUS
         if symbol.name.lower() in AXES:
             hint = messages.axis_in_words(symbol.name, AXES[symbol.name.lower()])
         self.unknown(symbol.span, symbol.name, self._offered(usage), hint)

@@ -133,8 +133,9 @@ def radius_of(
     """Return a radius or a pitch; only one that is ``signed`` may be negative."""
     formula = Reader(scope, DESCRIPTION).wanted(radius, LENGTH, what)
     value = value_of(formula, scope) if formula else None
-    if value is not None and (value == 0 or (value < 0 and not signed)):
-        scope.report.add(messages.radius_not_positive(radius.span, f"{value * 1000:g} mm"))
+    if formula and value is not None and (value == 0 or (value < 0 and not signed)):
+        shown, cause = f"{value * 1000:g} mm", scope.cause(formula, radius.span)
+        scope.report.add(messages.radius_not_positive(radius.span, shown, cause))
         return None
     return formula
 

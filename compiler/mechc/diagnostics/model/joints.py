@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ...source import Span
-from ..diagnostic import Message, Related, coded
+from ..diagnostic import Message, Related, coded, used_at
 from ..syntax import listed
 
 
@@ -74,7 +74,7 @@ def vector_again(span: Span, points: str, corner: bool, first: Span) -> Message:
 
 
 @coded("E245")
-def length_not_positive(span: Span, points: str, value: str) -> Message:
+def length_not_positive(span: Span, points: str, value: str, cause: Span) -> Message:
     """A length is zero or negative.
 
     The direction says which way a vector points, so its length is positive. To reverse
@@ -84,7 +84,8 @@ def length_not_positive(span: Span, points: str, value: str) -> Message:
         BA = 40 mm @ 0 deg        # right
     """
     hint = "a vector is reversed by exchanging its points"
-    return Message(span, f"the length of {points} is {value}, expected a positive one", hint)
+    text = f"the length of {points} is {value}, expected a positive one"
+    return Message(cause, text, hint, used_at(span, cause))
 
 
 @coded("E246")

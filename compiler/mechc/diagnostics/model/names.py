@@ -50,6 +50,10 @@ def unknown_name(span: Span, name: str, known: Collection[str], hint: str = "") 
     return Message(span, f"the name '{name}' is not declared", hint)
 
 
+NEGATIVE_RADIUS = "behind this word a negative radius stands in brackets: radius (-5 mm)"
+"""The hint at ``rack A on O radius -5 mm``, which takes 5 mm off a quantity of that name."""
+
+
 def vector_as_quantity(vector: str, posed: bool) -> str:
     """Return the hint at a vector in a formula, where what was found may be mentioned or not."""
     if posed:

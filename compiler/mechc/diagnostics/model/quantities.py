@@ -14,7 +14,7 @@ from ...units import (
     Dimension,
     described,
 )
-from ..diagnostic import Message, Related, coded, near_miss
+from ..diagnostic import Message, Related, coded, near_miss, used_at
 
 
 @coded("E220")
@@ -257,7 +257,7 @@ def tolerance_of_dependent(span: Span, name: str) -> Message:
 
 
 @coded("E235")
-def negative_quantity(span: Span, what: str, found: str) -> Message:
+def negative_quantity(span: Span, what: str, found: str, cause: Span) -> Message:
     """A mass, the rate or the free length of a spring is negative.
 
     Nothing has a negative mass, and no spring pushes the harder the less it is pressed. The
@@ -267,4 +267,5 @@ def negative_quantity(span: Span, what: str, found: str) -> Message:
         weight W mass 2 kg at G                      # right
         spring -5 N/mm between A and B free 80 mm    # wrong
     """
-    return Message(span, f"{what} is negative: {found}", "leave out its minus sign")
+    text = f"{what} is negative: {found}"
+    return Message(cause, text, "leave out its minus sign", used_at(span, cause))

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from ...source import Span
-from ..diagnostic import Message, coded
+from ..diagnostic import Message, coded, used_at
 
 
 @coded("E266")
@@ -107,9 +107,10 @@ def wheel_of_several(at: Span, centre: str, links: Sequence[str], arm: str) -> M
 
 
 @coded("E294")
-def radius_not_positive(at: Span, shown: str) -> Message:
+def radius_not_positive(at: Span, shown: str, cause: Span) -> Message:
     """A radius or a pitch is zero or negative. A rack's may be negative: it lies on the left."""
-    return Message(at, f"expected a positive length, found {shown}", "check the value")
+    text = f"expected a positive length, found {shown}"
+    return Message(cause, text, "check the value", used_at(at, cause))
 
 
 @coded("E295")
