@@ -98,3 +98,11 @@ def test_the_new_words_are_names_elsewhere():
     over = text.replace("param b = 120 mm", "param over = 120 mm").replace("AB = b", "AB = over")
     found = mechc.loads(over.replace("find i", "find report"), "rocker.mech")
     assert set(found.results) == {"k", "report"}
+
+
+def test_a_load_that_is_asked_for_is_a_result():
+    text = ROCKER.replace("find k = M/F", "find M")
+    page = mechc.loads(f"{text}report M\n", "rocker.mech").emit("latex")
+    assert "\\omega_{QB}" not in page
+    plotted = mechc.loads(f"{text}let F = 2 N\nreport M, plot M over phi\n").emit("latex")
+    assert "\\begin{tikzpicture}" in plotted

@@ -27,7 +27,9 @@ def read_reported(file: ast.File, mechanism: Mechanism, scope: Scope) -> tuple[R
 def _checked(
     parts: Sequence[ast.Reported], mechanism: Mechanism, scope: Scope
 ) -> Iterator[Reported]:
-    results = [name for name, entry in scope.entries.items() if entry.kind in ("result", "let")]
+    found = {find.name for find in mechanism.finds}  # a load that is asked for is one of them
+    entries = scope.entries.items()
+    results = [n for n, entry in entries if n in found or entry.kind in ("result", "let")]
     ranged = [p.name for p in mechanism.parameters if range_of(p.name, mechanism)]
     for part in parts:
         name, over = part.name, part.over
