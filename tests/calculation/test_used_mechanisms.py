@@ -2,7 +2,7 @@
 
 import json
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -151,6 +151,15 @@ def test_check_and_json_have_the_mechanism_at_the_values_of_the_sheet(tmp_path: 
     assert (force["name"], force["value"]) == ("F", 2000)
     assert found["value"] == pytest.approx(alone["k"], rel=1e-14)
     assert r"\varphi" in found["formula"]["latex"] or r"\phi" in found["formula"]["latex"]
+
+
+def test_the_status_rests_on_what_is_iterated(clamped: Clamped) -> None:
+    namespace: dict[str, Any] = {}
+    exec(clamped.sheet.emit("python"), namespace)
+    names = [i.name for i in clamped.sheet._compilation.routine.checks.inputs]
+    values = clamped.sheet.defaults
+    for load, number in ((3e3, 0), (3e9, 2)):
+        assert namespace["status"](*(load if n == "W" else values[n] for n in names)) == number
 
 
 def test_a_sheet_within_derives_its_mechanism_too(tmp_path: Path) -> None:

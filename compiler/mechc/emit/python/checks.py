@@ -3,8 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ...formula.walk import symbols
-from ...routine.steps import Checks, Solver, names_of
+from ...routine.steps import Checks, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..render import Line
@@ -30,7 +29,7 @@ def checks_context(
     own = {i.name: arguments[i.name] for i in checks.inputs}
     space = Names(RESERVED.besides(["status", "holds", "number"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in checks.steps for n in names_of(s)), space))
-    used = frozenset(n for g in checks.guards for side in (g.left, g.right) for n in symbols(side))
+    used = mentioned(checks.steps, (side for g in checks.guards for side in (g.left, g.right)))
     return ChecksContext(
         name,
         list(own.values()),
