@@ -6,10 +6,12 @@ from ..driver import checked, warnings
 from ..report.text.csv_of_stroke import DIALECTS, to_csv
 from ..report.text.stroke import to_table
 from ..syntax.settings import Settings
+from ..syntax.vocabulary import LANGUAGES
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
 from .session import Repeatable, session, session_options
 from .terminal import give, say
+from .words import Word
 
 
 @click.command("stroke", cls=Repeatable)
@@ -32,6 +34,10 @@ from .terminal import give, say
     "--drive", default="", metavar="NAME",
     help="Which of several drives moves, the others being held at their values.",
 )  # fmt: skip
+@click.option(
+    "--lang", "language", type=Word(LANGUAGES), default="en", show_default=True,
+    help="The language of the table; CSV, errors and warnings are in English.",
+)  # fmt: skip
 @settings_option
 @stdin_option
 @session_options
@@ -43,6 +49,7 @@ def command(
     velocities: bool,
     paths: tuple[str, ...],
     drive: str,
+    language: str,
     settings: Settings,
     stdin_name: str,
 ) -> None:
@@ -57,6 +64,7 @@ def command(
 
     \b
     mechc stroke crank_rocker --path B
+    mechc stroke --lang uk toggle_press
     mechc stroke --points 101 --csv clamp.mech > clamp.csv
     """
     compilation = checked(begin(file, stdin_name, settings, drive))
@@ -65,4 +73,4 @@ def command(
     if as_csv or dialect:
         give(to_csv(found, DIALECTS[dialect or "point"]))
     else:
-        say(to_table(found, velocities), end="")
+        say(to_table(found, velocities, language), end="")

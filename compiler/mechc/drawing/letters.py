@@ -46,14 +46,15 @@ def spelled(runs: Iterable[Run], letters: Letters) -> tuple[Run, ...]:
 
 
 def _spelled(run: Run, letters: Letters) -> str:
-    return _unit(run.text, letters) if run.unit else lettered(run.text, letters)
+    return of_unit(run.text, letters) if run.unit else lettered(run.text, letters)
 
 
-def _unit(unit: str, letters: Letters) -> str:
+def of_unit(unit: str, letters: Letters) -> str:
+    """Return a unit in the letters of a language."""
     return _WORD.sub(lambda word: letters.units.get(word[0], word[0]), unit)
 
 
 def lettered(text: str, letters: Letters) -> str:
     """Return text with its decimals, and the units behind numbers, in the letters of a language."""
-    units = _BEHIND_A_NUMBER.sub(lambda found: _unit(found[0], letters), text)
+    units = _BEHIND_A_NUMBER.sub(lambda found: of_unit(found[0], letters), text)
     return _POINT.sub(letters.decimal, units)

@@ -1,6 +1,6 @@
 """English."""
 
-from . import checked, pictured
+from . import along_stroke, checked, pictured
 from .equilibrium import ENGLISH
 from .locale import Locale
 
@@ -335,6 +335,7 @@ LOCALE = Locale(
     },
     pictures=pictured.EN,
     checked=checked.EN,
+    along_stroke=along_stroke.EN,
     comparison={"number": "No.", "scheme": "Scheme", "results": "Force transmission"},
     holds="This holds while {conditions}.",
     requirements="The result holds for",

@@ -128,6 +128,9 @@ class Locale(NamedTuple):
     checked: Mapping[str, str]
     """What ``mechc check`` says of a sound description, with places for names and numbers."""
 
+    along_stroke: Mapping[str, str]
+    """What ``mechc stroke`` says below its table and beside its rows."""
+
     comparison: Mapping[str, str]
     """The heads of a table of several mechanisms."""
 

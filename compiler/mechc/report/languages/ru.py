@@ -1,6 +1,6 @@
 """Russian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
-from . import checked, pictured
+from . import along_stroke, checked, pictured
 from .eastern import FUNCTIONS, UNITS
 from .equilibrium import RUSSIAN
 from .locale import Locale
@@ -341,6 +341,7 @@ LOCALE = Locale(
     },
     pictures=pictured.RU,
     checked=checked.RU,
+    along_stroke=along_stroke.RU,
     comparison={"number": "№", "scheme": "Схема", "results": "Передача силы"},
     holds="Это справедливо, пока {conditions}.",
     requirements="Результат справедлив при условиях",

@@ -1,6 +1,6 @@
 """Ukrainian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
-from . import checked, pictured
+from . import along_stroke, checked, pictured
 from .eastern import FUNCTIONS, UNITS
 from .equilibrium import UKRAINIAN
 from .locale import Locale
@@ -337,6 +337,7 @@ LOCALE = Locale(
     },
     pictures=pictured.UK,
     checked=checked.UK,
+    along_stroke=along_stroke.UK,
     comparison={"number": "№", "scheme": "Схема", "results": "Передавання сили"},
     holds="Це справедливо, доки {conditions}.",
     requirements="Результат справедливий за умов",

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ...study.stroke.stroke import Row, Stroke
 from ...units import size_of
-from .stroke import headed, held, unit_of
+from .stroke import headed, held, unit_of, written
 
 DIGITS = 15
 """The digits of a number: with fewer, values would be lost, with more, 30° come out as 29.99…"""
@@ -63,7 +63,7 @@ def _remarks(stroke: Stroke) -> Iterator[list[str]]:
     """Yield the columns of words, where there are any words."""
     for heading, cells in (
         ("trouble", [_trouble(row) for row in stroke.rows]),
-        ("stuck", [held(row, stroke) for row in stroke.rows]),
+        ("stuck", [held(row, written(stroke, "en")) for row in stroke.rows]),
     ):
         if any(cells):
             yield [heading, *cells]

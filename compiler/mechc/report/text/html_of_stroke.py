@@ -3,14 +3,15 @@
 from html import escape
 
 from ...study.stroke.stroke import Stroke
-from .stroke import said, table
+from .stroke import said, table, written
 
 
 def to_html(stroke: Stroke) -> str:
     """Return the table that ``mechc stroke`` prints, and the lines below it."""
-    head, *body = table(stroke, {"slope", "velocity"})
+    shown = written(stroke, "en")
+    head, *body = table(shown, {"slope", "velocity"})
     rows = [_row("th", head), *(_row("td", cells) for cells in body)]
-    lines = "".join(f"<li>{escape(line)}</li>" for line in said(stroke))
+    lines = "".join(f"<li>{escape(line)}</li>" for line in said(shown))
     return f"<table>{''.join(rows)}</table><ul>{lines}</ul>"
 
 

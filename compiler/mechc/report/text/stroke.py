@@ -1,8 +1,10 @@
 """The stroke as a table for people."""
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
+from ...drawing.letters import Letters, lettered, of_unit
 from ...formula.to_text import text
 from ...model.locking import USUAL, EfficiencyRange
 from ...study.stroke.stroke import (
@@ -18,13 +20,50 @@ from ...study.stroke.stroke import (
 )
 from ...study.tolerances import EXACT
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
+from ..languages.letters import letters
+from ..languages.registry import locale
+
+ENDS = {
+    (False, False): "",
+    (True, False): "lower out",
+    (False, True): "upper out",
+    (True, True): "both out",
+}
+"""The words for the ends of an interval that are left out, lower and upper."""
 
 
-def held(row: Row, stroke: Stroke) -> str:
+class Written(NamedTuple):
+    """A stroke and the words, numbers and units of the language in which it is written."""
+
+    stroke: Stroke
+    words: Mapping[str, str]
+    letters: Letters
+
+    def says(self, key: str, **names: object) -> str:
+        """Return the words of a key with names in their places."""
+        return self.words[key].format(**names)
+
+    def number(self, figures: str) -> str:
+        """Return a number, with its unit or without, in the letters of the language."""
+        return lettered(figures, self.letters)
+
+    def head(self, name: str, unit: str) -> str:
+        """Return the head of a column with its unit in the letters of the language."""
+        return headed(name, of_unit(unit, self.letters))
+
+
+def written(stroke: Stroke, language: str) -> Written:
+    """Return a stroke to be written in a language."""
+    known = locale(language)
+    return Written(stroke, known.along_stroke, letters(known))
+
+
+def held(row: Row, shown: Written) -> str:
     """Return which results stand still in a row: ``k_f jammed, k_hold locked``."""
+    stroke = shown.stroke
     near = EXACT * (stroke.high - stroke.low)
-    found = (s for s in stroke.standstills if _is_in(row.drive, s, near))
-    return ", ".join(f"{s.result} {s.state}" for s in found)
+    found = (s for s in stroke.standstills if _is_in(row.drive, s, near) and s.state != "free")
+    return ", ".join(shown.says(s.state, name=s.result) for s in found)
 
 
 def _is_in(x: float, found: JammedInterval, near: float) -> bool:
@@ -33,65 +72,70 @@ def _is_in(x: float, found: JammedInterval, near: float) -> bool:
     return found.low - below <= x <= found.high + above
 
 
-def to_table(stroke: Stroke, velocities: bool = False) -> str:
+def to_table(stroke: Stroke, velocities: bool = False, language: str = "en") -> str:
     """Return the rows as a table, then stretches, singular poses and extrema, in users' units.
 
     With ``velocities`` the table has slopes and velocity ratios, too.
     """
     hidden: set[Content] = set() if velocities else {"slope", "velocity"}
-    return "\n".join(_lines(stroke, hidden)) + "\n"
+    return "\n".join(_lines(written(stroke, language), hidden)) + "\n"
 
 
-def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
-    yield from _aligned(table(stroke, hidden))
-    yield from said(stroke)
+def _lines(shown: Written, hidden: Collection[Content]) -> Iterator[str]:
+    yield from _aligned(table(shown, hidden))
+    yield from said(shown)
 
 
-def table(stroke: Stroke, hidden: Collection[Content]) -> list[list[str]]:
+def table(shown: Written, hidden: Collection[Content]) -> list[list[str]]:
     """Return heading and rows, cell by cell; the last one of a row is what is wrong there."""
-    shown = [i for i, c in enumerate(stroke.columns) if c.content not in hidden]
-    columns = [stroke.columns[i] for i in shown]
-    head = [headed(stroke.drive, unit_of(stroke.dimension, stroke.unit))]
-    head += [headed(c.name, unit_of(c.dimension, c.unit)) for c in columns]
+    stroke = shown.stroke
+    indices = [i for i, c in enumerate(stroke.columns) if c.content not in hidden]
+    columns = [stroke.columns[i] for i in indices]
+    head = [shown.head(stroke.drive, unit_of(stroke.dimension, stroke.unit))]
+    head += [shown.head(c.name, unit_of(c.dimension, c.unit)) for c in columns]
     body = [
         [
-            _value(row.drive, stroke),
-            *_cells([row.values[i] for i in shown], columns, row.undetermined),
-            row.trouble or held(row, stroke),
+            _value(row.drive, shown),
+            *_cells([row.values[i] for i in indices], columns, row.undetermined, shown),
+            shown.says(row.trouble) if row.trouble else held(row, shown),
         ]
         for row in stroke.rows
     ]
     return [[*head, ""], *body]
 
 
-def said(stroke: Stroke) -> Iterator[str]:
+def said(shown: Written) -> Iterator[str]:
     """Yield the lines below the table of a stroke."""
+    stroke = shown.stroke
     for stretch in stroke.stretches:
-        yield from _stretch(stretch, stroke)
+        yield from _stretch(stretch, shown)
     if not stroke.stretches:
-        yield "There is no pose anywhere on the stroke."
-    yield from (_without(name, loads) for name, loads in stroke.without)
-    yield from (_branch(b, stroke) for b in stroke.branches)
-    yield from (_singular(s, stroke) for s in stroke.singular)
-    yield from (_extremum(e, stroke) for e in stroke.extrema)
-    yield from (_standstill(s, stroke) for s in stroke.standstills)
-    yield from (_course(name, course, stroke) for name, course in stroke.courses)
-    yield from _looked(stroke)
+        yield shown.says("nowhere")
+    yield from (_without(name, loads, shown) for name, loads in stroke.without)
+    yield from (_branch(b, shown) for b in stroke.branches)
+    yield from (_singular(s, shown) for s in stroke.singular)
+    yield from (_extremum(e, shown) for e in stroke.extrema)
+    yield from (_standstill(s, shown) for s in stroke.standstills)
+    yield from (_course(name, course, shown) for name, course in stroke.courses)
+    yield from _looked(shown)
 
 
 def _cells(
-    values: Sequence[float], columns: Sequence[Column], undetermined: Collection[str]
+    values: Sequence[float],
+    columns: Sequence[Column],
+    undetermined: Collection[str],
+    shown: Written,
 ) -> list[str]:
     return [
-        "undetermined" if c.name in undetermined else _cell(v, c)
+        shown.says("undetermined") if c.name in undetermined else _cell(v, c, shown)
         for v, c in zip(values, columns, strict=True)
     ]
 
 
-def _cell(value: float, column: Column) -> str:
+def _cell(value: float, column: Column, shown: Written) -> str:
     if not math.isfinite(value):
-        return "" if math.isnan(value) else "infinite"
-    return _in(value, unit_of(column.dimension, column.unit), 9)
+        return "" if math.isnan(value) else shown.says("infinite")
+    return shown.number(_in(value, unit_of(column.dimension, column.unit), 9))
 
 
 def unit_of(dimension: Dimension, wanted: str) -> str:
@@ -107,16 +151,18 @@ def _in(value: float, unit: str, digits: int) -> str:
 
 
 def headed(name: str, unit: str) -> str:
+    """Return the head of a column, its unit in brackets."""
     return f"{name} [{unit}]" if unit else name
 
 
-def _value(x: float, stroke: Stroke, digits: int = 9) -> str:
-    return _in(x, unit_of(stroke.dimension, stroke.unit), digits)
+def _value(x: float, shown: Written, digits: int = 9) -> str:
+    stroke = shown.stroke
+    return shown.number(_in(x, unit_of(stroke.dimension, stroke.unit), digits))
 
 
-def _at(x: float, stroke: Stroke) -> str:
-    unit = unit_of(stroke.dimension, stroke.unit)
-    return f"{stroke.drive} = {in_unit(x, unit, 13)}"
+def _at(x: float, shown: Written) -> str:
+    unit = unit_of(shown.stroke.dimension, shown.stroke.unit)
+    return f"{shown.stroke.drive} = {shown.number(in_unit(x, unit, 13))}"
 
 
 def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
@@ -126,93 +172,83 @@ def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
         yield "  ".join([*cells, row[-1]]).rstrip()
 
 
-def _stretch(stretch: Stretch, stroke: Stroke) -> Iterator[str]:
+def _stretch(stretch: Stretch, shown: Written) -> Iterator[str]:
     if stretch.before:
-        yield f"below {_at(stretch.low, stroke)}: {stretch.before}"
+        yield shown.says("below", at=_at(stretch.low, shown), why=shown.says(stretch.before))
     if stretch.after:
-        yield f"above {_at(stretch.high, stroke)}: {stretch.after}"
+        yield shown.says("above", at=_at(stretch.high, shown), why=shown.says(stretch.after))
     if not stretch.reached:
-        span = _span(stretch.low, stretch.high, stroke)
-        yield f"{span} cannot be reached from the default pose without taking a loop apart"
+        yield shown.says("apart", span=_span(stretch.low, stretch.high, shown))
 
 
-def _without(name: str, loads: Sequence[str]) -> str:
-    values = " and ".join(f"`let {load} = …`" for load in loads)
-    return f"{name} is not shown: it rests on {', '.join(loads)}, without a value; add {values}"
+def _without(name: str, loads: Sequence[str], shown: Written) -> str:
+    values = shown.says("and").join(shown.says("give", load=load) for load in loads)
+    return shown.says("without", name=name, loads=", ".join(loads), values=values)
 
 
-def _branch(found: Branch, stroke: Stroke) -> str:
-    at = _at(found.drive, stroke)
-    return f"branch point at {at}: the loop {found.loop} can go on in two ways"
+def _branch(found: Branch, shown: Written) -> str:
+    return shown.says("two ways", at=_at(found.drive, shown), loop=found.loop)
 
 
-def _singular(found: Singular, stroke: Stroke) -> str:
-    kinds = {
-        "output still": "dead centre, the output stands still while the drive moves",
-        "drive locked": "dead centre, the drive stands still while the output can move",
-        "branch point": "zero and infinite at once",
-        "perpendicular load": "a load perpendicular to the velocity of its point, no dead centre",
-        "jump": "" if found.sides else "finite on either side, but not the same",
-        "far": "a point that the loops close at is infinitely far away there",
-        "other": "",
-    }
-    exact = f", exactly {text(found.exact)}" if found.exact is not None else ""
-    why = f": {kinds[found.kind]}" if kinds[found.kind] else ""
-    does = f"= {found.value}"
+KINDS = {"branch point": "zero and infinite", "other": ""}
+"""The words for kinds of singular poses, where they are not those of the kind itself."""
+
+
+def _singular(found: Singular, shown: Written) -> str:
+    does, names = f"is {found.value}", {"name": found.result, "at": _at(found.drive, shown)}
     if found.sides is not None:
-        low, high = (_measured(side, found.result, stroke, 6) for side in found.sides)
-        does = f"jumps from {low} to {high}"
-    return f"{found.result} {does} at {_at(found.drive, stroke)}{exact}{why}"
+        low, high = (_measured(side, found.result, shown, 6) for side in found.sides)
+        does, names = "jumps", {**names, "low": low, "high": high}
+    whole = shown.says(does, **names)
+    if found.exact is not None:
+        whole += shown.says("exactly", value=text(found.exact))
+    kind = KINDS.get(found.kind, found.kind)
+    if kind == "jump" and found.sides:
+        return whole
+    return f"{whole}: {shown.says(kind)}" if kind else whole
 
 
-def _extremum(found: Extremum, stroke: Stroke) -> str:
-    value = _measured(found.value, found.result, stroke, 13)
-    return f"{found.result} has a {found.kind} {value} at {_at(found.drive, stroke)}"
+def _extremum(found: Extremum, shown: Written) -> str:
+    value = _measured(found.value, found.result, shown, 13)
+    return shown.says(found.kind, name=found.result, value=value, at=_at(found.drive, shown))
 
 
-def _measured(value: float, result: str, stroke: Stroke, digits: int) -> str:
+def _measured(value: float, result: str, shown: Written, digits: int) -> str:
     """Return a value of a result in the unit of its column."""
-    column = next(c for c in stroke.columns if c.name == result)
-    return in_unit(value, unit_of(column.dimension, column.unit), digits)
+    column = next(c for c in shown.stroke.columns if c.name == result)
+    return shown.number(in_unit(value, unit_of(column.dimension, column.unit), digits))
 
 
-def _standstill(found: JammedInterval, stroke: Stroke) -> str:
-    says = {
-        "free": "",
-        "locked": "self-locking, the load alone moves nothing,",
-        "jammed": "jammed, no force of the drive moves anything,",
-    }
-    ends = {
-        (False, False): "",
-        (True, False): ", the lower end left out",
-        (False, True): ", the upper end left out",
-        (True, True): ", both ends left out",
-    }
-    span = _span(found.low, found.high, stroke)
-    return f"{found.result}: {says[found.state]} from {span}{ends[found.left_out]}"
+def _standstill(found: JammedInterval, shown: Written) -> str:
+    span, left_out = _span(found.low, found.high, shown), ENDS[found.left_out]
+    ends = shown.says(left_out) if left_out else ""
+    return shown.says(f"{found.state} part", name=found.result, span=span, ends=ends)
 
 
-def _course(name: str, course: EfficiencyRange, stroke: Stroke) -> str:
-    parts = " and ".join(f"from {_span(*part, stroke)}" for part in course.usual)
-    return (
-        f"{name} runs from {round(course.least, 3):g} to {round(course.greatest, 3):g}; "
-        f"it is between {USUAL[0]} and {USUAL[1]} {parts or 'nowhere'}"
+def _course(name: str, course: EfficiencyRange, shown: Written) -> str:
+    parts = [shown.says("from", span=_span(*part, shown)) for part in course.usual]
+    reached = (course.least, course.greatest, *USUAL)
+    least, greatest, low, high = (shown.number(f"{round(x, 3):g}") for x in reached)
+    where = shown.says("and").join(parts) or shown.says("no part")
+    return shown.says(
+        "course", name=name, least=least, greatest=greatest, low=low, high=high, parts=where
     )
 
 
-def _looked(stroke: Stroke) -> Iterator[str]:
+def _looked(shown: Written) -> Iterator[str]:
     """Yield at how many values the stroke was looked at, and what that means."""
-    most = max((count for _, count in stroke.looked), default=0)
+    most = max((count for _, count in shown.stroke.looked), default=0)
     fewer: dict[int, list[str]] = {}
-    for name, count in stroke.looked:
+    for name, count in shown.stroke.looked:
         fewer.setdefault(count, []).append(name)
-    others = [f"; {', '.join(fewer[n])} at {n}" for n in fewer if n < most]
+    others = (
+        shown.says("looked less", names=", ".join(names), count=count)
+        for count, names in fewer.items()
+        if count < most
+    )
     if most:
-        yield (
-            f"Looked at {most} places{''.join(others)}: zeros, poles and extrema between "
-            "neighbouring ones are refined, two of them closer together may be missed."
-        )
+        yield shown.says("looked", count=most, others="".join(others))
 
 
-def _span(low: float, high: float, stroke: Stroke) -> str:
-    return f"{_at(low, stroke)} to {_at(high, stroke)}"
+def _span(low: float, high: float, shown: Written) -> str:
+    return shown.says("span", low=_at(low, shown), high=_at(high, shown))

@@ -1,0 +1,44 @@
+"""What is said along a stroke, in every language."""
+
+from typing import get_args
+
+import pytest
+
+import mechc
+from mechc.model.locking import State
+from mechc.report.languages.registry import locale
+from mechc.report.text.stroke import ENDS, KINDS, to_table
+from mechc.study.stroke.along import EXCLUDED, NO_POSE
+from mechc.study.stroke.stretches import BEYOND, FLAT
+from mechc.study.stroke.stroke import Kind
+from mechc.syntax.vocabulary import LANGUAGES
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_all_that_a_stroke_can_meet_has_words(language):
+    words = locale(language).along_stroke
+    kinds = {KINDS.get(kind, kind) for kind in get_args(Kind)} - {""}
+    states = {f"{state} part" for state in get_args(State)}
+    assert {*NO_POSE, EXCLUDED, BEYOND, FLAT, *kinds, *states} <= words.keys()
+    assert set(ENDS.values()) - {""} <= words.keys()
+
+
+def test_a_stroke_in_ukrainian_has_its_units_and_decimal_commas():
+    table = to_table(mechc.load("crank_rocker").stroke(3), language="uk")
+    head, first, *_ = table.splitlines()
+    assert head.split() == ["phi", "[град]", "k", "[мм]", "i", "mu_B", "[град]"]
+    assert "-53,3333333" in first
+    assert "k = 0 при phi = 24,1468479965 град: мертве положення" in table
+    assert "." not in table.replace(". Нулі", "").replace("пропущені.", "")
+
+
+def test_efficiencies_and_jams_in_russian():
+    table = to_table(mechc.load("claw_with_friction").stroke(3), language="ru")
+    assert "eta_k изменяется от 0,974 до 0,977; в пределах 0,9…0,95: нигде" in table
+    assert "phi [рад]" in table
+
+
+def test_english_is_said_as_ever():
+    table = to_table(mechc.load("crank_rocker").stroke(3))
+    assert "k = 0 at phi = 24.1468479965 deg: dead centre, the output stands still" in table
+    assert "Looked at 721 places: zeros, poles and extrema" in table
