@@ -6,7 +6,9 @@ from pathlib import Path
 import pytest
 
 import mechc
+from good_mechanisms import compiled
 from mechc.report.languages.registry import LANGUAGES, locale
+from mechc.report.text.derivation import render
 from mechc.syntax import vocabulary
 
 LEVER = """
@@ -126,3 +128,12 @@ def test_a_report_is_headed_by_what_it_is_about(name: str, subject: str) -> None
         subjects = locale(language).subjects
         head = mechc.load(name).emit("latex", language=language)[:2500]
         assert [key for key, said in subjects.items() if said in head] == [subject]
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_numbers_of_a_derivation_have_decimal_commas(language):
+    compilation = compiled("wheelbarrow")
+    shown = render(compilation.derivation, compilation.mechanism, language=language)
+    assert "9,80665" in shown
+    assert "= 213,853 " in shown
+    assert not re.search(r"\d\.\d", shown)

@@ -194,7 +194,8 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
         yield f"     {spell.locale.where}"
         yield from _where((), section.where, spell, section.units)
     if section.has_usual_g:
-        yield f"{DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
+        unit = "m/s²" if spell.signs.fancy else "m/s^2"
+        yield spell.units(f"{DEEP}g = {float(GRAVITY.value)} {unit}")
     for result in section.results:
         for remark in remarks(result, spell.locale, spell):
             yield from spell.wrapped(remark, "   - ")

@@ -32,6 +32,8 @@ _OPERATOR = re.compile(r"\\operatorname\{(\w+)\}")
 _UNIT = re.compile(r"(?<=\d )(?!in\b)(?:1/)?[A-Za-z][\w^*/·]*")
 """A unit behind its number; ``in`` is the word of a range, too, and stays as it is."""
 
+_POINT = re.compile(r"(?<=\d)\.(?=\d)")
+
 _WORD = re.compile(r"[A-Za-z]+")
 
 
@@ -58,11 +60,11 @@ class Speller(NamedTuple):
         for sign, side in zip(signs, sides[1:], strict=True):
             shown = self.signs.relations.get(sign, sign)
             line += f" {shown} {print_side(side, self.signs, angle)}"
-        return line
+        return self.decimals(line)
 
     def number(self, value: float) -> str:
         """Return a number that was computed."""
-        return f"{value:.{SHOWN}g}".replace("-", self.signs.minus)
+        return self.decimals(f"{value:.{SHOWN}g}".replace("-", self.signs.minus))
 
     def quantity(self, quantity: Quantity) -> str:
         """Return a value in its unit, an angle in degrees."""
@@ -79,8 +81,15 @@ class Speller(NamedTuple):
         return self.texts.get(text, text)
 
     def units(self, said: str) -> str:
-        """Return text in which units stand in the letters of the language."""
-        return _UNIT.sub(lambda unit: self.unit(unit[0]), said) if self.locale.units else said
+        """Return text in which units stand in the letters of the language, and its decimals."""
+        if not self.locale.units:
+            return said
+        return self.decimals(_UNIT.sub(lambda unit: self.unit(unit[0]), said))
+
+    def decimals(self, said: str) -> str:
+        """Return numbers with the decimal sign of the language."""
+        sign = self.locale.decimal.strip("{}")
+        return said if sign == "." else _POINT.sub(sign, said)
 
     def unit(self, unit: str) -> str:
         """Return a unit in the letters of the language."""
