@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
 from .diagnostics import Diagnostic, MechcError, Report
-from .diagnostics.sheets import sheet_has_no_links
+from .diagnostics import sheets as messages
 from .emit.target import Emitted, Options, Target
 from .files import resolved
 from .friction.from_balance import solve
@@ -111,7 +111,9 @@ def of_linkages(
     def run(compilation: "Compilation", /, *args: P.args, **kwargs: P.kwargs) -> T:
         mechanism = compilation.mechanism
         if is_sheet(mechanism):
-            raise compilation.report.fail(sheet_has_no_links(mechanism.span, mechanism.name))
+            raise compilation.report.fail(
+                messages.sheet_has_no_links(mechanism.span, mechanism.name)
+            )
         return stage(compilation, *args, **kwargs)
 
     run.__doc__ = stage.__doc__

@@ -12,9 +12,8 @@ from typing import NamedTuple
 
 from . import witness
 from .data import data
-from .diagnostics import MechcError, near_miss
+from .diagnostics import MechcError, near_miss, syntax_limits
 from .diagnostics import files as messages
-from .diagnostics.syntax_limits import text_too_long
 from .frozen import replace
 from .source import Source, Span
 
@@ -121,7 +120,7 @@ def read_stdin(name: str) -> Source:
 def decode(content: bytes, name: str) -> Source:
     """Return bytes as a source, a byte-order mark and Windows line ends put aside."""
     if len(content) > LARGEST:
-        oversize = text_too_long(Span(0, 0), len(content), LARGEST)
+        oversize = syntax_limits.text_too_long(Span(0, 0), len(content), LARGEST)
         raise MechcError([oversize], Source(name, ""))
     try:
         text = content.decode("utf-8-sig")

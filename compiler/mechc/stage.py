@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from typing import Generic, Protocol, TypeVar, overload
 
 from .diagnostics import Report
-from .diagnostics.syntax_limits import too_much_work
+from .diagnostics import syntax_limits as messages
 from .source import Span
 from .work import LIMIT, Allowance, WorkLimitError, at_most
 
@@ -52,4 +52,4 @@ def within(allowance: Allowance, report: Report) -> Iterator[None]:
         with at_most(allowance):
             yield
     except WorkLimitError:
-        raise report.fail(too_much_work(Span(0, 0), LIMIT)) from None
+        raise report.fail(messages.too_much_work(Span(0, 0), LIMIT)) from None

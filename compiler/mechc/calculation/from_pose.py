@@ -4,7 +4,7 @@ import math
 
 from ..diagnostics import Report
 from ..diagnostics import sheets as messages
-from ..diagnostics.uses import result_without_value
+from ..diagnostics import uses as uses_messages
 from ..formula.rounding import Rounding
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -61,7 +61,7 @@ def _refuse_without(mechanism: Mechanism, values: Values, report: Report) -> set
     """
     missing = [r for r in mechanism.taken if not math.isfinite(values.get(r.name, 0.0))]
     for span, result in {r.span: r for r in reversed(missing)}.items():
-        report.add(result_without_value(span, result.name))
+        report.add(uses_messages.result_without_value(span, result.name))
     return {result.name for result in missing}
 
 

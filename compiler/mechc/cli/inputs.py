@@ -9,7 +9,7 @@ import click
 
 from .. import witness
 from ..diagnostics import MechcError
-from ..diagnostics.files import no_descriptions
+from ..diagnostics import files as files_messages
 from ..files import SUFFIXES, find, read, read_stdin
 from ..source import Source
 from ..syntax.settings import Settings, parse
@@ -52,7 +52,7 @@ def expanded(names: Iterable[str]) -> Iterator[str]:
         if not Path(name).is_dir():
             yield name
         elif not (found := sorted(map(str, _below(Path(name))))):
-            raise MechcError([no_descriptions(name)])
+            raise MechcError([files_messages.no_descriptions(name)])
         else:
             witness.report("listed", name)
             yield from found

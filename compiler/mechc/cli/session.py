@@ -7,10 +7,8 @@ from typing import Any, Literal, TypeVar
 import click
 
 from .. import witness
-from ..diagnostics import Diagnostic, MechcError, Severity
-from ..diagnostics.drawing import LACKING
+from ..diagnostics import Diagnostic, MechcError, Severity, drawing, statics
 from ..diagnostics.render import Form, render
-from ..diagnostics.statics import BUGS
 from ..frozen import frozen, replace
 from ..source import Source
 from .answers import OFF
@@ -65,14 +63,16 @@ def status(diagnostics: Iterable[Diagnostic]) -> int:
     4
     """
     errors = {d.code for d in diagnostics if d.severity is Severity.ERROR}
-    if errors & BUGS:
+    if not errors:
+        return 0
+    if errors & statics.BUGS:
         return INTERNAL
     classes = {code[1] for code in errors}
-    if "9" in classes or errors & LACKING:
+    if "9" in classes or errors & drawing.LACKING:
         return ENVIRONMENT
     if "8" in classes:
         return LIMIT
-    return WRONG if classes else 0
+    return WRONG
 
 
 class Command(click.Command):

@@ -1,4 +1,9 @@
-"""Errors and warnings: their type, their words (a module per stage), their rendering."""
+"""Errors and warnings: their type, their words (a module per stage), their rendering.
+
+The modules of words are imported when the first of their words is needed.
+"""
+
+from typing import TYPE_CHECKING
 
 from .diagnostic import (
     CATALOGUE,
@@ -23,3 +28,17 @@ __all__ = [
     "coded",
     "near_miss",
 ]
+
+if not TYPE_CHECKING:
+    from ..later import Later
+
+    WORDS = {
+        *("check", "closures", "derivation", "drawing", "drawn", "emission", "files", "friction"),
+        *("joining", "kinematics", "open_loops", "plot", "pose", "power", "sheets", "statics"),
+        *("stroke", "syntax", "syntax_limits", "syntax_yaml", "uses"),
+    }
+
+    def __getattr__(name: str) -> Later:
+        if name not in WORDS:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        return Later(f"{__name__}.{name}")

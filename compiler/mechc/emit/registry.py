@@ -9,8 +9,8 @@ from collections.abc import Iterable
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple, cast
 
+from ..diagnostics import emission as messages
 from ..diagnostics.diagnostic import MechcError, Report
-from ..diagnostics.emission import broken_target, left_out_target
 from .target import Target
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def load(name: str) -> Target:
         raise LookupError(name)
     target = _try(foreign[name])
     if isinstance(target, str):
-        raise MechcError([broken_target(name, foreign[name].value, target)])
+        raise MechcError([messages.broken_target(name, foreign[name].value, target)])
     return target
 
 
@@ -88,7 +88,7 @@ def _loaded(report: Report | None) -> dict[str, Target]:
         if not isinstance(target, str):
             found[name] = target
         elif report is not None:
-            report.add(left_out_target(name, entry.value, target))
+            report.add(messages.left_out_target(name, entry.value, target))
     return found
 
 

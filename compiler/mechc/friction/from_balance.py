@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, assert_never
 
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
-from ..diagnostics.power import length_not_given
+from ..diagnostics import power as power_messages
 from ..formula.rounding import Size
 from ..frozen import replace
 from ..model.joint_friction import RopeFriction
@@ -93,7 +93,7 @@ def _answer(
 
 def _check_lengths(find: Find, result: Result, balance: Balance, report: Report) -> None:
     if missing := open_lengths(balance.plan, (result.formula, *(d.formula for d in result.where))):
-        report.add(length_not_given(find.span, find.name, missing))
+        report.add(power_messages.length_not_given(find.span, find.name, missing))
 
 
 def _with_default(

@@ -7,9 +7,9 @@ parameter by another word; it is handed on as one.
 from collections.abc import Iterator, Mapping
 from typing import Literal, NamedTuple
 
+from ..diagnostics import uses as uses_messages
 from ..diagnostics.model import names
-from ..diagnostics.model.sheets import other_unit
-from ..diagnostics.uses import given_another_kind
+from ..diagnostics.model import sheets as messages
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols, walk
 from ..syntax import ast
@@ -98,7 +98,8 @@ def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
     entry = scope.entries[name]
     if isinstance(statement, ast.Given) and not found.sort.fits(statement.measures):
         kinds = (found.dimension, statement.measures)
-        scope.report.add(given_another_kind(found.span, name, *kinds, statement.parameter.span))
+        parameter = statement.parameter.span
+        scope.report.add(uses_messages.given_another_kind(found.span, name, *kinds, parameter))
         return None
     if entry.kind == "load" and entry.dimension is not None:
         if not Reader(scope, FORMULA).fits(found, entry.dimension, f"load '{name}'"):
@@ -130,7 +131,8 @@ def _unit(statement: ast.Let, found: Quantity, scope: Scope) -> str:
     unit = statement.unit
     if unit is None or found.sort.fits(UNITS[unit.text].dimension):
         return unit.text if unit else ""
-    scope.report.add(other_unit(unit.span, statement.name.text, unit.text, found.dimension))
+    name = statement.name.text
+    scope.report.add(messages.other_unit(unit.span, name, unit.text, found.dimension))
     return ""
 
 

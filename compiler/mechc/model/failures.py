@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import sheets as messages
-from ..diagnostics.uses import outside_used_range
+from ..diagnostics import uses as uses_messages
 from ..formula.to_text import text
 from ..formula.walk import symbols
 from ..source import Source
@@ -27,7 +27,7 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
         case Subject("list", name, _):
             return messages.beyond_the_list(span, name, left, right)
         case Subject("range", _, _, place):
-            return outside_used_range(span, left, condition.operator, right, place)
+            return uses_messages.outside_used_range(span, left, condition.operator, right, place)
         case Subject(_, name, _):
             return messages.no_single_case(span, name, round(sides[0]))
 

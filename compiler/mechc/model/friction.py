@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import assert_never
 
 from ..diagnostics.model import friction as messages
-from ..diagnostics.model.reactions import several_touch
+from ..diagnostics.model import reactions as reactions_messages
 from ..formula.tree import Call, Formula, number, product, total
 from ..syntax import ast
 from ..units import LENGTH, NUMBER
@@ -203,7 +203,7 @@ def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[JointFrictio
     if touching == 1:
         yield FaceFriction(point.text, f, statement.span)
     elif touching:
-        scope.report.add(several_touch(point.span, point.text))
+        scope.report.add(reactions_messages.several_touch(point.span, point.text))
     else:
         scope.report.add(messages.nothing_touches(point.span, point.text))
 

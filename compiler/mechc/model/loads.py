@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from ..diagnostics.model import loads as messages
+from ..diagnostics.model import lowering as lowering_messages
 from ..diagnostics.model import names
-from ..diagnostics.model.lowering import spread_without_resultant, stretch_without_length
 from ..formula.tree import (
     Call,
     Formula,
@@ -130,11 +130,13 @@ def _distributed(
     if link is None or not ends or not along or len(intensities) < len(written):
         return None
     if intensities and _cancels(intensities, scope):
-        scope.report.add(spread_without_resultant(statement.line.span, statement.name.text))
+        scope.report.add(
+            lowering_messages.spread_without_resultant(statement.line.span, statement.name.text)
+        )
         return None
     length = _length(ends[0], ends[1], built)
     if length is None:
-        scope.report.add(stretch_without_length(statement.line.span, *ends[:2]))
+        scope.report.add(lowering_messages.stretch_without_length(statement.line.span, *ends[:2]))
         return None
     spread = Spread(link.name, ends[0], ends[1], length, _centroid(intensities), intensities)
     return Force(name, point, along, statement.span, spread.resultant, times, spread=spread)

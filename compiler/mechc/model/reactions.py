@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
+from ..diagnostics.model import lowering as lowering_messages
 from ..diagnostics.model import reactions as messages
-from ..diagnostics.model.lowering import normal_of_arc, spread_along_rod
 from ..syntax import ast
 from ..units import ANGLE, FORCE, Dimension
 from .forms import Form
@@ -93,7 +93,7 @@ def _in_arc(symbol: ast.Symbol, pin: str, ends: tuple[str, ...], scope: Scope) -
     if centre is None:
         return None  # what is wrong is reported at the slot
     if set(ends) != {pin, centre}:
-        scope.report.add(normal_of_arc(symbol.span, pin, centre))
+        scope.report.add(lowering_messages.normal_of_arc(symbol.span, pin, centre))
         return None
     return Axial(f"{centre}{pin}", ends[0], ends[1])
 
@@ -111,7 +111,7 @@ def check_rods(mechanism: Mechanism, scope: Scope) -> None:
     for find in mechanism.finds:
         match find.target:
             case Axial(link) if link in spread:
-                scope.report.add(spread_along_rod(find.span, link))
+                scope.report.add(lowering_messages.spread_along_rod(find.span, link))
             case Axial(rope, tail, head) if rope in sliding:
                 scope.report.add(messages.tension_of_sliding_rope(find.span, f"{tail}{head}"))
             case Axial(link, tail, head) if {(link, tail), (link, head)} <= on:
@@ -124,7 +124,7 @@ def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
         return None
     if point in scope.points.arcs:
         if centre := scope.points.centre(point):
-            scope.report.add(normal_of_arc(symbol.span, point, centre))
+            scope.report.add(lowering_messages.normal_of_arc(symbol.span, point, centre))
         return None
     sliding = {p for points in scope.points.slides for p in points}
     if point not in scope.points.guided | scope.points.touching.keys() | sliding:

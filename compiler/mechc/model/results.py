@@ -5,9 +5,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from ..diagnostics import Diagnostic
+from ..diagnostics import uses as uses_messages
 from ..diagnostics.model import quantities
 from ..diagnostics.model import results as messages
-from ..diagnostics.uses import outside_used_range, range_of_results
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, substitute, symbols
 from ..frozen import replace
@@ -100,7 +100,9 @@ def _ranges(
         entry = scope.entries[subject.let]
         if not entry.plain or entry.posed:
             if subject.let not in refused:
-                scope.report.add(range_of_results(require.span, subject.let, subject.place))
+                scope.report.add(
+                    uses_messages.range_of_results(require.span, subject.let, subject.place)
+                )
             refused.add(subject.let)
             continue
         if fault := _outside(require, subject, values):
@@ -116,7 +118,7 @@ def _outside(require: Require, subject: Subject, values: Values) -> Diagnostic |
     unit = si_unit(require.dimension)
     left, right = (in_unit(value, unit, 6) for value in (values[subject.let], end))
     said = f"{subject.let} = {left}", require.operator, right
-    return outside_used_range(require.span, *said, subject.place)
+    return uses_messages.outside_used_range(require.span, *said, subject.place)
 
 
 # -------------------------------------------------------------------- expectations

@@ -1,7 +1,7 @@
 """What makes a description a calculation sheet."""
 
 from ..diagnostics import Report
-from ..diagnostics.model.sheets import links_in_a_sheet
+from ..diagnostics.model import sheets as messages
 from ..syntax import ast
 from .mechanism import Mechanism
 from .statements import only
@@ -29,4 +29,4 @@ def refuse_links_in_a_sheet(file: ast.File, report: Report) -> None:
     """Report the first statement of a mechanism where the heading says that it is a sheet."""
     if heading := only(file, ast.SheetHeading):
         strange = (s for s in file.statements if not isinstance(s, WRITTEN_IN_SHEETS))
-        report.add(links_in_a_sheet(next(strange).span, heading.span))
+        report.add(messages.links_in_a_sheet(next(strange).span, heading.span))

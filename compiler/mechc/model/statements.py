@@ -3,7 +3,7 @@
 from typing import TypeVar
 
 from ..diagnostics import Report
-from ..diagnostics.model.names import stated_again
+from ..diagnostics.model import names as messages
 from ..frozen import replace
 from ..syntax import ast
 
@@ -30,5 +30,5 @@ def check_doubled(file: ast.File, report: Report) -> None:
         if isinstance(statement, REPEATABLE):
             plain = replace(statement, comments=(), remark="")
             if plain in first:
-                report.add(stated_again(statement.span, first[plain].span))
+                report.add(messages.stated_again(statement.span, first[plain].span))
             first.setdefault(plain, statement)

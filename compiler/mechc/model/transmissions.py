@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterable, Sequence
 from typing import TypeVar
 
 from ..diagnostics.model import joints as messages
+from ..diagnostics.model import lowering as lowering_messages
 from ..diagnostics.model import wheels
-from ..diagnostics.model.lowering import centre_of_another
 from ..frozen import replace
 from ..syntax import ast
 from .directions import read_direction
@@ -140,7 +140,7 @@ def _arc(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> tuple[st
     point, body = held[:2]
     if centre[0] not in body.points:
         at = statement.about.span
-        scope.report.add(centre_of_another(at, centre[0], body.name))
+        scope.report.add(lowering_messages.centre_of_another(at, centre[0], body.name))
         return None
     return point, ArcSlot(body.name, centre[0], radius, statement.span)
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
-from ..diagnostics.model.quantities import condition_broken
+from ..diagnostics.model import quantities as quantities_messages
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import (
@@ -84,7 +84,7 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
     for condition in pose.mechanism.requires:
         is_given = symbols(condition.left) | symbols(condition.right) <= given
         if not is_given and not holds(condition, default):
-            report.add(condition_broken(condition.span))
+            report.add(quantities_messages.condition_broken(condition.span))
     for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
         report.add(fault)
     for misfit in misfits(pose, vectors, default):

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.product import Bound, Product, Sum
 from ..diagnostics import Report
-from ..diagnostics.power import found_from_itself, too_many_lets
+from ..diagnostics import power as messages
 from ..formula.tree import Formula
 from ..formula.walk import reached, symbols
 from ..frozen import replace
@@ -80,7 +80,9 @@ def let_results(pose: Pose, results: Sequence[Result], report: Report) -> Iterat
     needs = _needs(results, lets)
     if sum(map(len, needs.values())) > MOST_STEPS:
         longest = max(mechanism.lets, key=lambda let: len(needs[let.name]))
-        raise report.fail(too_many_lets(longest.span, longest.name, len(needs[longest.name])))
+        raise report.fail(
+            messages.too_many_lets(longest.span, longest.name, len(needs[longest.name]))
+        )
     _refuse_circles(mechanism.lets, needs, results, report)
     other = _needs([r.elsewhere or r for r in results], lets)
     for let in mechanism.lets:
@@ -101,7 +103,7 @@ def _refuse_circles(
         defined = {**needs[let.name], let.name: let.value}
         for load in (name for name in loads if name in defined):
             if through := _back_to(load, defined):
-                report.add(found_from_itself(let.span, let.name, load, through))
+                report.add(messages.found_from_itself(let.span, let.name, load, through))
                 break
     report.stop_on_errors()
 

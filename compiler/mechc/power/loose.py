@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import assert_never
 
-from ..diagnostics.syntax import listed
+from ..diagnostics import syntax
 from ..model.mechanism import (
     Contact,
     Mechanism,
@@ -35,7 +35,9 @@ def looseness(mechanism: Mechanism) -> str:
 
 
 def _named(parts: Sequence[str]) -> str:
-    return listed(parts[:FEW], "and") if len(parts) <= FEW else f"{parts[0]} and its neighbours"
+    if len(parts) > FEW:
+        return f"{parts[0]} and its neighbours"
+    return syntax.listed(parts, "and")
 
 
 def _apart(mechanism: Mechanism) -> list[list[str]]:

@@ -7,7 +7,7 @@ that pulls under one of them and pushes under none, a rope the other way round.
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from ..diagnostics import Diagnostic
-from ..diagnostics.statics import contact_would_pull, rope_would_push
+from ..diagnostics import statics as messages
 from ..model.mechanism import LoadForm, LoadRatio
 from ..model.result import Result
 from .answers import pushes
@@ -24,7 +24,7 @@ def pulling(results: Sequence[Result], at: Balanced) -> Iterator[Diagnostic]:
     contacts = {(t.point, t.body): t for t in at.pose.touches if t.kind == "contact"}
     for key, load, force in _wrong(results, at, contacts, "contact"):
         touch, place = contacts[key], free_values(at.pose, at.values)
-        yield contact_would_pull(touch.span, touch.point, touch.body, load, force, place)
+        yield messages.contact_would_pull(touch.span, touch.point, touch.body, load, force, place)
 
 
 def slack(results: Sequence[Result], at: Balanced) -> Iterator[Diagnostic]:
@@ -32,7 +32,7 @@ def slack(results: Sequence[Result], at: Balanced) -> Iterator[Diagnostic]:
     ropes = {("", rope.id): rope for rope in at.pose.mechanism.ropes}
     for key, load, force in _wrong(results, at, ropes, "transfer"):
         rope, place = ropes[key], free_values(at.pose, at.values)
-        yield rope_would_push(rope.span, rope.id, load, force, place)
+        yield messages.rope_would_push(rope.span, rope.id, load, force, place)
 
 
 def _wrong(

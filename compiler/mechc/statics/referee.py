@@ -11,15 +11,7 @@ from itertools import islice
 from typing import NamedTuple, assert_never
 
 from ..diagnostics import Diagnostic, MechcError, Report
-from ..diagnostics.statics import (
-    BUGS,
-    friction_not_counted,
-    methods_disagree,
-    no_equilibrium,
-    not_checked,
-    pose_does_not_close,
-    several_balances,
-)
+from ..diagnostics import statics as messages
 from ..formula.rounding import Rounding
 from ..formula.tree import ONE, Formula
 from ..formula.walk import evaluate, substitute, symbols
@@ -134,7 +126,7 @@ def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
     gaps = (worst_gap(pose, values) for values in islice(poses, POSES))
     gap = next((gap for gap in gaps if gap is not None), None)
     if gap is not None:
-        report.add(pose_does_not_close(pose.mechanism.span, gap.what, gap.size))
+        report.add(messages.pose_does_not_close(pose.mechanism.span, gap.what, gap.size))
 
 
 def _count_pins(at: Balanced, report: Report) -> None:
@@ -143,7 +135,7 @@ def _count_pins(at: Balanced, report: Report) -> None:
 
     friction = ((pair.on, pair.actions) for pair in pairs_of(at) if pair.kind == "pin")
     for pin in uncounted(at, friction):
-        report.add(friction_not_counted(at.pose.mechanism.span, pin))
+        report.add(messages.friction_not_counted(at.pose.mechanism.span, pin))
 
 
 def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Question]:
@@ -318,7 +310,7 @@ def _one_of_several(trial: Trial, pose: Pose) -> Diagnostic:
     given = defaults(pose.mechanism).items()
     is_default = all(trial.values.get(name) == value for name, value in given)
     place = {} if is_default else free_values(pose, trial.values)
-    return several_balances(span, trial.result, trial.power, place)
+    return messages.several_balances(span, trial.result, trial.power, place)
 
 
 def _untried(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> Untried:
@@ -328,14 +320,14 @@ def _untried(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) ->
 def _unchecked(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
     """Return a warning, or an error where only equilibrium failed, and at every pose."""
     if troubles and not {NO_VALUE, NEAR_SINGULAR, STANDS, UNSETTLED} & set(troubles):
-        return no_equilibrium(span, name, troubles[-1])
-    return not_checked(span, name, troubles[-1] if troubles else "no pose was found")
+        return messages.no_equilibrium(span, name, troubles[-1])
+    return messages.not_checked(span, name, troubles[-1] if troubles else "no pose was found")
 
 
 def _stop_on_disagreement(verdict: Verdict, span: Span, report: Report) -> None:
     for trial in verdict.trials:
         if not trial.agrees:
-            report.add(methods_disagree(span, trial.result, trial.power, trial.statics))
+            report.add(messages.methods_disagree(span, trial.result, trial.power, trial.statics))
             break
-    if any(d.code in BUGS for d in report.diagnostics):
+    if any(d.code in messages.BUGS for d in report.diagnostics):
         raise RefereeDisagrees(report, verdict)

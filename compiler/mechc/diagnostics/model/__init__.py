@@ -1,5 +1,16 @@
 """The words of errors in what a description means (E2xx), a module for each subject."""
 
-from . import joints, loads, names, quantities, results
+from typing import TYPE_CHECKING
 
-__all__ = ["joints", "loads", "names", "quantities", "results"]
+if not TYPE_CHECKING:
+    from ...later import Later
+
+    WORDS = {
+        *("doubts", "friction", "held", "joints", "loads", "lowering", "names", "quantities"),
+        *("reactions", "reported", "results", "sheets", "symmetry", "translations", "wheels"),
+    }
+
+    def __getattr__(name: str) -> Later:
+        if name not in WORDS:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        return Later(f"{__name__}.{name}")

@@ -7,8 +7,8 @@ literals and the functions of ``math.h`` change, comments and names do not.
 import re
 from typing import NamedTuple
 
+from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...diagnostics.emission import beyond_single_precision
 from ...formula import newton
 
 
@@ -97,5 +97,5 @@ def _single(token: re.Match[str]) -> str:
 def _held(number: str) -> str:
     number = OF_ROUNDING.get(number, number)
     if float(number) > _LARGEST or 0.0 < float(number) < _LEAST:
-        raise MechcError([beyond_single_precision(number)])
+        raise MechcError([messages.beyond_single_precision(number)])
     return number

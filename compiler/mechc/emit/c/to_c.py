@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from types import ModuleType
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
+from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...diagnostics.emission import file_hides_another, unspeakable_file_name
 from ...formula import newton
 from ...formula.choices import SIGNS
 from ...routine.steps import (
@@ -133,11 +133,13 @@ TARGET = CTarget()
 
 def _stem(options: Options) -> str:
     if re.search(r'["\\\n]', options.stem):
-        raise MechcError([unspeakable_file_name(options.stem)])
+        raise MechcError([messages.unspeakable_file_name(options.stem)])
     stem = file_stem(options.stem, options.named, HEADERS)
     if stem is None:
         name = f"{options.stem}.h"
-        raise MechcError([file_hides_another(name, f"the header <{name}>", f"{options.stem}_.c")])
+        raise MechcError(
+            [messages.file_hides_another(name, f"the header <{name}>", f"{options.stem}_.c")]
+        )
     return stem
 
 

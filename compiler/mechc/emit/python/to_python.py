@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING, NamedTuple
 
+from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...diagnostics.emission import file_hides_another
 from ...formula import newton
 from ...formula.choices import SIGNS
 from ...formula.tree import Call, Formula
@@ -105,7 +105,7 @@ def _stem(options: Options) -> str:
     stem = file_stem(options.stem, options.named, taken)
     if stem is None:
         hidden, free = f"Python's module {options.stem}", f"{options.stem}_.py"
-        raise MechcError([file_hides_another(f"{options.stem}.py", hidden, free)])
+        raise MechcError([messages.file_hides_another(f"{options.stem}.py", hidden, free)])
     return stem
 
 

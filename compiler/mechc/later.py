@@ -1,0 +1,22 @@
+"""Modules that are imported when something of them is first needed.
+
+A description that is right needs no words for errors, and they are a tenth of what a
+compilation imports. A package whose modules may wait has a ``__getattr__`` that gives them as
+:class:`Later`; ``from package import module`` then imports nothing.
+"""
+
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+
+class Later(ModuleType):
+    """Stands for a module, and imports it when one of its names is asked for.
+
+    >>> module = Later("mechc.version")
+    >>> module.VERSION == import_module("mechc.version").VERSION
+    True
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(import_module(self.__name__), name)
