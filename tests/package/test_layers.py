@@ -8,6 +8,7 @@ from pathlib import Path
 from paths import PACKAGE
 
 BASE = [
+    "later",
     "version",
     "kept",
     "witness",
