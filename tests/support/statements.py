@@ -9,8 +9,9 @@ from itertools import pairwise
 from random import Random
 from types import CodeType
 
+from mechc.formula.choices import FUNCTIONS as CHOSEN
 from mechc.formula.to_text import text
-from mechc.formula.tree import Formula, Implicit
+from mechc.formula.tree import Call, Formula, Implicit
 from mechc.formula.walk import FUNCTIONS, constants, substitute, symbols, walk
 from mechc.formula.walk import evaluate as slowly
 from mechc.model.mechanism import Mechanism
@@ -34,7 +35,7 @@ CODE: dict[int, tuple[Formula, CodeType | None]] = {}
 def _code(formula: Formula) -> CodeType | None:
     """Return a formula as code; None where a part of it is iterated."""
     if id(formula) not in CODE:
-        is_iterated = any(isinstance(f, Implicit) for f in walk(formula))
+        is_iterated = any(_is_slow(part) for part in walk(formula))
         numbers = {c.name: c.value for c in constants([formula])}
         source = text(substitute(formula, numbers)).replace("^", "**")
         CODE[id(formula)] = (
@@ -42,6 +43,11 @@ def _code(formula: Formula) -> CodeType | None:
             None if is_iterated else compile(source, "formula", "eval"),
         )
     return CODE[id(formula)][1]
+
+
+def _is_slow(part: Formula) -> bool:
+    """Return whether a part is iterated, chosen or looked up, for which there is no code."""
+    return isinstance(part, Implicit) or (isinstance(part, Call) and part.function in CHOSEN)
 
 
 def evaluate(formula: Formula, values: Values) -> float:
@@ -64,14 +70,24 @@ def poses(mechanism: Mechanism, result: Analysis, number: int, seed: int) -> Ite
             p.name: kept[p.name] if p.name in kept and p.range is None else dice.uniform(*bounds(p))
             for p in independent(mechanism)
         }
+        drawn |= {load: dice.uniform(0.5, 2) for load in _open_loads(mechanism)}
         yield with_rest(mechanism, result, drawn)
 
 
+def _open_loads(mechanism: Mechanism) -> Iterator[str]:
+    """Yield the loads that nothing gives a size."""
+    given = {let.name for let in mechanism.lets}
+    return (k.name for k in mechanism.loads if k.tie is None and k.name not in given)
+
+
 def with_rest(mechanism: Mechanism, result: Analysis, values: Values) -> Values:
-    """Return values with what follows from them."""
+    """Return values with what follows from them: angles of the pose, and formulas of those."""
     found = dict(values)
-    for name, formula in (*dependent(mechanism).items(), *result.where):
-        found[name] = evaluate(formula, found)
+    left = [*dependent(mechanism).items(), *result.where]
+    while ready := [d for d in left if symbols(d[1]) <= found.keys()]:
+        for name, formula in ready:
+            found[name] = evaluate(formula, found)
+        left = [d for d in left if d not in ready]
     return found
 
 
@@ -197,7 +213,8 @@ def proportions(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterato
 
 
 def _free(mechanism: Mechanism, pose: Values) -> Values:
-    return {p.name: pose[p.name] for p in independent(mechanism) if p.name in pose}
+    names = (*(p.name for p in independent(mechanism)), *_open_loads(mechanism))
+    return {name: pose[name] for name in names if name in pose}
 
 
 def _close(a: float, b: float) -> bool:

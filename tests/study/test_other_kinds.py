@@ -1,0 +1,56 @@
+"""Whatever is said of ropes, bands, collars, wheels on arms and joined parts holds on sampling."""
+
+from pathlib import Path
+
+import pytest
+
+from friction_statements import refuted as refuted_with_friction
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation, complete
+from mechc.model.targets import Efficiency, WithFriction
+from mechc.source import Source
+from other_kinds import KINDS, other
+from paths import TESTS
+from statements import missing, refuted
+
+PRESS = TESTS.parent / "examples" / "press"
+
+
+def compiled(text: str, folder: Path) -> Compilation | None:
+    """Return a description compiled; None where a rope would push."""
+    compilation = Compilation(Source("other.mech", text, folder=folder))
+    try:
+        return complete(compilation)
+    except MechcError as error:
+        if {d.code for d in error.diagnostics if d.code[0] == "E"} != {"E343"}:
+            raise
+        return None
+
+
+def hold(kind: str, seeds: range) -> int:
+    """Try what is said of some mechanisms of a kind; return how many had a result."""
+    number = 0
+    for seed in seeds:
+        compilation = compiled(other(kind, seed), PRESS)
+        if compilation is None:
+            continue
+        assert not {"W601", "W602"} & {d.code for d in compilation.report.diagnostics}, seed
+        assert list(refuted_with_friction(compilation)) == [], seed
+        for result in compilation.results:
+            mechanism = compilation.pose.mechanism
+            assert list(refuted(mechanism, result, seed)) == [], seed
+            if not isinstance(result.target, WithFriction | Efficiency):
+                assert list(missing(mechanism, result, seed)) == [], seed
+        number += 1
+    return number
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_is_said_of_other_kinds_holds(kind):
+    assert hold(kind, range(1)) == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_is_said_of_many_of_other_kinds_holds(kind):
+    assert hold(kind, range(100, 115)) > 5

@@ -1,0 +1,186 @@
+"""Random mechanisms of kinds that do not grow: ropes, bands, collars, wheels on arms, parts.
+
+Each function returns the text of one; numbers have ranges, over which statements can be sampled.
+"""
+
+from collections.abc import Callable
+from random import Random
+
+PRESS = """
+pivot O at ({x} mm, {y} mm)
+link OA
+link AB
+OA = r @ phi
+AB = {b} mm
+drive phi from {low} deg to {high} deg
+torque M on OA
+use "toggle.mech" as T (l = {l} mm) at (0 mm, 210 mm) joining T.B = B
+assembly ABC1 {side}
+find k = M/T_F
+"""
+"""Joined with the toggle of the examples, in whose folder it lies."""
+
+
+def ranged(name: str, dice: Random, low: float, high: float, unit: str = "") -> str:
+    """Return the line of a parameter whose range is a part of what it may be."""
+    ends = sorted((dice.uniform(low, high), dice.uniform(low, high)))
+    value = dice.uniform(*ends)
+    return f"param {name} = {value:.4f} {unit} in {ends[0]:.4f} {unit} .. {ends[1]:.4f} {unit}"
+
+
+def rope(dice: Random) -> str:
+    """A hoist: blocks on fixed axles and a movable one, falls at an angle, a hand that pulls."""
+    falls = dice.choice((1, 2, 3, 4))
+    start = "K" if falls % 2 else "P0"
+    stops, at = [], start
+    for i in range(falls):
+        at = "K" if at != "K" else f"P{i + 1}"
+        slant = f" {dice.choice('+-')} u" if dice.random() < 0.5 else ""
+        stops.append(f"{at} along {'-90' if at == 'K' else '90'} deg{slant}")
+    hand = "-90 deg + t" if at != "K" else "90 deg + t"
+    pivots = [
+        f"pivot P{i}" for i in range(falls + 1) if any(f"P{i} " in s + " " for s in (*stops, start))
+    ]
+    straight = [s.split()[0] for s in stops[:-1] if s[0] == "P" and "u" not in "".join(stops)]
+    rubbing = [f"friction rope {name} mu wrap 180 deg" for name in straight]
+    lines = [ranged("t", dice, -80, 80, "deg"), ranged("u", dice, -40, 40, "deg")]
+    if rubbing and dice.random() < 0.5:
+        lines.append(ranged("mu", dice, 0.01, 0.6))
+    else:
+        rubbing = []
+    lines += [*pivots, "slider K along y", f"slider H along {hand}"]
+    lines += [f"rope {start}, {', '.join(stops)}, H along {hand}"]
+    lines += [f"force P at H along {hand}", "force F at K along -y", *rubbing]
+    return "\n".join([*lines, "find k = P/F"])
+
+
+def band(dice: Random) -> str:
+    """A band brake: a drum, and a lever that tightens the band at one of its ends or both."""
+    lines = [
+        ranged("D", dice, 100, 500, "mm"),
+        ranged("a", dice, 50, 200, "mm"),
+        ranged("l", dice, 200, 600, "mm"),
+        ranged("mu", dice, 0.05, 0.5),
+        "pivot O\npivot C",
+        "link OG\nlink CAB",
+        "OG = D/2 @ 90 deg",
+        f"CA = a @ {dice.choice((0, 0, 180))} deg",
+        "CB = l @ 0 deg",
+        "rope C, O along x, A along -y",
+        "torque M on OG",
+        "force P at B along -y",
+        "friction rope O mu wrap 270 deg drum D on OG",
+        "find M",
+    ]
+    return "\n".join(lines)
+
+
+def collar(dice: Random) -> str:
+    """A screw with friction in its thread and at its collar."""
+    kinds = ("mean d_c", "outer 2*d_c inner d_c", "outer 2*d_c inner d_c pressure")
+    lines = [
+        ranged("p", dice, 2, 30, "mm"),
+        ranged("d", dice, 20, 60, "mm"),
+        ranged("d_c", dice, 20, 80, "mm"),
+        ranged("f", dice, 0.02, 0.3),
+        ranged("f_c", dice, 0.02, 0.3),
+        "pivot O\nlink OE\nOE = 10 mm @ 0 deg",
+        "slider A along x",
+        "screw A pitch p on OE",
+        "torque T on OE",
+        f"force F at A along {dice.choice(('-x', 'x', '20 deg'))}",
+        "friction screw A f thread d",
+        f"friction collar A f_c {dice.choice(kinds)}",
+        "find k = T/F",
+    ]
+    return "\n".join(lines)
+
+
+def arm(dice: Random) -> str:
+    """Wheels on an arm: a sun, a planet, and a ring that stands, turns, or is left out."""
+    ring = dice.choice(("", "on ground inner", "on ground inner"))
+    lines = [
+        ranged("r1", dice, 10, 60, "mm"),
+        ranged("r2", dice, 10, 60, "mm"),
+        "pivot O\nlink OA\nlink AB\nlink OS",
+        f"{dice.choice(('gear', 'gear', 'belt'))} O r1 on {'OS' if ring else 'ground'}, A r2",
+        "OA = (r1 + r2) @ t\nAB = 15 mm @ u\nOS = 10 mm @ 200 deg",
+        ranged("t", dice, -180, 180, "deg"),
+        ranged("u", dice, -180, 180, "deg"),
+    ]
+    if ring:
+        lines.append(f"gear A r2, O r1 + 2*r2 {ring}")
+        lines += [
+            "torque M on OS",
+            f"force F at {dice.choice('AB')} along {dice.randint(0, 359)} deg",
+        ]
+    else:
+        lines = [
+            line.replace("\nlink OS", "").replace("\nOS = 10 mm @ 200 deg", "") for line in lines
+        ]
+        lines += ["torque M on OA", f"force F at B along {dice.randint(0, 359)} deg"]
+    return "\n".join([*lines, "find k = M/F"])
+
+
+def choice(dice: Random) -> str:
+    """A crank and its guide, whose lengths a choice, a table and a list of sizes give."""
+    low = dice.uniform(-3, 1)
+    lines = [
+        ranged("v", dice, 0, 5),
+        "table m = 0: 0.8, 2: 1.4, 5: 1.1",
+        "list sizes = 80 mm, 120 mm, 200 mm, 400 mm",
+        "let a = 50 mm when v < 2 else 30 mm when v < 3 else (40 mm + v*5 mm)",
+        "let b = next 2*a in sizes",
+        "let w = m at v",
+        f"param phi = {low + 0.5:.4f} rad in {low:.4f} rad .. {low + 1:.4f} rad",
+        "pivot O at (0 mm, 0 mm)\nslider B along x through O\nlink OA\nlink AB",
+        "OA = a*w @ phi\nAB = b + 20 mm\nassembly B forward",
+        f"drive phi from {low:.4f} rad to {low + 1:.4f} rad",
+        "torque M on OA\nforce F at B along x",
+        "find k = M/F",
+    ]
+    return "\n".join(lines)
+
+
+def drives(dice: Random) -> str:
+    """A five-bar with two drives, of which the first one moves."""
+    t, u = dice.uniform(60, 150), dice.uniform(20, 110)
+    lines = [
+        f"param t = {t:.3f} deg in {t - 15:.3f} deg .. {t + 15:.3f} deg",
+        f"param u = {u:.3f} deg in {u - 15:.3f} deg .. {u + 15:.3f} deg",
+        "pivot O at (0 mm, 0 mm)\nlink OA\nlink AB\nOA = 50 mm @ t",
+        f"drive t from {t - 10:.3f} deg to {t + 10:.3f} deg\ndrive u",
+        f"force F at B along {dice.randint(0, 359)} deg",
+        "find k = M/F" if dice.random() < 0.5 else "find V_B_x/omega_OA\nfind k = M/F",
+    ]
+    lines.append("pivot C at (100 mm, 0 mm)\nlink CD\nlink DB\nCD = 50 mm @ u")
+    lines.append(f"AB = {dice.randint(70, 110)} mm\nDB = {dice.randint(70, 110)} mm")
+    lines.append("assembly ABD cw\ntorque M on OA\ntorque T on CD")
+    return "\n".join(lines)
+
+
+def joined(dice: Random) -> str:
+    """A crank joined with the toggle of the examples."""
+    phi = dice.uniform(60, 150)
+    text = PRESS.format(
+        x=dice.randint(140, 180),
+        y=dice.randint(80, 120),
+        b=dice.randint(100, 150),
+        l=dice.randint(95, 130),
+        low=round(phi - 20),
+        high=round(phi + 20),
+        side=dice.choice(("cw", "ccw")),
+    )
+    r = ranged("r", dice, 15, 45, "mm")
+    return f"{r}\nparam phi = {phi:.3f} deg in {phi - 20:.3f} deg .. {phi + 20:.3f} deg{text}"
+
+
+KINDS: dict[str, Callable[[Random], str]] = {
+    kind.__name__: kind for kind in (rope, band, collar, arm, choice, drives, joined)
+}
+"""The kinds by their names."""
+
+
+def other(kind: str, seed: int) -> str:
+    """Return a random mechanism of a kind."""
+    return KINDS[kind](Random(f"{kind} {seed}"))
