@@ -1,0 +1,87 @@
+"""Which status a result with friction has, by the load of the drive without friction and with."""
+
+import math
+
+import numpy as np
+import pytest
+
+from mechc.formula.tree import ZERO, Symbol
+from mechc.model.result import Drive
+from mechc.routine.evaluate import evaluate, status
+from mechc.routine.steps import Function, Guard, Input, Status
+from mechc.units import NUMBER
+
+INPUTS = tuple(Input(name, NUMBER) for name in ("R", "P", "P_f"))
+DRIVE, FORCE = Symbol("P"), Symbol("R")
+
+
+def result(sense: int = 1, guards: tuple[Guard, ...] = ()) -> Function:
+    """Return a force R that stands for itself; the drive is P without friction, P_f with it."""
+    drive = Drive(Symbol("P"), Symbol("P_f"))
+    asked = Status("R_status", drive, sense, INPUTS, (), guards)
+    return Function("R", "", INPUTS, (), (), FORCE, FORCE, (), NUMBER, 0, status=asked)
+
+
+def status_of(r: float, ideal: float, load: float, sense: int = 1, *guards: Guard) -> float:
+    function = result(sense, guards)
+    return float(status(function, function, {"R": r, "P": ideal, "P_f": load}))
+
+
+@pytest.mark.parametrize(
+    ("ideal", "load", "forwards", "backwards"),
+    [
+        (1.0, 2.0, 0, 0),
+        (1.0, -1.0, 4, 3),
+        (-1.0, 1.0, 3, 4),
+        (-1.0, -2.0, 0, 0),
+        (0.0, 1.0, 0, 0),
+        (0.0, -1.0, 4, 3),
+        (1.0, 0.0, 4, 3),
+        (-1.0, 0.0, 3, 4),
+    ],
+)
+def test_the_drive_moves_where_its_load_keeps_its_sign(
+    ideal: float, load: float, forwards: int, backwards: int
+) -> None:
+    assert status_of(5.0, ideal, load) == forwards
+    assert status_of(5.0, ideal, load, -1) == backwards
+
+
+@pytest.mark.parametrize(("ideal", "load"), [(0.0, 0.0), (1e-31, -1e-31), (-1e-31, 1e-31)])
+def test_without_a_load_nothing_has_to_be_overcome(ideal: float, load: float) -> None:
+    assert status_of(0.0, ideal, load) == 0
+
+
+@pytest.mark.parametrize(("ideal", "load", "known"), [(1e-31, -1.0, 4), (-1.0, 1e-31, 3)])
+def test_one_load_that_is_none_is_not_enough(ideal: float, load: float, known: int) -> None:
+    assert status_of(0.0, ideal, load) == known
+
+
+def test_what_is_infinite_does_not_move() -> None:
+    assert status_of(math.inf, 1.0, 2.0) == 4
+    assert status_of(-math.inf, -1.0, -2.0) == 3
+
+
+def test_where_a_condition_fails_there_is_no_pose() -> None:
+    fails, holds = (Guard(Symbol("P"), operator, ZERO) for operator in ("<", ">"))
+    assert status_of(math.nan, 1.0, 2.0, 1, fails) == 1
+    assert status_of(math.nan, 1.0, 2.0, 1, holds, fails) == 1
+    assert status_of(math.nan, 1.0, 2.0, 1, holds) == 2
+    assert status_of(5.0, 1.0, 2.0, 1, fails) == 0
+
+
+def test_many_poses_have_a_status_each() -> None:
+    function = result()
+    poses = {"R": 5.0, "P": np.array([1.0, 1.0, -1.0, 0.0]), "P_f": np.array([2.0, -1.0, 1.0, 0.0])}
+    assert status(function, function, poses).tolist() == [0, 4, 3, 0]
+
+
+def test_where_there_is_no_number_another_form_is_taken() -> None:
+    guarded = Function(
+        "k", "", INPUTS, (Guard(Symbol("P"), ">", ZERO),), (), FORCE, FORCE, (), NUMBER, 0,
+        otherwise=Function("p", "", INPUTS, (), (), DRIVE, DRIVE, (), NUMBER, 0),
+    )  # fmt: skip
+    assert evaluate(guarded, {"R": 7.0, "P": 1.0, "P_f": 0.0}) == 7.0
+    assert evaluate(guarded, {"R": 7.0, "P": -1.0, "P_f": 0.0}) == -1.0
+    both = evaluate(guarded, {"R": 7.0, "P": np.array([1.0, -1.0]), "P_f": 0.0})
+    assert np.asarray(both).tolist() == [7.0, -1.0]
