@@ -58,3 +58,29 @@ def test_a_weight_has_its_value_and_is_put_in():
 def test_a_load_alone_is_still_a_result():
     text = mechc.loads(DRAWN.replace("find k = M/F", "let F = 20 N")).emit("latex")
     assert r"\boxed{F=" in text
+
+
+TRUSS = """
+mechanism truss
+pivot A at (0 m, 0 m)
+slider B along x
+link AC
+link CB
+link AD
+link DB
+link CD
+B at (4 m, 0 m)
+D at (2 m, 0 m)
+C at (2 m, 1.5 m)
+force P at C along -y
+let P = 12 kN
+find N_AC
+find R_A
+"""
+
+
+def test_a_force_in_a_rod_has_a_heading_of_its_own():
+    text = mechc.loads(TRUSS).emit("latex")
+    assert r"\textbf{Force in a rod:}" in text
+    assert text.count(r"\textbf{Force at a joint:}") == 1
+    assert "in one pose (" in text

@@ -238,6 +238,12 @@ LOCALE = Locale(
     speed_ratio="Velocity ratio",
     joint_force="Force at a joint",
     joint_force_with_friction="Force at a joint, with friction",
+    axial={
+        "rod": "Force in a rod",
+        "rod with friction": "Force in a rod, with friction",
+        "rope": "Tension of a rope",
+        "rope with friction": "Tension of a rope, with friction",
+    },
     with_friction={
         "tightening": "With friction, {drive} drives",
         "releasing": "With friction, {drive} is back-driven",
@@ -343,6 +349,8 @@ LOCALE = Locale(
     at_default="At the values given",
     undetermined="undetermined",
     agrees="Check: the equilibrium of the free bodies gives the same result in {count} poses "
+    "(largest relative difference {error}).",
+    agrees_once="Check: the equilibrium of the free bodies gives the same result in one pose "
     "(largest relative difference {error}).",
     disagrees="Check failed: the equilibrium of the free bodies gives another result (relative "
     "difference {error}).",

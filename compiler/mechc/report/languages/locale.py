@@ -82,6 +82,9 @@ class Locale(NamedTuple):
     speed_ratio: str
     joint_force: str
     joint_force_with_friction: str
+    axial: Mapping[str, str]
+    """The headings of forces in rods and ropes, without friction and with it."""
+
     with_friction: Mapping[str, str]
     efficiency: str
     where: str
@@ -140,6 +143,7 @@ class Locale(NamedTuple):
     at_default: str
     undetermined: str
     agrees: str
+    agrees_once: str
     disagrees: str
     pending: str
 

@@ -250,7 +250,8 @@ def check(verdict: Verdict, locale: Locale, style: Notation) -> str:
     if not verdict.trials:
         return locale.pending
     poses = {tuple(sorted(trial.values.items())) for trial in verdict.trials}
-    template = locale.agrees if verdict.agrees else locale.disagrees
+    agrees = locale.agrees_once if len(poses) == 1 else locale.agrees
+    template = agrees if verdict.agrees else locale.disagrees
     return template.format(count=len(poses), error=f"${decimal(_rounded(verdict.worst), style)}$")
 
 

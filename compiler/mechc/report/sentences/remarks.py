@@ -18,6 +18,7 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
+from ...model.parts import rope_id
 from ...model.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
 from ..derivation.steps import Paragraph
@@ -61,12 +62,16 @@ def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
             return locale.load
         case SpeedRatio():
             return locale.speed_ratio
-        case Reaction() | Axial() | Normal():
+        case Reaction() | Normal():
             return locale.joint_force
+        case Axial(link):
+            return locale.axial[_member(link)]
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             said = locale.with_friction["first" if order == "first" else sense]
             said = said.format(drive=_spelled(Symbol(drive), spell))
             return f"{said} ({_spelled(asked(result), spell)})"
+        case WithFriction(Axial(link)):
+            return locale.axial[f"{_member(link)} with friction"]
         case WithFriction():
             return locale.joint_force_with_friction
         case Efficiency():
@@ -75,6 +80,11 @@ def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
             return ""
         case _:
             assert_never(result.target)
+
+
+def _member(link: str) -> str:
+    """Return what a force along a line is in, by its name among links and ropes."""
+    return "rope" if link.startswith(rope_id(())) else "rod"
 
 
 def ratio(result: Analysis) -> Formula | None:
