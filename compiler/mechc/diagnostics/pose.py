@@ -93,11 +93,12 @@ def loop_ties_symbols(at: Span, loop: str, names: Iterable[str], relation: str) 
 
     Leave one length of the loop out: k does not depend on it, or mechc will tell.
     """
-    tied = ", ".join(names)
+    tied = list(names)
+    free = "which are given as independent" if len(tied) > 1 else "which is given as free"
     detail = f": {relation}" if relation else ""
     return Message(
         at,
-        f"the loop {loop} ties {tied}, which are given as independent{detail}",
+        f"the loop {loop} ties {', '.join(tied)}, {free}{detail}",
         "leave a length of the loop open (`AB = @ beta`), or define one parameter by the others",
     )
 

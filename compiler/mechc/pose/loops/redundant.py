@@ -57,10 +57,14 @@ def _length_gap(
 
 
 def _side_gap(known: Vector, moving: list[Arm], values: dict[str, float]) -> tuple[float, float]:
-    """Return the size of the known side, and how far it ends beside the line."""
+    """Return the longest arm of the known side, and how far that side ends beside the line.
+
+    The side itself may come to nothing, but for rounding.
+    """
     x, y = evaluate_vector(known, values)
     theta = moving[0].angle.evaluate(values)
-    return math.hypot(x, y), y * math.cos(theta) - x * math.sin(theta)
+    longest = max(abs(arm.length.evaluate(values)) for arm in known)
+    return longest, y * math.cos(theta) - x * math.sin(theta)
 
 
 def _closure(name: str, known: Vector, moving: list[Arm], state: State) -> Closure:
