@@ -38,10 +38,10 @@ class Bound(NamedTuple):
 class Stretch(NamedTuple):
     """A stretch of a parameter on which a mechanism is locked, or jammed.
 
-    None is an end at which nothing changes before the parameter's range ends, or, beyond
-    that, before the next dead centre. ``within`` is what of it lies in the range. A stretch
-    is ``sampled`` where it was found by looking at many values and its ends were narrowed
-    down, not solved for.
+    None is an end at which nothing changes before the parameter's range ends; beyond that,
+    and without a range, it ends at the next dead centre at the latest. ``within`` is what of it
+    lies in the range. A stretch is ``sampled`` where it was found by looking at many values and
+    its ends were narrowed down, not solved for.
     """
 
     state: State

@@ -160,7 +160,7 @@ class _Stretches:
 
     def _end_of_window(self, x: float) -> Bound | None:
         """Return the end of what was looked at beyond the range; the range ends as it is given."""
-        if self.range is None or not self._is_beyond(x):
+        if not self._is_beyond(x):
             return None
         return self._bound(x, self.moving.ideal, (zeros, poles), True)
 
