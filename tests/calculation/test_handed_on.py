@@ -5,6 +5,7 @@ from mechc.formula.tree import ZERO, Symbol, number
 from mechc.frozen import replace
 from mechc.model.mechanism import Parameter, Require
 from mechc.model.result import Definition
+from mechc.pose.pose import Definition as LoopDefinition
 from mechc.pose.pose import Pose
 from mechc.units import ANGLE, LENGTH, NUMBER
 from small_poses import HERE, PARAMETERS, slider_crank
@@ -33,6 +34,12 @@ def test_definitions_of_the_pose_come_first_and_keep_their_order() -> None:
         Definition("phi_AB", number(2)),
         Definition("len_AB", number(5)),
     )
+
+
+def test_what_a_loop_defines_is_not_defined_twice() -> None:
+    pose = handed_on(DRAWN)
+    both = replace(pose, definitions=(*pose.definitions, LoopDefinition("phi_AB", number(2))))
+    assert [d.name for d in solved(both, ()).definitions] == ["psi", "phi_AB"]
 
 
 def test_angles_and_lengths_of_the_drawing_are_numbers_with_names() -> None:

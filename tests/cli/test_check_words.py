@@ -8,8 +8,9 @@ import pytest
 import good_mechanisms
 from mechc.cli import main
 from mechc.cli.checked import report
-from mechc.report.languages import checked
+from mechc.report.languages import checked, registry
 from mechc.statics.verdict import UNJUDGED, WITHOUT_FORCES
+from mechc.syntax.vocabulary import LANGUAGES
 from paths import EXAMPLES
 
 Run = Callable[..., str]
@@ -39,6 +40,10 @@ def test_check_speaks_three_languages(run: Run) -> None:
     said = run("check", "--lang", "uk", "fedoriv_fig2a_with_friction").partition("\n")[2]
     names = {"expect", "alpha", "delta", "beta", "asin", "hold"}
     assert set(re.findall(r"[a-z]{4,}", said)) <= names
+
+
+def test_every_language_of_reports_can_be_asked_for() -> None:
+    assert tuple(registry.LANGUAGES) == LANGUAGES
 
 
 def test_every_language_has_the_words_of_check() -> None:

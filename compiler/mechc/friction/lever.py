@@ -161,12 +161,19 @@ def _root(
         product([(radius, 2), (c, 1)]),
         product([(sense.formula(), 1), (radius, 1), (Call("sqrt", (inside,)), 1)]),
     ]
+    root = quotient(total(above), square)
     ahead = product([(bearing.turn.formula(), 1), (negative(gap), 1)])
-    root, turns = quotient(total(above), square), Call("max", (square, ahead))
-    squares = [power(total([Symbol(name), c]), TWO), power(q, TWO)]
-    moments = total([product([(a, 1), (Symbol(name), 1)]), negative(b)])
-    quadratic = power(moments, TWO), product([(radius, 2), (total(squares), 1)])
+    turns = Call("max", (square, ahead))
+    quadratic = _quadratic(Symbol(name), (a, b, c, q), radius)
     return Balanced(Product.of(Opaque(root)), Product.of(Opaque(turns)), quadratic)
+
+
+def _quadratic(size: Formula, parts: Sequence[Formula], radius: Formula) -> Sides:
+    """Return both sides of (a·S − b)² = ρ²·((S + c)² + q²)."""
+    a, b, c, q = parts
+    moments = total([product([(a, 1), (size, 1)]), negative(b)])
+    squares = total([power(total([size, c]), TWO), power(q, TWO)])
+    return power(moments, TWO), product([(radius, 2), (squares, 1)])
 
 
 def moment(force: BodyForce, arms: Arms) -> Product:

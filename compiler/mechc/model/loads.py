@@ -255,7 +255,7 @@ def degree(formula: Formula, loads: frozenset[str]) -> int | None:
 
 
 def _check_ties(loads: Sequence[Load], scope: Scope) -> None:
-    """Report ties that go in a circle."""
+    """Report ties that form a cycle."""
     ties = {load.name: load for load in loads if load.tie}
     needs = {name: symbols(load.tie) & ties.keys() for name, load in ties.items() if load.tie}
     for circle in ordered({name: set(wanted) for name, wanted in needs.items()})[1]:

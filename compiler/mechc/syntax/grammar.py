@@ -7,6 +7,7 @@ from .lalr import Parser, Reading, Token
 from .spans import span_of
 from .tables import Start, tables
 from .tree import rules
+from .vocabulary import LANGUAGES
 
 __all__ = [
     "Reading",
@@ -75,9 +76,7 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "joining": frozenset({("use", ANYWHERE)}),
     "without": frozenset({("use", ANYWHERE)}),
     "translate": frozenset({("translate", 0)}),
-    "en": frozenset({("translate", ANYWHERE)}),
-    "uk": frozenset({("translate", ANYWHERE)}),
-    "ru": frozenset({("translate", ANYWHERE)}),
+    **dict.fromkeys(LANGUAGES, frozenset({("translate", ANYWHERE)})),
     "report": frozenset({("report", 0)}),
     "plot": frozenset({("report", EACH), ("reported", EACH)}),
     "over": frozenset({("report", EACH), ("reported", EACH)}),

@@ -10,7 +10,7 @@ from itertools import groupby
 from typing import Any
 
 from . import ast, text
-from .vocabulary import NAME
+from .vocabulary import LANGUAGES, NAME
 
 BETWEEN = "between {first}[ on {first_link}] and {second}[ on {second_link}]"
 WHEELS = "{first} {first_radius}[ on {first_link}], {second} {second_radius}[ on {second_link}]"
@@ -73,7 +73,7 @@ LINES: dict[type[ast.Statement], str] = {
 ALL_PINS = "friction pins {coefficient} diameter {diameter}[ {law}]"
 ONE_PIN = "friction pin {point} {coefficient} diameter {diameter}[ {law}][ on {link}]"
 
-QUOTED = frozenset({"title", "text", "label", "about", "source", "en", "uk", "ru"})
+QUOTED = frozenset({"title", "text", "label", "about", "source", *LANGUAGES})
 
 TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw, ast.Rope)
 FRICTIONS = (

@@ -1,4 +1,4 @@
-"""Messages for names: unknown, taken twice, out of place, in a circle (E20x)."""
+"""Messages for names: unknown, taken twice, out of place, in a cycle (E20x)."""
 
 from collections.abc import Collection, Iterable
 
@@ -208,7 +208,7 @@ def name_out_of_place(span: Span, name: str, kind: str, wanted: str, hint: str =
 
 @coded("E208")
 def circular_definition(span: Span, cycle: list[str], places: list[Span]) -> Message:
-    """Definitions need one another in a circle, so none of them has a value.
+    """Definitions need one another in a cycle, so none of them has a value.
 
     param a = 2*b
     param b = a/2     # wrong
@@ -217,7 +217,7 @@ def circular_definition(span: Span, cycle: list[str], places: list[Span]) -> Mes
     if len(set(cycle)) == 1:
         message = f"'{cycle[0]}' is defined by itself"
     else:
-        message = f"these definitions go in a circle: {' → '.join(cycle)}"
+        message = f"these definitions form a cycle: {' → '.join(cycle)}"
     related = tuple(Related(p, "and here") for p in places)
     return Message(span, message, "give one of them a value", related)
 

@@ -16,6 +16,8 @@ from .reach import reach_of
 from .state import State
 from .vector_graph import loop_name
 
+Corner = tuple[float, float]
+
 
 class Choice:
     """Takes the ``assembly`` lines to the closures that they decide."""
@@ -122,14 +124,12 @@ class Choice:
         places = self._state.graph.places(start, values, assembly.points)
         if not set(assembly.points) <= places.keys():
             return None
-        if len(assembly.points) == 1:
-            x, y = places[assembly.points[0]]
-            along = self._lines[assembly.points[0]].angle.evaluate(values)
-            return x * math.cos(along) + y * math.sin(along)
-        (ax, ay), (bx, by), (cx, cy) = (places[p] for p in assembly.points)
-        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-        longest = max(math.hypot(bx - ax, by - ay), math.hypot(cx - ax, cy - ay))
-        return 0.0 if abs(area) < FLAT_TRIANGLE * longest**2 else area
+        corners = [places[point] for point in assembly.points]
+        if len(corners) == 3:
+            return _doubled_area(*corners)
+        ((x, y),) = corners
+        along = self._lines[assembly.points[0]].angle.evaluate(values)
+        return x * math.cos(along) + y * math.sin(along)
 
     def _start(self, assembly: Assembly, values: Values) -> str | None:
         """Return a point to measure from: the fixed end of a guide, or the first point."""
@@ -171,3 +171,11 @@ class Choice:
         else:
             loop, number = loop_name(group.cycle), len(poses)
             self._report.add(messages.closure_open(group_span(group), loop, number, hint))
+
+
+def _doubled_area(a: Corner, b: Corner, c: Corner) -> float:
+    """Return twice the area of a triangle, counter-clockwise; 0 of one that is flat."""
+    (x, y), (u, v) = ((p[0] - a[0], p[1] - a[1]) for p in (b, c))
+    area = x * v - y * u
+    longest = max(math.hypot(x, y), math.hypot(u, v))
+    return 0.0 if abs(area) < FLAT_TRIANGLE * longest**2 else area
