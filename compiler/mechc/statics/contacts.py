@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import statics as messages
-from ..model.mechanism import LoadForm, LoadRatio
+from ..model.mechanism import Axial, LoadForm, LoadRatio, Normal, Reaction
 from ..model.result import Result
 from .answers import pushes
 from .balanced import Balanced
@@ -66,3 +66,8 @@ def _forces(result: Result, at: Balanced, kind: str) -> Iterator[tuple[str, Forc
             for other in others:
                 known = given | others.keys()
                 yield other, pushes(at, load, other, known, kind)
+        case Axial() | Normal() | Reaction():
+            # In a frame each load balances by itself; where something moves, not all of them do.
+            loads = [load.name for load in mechanism.loads]
+            found = {load: pushes(at, load, load, {*loads}, kind) for load in loads}
+            yield from found.items() if all(found.values()) else ()
