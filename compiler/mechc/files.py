@@ -54,7 +54,8 @@ def used(name: str, folder: Path | None, span: Span) -> Path:
         listed = library()
         if name in listed:
             return listed[name]
-        raise MechcError([messages.used_not_found(span, name, near_miss(name, listed))])
+        hint = _beside(name, folder) or near_miss(name, listed)
+        raise MechcError([messages.used_not_found(span, name, hint)])
     parts = PurePosixPath(name).parts
     climbs = "\\" in name or ":" in name or name.startswith("/") or ".." in parts
     if climbs or folder is None:
@@ -67,8 +68,22 @@ def used(name: str, folder: Path | None, span: Span) -> Path:
     if not inside:
         raise MechcError([messages.used_elsewhere(span, name, nowhere=False)])
     if not there:
-        raise MechcError([messages.used_not_found(span, name, "a path is that from this file")])
+        beside = [str(PurePosixPath(*parts[:-1], p.name)) for p in _descriptions(path.parent)]
+        hint = near_miss(name, beside) or "a path is that from this file"
+        raise MechcError([messages.used_not_found(span, name, hint)])
     return folder / name
+
+
+def _beside(name: str, folder: Path | None) -> str:
+    """Propose a file beside this one, where its name stands without quotes and suffix."""
+    beside = _descriptions(folder) if folder else []
+    return next((f'a file is in quotes: "{p.name}"' for p in beside if p.stem == name), "")
+
+
+def _descriptions(folder: Path) -> list[Path]:
+    with suppress(OSError):
+        return sorted(p for p in folder.iterdir() if p.suffix in SUFFIXES)
+    return []
 
 
 def library() -> dict[str, Path]:

@@ -121,6 +121,26 @@ def test_paths_that_lead_elsewhere(tmp_path: Path, name: str) -> None:
     assert "E908" in refused(path)[0]
 
 
+@pytest.mark.parametrize(
+    ("written", "hint"),
+    [
+        ('"%2e%2e/a.mech"', "a path is that from this file"),
+        ('"~/a.mech"', "a path is that from this file"),
+        (r'"..\a.mech"', "a path is that from this file"),
+        ('"sheets/cylinder"', "`mechc list` prints the names of the library"),
+        ('"parts/Pin.mech"', "did you mean 'parts/pin.mech'?"),
+        ("joint", 'a file is in quotes: "joint.mech"'),
+    ],
+)
+def test_what_is_not_there(tmp_path: Path, written: str, hint: str) -> None:
+    """Nothing but the folder is looked into, however a path is spelled."""
+    (tmp_path / "a.mech").write_text(PIN)
+    (tmp_path / "in").mkdir()
+    (message,) = refused(joint(tmp_path / "in", user=f"sheet s\nuse {written} as a\nlet x = 1\n"))
+    assert "E907" in message
+    assert f"hint: {hint}" in message
+
+
 def test_links_and_what_is_no_file(tmp_path: Path) -> None:
     (tmp_path / "a.mech").write_text(PIN)
     inside = tmp_path / "in"

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import mechc
@@ -109,3 +110,31 @@ def test_least_forces_of_prism_jaws() -> None:
     given = {"alpha": 2.0, "beta": 0.0, "phi": 0.1, "G": 20.0, "I": 5.0, "f": 0.1}
     paper = mechc.load("prism_jaws").evaluate(**given)["P_c"]
     assert script["least"](**given) == pytest.approx(paper, rel=1e-12)
+
+
+@pytest.mark.slow
+def test_least_forces_are_those_of_a_linear_programme() -> None:
+    """With normal forces and friction apart, as a solver of linear programmes takes them."""
+    script = runpy.run_path(str(EXAMPLES / "hodunko-2019" / "least_forces.py"))
+    dice = np.random.default_rng(3)
+    for _ in range(200):
+        alpha, beta, phi = np.radians(dice.uniform([80, 0, -10], [150, 180, 10]))
+        G, I, f = dice.uniform([1, 0, 0.02], [50, 50, 0.6])  # noqa: E741
+        found = script["least"](alpha, beta, phi, G, I, f)
+        assert found == pytest.approx(by_linear_programme(alpha, beta, phi, G, I, f), rel=1e-12)
+
+
+def by_linear_programme(
+    alpha: float, beta: float, phi: float, weight: float, inertia: float, f: float
+) -> float:
+    below, above = alpha / 2 + phi, alpha / 2 - phi
+    across = np.array([np.sin(below), np.sin(above), -np.sin(below), -np.sin(above)])
+    upright = np.array([np.cos(below), -np.cos(above), np.cos(below), -np.cos(above)])
+    balances = np.block([[across, -upright], [upright, across], [np.zeros(4), np.ones(4)]])
+    loads = [-inertia * np.sin(beta), weight + inertia * np.cos(beta), 0.0]
+    cones = np.block([[-f * np.eye(4), np.eye(4)], [-f * np.eye(4), -np.eye(4)]])
+    cost, bounds = np.repeat([1.0, 0.0], 4), [(0, None)] * 4 + [(None, None)] * 4
+    linprog = pytest.importorskip("scipy.optimize").linprog
+    solved = linprog(cost, cones, np.zeros(8), balances, loads, bounds)
+    assert solved.status == 0
+    return float(solved.fun)

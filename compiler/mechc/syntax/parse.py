@@ -106,6 +106,12 @@ def unfinished(line: Sequence[Token], allowed: set[str], end: int, start: Start)
     return syntax.unfinished_statement(Span(end, end), expected_words(allowed), hint)
 
 
+def is_open(line: Sequence[Token]) -> bool:
+    """Return whether a bracket is opened and not closed."""
+    kinds = [token.type for token in line]
+    return kinds.count("LEFT") > kinds.count("RIGHT")
+
+
 def innermost_open(line: Sequence[Token]) -> Token:
     """Return the last bracket that is still open."""
     still: list[Token] = []
@@ -127,7 +133,7 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
     lacks_name = allowed == {"NAME"} and text in keywords() and slips.lacks_name(line, position)
     if before is not None and before.type in NAMING and text in keywords() and not lacks_name:
         return syntax.reserved_word(span, text)
-    if token.type == "RIGHT" and "RIGHT" not in allowed and before and before.type != "LEFT":
+    if token.type == "RIGHT" and not is_open(line[:position]):
         return syntax.unclosed_bracket(span, ")")
     if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
         return syntax.missing_equals(span, described(token))
