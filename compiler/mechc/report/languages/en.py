@@ -27,6 +27,7 @@ LOCALE = Locale(
     range="Range",
     any_value="any",
     pivots="pinned to the ground: {points}",
+    directions={"absolute": "{angle}", "relative": "{angle}"},
     slider="the point {point} moves along a guide with the direction {direction}",
     through=", through {point}",
     rods="rods with two pins: {links}",

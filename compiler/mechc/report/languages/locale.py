@@ -44,6 +44,9 @@ class Locale(NamedTuple):
     any_value: str
 
     pivots: str
+    directions: Mapping[str, str]
+    """How a direction is said, by its angle to the x axis or relative to a vector."""
+
     slider: str
     through: str
     rods: str

@@ -28,15 +28,16 @@ LOCALE = Locale(
     range="Пределы",
     any_value="любое",
     pivots="неподвижные шарниры: {points}",
-    slider="точка {point} движется вдоль направляющей, направление которой {direction}",
+    directions={"absolute": "под углом {angle} к оси $x$", "relative": "с направлением {angle}"},
+    slider="точка {point} движется вдоль направляющей {direction}",
     through=", через {point}",
     rods="стержни с двумя шарнирами: {links}",
     bodies="жёсткие звенья: {links}",
-    force="сила {load} приложена в точке {point}, направление {direction}",
-    weight="сила тяжести {load} приложена в точке {point}, направление {direction}",
+    force="сила {load} приложена в точке {point} {direction}",
+    weight="сила тяжести {load} приложена в точке {point} {direction}",
     torque="пара сил с моментом {load} приложена к звену {link}, положительное направление — "
     "против часовой стрелки",
-    mirror="механизм симметричен относительно прямой, направление которой {direction}; описана "
+    mirror="механизм симметричен относительно прямой {direction}; описана "
     "одна половина, общие точки: {points}",
     copies="механизм имеет одинаковые ветви, их число {number}, общие точки: {points}",
     joints={

@@ -28,15 +28,16 @@ LOCALE = Locale(
     range="Межі",
     any_value="довільне",
     pivots="нерухомі шарніри: {points}",
-    slider="точка {point} рухається вздовж напрямної, напрям якої {direction}",
+    directions={"absolute": "під кутом {angle} до осі $x$", "relative": "з напрямом {angle}"},
+    slider="точка {point} рухається вздовж напрямної {direction}",
     through=", через {point}",
     rods="стрижні з двома шарнірами: {links}",
     bodies="жорсткі ланки: {links}",
-    force="сила {load} прикладена в точці {point}, напрям {direction}",
-    weight="сила тяжіння {load} прикладена в точці {point}, напрям {direction}",
+    force="сила {load} прикладена в точці {point} {direction}",
+    weight="сила тяжіння {load} прикладена в точці {point} {direction}",
     torque="пара сил з моментом {load} прикладена до ланки {link}, додатний напрям — проти "
     "годинникової стрілки",
-    mirror="механізм симетричний відносно прямої, напрям якої {direction}; описано одну "
+    mirror="механізм симетричний відносно прямої {direction}; описано одну "
     "половину, спільні точки: {points}",
     copies="механізм має однакові вітки, їх кількість {number}, спільні точки: {points}",
     joints={

@@ -2,6 +2,7 @@
 
 from ...formula.tree import ZERO
 from ...model.mechanism import Absolute, Direction
+from ..languages.locale import Locale
 from .notation import Notation, points
 from .printer import latex
 
@@ -18,3 +19,9 @@ def direction(given: Direction, style: Notation) -> str:
     ends = (given.tail, given.head) if given.quarter < 2 else (given.head, given.tail)
     vector = rf"\overrightarrow{{{''.join(map(points, ends))}}}"
     return rf"\perp {vector}" if given.quarter % 2 else rf"\parallel {vector}"
+
+
+def spoken(given: Direction, locale: Locale, style: Notation) -> str:
+    """Return a direction as sentences say it, in words where the language has some."""
+    kind = "absolute" if isinstance(given, Absolute) else "relative"
+    return locale.directions[kind].format(angle=math(direction(given, style)))

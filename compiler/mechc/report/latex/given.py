@@ -28,7 +28,7 @@ from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale
 from ..sentences.wording import enumeration
-from .directions import direction, math
+from .directions import direction, math, spoken
 from .friction import friction_sentences
 from .joints import joint_sentences
 from .notation import Notation, name, points, translated
@@ -179,7 +179,7 @@ def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
     pivots = _listed((p.point for p in mechanism.each(Pivot) if split_points(p.point)), locale)
     sentences = [locale.pivots.format(points=pivots)] if pivots else []
     for slider in mechanism.each(Slider):
-        along = math(direction(slider.along, style))
+        along = spoken(slider.along, locale, style)
         guided = locale.slider.format(point=math(points(slider.point)), direction=along)
         through = slider.through and locale.through.format(point=math(points(slider.through)))
         sentences.append(guided + (through or ""))
@@ -221,7 +221,7 @@ def _load(load: Load, links: Set[str], locale: Locale, style: Notation) -> str:
             )
         case Force(_, point, along):
             template = locale.weight if load.weight else locale.force
-            where, at = math(direction(along, style)), _end(point, load.link, links, locale)
+            where, at = spoken(along, locale, style), _end(point, load.link, links, locale)
             said = template.format(load=math(symbol), point=at, direction=where)
         case Torque(_, link):
             said = locale.torque.format(load=math(symbol), link=math(points(link)))
@@ -251,7 +251,7 @@ def _tie(load: Load, locale: Locale, style: Notation) -> str:
 def _symmetry(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
     sentences = []
     if mechanism.mirror:
-        across = math(direction(mechanism.mirror.across, style))
+        across = spoken(mechanism.mirror.across, locale, style)
         shared = _listed(mechanism.mirror.sharing, locale)
         sentences.append(locale.mirror.format(direction=across, points=shared))
     if mechanism.copies:
