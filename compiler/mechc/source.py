@@ -8,9 +8,9 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple
 
 from .frozen import frozen, replace
+from .named import NamedTuple
 
 
 class Span(NamedTuple):

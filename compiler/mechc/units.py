@@ -8,7 +8,8 @@ an angle unit in degrees is a rational multiple of π, so :class:`Unit` keeps it
 import math
 import re
 from fractions import Fraction
-from typing import NamedTuple
+
+from .named import NamedTuple
 
 
 class Dimension(NamedTuple):

@@ -9,6 +9,7 @@ from paths import PACKAGE
 
 BASE = [
     "later",
+    "named",
     "version",
     "kept",
     "witness",

@@ -13,8 +13,8 @@ wrapped into [0°, 90°): a quarter turn is a factor i of the coefficient.
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd, lcm
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from ..work import spend
 from .angle import Angle, Rational, rational
 from .cyclotomic import Directions, Gaussian, accumulate, rotated, short, stars, unique

@@ -11,9 +11,10 @@ from difflib import get_close_matches
 from enum import StrEnum
 from functools import wraps
 from inspect import cleandoc
-from typing import NamedTuple, ParamSpec
+from typing import ParamSpec
 
 from ..frozen import frozen, replace
+from ..named import NamedTuple
 from ..source import Source, Span
 
 

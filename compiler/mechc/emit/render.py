@@ -1,7 +1,9 @@
 """Templates: the shape of a file, beside its target, filled from a frozen context."""
 
 from importlib import import_module
-from typing import NamedTuple, Protocol
+from typing import Protocol
+
+from ..named import NamedTuple
 
 
 class Context(Protocol):

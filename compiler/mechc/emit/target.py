@@ -4,9 +4,10 @@ Targets are found by name; third parties add theirs through the entry-point grou
 ``mechc.targets``, whose values are :class:`Target` objects.
 """
 
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from ..model.mechanism import Mechanism
+from ..named import NamedTuple
 from ..routine.steps import Routine
 from ..statics.verdict import Verdict
 

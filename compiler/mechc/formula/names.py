@@ -5,7 +5,8 @@
 """
 
 import re
-from typing import NamedTuple
+
+from ..named import NamedTuple
 
 _SMALL = """
 alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho

@@ -7,7 +7,8 @@ absolute value that is nil against the size of the function.
 import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+
+from ..named import NamedTuple
 
 Function = Callable[[float], float]
 

@@ -7,8 +7,8 @@ divided by such a zero is infinite, and undetermined where it is such a zero its
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .choices import chosen
 from .functions import FUNCTIONS
 from .tree import (

@@ -7,11 +7,11 @@ projections of its velocity on two of them.
 
 from collections.abc import Mapping
 from enum import StrEnum
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
 

@@ -3,12 +3,12 @@
 import math
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..frozen import frozen
+from ..named import NamedTuple
 from .forms import projection, spin
 from .graph import Form, Graph, Relation
 

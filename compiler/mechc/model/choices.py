@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 from ..diagnostics.model import sheets as messages
 from ..formula.choices import CONDITIONS
 from ..formula.tree import Call, Formula, number
 from ..formula.walk import evaluate
+from ..named import NamedTuple
 from ..syntax import ast
 from .expressions import Quantity, Reader
 from .mechanism import Require, Subject

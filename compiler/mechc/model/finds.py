@@ -1,10 +1,10 @@
 """Results asked for with ``find``: ratios of loads or velocities, and single loads."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from ..diagnostics.model import reactions as reaction_words
 from ..diagnostics.model import results as messages
+from ..named import NamedTuple
 from ..syntax import ast
 from ..units import FREQUENCY, NUMBER, VELOCITY, Dimension
 from .forms import COORDINATES, Form, form_of, form_of_pose

@@ -5,13 +5,13 @@ point, links are joined by a rod between points of both, a telescope becomes a r
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics.model import held as messages
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
+from ..named import NamedTuple
 from .mechanism import (
     Absolute,
     Arrow,

@@ -1,10 +1,10 @@
 """Where a part is joined to the whole: its points, what they are there, whether it can be so."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics import joining as messages
+from ..named import NamedTuple
 from ..source import Span
 from ..syntax import ast
 from ..syntax.vocabulary import of_used

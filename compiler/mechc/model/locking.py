@@ -3,10 +3,11 @@
 Places are in SI and radians.
 """
 
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..formula.tree import Formula
 from ..frozen import frozen
+from ..named import NamedTuple
 
 State = Literal["free", "locked", "jammed"]
 """``locked``: the load alone does not move it; ``jammed``: no force of the drive does."""

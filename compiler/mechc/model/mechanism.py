@@ -9,10 +9,11 @@ from collections.abc import Container, Iterable, Mapping
 from fractions import Fraction
 from math import prod
 from types import MappingProxyType
-from typing import Literal, NamedTuple, TypeVar
+from typing import Literal, TypeVar
 
 from ..formula.tree import Formula, Number
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..source import Span
 from ..units import NUMBER, Dimension
 from .joint_friction import CollarFriction as CollarFriction

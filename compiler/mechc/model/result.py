@@ -8,10 +8,10 @@ All formulas are in SI and radians and mention free parameters and the names in
 """
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ..formula.tree import Formula
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..units import Dimension
 from .mechanism import Parameter, Require, Target
 

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterable
 from itertools import permutations
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..diagnostics import Report
 from ..diagnostics.model import names as messages
 from ..formula.names import Name, another, split_name
 from ..formula.tree import ZERO, Constant, Formula, Number
 from ..formula.walk import evaluate, symbols
+from ..named import NamedTuple
 from ..source import Span
 from ..syntax import ast
 from ..syntax.vocabulary import points_of

@@ -7,7 +7,6 @@ coordinates are numbers, or a formula of the parameters that they rest on.
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import NamedTuple
 
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
@@ -15,6 +14,7 @@ from ..algebra.sums import add
 from ..formula.names import another
 from ..formula.tree import ZERO, Call, Formula, Number, Symbol, degrees, negative, total
 from ..formula.walk import evaluate, substitute, symbols
+from ..named import NamedTuple
 from ..source import Span
 from ..units import ANGLE, LENGTH, Dimension, in_unit
 from .commensurable import Lengths

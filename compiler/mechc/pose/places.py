@@ -2,7 +2,8 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
+
+from ..named import NamedTuple
 
 
 class Plane(NamedTuple):

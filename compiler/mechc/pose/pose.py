@@ -7,7 +7,7 @@ A vector is a sum of ``length @ angle`` terms, never expanded into components:
 import math
 from collections.abc import Collection, Iterable, Mapping
 from types import MappingProxyType
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
@@ -17,6 +17,7 @@ from ..formula.tree import Formula
 from ..frozen import frozen
 from ..model.mechanism import Mechanism
 from ..model.result import ClosedLoop as ClosedLoop
+from ..named import NamedTuple
 from ..source import Span
 
 

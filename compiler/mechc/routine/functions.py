@@ -1,7 +1,7 @@
 """The function of a result: what it takes, its steps, and what a reader sees of it."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..formula.operations import count_operations
 from ..formula.sharing import OneOfEach
@@ -21,6 +21,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import FrictionResult, Result
+from ..named import NamedTuple
 from ..pose.pose import ClosedLoop
 from ..study.analysis import as_printed
 from .loops import closing_guard, unseen_loops

@@ -5,12 +5,12 @@ then other results (a let may use a find, and gives a load its value); then load
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Result
+from ..named import NamedTuple
 
 
 class Key(NamedTuple):

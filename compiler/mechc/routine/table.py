@@ -8,7 +8,7 @@ An entry's parts stand before it, so a pass over the entries needs no recursion.
 
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..formula.choices import spelled_out
 from ..formula.once import Once
@@ -26,6 +26,7 @@ from ..formula.tree import (
     System,
 )
 from ..formula.walk import children
+from ..named import NamedTuple
 
 
 class Leaf(NamedTuple):

@@ -1,9 +1,10 @@
 """What equilibrium is written of, in numbers: bodies, joints, and what acts on them."""
 
 from collections.abc import Mapping
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 from ..pose.places import direction as direction
 

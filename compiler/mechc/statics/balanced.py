@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import NamedTuple
 
 from ..formula.walk import Evaluation, evaluate, symbols
 from ..model.mechanism import Load, Mechanism
 from ..model.result import Definition
+from ..named import NamedTuple
 from .free_bodies import System, equilibrium
 from .solve import Factors, factor, scale_of
 from .unfold import Unfolding

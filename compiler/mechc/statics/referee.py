@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from itertools import islice
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics import statics as messages
@@ -29,6 +29,7 @@ from ..model.mechanism import (
 )
 from ..model.result import Definition, Result
 from ..model.values import defaults
+from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
 from .answers import Answer, load_coefficient, load_ratio

@@ -13,9 +13,9 @@ says of each unknown asked for whether it is determined.
 import heapq
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from ..frozen import frozen
+from ..named import NamedTuple
 from .tolerances import DETERMINED, ELIMINATED, SAME_TERM
 
 Row = Mapping[int, float]

@@ -5,8 +5,8 @@ it in the other languages.
 """
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .tolerances import AGREEMENT, CONDITION_SLACK, EPSILON
 
 OPEN = "equilibrium leaves a force open that is asked for"

@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..formula.tree import Formula
 from ..frozen import fields, frozen, replace
 from ..model.locking import EfficiencyRange, Locking, Range
 from ..model.mechanism import Require
 from ..model.result import FrictionResult, Result
+from ..named import NamedTuple
 from ..units import Dimension
 
 

@@ -7,7 +7,9 @@ little that a compilation does not import Lark, which would double its time to s
 import re
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
+
+from ..named import NamedTuple
 
 END = "$END"
 """The type of the token behind the last one."""

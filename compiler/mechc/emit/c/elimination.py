@@ -6,9 +6,9 @@ loses nothing. Half the unknowns may go like this, and the rest is left to pivot
 """
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from ...formula.tree import ZERO, Formula
+from ...named import NamedTuple
 
 Rows = Sequence[Sequence[Formula]]
 

@@ -1,10 +1,10 @@
 """A result as a function of C, for one pose and for many."""
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
+from ...named import NamedTuple
 from ...routine.steps import (
     Common,
     Function,

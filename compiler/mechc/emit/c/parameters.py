@@ -1,8 +1,8 @@
 """A struct of all parameters with the values of the description, and the functions that take it."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
+from ...named import NamedTuple
 from ...routine.steps import Function, Input, Routine, programs
 from .. import describe
 from ..names import Names

@@ -3,12 +3,13 @@
 import re
 from collections.abc import Iterator, Mapping, Sequence, Set
 from types import ModuleType
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
 from ...formula import newton
 from ...formula.choices import SIGNS
+from ...named import NamedTuple
 from ...routine.steps import (
     Common,
     Program,

@@ -4,12 +4,12 @@ A loop ``D + X + Y = 0`` has a known part D and two unknowns, each a direction o
 """
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...formula.tree import Call
 from ...frozen import frozen
+from ...named import NamedTuple
 from ..pose import Definition, Limit, LoopKind, Vector, gathered
 from .triangle import principal
 from .vector_graph import Cycle, Names, mentioned

@@ -8,7 +8,6 @@ from many starts; the one that the user named becomes the start of the branch.
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from random import Random
-from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.blocks import blocks, match
@@ -16,6 +15,7 @@ from ...algebra.factors import Length
 from ...algebra.product import Product
 from ...formula.tree import Formula, System, implicit
 from ...frozen import replace
+from ...named import NamedTuple
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
 from ..samples import Values
 from ..tolerances import SAME_CLOSURE, SOLVED_GAP
