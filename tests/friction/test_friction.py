@@ -323,7 +323,7 @@ def test_loads_alone_press_a_slider_on_its_guide():
 
 
 @pytest.mark.parametrize("line", ["motion tightening", "motion releasing"])
-def test_a_drive_that_passes_nothing_on_has_no_efficiency_but_zero(line):
+def test_a_drive_that_passes_nothing_on_has_no_efficiency(line):
     """A balanced shaft: its torque overcomes the friction of the pivot and nothing else."""
     shaft = f"""
     pivot O
@@ -337,7 +337,8 @@ def test_a_drive_that_passes_nothing_on_has_no_efficiency_but_zero(line):
     """
     solved = mechc.loads(shaft)
     found = solved.evaluate()
-    assert found["M"] == found["eta_M"] == 0.0
+    assert found["M"] == 0.0
+    assert "eta_M" not in found
     assert abs(found["M_f"]) == pytest.approx(0.1 * 0.005 * 2 * 9.80665)
     assert solved.emit("latex")
 

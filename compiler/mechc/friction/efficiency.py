@@ -47,13 +47,7 @@ class Drives:
         return Named(whole, (self._definition(),), case=case)
 
     def efficiency(self, real: FrictionResult, span: Span) -> FrictionResult:
-        """Return the efficiency, from the ratio with friction.
-
-        Where the load does no work at all without friction, nothing arrives in any pose.
-        """
-        if self._ideal.formula == ZERO:
-            nothing = replace(real, formula=ZERO, where=(), guards=(), inside=frozenset())
-            return replace(nothing, dimension=NUMBER, case=None, elsewhere=None)
+        """Return the efficiency, from the ratio with friction."""
         k_f = Definition(f"{self._ideal.name}_f", real.formula)
         without = to_product(self._ideal.formula)
         here = ((without / Product.symbol(k_f.name)) ** self._exponent).formula()

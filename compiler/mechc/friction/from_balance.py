@@ -42,7 +42,7 @@ def solve(balance: Balance, report: Report) -> Solution:
     report.stop_on_errors()
     known = {s.result.name: s for s in balance.solved} | with_friction
     finds = balance.plan.graph.pose.mechanism.finds
-    solved = [known[find.name] for find in finds]
+    solved = [known[find.name] for find in finds if find.name in known]
     lets = let_results(balance.plan.graph.pose, [s.result for s in solved], report)
     solved += [Solved(with_default(let, numbers.of(let))) for let in lets]
     return Solution(balance, tuple(solved))
@@ -74,7 +74,7 @@ def _with_friction(
 def _answer(
     problem: "Problem", find: Find, target: WithFriction | Efficiency, ideal: Result
 ) -> SolvedWithFriction | None:
-    """Return the result with friction; None where an error was reported."""
+    """Return the result with friction; None where an error was reported, or there is none."""
     from . import load_results
 
     if isinstance(target, Efficiency):

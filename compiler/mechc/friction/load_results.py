@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
-from ..formula.tree import Formula
+from ..formula.tree import ZERO, Formula
 from ..frozen import replace
 from ..model.mechanism import Efficiency, Find, LoadForm, LoadRatio, Sense
 from ..model.result import Result
@@ -61,7 +61,13 @@ def _solved(
 def efficiency(
     problem: Problem, find: Find, ideal: Result, asked: Efficiency
 ) -> SolvedWithFriction | None:
-    """Return which part of the power arrives; None where an error was reported."""
+    """Return which part of the power arrives; None where an error was reported.
+
+    None as well where a load has nothing but friction to overcome, as in a brake: no power is
+    meant to arrive, so there is no part of it.
+    """
+    if ideal.formula == ZERO:
+        return None
     whole = load_with_friction(problem, find, ideal, asked.of, asked.sense, "exact")
     if whole is None:
         return None
