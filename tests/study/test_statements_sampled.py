@@ -82,6 +82,15 @@ def test_a_sine_that_a_sum_has_for_itself_vanishes_too():
     assert list(missing(mechanism, k, 530287)) == []
 
 
+def test_what_a_sum_shares_with_a_sine_across_the_line_counts_by_its_order():
+    """cos(3t/2) and (1 - 2 cos t)² share a root at 60 deg, where k is infinite all the same."""
+    mechanism, (k,) = results(Chain(4400156, equal=True).text)
+    told = [text(v.factor) for v in k.poles]
+    assert "sin(t/4 - pi/12)" in told
+    assert len(told) == len({*told})
+    assert list(refuted(mechanism, k, 4400156)) == list(missing(mechanism, k, 4400156)) == []
+
+
 @pytest.mark.parametrize("seed", [910196, 910228])
 def test_a_pole_that_a_sum_hides_for_the_lengths_given_is_told_with_the_sum(seed):
     mechanism, (k,) = results(Chain(seed, equal=True).text)

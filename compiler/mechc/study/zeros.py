@@ -82,7 +82,10 @@ def _of_sum(
     side: int,
     chain: Chain,
 ) -> Iterator[Vanishing]:
-    """Yield the rest of a sum; where that is not known, all of it but for what it shares."""
+    """Yield the rest of a sum; where that is not known, all of it but for what it shares.
+
+    At what it shares it may have the higher order: cos(3t/2)/(1 - 2 cos t)² is infinite at 60°.
+    """
     assert item.value is not None
     kind = _kind(factor, (), item, balance, side)
     left = _without_shared(factor, item.value, near)
@@ -92,6 +95,11 @@ def _of_sum(
             yield from _at_roots(part, item, balance, near, side, chain)
         elif may_vanish(part, near):
             yield Vanishing(part.formula(), None, kind, _is_outside(part, balance), but)
+    for root in _shared(factor, item.value):
+        in_rest = any(order(Product.of(part), root.name, root.value) != 0 for part in left)
+        if not in_rest and _has_order(item, root, near, side, chain):
+            there = _kind(root.factor, (root,), item, balance, side)
+            yield _vanishing(root.factor, there, item, balance, near)
 
 
 def _at_roots(
@@ -203,13 +211,19 @@ def _without_shared(factor: Factor, value: Product, near: Mapping[str, float]) -
     known what is.
     """
     across = _roots_across(factor, value)
-    shared = [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
+    shared = _shared(factor, value)
     rest = without(factor, [r.factor for r in shared]) if isinstance(factor, Sum) else None
     left = [f for f, e in rest.factors.items() if e > 0] if shared and rest else [factor]
     sums = [f for f in left if isinstance(f, Sum)] if shared else left
     known = all(order(Product.of(f), r.name, r.value) == 0 for f in sums for r in shared)
     by_chance = any(_is_nil(f, r, near) for f in left for r in across)
     return left if known and not by_chance else []
+
+
+def _shared(factor: Factor, value: Product) -> list[Root]:
+    """Return the roots of the sines across the line at which a sum is zero, too."""
+    across = _roots_across(factor, value)
+    return [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
 
 
 def _roots_across(factor: Factor, value: Product) -> list[Root]:
