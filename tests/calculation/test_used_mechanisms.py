@@ -9,6 +9,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 import mechc
+from mechc.cli import main
 from mechc.cli.checked import report
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
@@ -151,6 +152,20 @@ def test_check_and_json_have_the_mechanism_at_the_values_of_the_sheet(tmp_path: 
     assert (force["name"], force["value"]) == ("F", 2000)
     assert found["value"] == pytest.approx(alone["k"], rel=1e-14)
     assert r"\varphi" in found["formula"]["latex"] or r"\phi" in found["formula"]["latex"]
+
+
+def test_check_warns_of_a_mechanism_at_the_values_of_the_sheet(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    crank = "param phi = 40 deg\npivot O\nlink OA\nOA = 50 mm @ phi\ntorque M on OA\n"
+    crank += "force F at A along y\ndrive phi from 10 deg to 80 deg\nfind k = M/F\n"
+    (tmp_path / "crank.mech").write_text(crank, "utf-8")
+    sheet = tmp_path / "sheet.mech"
+    sheet.write_text('sheet s\nuse "crank.mech" as c (phi = 120 deg)\nlet x = c_k\n', "utf-8")
+    assert main(["check", str(sheet)]) == 0
+    err = capsys.readouterr().err
+    assert "crank.mech:7:1: warning[W222]" in err
+    assert "where phi is 120 deg" in err
 
 
 def test_the_status_rests_on_what_is_iterated(clamped: Clamped) -> None:

@@ -60,9 +60,10 @@ def command(
             for line in overview_of(compilation, language) if compilation and verbose else ():
                 say(line)
             continue
-        session().show(warnings(compilation), compilation.source)
-        if session().werror and warnings(compilation):
-            worst = max(worst, 1)
+        for checked in (compilation, *(used for _, used in compilation.used_mechanisms)):
+            session().show(warnings(checked), checked.source)
+            if session().werror and warnings(checked):
+                worst = max(worst, 1)
         for line in () if quiet else report(compilation, verbose, language, line_width()):
             say(line)
     click.get_current_context().exit(worst)
