@@ -115,6 +115,13 @@ def test_halves_are_in_one_place_or_clearly_in_two():
             assert not 1e-6 < math.dist(at, twin) / figure.size < 0.15, f"{name}: {point}"
 
 
+@pytest.mark.parametrize("angle", [12, 25, 35])
+def test_a_half_stays_on_its_side_where_a_length_is_open(angle):
+    """With beta = 7 deg a link BK that is too short brings the pivot O across the mirror line."""
+    points = begun(CLAMP).drawn({"alpha": math.radians(angle)}).points
+    assert all(points[name].x > points["K"].x + 1e-9 for name in "OAB")
+
+
 def test_the_ground_of_a_pivot_is_off_its_bars():
     for name in mechanisms():
         figure = begun(name).figure

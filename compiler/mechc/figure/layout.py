@@ -1,7 +1,8 @@
 """Every point in its place: what hangs together as it must, the rest side by side."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from typing import NamedTuple
 
 from ..frozen import frozen
@@ -18,8 +19,11 @@ ORIGIN = ""
 NEARLY = 0.15
 """A point and its twin that are nearer to each other than this, in usual lengths, should not be."""
 
-STRETCHED = (1.3, 1.6, 2.0, 2.5, 0.7, 0.5)
-"""By what usual lengths are multiplied where nothing gives a length, until no twins are so near."""
+STRETCHED = (1.3, 1.6, 2.0, 2.5, 3.2, 4.0)
+"""By what usual lengths are multiplied where nothing gives a length, until the halves are apart."""
+
+SHRUNK = (0.7, 0.5)
+"""By what they are where all that is longer leaves twins too near each other."""
 
 ROOM = 0.5
 """How far apart unconnected parts are drawn, in usual lengths."""
@@ -44,25 +48,45 @@ def lay_out(ways: Ways) -> Layout:
     """Return where every point of the description is; the first pivot is at the origin.
 
     Where pivots have places the origin is that of the description. Lengths that nothing gives
-    are such that a point and its twin are in one place, or clearly in two.
+    are such that a point and its twin are in one place, or clearly in two, and that no half
+    reaches across the mirror line, where they can be.
     """
     found = _laid_out(ways, 1.0)
-    for factor in STRETCHED if found.lengths and _nearly_meet(ways, found) else ():
+    if not found.lengths or not (_nearly_meet(ways, found) or _reaches_across(ways, found)):
+        return found
+    apart = [] if _nearly_meet(ways, found) else [found]
+    apart += _apart(ways, found, STRETCHED)
+    within = (layout for layout in apart if not _reaches_across(ways, layout))
+    return next(chain(within, apart, _apart(ways, found, SHRUNK)), found)
+
+
+def _apart(ways: Ways, found: Layout, factors: Iterable[float]) -> Iterator[Layout]:
+    """Yield layouts with other lengths whose twins are apart, and whose loops close as well."""
+    for factor in factors:
         other = _laid_out(ways, factor)
         if not _nearly_meet(ways, other) and other.gap <= max(found.gap, SAME_PLACE):
-            return other
-    return found
+            yield other
 
 
 def _nearly_meet(ways: Ways, layout: Layout) -> bool:
     """Return whether some point is nearly where its twin is, but not quite."""
+    return any(SAME_PLACE < abs(2 * off) < NEARLY for off in _off_the_mirror(ways, layout))
+
+
+def _reaches_across(ways: Ways, layout: Layout) -> bool:
+    """Return whether the described half has points on both sides of the mirror line."""
+    off = [at for at in _off_the_mirror(ways, layout) if abs(at) > SAME_PLACE]
+    return any(at > 0 for at in off) and any(at < 0 for at in off)
+
+
+def _off_the_mirror(ways: Ways, layout: Layout) -> list[float]:
+    """Return how far the points of one half are off the mirror line, in usual lengths."""
     mirror, symmetry = layout.mirror, ways.pose.mechanism.mirror
     if mirror is None or symmetry is None:
-        return False
+        return []
     across = mirror.along.turned()
     own = (at for name, at in layout.points.items() if name not in symmetry.sharing)
-    distances = (2 * abs(across.dot(at.minus(mirror.at))) / layout.size for at in own)
-    return any(SAME_PLACE < distance < NEARLY for distance in distances)
+    return [across.dot(at.minus(mirror.at)) / layout.size for at in own]
 
 
 def _laid_out(ways: Ways, factor: float) -> Layout:
