@@ -10,7 +10,7 @@ from ...model.mechanism import Assembly
 from ...source import Span
 from ..pose import Limit
 from ..samples import Values
-from ..tolerances import SAME_DIRECTION, SAME_PLACE
+from ..tolerances import SAME_ANGLE, SAME_DIRECTION, SAME_PLACE
 from .guide_lines import GuideLine
 from .vector_graph import Cycle, Names
 
@@ -149,7 +149,13 @@ def is_ahead(place: float, places: Sequence[float]) -> bool:
 
 
 def _degrees(angle: float) -> str:
-    return f"{math.degrees(math.remainder(angle, 2 * math.pi)):.4g} deg"
+    """Return an angle within a turn; one that is zero but for rounding as 0.
+
+    >>> _degrees(2.7e-16), _degrees(-math.pi / 2 - 4 * math.pi)
+    ('0 deg', '-90 deg')
+    """
+    turned = math.remainder(angle, 2 * math.pi)
+    return f"{0.0 if abs(turned) < SAME_ANGLE else math.degrees(turned):.4g} deg"
 
 
 def _points(group: Loops) -> list[str]:
