@@ -1,10 +1,11 @@
 """Modules that are imported when something of them is first needed.
 
 A description that is right needs no words for errors, and they are a tenth of what a
-compilation imports. A package whose modules may wait has a ``__getattr__`` that gives them as
-:class:`Later`; ``from package import module`` then imports nothing.
+compilation imports. A package whose modules may wait has a ``__getattr__`` of :func:`waiting`,
+which gives them as :class:`Later`; ``from package import module`` then imports nothing.
 """
 
+from collections.abc import Callable, Set
 from importlib import import_module
 from types import ModuleType
 from typing import Any
@@ -20,3 +21,18 @@ class Later(ModuleType):
 
     def __getattr__(self, name: str) -> Any:
         return getattr(import_module(self.__name__), name)
+
+
+def waiting(package: str, modules: Set[str]) -> Callable[[str], Later]:
+    """Return the ``__getattr__`` of a package some of whose modules wait.
+
+    >>> waiting("mechc", {"version"})("version").VERSION == Later("mechc.version").VERSION
+    True
+    """
+
+    def attribute(name: str) -> Later:
+        if name not in modules:
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        return Later(f"{package}.{name}")
+
+    return attribute

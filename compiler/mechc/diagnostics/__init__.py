@@ -30,15 +30,11 @@ __all__ = [
 ]
 
 if not TYPE_CHECKING:
-    from ..later import Later
+    from ..later import waiting
 
     WORDS = {
         *("check", "closures", "derivation", "drawing", "drawn", "emission", "files", "friction"),
         *("joining", "kinematics", "open_loops", "plot", "pose", "power", "sheets", "statics"),
         *("stroke", "syntax", "syntax_limits", "syntax_yaml", "uses"),
     }
-
-    def __getattr__(name: str) -> Later:
-        if name not in WORDS:
-            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        return Later(f"{__name__}.{name}")
+    __getattr__ = waiting(__name__, WORDS)

@@ -88,14 +88,16 @@ def _of_sum(
     """
     assert item.value is not None
     kind = _kind(factor, (), item, balance, side)
-    left = _without_shared(factor, item.value, near)
+    across = _roots_across(factor, item.value)
+    shared = [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
+    left = _without_shared(factor, across, shared, near)
     but = () if left else tuple(t.formula() for t in _across_the_line(factor, item.value))
     for part in left or (factor,):
         if isinstance(part, Trig):
             yield from _at_roots(part, item, balance, near, side, chain)
         elif may_vanish(part, near):
             yield Vanishing(part.formula(), None, kind, _is_outside(part, balance), but)
-    for root in _shared(factor, item.value):
+    for root in shared:
         in_rest = any(order(Product.of(part), root.name, root.value) != 0 for part in left)
         if not in_rest and _has_order(item, root, near, side, chain):
             there = _kind(root.factor, (root,), item, balance, side)
@@ -203,27 +205,21 @@ def _chain(item: Solved) -> Chain:
     return Chain({**dict(item.result.where), _SIZE: item.result.formula})
 
 
-def _without_shared(factor: Factor, value: Product, near: Mapping[str, float]) -> Iterable[Factor]:
+def _without_shared(
+    factor: Factor, across: Sequence[Root], shared: Sequence[Root], near: Mapping[str, float]
+) -> Iterable[Factor]:
     """Return the rest of a sum without the sines that it shares with one across the line.
 
     It may have sines of its own, that nothing is known of yet: cos 3t + sin 2t has cos t. Nothing
     is left where one cannot be split off, or is shared for the lengths given only: then it is not
     known what is.
     """
-    across = _roots_across(factor, value)
-    shared = _shared(factor, value)
     rest = without(factor, [r.factor for r in shared]) if isinstance(factor, Sum) else None
     left = [f for f, e in rest.factors.items() if e > 0] if shared and rest else [factor]
     sums = [f for f in left if isinstance(f, Sum)] if shared else left
     known = all(order(Product.of(f), r.name, r.value) == 0 for f in sums for r in shared)
     by_chance = any(_is_nil(f, r, near) for f in left for r in across)
     return left if known and not by_chance else []
-
-
-def _shared(factor: Factor, value: Product) -> list[Root]:
-    """Return the roots of the sines across the line at which a sum is zero, too."""
-    across = _roots_across(factor, value)
-    return [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
 
 
 def _roots_across(factor: Factor, value: Product) -> list[Root]:

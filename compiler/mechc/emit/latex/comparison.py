@@ -103,11 +103,13 @@ def _in_rows(sections: Iterable[Section], style: Notation) -> list[list[Section]
     A wide section has a row of its own.
     """
     rows: list[list[Section]] = [[]]
+    after_wide = False
     for section in sections:
-        is_full = len(rows[-1]) == _BESIDE or any(_is_wide(s, style) for s in rows[-1])
-        if is_full or _is_wide(section, style):
+        is_wide = _is_wide(section, style)
+        if is_wide or after_wide or len(rows[-1]) == _BESIDE:
             rows.append([])
         rows[-1].append(section)
+        after_wide = is_wide
     return rows
 
 
