@@ -1,10 +1,22 @@
 """The forces on pins and bodies, gathered from the unknowns and loads of equilibrium."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from ..pose.places import NOWHERE
-from .assembly import GROUND, Action, Assembly, Body, Couple, Cylinder, Plane, Push, Wrench, scaled
+from .assembly import (
+    GROUND,
+    Action,
+    Assembly,
+    Body,
+    Couple,
+    Cylinder,
+    Plane,
+    Push,
+    Transfer,
+    Wrench,
+    scaled,
+)
 from .diagram import Acting, Kind
 from .free_bodies import Unknown
 from .friction import Pair
@@ -34,7 +46,7 @@ class Acts:
         self.cylinders = {cylinder.name for cylinder in assembly.cylinders}
         self.guides = {guide.point: guide.along for guide in assembly.guides}
         self.normals = {(r.point, r.body): r.normal for r in assembly.contacts}
-        self.transfers = {transfer.name: transfer.actions for transfer in assembly.transfers}
+        self.transfers = {transfer.name: transfer for transfer in assembly.transfers}
         self.on_pins: dict[str, dict[tuple[Kind, str], Acting]] = {}
         self.on_bodies: dict[str, list[Acting]] = {name: [] for name in self.frames}
 
@@ -55,7 +67,7 @@ class Acts:
                 self._pin(component, by, on, normal, size)
                 self._body(by, _acting(component, on, on, normal.times(-1), size))
             case "transfer":
-                self._transfer(_TRANSMISSIONS[by.split()[0]], by, size)
+                self._transfer(self.transfers[by], size)
             case "couple":
                 first = self._first(on)
                 self._body(on, _acting("guide", "ground", first, NOWHERE, size, 1.0))
@@ -94,7 +106,7 @@ class Acts:
                     self._alone("friction", "", action)
             case "rope" if pair:
                 for action in actions:
-                    self._from_rope(pair.by, action)
+                    self._from_rope(self.transfers[pair.by].label, action)
             case _:
                 for action in actions:
                     self._alone("load", name, action)
@@ -105,18 +117,18 @@ class Acts:
         on = on if on in self.frames[body].points else f"{on}'"
         self._pin("pin", body, on, NOWHERE, 0.0, -action.moment)
 
-    def _transfer(self, kind: Kind, by: str, size: float | None) -> None:
+    def _transfer(self, transfer: Transfer, size: float | None) -> None:
         """Let two things act on each other, or a rope on all that it runs over."""
-        if kind != "rope":
-            self._exchange(kind, self.transfers[by], size)
+        if transfer.kind != "rope":
+            self._exchange(transfer.kind, transfer.actions, size)
             return
-        for action in self.transfers[by]:
-            self._alone(kind, by.removeprefix("rope "), action, size)
+        for action in transfer.actions:
+            self._alone(transfer.kind, transfer.label, action, size)
 
-    def _from_rope(self, by: str, action: Action) -> None:
+    def _from_rope(self, rope: str, action: Action) -> None:
         """Let a rope that slides pull more or less than its mean tension, and turn a drum."""
         if isinstance(action, Push):
-            self._alone("rope", by.removeprefix("rope "), action)
+            self._alone("rope", rope, action)
         else:
             self._alone("friction", "", action)
 
@@ -194,16 +206,6 @@ def _whole(cylinder: Cylinder) -> Body:
     """Return a telescope as one body, as it is drawn: what its parts do to each other is inside."""
     first, second = cylinder.ends
     return Body(cylinder.name, {first: NOWHERE, second: cylinder.along.times(cylinder.reach)})
-
-
-_TRANSMISSIONS: Mapping[str, Kind] = {
-    "gear": "gear",
-    "belt": "belt",
-    "rack": "rack",
-    "screw": "screw",
-    "rope": "rope",
-    "slot": "slot",
-}
 
 
 def _target(action: Action) -> str:

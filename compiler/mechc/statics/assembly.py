@@ -1,7 +1,7 @@
 """What equilibrium is written of, in numbers: bodies, joints, and what acts on them."""
 
 from collections.abc import Mapping
-from typing import assert_never
+from typing import Literal, assert_never
 
 from ..frozen import frozen
 from ..named import NamedTuple
@@ -67,17 +67,24 @@ class PinOnBody(NamedTuple):
     normal: Plane
 
 
+TransferKind = Literal["gear", "belt", "rack", "screw", "rope", "slot"]
+"""The joints that pass a force on; a slot passes the couple of what it guides."""
+
+
 class Transfer(NamedTuple):
     """One force that wheels, a rack, a screw or a rope pass on, and what a unit of it does.
 
     Where its direction is undetermined, the bearings' part in it is left out: it loads the
     ground alone, and forces on such bearings are never asked for. On an arm that carries
-    wheels the ``bearings`` put a couple, whatever the direction.
+    wheels the ``bearings`` put a couple, whatever the direction. A rope has a ``label``, the
+    points of its route.
     """
 
+    kind: TransferKind
     name: str
     actions: tuple["Action", ...]
     bearings: tuple["Action", ...] = ()
+    label: str = ""
 
 
 class Push(NamedTuple):

@@ -18,14 +18,14 @@ def transfers(halves: Halves) -> Iterator[Transfer]:
             case WheelPair():
                 yield from _both(halves, _rims(halves, joint))
             case Rack():
-                yield from _both(halves, Transfer(joint.id, _teeth(halves, joint)))
+                yield from _both(halves, Transfer("rack", joint.id, _teeth(halves, joint)))
             case Screw():
-                yield from _both(halves, Transfer(joint.id, _thread(halves, joint)))
+                yield from _both(halves, Transfer("screw", joint.id, _thread(halves, joint)))
             case Rope():
-                yield from _both(halves, Transfer(joint.id, tuple(rope_forces(halves, joint))))
+                yield from _both(halves, _falls(halves, joint))
             case Slot(link=link, guided=guided) if guided:
                 couples = Couple(guided, 1.0), Couple(link, -1.0)
-                yield from _both(halves, Transfer(joint.id, couples))
+                yield from _both(halves, Transfer("slot", joint.id, couples))
             case Pivot() | Slider() | Slot() | Contact():
                 pass  # they press on one point: see :mod:`.unfolded`
             case _:
@@ -48,7 +48,7 @@ def _rims(halves: Halves, pair: WheelPair) -> Transfer:
         Couple(pair.first_link or GROUND, first),
         Couple(pair.second_link or GROUND, second),
     )
-    return Transfer(pair.id, wheels, (Couple(pair.arm or GROUND, -first - second),))
+    return Transfer(pair.kind, pair.id, wheels, (Couple(pair.arm or GROUND, -first - second),))
 
 
 def _thread(halves: Halves, screw: Screw) -> tuple[Action, Action]:
@@ -66,6 +66,12 @@ def _teeth(halves: Halves, rack: Rack) -> tuple[Action, Action]:
     x, y = centre.x + right.x, centre.y + right.y
     back = Wrench(rack.link, along.times(-1), y * along.x - x * along.y)
     return Push(rack.point, along), back
+
+
+def _falls(halves: Halves, rope: Rope) -> Transfer:
+    """Return the forces of a tension of 1 on all that a rope runs over."""
+    forces = tuple(rope_forces(halves, rope))
+    return Transfer("rope", rope.id, forces, label="-".join(rope.route))
 
 
 def rope_forces(halves: Halves, rope: Rope, tensions: Sequence[float] = ()) -> Iterator[Action]:
@@ -87,4 +93,5 @@ def _both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:
         actions, bearings = (
             tuple(map(halves.mirrored, part)) for part in (transfer.actions, transfer.bearings)
         )
-        yield Transfer(f"{transfer.name}'", actions, bearings)
+        label = transfer.label and f"{transfer.label}'"
+        yield Transfer(transfer.kind, f"{transfer.name}'", actions, bearings, label)
