@@ -251,7 +251,7 @@ def test_a_mistyped_word_earns_the_nearest_one(
 
 
 def test_internal_error_asks_for_a_report(run: Mechc, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("mechc.driver.read", lambda *_: 1 / 0)
+    monkeypatch.setattr("mechc.pipeline.read", lambda *_: 1 / 0)
     status, out, err = run("check", "clamp.mech")
     assert (status, out) == (70, "")
     assert f"mechc {__version__}" in err

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import mechc
-from mechc.driver import STAGES
+from mechc.pipeline import STAGES
 from paths import ROOT
 
 COPIES: dict[str, Callable[[Any], Any]] = {

@@ -37,9 +37,9 @@ STAGES = [
     "figure",
 ]
 OUTPUT = ["routine", "plot", "drawing", "report", "emit"]
-TOP = ["stage", "driver", "shown", "plotting", "evaluation", "api", "cli", "__main__"]
+TOP = ["stage", "pipeline", "driver", "shown", "plotting", "evaluation", "api", "cli", "__main__"]
 ORDER = BASE + STAGES + OUTPUT + TOP
-VIEWS = ("driver.py", "plotting.py", "evaluation.py", "api.py")
+VIEWS = ("pipeline.py", "driver.py", "plotting.py", "evaluation.py", "api.py")
 """Where a module may be imported in a function: for what is made only when it is asked for."""
 
 LATE = {

@@ -4,7 +4,8 @@ import json
 
 import click
 
-from ..driver import STAGES, VIEWS, Compilation
+from ..driver import VIEWS, Compilation
+from ..pipeline import STAGES
 from ..report.text import free_bodies as bodies_to_text
 from ..report.text import verdict as statics
 from ..report.text.derivation import render
