@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
@@ -16,9 +16,19 @@ from good_mechanisms import ALL, begun
 from grown import Grown
 from mechc.cli import main, make_gallery
 from mechc.diagnostics import MechcError
-from mechc.drawing.drawing import COPY, FORCE, HATCH, MEASURE, SYMBOL, Arc, Polyline
+from mechc.drawing.drawing import (
+    COPY,
+    FORCE,
+    HATCH,
+    MEASURE,
+    SYMBOL,
+    VELOCITY,
+    Arc,
+    Polyline,
+)
 from mechc.drawing.from_figure import scheme
 from mechc.drawing.lettering import name as lettering_of
+from mechc.drawing.moving import Marks
 from mechc.drawing.paper import on_paper
 from mechc.driver import Compilation
 from mechc.emit.svg.picture import to_svg
@@ -103,6 +113,33 @@ def test_arrows_point_as_the_forces_do():
     heads = [s.points for s in drawing.shapes if s.pen == FORCE and isinstance(s, Polyline)]
     (force,) = [points for points in heads if len(points) == 3 and points[1].x == points[2].x]
     assert force[0].x > force[1].x, "to the right: the head's tip before its feet"
+
+
+@every_mechanism
+def test_no_velocity_is_drawn_along_a_load(name):
+    moving = begun(name).velocities
+    if not moving:
+        pytest.skip("nothing that moves in one way only")
+    drawing = begun(name).drawn_scheme("en", Marks(velocities=moving[0]))
+    assert_readable(drawing)
+    for velocity, load in product(shafts(drawing, VELOCITY), shafts(drawing, FORCE)):
+        assert common_length(velocity, load) < 0.5
+
+
+def shafts(drawing, pen):
+    lines = [s.points for s in drawing.shapes if isinstance(s, Polyline) and s.pen == pen]
+    return [points for points in lines if len(points) == 2]
+
+
+def common_length(one, other):
+    """Return how much of a line lies within half a millimetre of another of its direction."""
+    start = np.array(one[0])
+    along = (np.array(one[1]) - start) / math.dist(*one)
+    ways = [(np.array(end) - start) for end in other]
+    if any(abs(along[0] * y - along[1] * x) > 0.5 for x, y in ways):
+        return 0.0
+    low, high = sorted(float(along @ way) for way in ways)
+    return min(math.dist(*one), high) - max(0.0, low)
 
 
 def test_halves_are_in_one_place_or_clearly_in_two():

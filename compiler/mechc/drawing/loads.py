@@ -15,9 +15,10 @@ from ..figure.figure import (
     Torque,
 )
 from ..pose.places import direction
-from .drawing import FORCE, SYMBOL, Run
+from .drawing import FORCE, SYMBOL, VELOCITY, Run
 from .labels import Around, Beside
 from .lettering import name
+from .occupied import Occupied, Stretch
 from .paper import Paper
 from .sheet import Layer, Sheet
 from .symbols import (
@@ -40,6 +41,9 @@ SPACING, HEIGHT = 7.0, 9.0
 
 LEAST = 3.5
 """How long an arrow of a spread load is at least."""
+
+BESIDE = 2.2
+"""How far an arrow is to the side of its point where a velocity's is in its place."""
 
 LENGTHWISE = 0.5
 """The cosine between a force and a guide above which it is drawn along it."""
@@ -83,13 +87,27 @@ def _draw_force(sheet: Sheet, paper: Paper, force: Force) -> None:
     at = paper.at(force.point)
     if force.weight:
         sheet.draw(Layer.PINS, centre_of_gravity(at))
-    gap = GAP + _reach(paper, force)
-    leaving = off(at, force.along, gap), off(at, force.along, gap + ARROW)
-    coming = off(at, force.along, -gap - ARROW), off(at, force.along, -gap)
-    ways = [leaving] if force.weight else [leaving, coming]
-    tail, tip = min(ways, key=lambda way: sheet.occupied.crossings(*way))
+    tail, tip = _free_arrow(sheet.occupied, paper, force)
     sheet.draw(Layer.LOADS, arrow(tail, tip))
     sheet.name(Beside(tail, tip, _times(force.times, force.name), FORCE))
+
+
+def _free_arrow(occupied: Occupied, paper: Paper, force: Force) -> Stretch:
+    """Return the tail and the tip of a force's arrow.
+
+    It leaves its point or comes to it, whichever meets fewer lines; where velocities lie on
+    both, it is beside the point.
+    """
+    at, gap = paper.at(force.point), GAP + _reach(paper, force)
+
+    def arrow_from(start: float, across: float = 0.0) -> Stretch:
+        ends = start, start + ARROW
+        return off(at, force.along, ends[0], across), off(at, force.along, ends[1], across)
+
+    coming = () if force.weight else (arrow_from(-gap - ARROW),)
+    in_line = [way for way in (arrow_from(gap), *coming) if not occupied.lies_on(way, VELOCITY)]
+    beside = arrow_from(gap, BESIDE), arrow_from(gap, -BESIDE)
+    return min(in_line or beside, key=lambda way: occupied.crossings(*way))
 
 
 def _draw_spread(sheet: Sheet, paper: Paper, load: SpreadLoad) -> None:

@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable, Iterator
 
 from ..pose.places import Plane
-from .drawing import AXIS, COPY, HATCH, Arc, Shape
+from .drawing import AXIS, COPY, HATCH, Arc, Pen, Shape
 from .tolerances import ALONG_AXIS
 
 CELL = 5.0
@@ -69,7 +69,7 @@ class Occupied:
 
     def __init__(self, shapes: Iterable[Shape] = ()) -> None:
         self._lines: list[Stretch] = []
-        self._faint: list[bool] = []
+        self._pens: list[Pen] = []
         self._squares: dict[Square, list[int]] = {}
         self._boxes: list[Box] = []
         self.add(*shapes)
@@ -81,7 +81,7 @@ class Occupied:
                 for square in _squares(*line):
                     self._squares.setdefault(square, []).append(len(self._lines))
                 self._lines.append(line)
-                self._faint.append(shape.pen in FAINT)
+                self._pens.append(shape.pen)
 
     def write(self, box: Box) -> None:
         """Take in the box of a label."""
@@ -101,11 +101,16 @@ class Occupied:
     def crossings(self, start: Plane, end: Plane) -> int:
         """Return how many lines, faint ones apart, a straight line meets."""
         near = self._in(_squares(start, end))
-        return sum(not self._faint[i] and _meet((start, end), self._lines[i]) for i in near)
+        return sum(self._pens[i] not in FAINT and _meet((start, end), self._lines[i]) for i in near)
 
     def crossed(self, shapes: Iterable[Shape]) -> int:
         """Return how many lines shapes would meet."""
         return sum(self.crossings(*line) for shape in shapes for line in stretches(shape))
+
+    def lies_on(self, line: Stretch, pen: Pen) -> bool:
+        """Return whether a straight line and one drawn with that pen lie on each other."""
+        near = self._in(_squares(*line))
+        return any(self._pens[i] == pen and _lie_on_each_other(line, self._lines[i]) for i in near)
 
     def _near(self, low: Plane, high: Plane) -> set[int]:
         """Return the lines in the squares that a rectangle touches."""
@@ -131,6 +136,19 @@ def _squares(start: Plane, end: Plane) -> set[Square]:
 def _meet(one: Stretch, other: Stretch) -> bool:
     """Return whether two straight lines cross, or lie on each other."""
     return _side_by_side(one, other) and _reaches(one, other) and _reaches(other, one)
+
+
+def _lie_on_each_other(one: Stretch, other: Stretch) -> bool:
+    """Return whether two straight lines are one line, and have more than an end of it in common."""
+    start, end = one
+    along = end.minus(start).unit()
+    if along is None:
+        return False
+    ways = [place.minus(start) for place in other]
+    if any(abs(along.turned().dot(way)) > TOUCH for way in ways):
+        return False
+    low, high = sorted(along.dot(way) for way in ways)
+    return low < math.dist(start, end) - TOUCH and high > TOUCH
 
 
 def _side_by_side(one: Stretch, other: Stretch) -> bool:
