@@ -9,10 +9,13 @@ from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, 
 from ...drawing.lettering import SMALL
 
 FONTS = (
-    "STIX Two Text, Times New Roman, Liberation Serif, CMU Serif, FreeSerif, Noto Serif,"
-    " DejaVu Serif, Latin Modern Roman, serif"
+    "STIX Two Text, Times New Roman, Liberation Serif, FreeSerif, Noto Serif, DejaVu Serif,"
+    " CMU Serif, Latin Modern Roman, serif"
 )
-"""Fonts by which text is set, those with Greek and Cyrillic letters first."""
+"""Fonts by which text is set, those with Greek and Cyrillic letters first.
+
+CMU Serif comes late: its slanted α looks like its a.
+"""
 
 TINT = "#e8edf2"
 """The colour of what is filled lightly."""
