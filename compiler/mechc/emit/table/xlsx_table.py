@@ -14,6 +14,9 @@ from .heads import head, values
 EPOCH = datetime(2000, 1, 1)
 """The date in the file, so that the same table makes the same bytes."""
 
+NARROWEST = 14
+"""The least width of a column, in letters."""
+
 
 def to_xlsx(plot: Plot) -> bytes:
     """Return a workbook with one sheet; :class:`MechcError` (E721) without the library."""
@@ -31,10 +34,10 @@ def to_xlsx(plot: Plot) -> bytes:
 
 def _fill(book: Any, plot: Plot) -> None:
     sheet = book.add_worksheet("values")
-    bold = book.add_format({"bold": True, "text_wrap": True})
+    bold = book.add_format({"bold": True, "align": "right"})
     sheet.freeze_panes(1, 1)
-    sheet.set_column(0, len(plot.columns) - 1, 14)
     for i, column in enumerate(plot.columns):
+        sheet.set_column(i, i, max(NARROWEST, len(head(column)) + 1))
         sheet.write_string(0, i, head(column), bold)
         for row, value in enumerate(values(column), start=1):
             if value is not None and math.isfinite(value):
