@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from .plot.query import Query
     from .report.derivation.steps import Derivation
     from .statics.diagram import Diagram
+    from .study.stroke.from_balance import Watch as Drives
     from .study.stroke.stroke import Stroke
 
 VIEWS: Mapping[str, str] = {
@@ -212,16 +213,16 @@ class Compilation(Pipeline):
         return plans(figure, self.velocities, self.free_bodies, words) if figure else None
 
     @of_linkages
-    def stroke(self, points: int, paths: Sequence[str] = ()) -> "Stroke":
+    def stroke(self, points: int, paths: Sequence[str] = (), watch: "Drives" = iter) -> "Stroke":
         """Return the results along the stroke of the drive, in so many rows.
 
-        ``paths`` are the points and links whose motion is shown.
+        ``paths`` are the points and links whose motion is shown; ``watch`` sees the rows done.
         """
         from .study.stroke.from_balance import run
 
         motion = self.motion
         with within(Allowance(), self.report):
-            return run(self.solution, self.results, points, self.report, motion, paths)
+            return run(self.solution, self.results, points, self.report, motion, paths, watch)
 
     def along(self, formulas: Settings) -> "Compilation":
         """Return the same description with parameters that follow formulas.

@@ -1,6 +1,8 @@
 """Consoles of every encoding, streams that are closed or full, and an interrupted start."""
 
+import contextlib
 import gc
+import os
 import signal
 import subprocess
 import sys
@@ -11,6 +13,8 @@ import pytest
 from mechc.cli import main
 from mechc.cli.terminal import LIKENESS, plainer
 from paths import EXAMPLES
+
+pty = pytest.importorskip("pty")
 
 CLAMP = str(EXAMPLES / "clamp.mech")
 CONSOLES = ["cp1252", "cp1251", "cp866", "ascii"]
@@ -117,3 +121,33 @@ def test_a_command_inside_another_program_leaves_its_garbage_collector_alone():
     before = gc.get_threshold()
     assert main(["explain", "E101"]) == 0
     assert gc.get_threshold() == before
+
+
+LONG = (
+    ["stroke", "crank_rocker", "-n", "300", "--csv"],
+    ["plot", CLAMP, "--x", "alpha", "--family", "beta=5,10deg"],
+)
+
+
+@pytest.mark.parametrize("arguments", LONG, ids=("stroke", "plot"))
+def test_long_work_is_watched_on_a_terminal_alone(arguments):
+    command = [sys.executable, "-m", "mechc", *arguments, "--no-cache"]
+    plain = subprocess.run(command, capture_output=True, check=True)
+    terminal, end = pty.openpty()
+    environment = {**os.environ, "TERM": "xterm"}
+    watched = subprocess.run(
+        command, stdout=subprocess.PIPE, stderr=end, check=True, env=environment
+    )
+    os.close(end)
+    with open(terminal, "rb", buffering=0) as screen:
+        shown = b"".join(_until_closed(screen)).decode()
+    assert plain.stderr == b""
+    assert "100%" in shown
+    assert watched.stdout == plain.stdout
+
+
+def _until_closed(screen):
+    """Yield what a terminal shows; reading from a closed one is an error on Linux."""
+    with contextlib.suppress(OSError):
+        while part := screen.read(4096):
+            yield part

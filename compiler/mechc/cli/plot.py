@@ -1,7 +1,6 @@
 """``mechc plot``: results against a parameter, as a picture or a table."""
 
 import re
-import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -24,7 +23,7 @@ from .collisions import refuse_collisions
 from .inputs import claim_of, description_argument, settings_option, stdin_option
 from .open import begin, check_names
 from .session import Command, session, session_options
-from .terminal import give, on_terminal
+from .terminal import give, watched
 from .words import Word
 
 STANDARD_OUTPUT = Path("-")
@@ -191,9 +190,5 @@ def command(
 
 
 def _watched(functions: Sequence[Function]) -> Iterator[Function]:
-    """Yield the functions of several curves, a bar on the terminal saying how many are done."""
-    if len(functions) == 1 or not on_terminal():
-        yield from functions
-        return
-    with click.progressbar(functions, label="plotting", file=sys.stderr) as bar:
-        yield from bar
+    """Return the functions of several curves, watched by a bar."""
+    return watched(functions, "plotting") if len(functions) > 1 else iter(functions)

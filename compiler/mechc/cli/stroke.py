@@ -1,5 +1,7 @@
 """``mechc stroke``: k along the stroke, its singular poses and extrema."""
 
+from collections.abc import Iterator, Sequence
+
 import click
 
 from ..driver import checked, warnings
@@ -10,8 +12,11 @@ from ..syntax.vocabulary import LANGUAGES
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
 from .session import Repeatable, session, session_options
-from .terminal import give, say
+from .terminal import give, say, watched
 from .words import Word
+
+MANY = 200
+"""More rows than this take long enough to be watched."""
 
 
 @click.command("stroke", cls=Repeatable)
@@ -68,9 +73,14 @@ def command(
     mechc stroke --points 101 --csv clamp.mech > clamp.csv
     """
     compilation = checked(begin(file, stdin_name, settings, drive))
-    found = compilation.stroke(points, paths)
+    found = compilation.stroke(points, paths, _watched)
     session().accept(warnings(compilation), compilation.source)
     if as_csv or dialect:
         give(to_csv(found, DIALECTS[dialect or "point"]))
     else:
         say(to_table(found, velocities, language), end="")
+
+
+def _watched(drives: Sequence[float]) -> Iterator[float]:
+    """Return the values of the drive, watched by a bar where they are many."""
+    return watched(drives, "stroke") if len(drives) > MANY else iter(drives)

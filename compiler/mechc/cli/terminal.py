@@ -9,12 +9,15 @@ import errno
 import os
 import shutil
 import sys
-from typing import TextIO
+from collections.abc import Iterator, Sequence
+from typing import TextIO, TypeVar
 from unicodedata import normalize
 
 import click
 
 from .. import witness
+
+T = TypeVar("T")
 
 LIKENESS = {
     "→": "->", "←": "<-", "⇒": "=>", "↔": "<->", "−": "-", "–": "-", "—": "-", "·": "*", "×": "*",
@@ -87,6 +90,16 @@ def line_width() -> int:
 def on_terminal() -> bool:
     """Return whether messages go to a terminal that knows colours: a dumb one does not."""
     return sys.stderr is not None and sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
+
+
+def watched(items: Sequence[T], label: str) -> Iterator[T]:
+    """Yield items, a bar on the terminal saying how many have been dealt with."""
+    if not on_terminal():
+        yield from items
+        return
+    step = max(1, len(items) // 100)
+    with click.progressbar(items, label=label, file=sys.stderr, update_min_steps=step) as bar:
+        yield from bar
 
 
 def say(text: object, end: str = "\n") -> None:

@@ -1,6 +1,6 @@
 """From the results to the stroke."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
@@ -23,6 +23,8 @@ from .singular import singular_along
 from .stretches import stretches_of
 from .stroke import Stretch, Stroke
 
+Watch = Callable[[Sequence[float]], Iterable[float]]
+
 
 def run(
     solution: Solution,
@@ -31,10 +33,12 @@ def run(
     report: Report,
     motion: Motion | None = None,
     paths: Sequence[str] = (),
+    watch: Watch = iter,
 ) -> Stroke:
     """Return ``points`` rows along the stroke, and what is singular or extreme on it.
 
-    ``paths`` are the points and links whose ``motion`` is shown. Reports E591 without a drive,
+    ``paths`` are the points and links whose ``motion`` is shown, ``watch`` sees the values of
+    the drive done one after another. Reports E591 without a drive,
     E592 without a stroke's ends, E597 for a path of nothing.
     """
     pose = solution.plan.graph.pose
@@ -46,7 +50,7 @@ def run(
     ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:
         raise report.fail(messages.no_stroke(drive.span, drive.parameter))
-    return _stroke(run_of(solution, results, parameter, *ends), asked(motion, paths), points)
+    return _stroke(run_of(solution, results, parameter, *ends), asked(motion, paths), points, watch)
 
 
 def _drivable(pose: Pose) -> tuple[list[str], str]:
@@ -58,13 +62,14 @@ def _drivable(pose: Pose) -> tuple[list[str], str]:
     return [], "deg"
 
 
-def _stroke(run: Run, paths: Asked, points: int) -> Stroke:
+def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
     along, drive = run.along, run.drive
     filled = named_apart(columns(run, paths))
     found, crossings = stretches_of(run)
     default, is_angle = along.defaults.get(drive.name), drive.dimension == ANGLE
     stretches = with_reached(tuple(found), default, EXCLUDED, is_angle)
     branches = sorted((*run.branches, *crossings), key=lambda b: b.drive)
+    drives = list(spaced(run.low, run.high, points - 1))
     singular = singular_along(run, stretches, branches)
     return Stroke(
         drive.name,
@@ -73,7 +78,7 @@ def _stroke(run: Run, paths: Asked, points: int) -> Stroke:
         run.low,
         run.high,
         tuple(f.column for f in filled),
-        tuple(row(run, x, filled, stretches) for x in spaced(run.low, run.high, points - 1)),
+        tuple(row(run, x, filled, stretches) for x in watch(drives)),
         stretches,
         singular,
         tuple(branches),
