@@ -16,7 +16,7 @@ from mechc.emit.json.figure import PARTS
 from mechc.emit.json.to_json import TARGET
 from mechc.emit.target import Options
 from mechc.figure import figure as drawn
-from mechc.figure.parts import joints
+from mechc.figure.joints import joints_shown
 from mechc.formula.walk import evaluate
 from mechc.model import parts as kinds
 from mechc.source import Source
@@ -400,7 +400,7 @@ def test_no_joint_of_the_model_is_forgotten():
     found = set()
     for name in ALL:
         mechanism = compiled(name).mechanism
-        found |= {type(part) for part in (*mechanism.bodies, *joints(mechanism))}
+        found |= {type(part) for part in (*mechanism.bodies, *joints_shown(mechanism))}
     assert found == known - not_drawn
 
 

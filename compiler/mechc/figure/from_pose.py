@@ -9,9 +9,10 @@ from ..model.values import Chain, bounds, completed, defaults, dependent, indepe
 from ..pose.places import Plane
 from ..pose.pose import Pose
 from .figure import Figure, MirrorLine, Part
+from .half import Half
 from .layout import Layout, lay_out, points_of
 from .marks import marks
-from .parts import Half
+from .parts import parts
 from .tolerances import SAME_PLACE
 from .ways import Ways
 
@@ -106,10 +107,10 @@ def _parts(ways: Ways, layout: Layout, points: Mapping[str, Plane]) -> Iterator[
     mirror = ways.pose.mechanism.mirror
     shared = frozenset(mirror.sharing if mirror else ())
     half = Half(ways, points, layout.size, shared, layout.mirror)
-    yield from half.parts()
+    yield from parts(half)
     yield from marks(half)
     if mirror is not None:
-        twins = zip(half.parts(), replace(half, sense=-1).parts(), strict=True)
+        twins = zip(parts(half), parts(replace(half, sense=-1)), strict=True)
         yield from (twin for part, twin in twins if _names(twin) != _names(part))
 
 

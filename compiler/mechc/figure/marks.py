@@ -25,7 +25,7 @@ from ..model.mechanism import (
 from ..pose.places import Plane
 from ..units import LENGTH, in_unit
 from .figure import AngleMark, Dimension, Measure
-from .parts import Half
+from .half import Half
 from .tolerances import NO_LENGTH, SAME_ANGLE
 
 ALONG_X, ALONG_Y = Plane(1.0, 0.0), Plane(0.0, 1.0)

@@ -1,0 +1,163 @@
+"""What is drawn of each joint, in one half or its twin."""
+
+import math
+from collections.abc import Iterator
+from typing import assert_never
+
+from ..frozen import replace
+from ..model import mechanism as model
+from ..pose.places import Plane, direction
+from ..pose.pose import PointContact
+from . import figure as drawn
+from .figure import Part
+from .half import Half
+from .ropes import rope_runs
+from .wheels import Circle, pitch_point, runs
+
+DOWN, UP, LEFT, RIGHT = Plane(0.0, -1.0), Plane(0.0, 1.0), Plane(-1.0, 0.0), Plane(1.0, 0.0)
+GROUNDS = (DOWN, UP, LEFT, RIGHT, *(direction(math.radians(45 + 90 * i)) for i in (2, 3, 1, 0)))
+"""Where the ground may be, seen from a pivot: the usual places first."""
+
+APART = math.radians(50)
+"""The angle between the ground of a pivot and the bars that leave it, where there is room."""
+
+PULLEY = 0.07
+"""The radius at which a pulley is drawn, in usual lengths."""
+
+
+def joints_shown(mechanism: model.Mechanism) -> Iterator[model.Joint]:
+    """Yield the joints of a mechanism; a place that a guide goes through is no pivot.
+
+    Where a drawn mechanism stands still, the guide no longer names its place: ``C_0`` of slider C.
+    """
+    places = {s.through for s in mechanism.each(model.Slider)} - mechanism.spans.keys()
+    places |= {f"{s.point}_0" for s in mechanism.each(model.Slider)}
+    for joint in mechanism.joints:
+        if not isinstance(joint, model.Pivot) or joint.point not in places:
+            yield joint
+
+
+def drawn_joint(joint: model.Joint, half: Half) -> Part:
+    """Return the drawn part of a joint."""
+    match joint:
+        case model.Pivot(point):
+            return drawn.Pivot(half.point(point), half.vector(_ground(point, half)))
+        case model.Slider():
+            return _slider(joint, half)
+        case model.Slot():
+            return _slot(joint, half)
+        case model.Contact():
+            return _contact(joint, half)
+        case model.WheelPair():
+            return _wheels(joint, half)
+        case model.Rack():
+            return _rack(joint, half)
+        case model.Screw():
+            return _screw(joint, half)
+        case model.Rope():
+            return _rope(joint, half)
+        case _:
+            assert_never(joint)
+
+
+def _ground(point: str, half: Half) -> Plane:
+    """Return where the ground of a pivot is: down, where no bar of the described half is."""
+    there = replace(half, sense=1)
+    bars = [there.at(other).minus(there.at(point)).unit() for other in there.neighbours(point)]
+    ways = [unit for unit in bars if unit is not None]
+    if point in half.shared and half.mirror is not None:
+        ways += [unit.reflected(half.mirror.along) for unit in ways]
+    room = {g: min((_angle(g, unit) for unit in ways), default=math.pi) for g in GROUNDS}
+    return max(GROUNDS, key=lambda ground: min(room[ground], APART))
+
+
+def _slider(slider: model.Slider, half: Half) -> drawn.Slider:
+    along = half.unit(half.ways.pose.guides[slider.point])
+    if slider.through is None:
+        return drawn.Slider(half.point(slider.point), along, half.line(along, slider.point), "")
+    line = half.line(along, slider.point, slider.through)
+    return drawn.Slider(half.point(slider.point), along, line, half.point(slider.through))
+
+
+def _slot(slot: model.Slot, half: Half) -> drawn.Slot:
+    along = half.vector(half.ways.face(_touch("slot", slot.point, half)))
+    if along.dot(half.at(slot.head).minus(half.at(slot.tail))) < 0:
+        along = along.times(-1)
+    return drawn.Slot(
+        half.point(slot.point),
+        half.link(slot.link),
+        half.point(slot.tail),
+        half.point(slot.head),
+        along,
+        half.line(along, slot.point),
+        slot.guided and half.link(slot.guided),
+    )
+
+
+def _contact(contact: model.Contact, half: Half) -> drawn.Contact:
+    touch = _touch("contact", contact.point, half)
+    face = half.line(half.vector(half.ways.face(touch)), contact.point)
+    normal = half.unit(touch.normal)
+    return drawn.Contact(half.point(contact.point), half.link(contact.link), normal, face)
+
+
+def _touch(kind: str, point: str, half: Half) -> PointContact:
+    touches = half.ways.pose.touches
+    return next(t for t in touches if (t.kind, t.point) == (kind, point))
+
+
+def _wheels(mesh: model.WheelPair, half: Half) -> drawn.Gears | drawn.Belt:
+    first, second = half.point(mesh.first), half.point(mesh.second)
+    radius, other = half.length(mesh.first_radius), half.length(mesh.second_radius)
+    circles = Circle(half.points[first], radius), Circle(half.points[second], other)
+    wheels = (
+        *(first, mesh.first_link and half.link(mesh.first_link), radius),
+        *(second, mesh.second_link and half.link(mesh.second_link), other),
+    )
+    if mesh.kind == "gear":
+        touch = pitch_point(*circles, inner=mesh.same)
+        return drawn.Gears(*wheels, mesh.same, touch)
+    crossed = not mesh.same
+    return drawn.Belt(*wheels, crossed, runs(*circles, crossed=crossed))
+
+
+def _rack(rack: model.Rack, half: Half) -> drawn.Rack:
+    along = half.guide(rack.point)
+    touch = half.at(rack.pivot).plus(half.vector(half.ways.right(rack)))
+    line = half.through(along, (touch, half.at(rack.point)))
+    return drawn.Rack(
+        half.point(rack.point),
+        half.point(rack.pivot),
+        half.link(rack.link),
+        half.sense * half.length(rack.radius),
+        along,
+        line,
+        touch,
+    )
+
+
+def _screw(screw: model.Screw, half: Half) -> drawn.Screw:
+    along, turn = half.guide(screw.point), half.sense * half.length(screw.pitch)
+    line = half.line(along, screw.point)
+    return drawn.Screw(half.point(screw.point), half.link(screw.link), turn, along, line)
+
+
+def _rope(rope: model.Rope, half: Half) -> drawn.Rope:
+    drums = {k.place: k.reach for k in _sliding_ropes(half) if k.joint == rope.id}
+    reaches = [drums.get(i) for i in range(len(rope.route))]
+    radii = [None if r is None else half.sense * half.length(r) for r in reaches]
+    pulley = PULLEY * half.size
+    runs = tuple(rope_runs([half.at(point) for point in rope.route], radii, pulley))
+    sizes = tuple(pulley if radius is None else abs(radius) for radius in radii[1:-1])
+    return drawn.Rope(tuple(map(half.point, rope.route)), runs, sizes)
+
+
+def _sliding_ropes(half: Half) -> Iterator[model.RopeFriction]:
+    """Yield the friction of ropes around pulleys."""
+    joints = half.ways.pose.mechanism.friction.joints
+    yield from (joint for joint in joints if isinstance(joint, model.RopeFriction))
+
+
+def _angle(one: Plane, other: Plane) -> float:
+    """Return the angle between two unit vectors, without its sense."""
+    return abs(math.atan2(one.turned().dot(other), one.dot(other)))
