@@ -1,0 +1,274 @@
+"""What every joint and load exerts on the bodies that are cut free."""
+
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+from typing import NamedTuple, assert_never
+
+from ..algebra.angle import Angle, rational
+from ..algebra.from_formula import to_product
+from ..algebra.product import ONE, Product
+from ..formula.tree import PI
+from ..model.mechanism import (
+    Contact,
+    Force,
+    ForcePair,
+    Joint,
+    Link,
+    Load,
+    Pivot,
+    Rack,
+    Rope,
+    Screw,
+    Slider,
+    Slot,
+    Torque,
+    WheelPair,
+)
+from ..pose.pose import Arm, PointContact, Vector, gathered
+from ..power.loads import owners
+from .acts import QUARTER, Act, X, Y, unit
+from .cutting import Cutting
+from .equilibrium import JointForce
+
+ActOnBody = tuple[str, Act]
+"""The body that something acts on, and what acts."""
+
+
+class Exerted(NamedTuple):
+    """A force to be found, and how it, or each of its components, acts on bodies."""
+
+    force: JointForce
+    acts: tuple[ActOnBody, ...]
+
+
+def by_joints(cut: Cutting) -> Iterator[Exerted]:
+    """Yield what rods, pins, guides, contacts and all other joints exert, in this order."""
+    yield from (_rod(link, cut) for link in cut.mechanism.links if link.name not in cut.rigid)
+    for point in dict.fromkeys(p for points in cut.rigid.values() for p in points):
+        yield from _pin(point, cut)
+    for point, guide in cut.pose.guides.items():
+        force = JointForce("guide", (f"N_{point}",), (point,))
+        yield _exerted(force, _on_pin(force.names[0], point, guide + QUARTER, (point,), cut))
+    yield from (_touch(touch, cut) for touch in cut.pose.touches)
+    for joint in cut.mechanism.joints:
+        if (exerted := _passed_on(joint, cut)) is not None:
+            yield exerted
+
+
+def by_loads(cut: Cutting) -> Iterator[ActOnBody]:
+    """Yield the loads, each under the name of the one that it is tied to."""
+    tied_to = owners(cut.mechanism)
+    for load in cut.mechanism.loads:
+        owner, part = tied_to[load.name]
+        yield from _load(load, owner, part.scaled(rational(load.times)), cut)
+
+
+def _exerted(force: JointForce, *acts: Iterable[ActOnBody]) -> Exerted:
+    return Exerted(force, tuple(act for several in acts for act in several))
+
+
+# ------------------------------------------------------------------------------ rods and pins
+
+
+def _rod(rod: Link, cut: Cutting) -> Exerted:
+    tail, head = rod.points
+    name = f"N_{rod.name}"
+    acts = [
+        act
+        for part, along in unit(cut.pose.vector(rod.name, tail, head))
+        for point, size in ((tail, part), (head, -part))
+        for act in _on_pin(name, point, along, rod.points, cut, size)
+    ]
+    return _exerted(JointForce("rod", (name,), (rod.name,)), acts)
+
+
+def _pin(point: str, cut: Cutting) -> Iterator[Exerted]:
+    """Yield the forces that hold the bodies of a pin, but for the one that carries it."""
+    host = cut.host(point)
+    others = [name for name in cut.on(point) if name != host]
+    for body in others:
+        of = point if len(others) == 1 else f"{point}_{body}"
+        force, lines = _held(body, point, of, host, cut)
+        acts = [
+            act
+            for name, along in zip(force.names, lines, strict=True)
+            for act in (
+                (body, _at(name, along, cut.pose.frames[body][point])),
+                *_on_pin(name, point, along, cut.rigid[body], cut, Product(-1)),
+            )
+        ]
+        yield _exerted(force, acts)
+
+
+def _held(
+    body: str, point: str, of: str, host: str, cut: Cutting
+) -> tuple[JointForce, tuple[Angle, Angle]]:
+    """Return the force on a body at a pin, by its components, and the lines of these."""
+    if not host:
+        return JointForce("pivot", (f"X_{of}", f"Y_{of}"), (body, point)), (X, Y)
+    arm, lines = _components(point, (body, host), cut)
+    names = (f"R_{of}_n", f"R_{of}_t") if arm else (f"X_{of}", f"Y_{of}")
+    return JointForce("pin", names, (body, point, arm)), lines
+
+
+def _components(point: str, bodies: Iterable[str], cut: Cutting) -> tuple[str, tuple[Angle, Angle]]:
+    """Return the arm of a body along which and across which its force at a pin is taken.
+
+    About the other end of a crank the force along it has no moment. '' is for x and y.
+    """
+    for body in filter(cut.rigid.__contains__, bodies):
+        points = cut.rigid[body]
+        ends = [p for p in points if p in cut.mechanism.fixed] or [
+            p for p in points if len(points) == 2 and p != point
+        ]
+        arm = cut.pose.vector(body, ends[0], point) if ends else ()
+        if len(arm) == 1 and body not in cut.pose.slides:
+            return ends[0] + point, (arm[0].angle, arm[0].angle + QUARTER)
+    return "", (X, Y)
+
+
+# ------------------------------------------------------------------------------- other joints
+
+
+def _touch(touch: PointContact, cut: Cutting) -> Exerted:
+    """Let a body push a pin, and the pin the body."""
+    name, body = f"N_{touch.point}", touch.body
+    both = (touch.point, *cut.points(body))
+    at = (*cut.pose.frames[body][touch.tail], *touch.reach)
+    often = cut.repeats(cut.points(body), both)
+    return _exerted(
+        JointForce("touch", (name,), (touch.point, body)),
+        _on_pin(name, touch.point, touch.normal, both, cut),
+        [(body, _at(name, touch.normal, at, Product(-often)))],
+    )
+
+
+def _passed_on(joint: Joint, cut: Cutting) -> Exerted | None:
+    """Return what a joint passes on besides what presses at its points, None if nothing."""
+    match joint:
+        case WheelPair():
+            return _wheels(joint, cut)
+        case Rack():
+            return _rack(joint, cut)
+        case Screw():
+            return _thread(joint, cut)
+        case Rope():
+            return _rope(joint, cut)
+        case Slot(point=point, link=link, guided=guided) if guided:
+            name = f"M_{point}"
+            couples = _couple(name, guided, ONE), _couple(name, link, Product(-1))
+            return _exerted(JointForce("couple", (name,), (guided, link)), *couples)
+        case Pivot() | Slider() | Slot() | Contact():
+            return None
+        case _:
+            assert_never(joint)
+
+
+def _wheels(pair: WheelPair, cut: Cutting) -> Exerted:
+    """Let two rims push each other along, and their centres push the arm."""
+    name = f"T_{pair.first}{pair.second}"
+    first = cut.pose.radii[pair.first_radius]
+    second = cut.pose.radii[pair.second_radius].scaled(-1 if pair.same else 1)
+    return _exerted(
+        JointForce("rim", (name,), pair.points),
+        _couple(name, pair.first_link, first),
+        _couple(name, pair.second_link, second),
+        _couple(name, pair.arm, -first),
+        _couple(name, pair.arm, -second),
+    )
+
+
+def _rack(rack: Rack, cut: Cutting) -> Exerted:
+    name, along = f"T_{rack.point}", _guide(rack.point, cut)
+    pitch_point = Arm(cut.pose.radii[rack.radius], along - QUARTER)
+    at = (*cut.pose.frames[rack.link][rack.pivot], pitch_point)
+    return _exerted(
+        JointForce("rack", (name,), (rack.pivot, rack.point)),
+        _on_pin(name, rack.point, along, cut.points(rack.link), cut),
+        [(rack.link, _at(name, along, at, Product(-1)))],
+    )
+
+
+def _thread(screw: Screw, cut: Cutting) -> Exerted:
+    name = f"T_{screw.point}"
+    lead = cut.pose.radii[screw.pitch] / to_product(PI).scaled(2)
+    along = _guide(screw.point, cut)
+    return _exerted(
+        JointForce("thread", (name,), (screw.link, screw.point)),
+        _on_pin(name, screw.point, along, cut.points(screw.link), cut),
+        _couple(name, screw.link, -lead),
+    )
+
+
+def _rope(rope: Rope, cut: Cutting) -> Exerted:
+    """Let one tension draw the ends of each fall together."""
+    name = f"S_{rope.route[0]}"
+    falls = zip(pairwise(rope.route), cut.pose.falls[rope.id], strict=True)
+    acts = [
+        act
+        for (tail, head), way in falls
+        for point, size in ((tail, ONE), (head, Product(-1)))
+        for act in _on_pin(name, point, way, rope.points, cut, size)
+    ]
+    return _exerted(JointForce("rope", (name,), rope.route[:1]), acts)
+
+
+def _guide(point: str, cut: Cutting) -> Angle:
+    guide = cut.pose.guide_of(point)
+    assert guide is not None, "the model lets racks and screws move guided points only"
+    return guide
+
+
+# -------------------------------------------------------------------------------------- loads
+
+
+def _load(load: Load, owner: str, size: Product, cut: Cutting) -> Iterator[ActOnBody]:
+    match load:
+        case Torque(_, link):
+            yield from _couple(owner, link, size)
+        case Force(name, point, link=link):
+            act = Act(owner, size, cut.pose.lines[name])
+            yield from _loaded(act, link, point, cut.points(link) or (point,), cut)
+        case ForcePair(name, first, second, first_link=one, second_link=other):
+            act = Act(owner, size, cut.pose.lines[name])
+            if second == f"{first}'":
+                yield from _loaded(act, one, first, (first,), cut)
+            else:
+                yield from _loaded(act._replace(size=-size), one, first, (first, second), cut)
+                yield from _loaded(act, other, second, (first, second), cut)
+        case _:
+            assert_never(load)
+
+
+def _loaded(
+    act: Act, link: str, point: str, by: Iterable[str], cut: Cutting
+) -> Iterator[ActOnBody]:
+    """Yield a load on a link at a point, or on the pin there."""
+    assert act.along is not None, "what acts at a point is a force"
+    if link in cut.rigid:
+        yield link, _at(act.name, act.along, cut.pose.frames[link][point], act.size)
+    else:
+        yield from _on_pin(act.name, point, act.along, by, cut, act.size)
+
+
+# ------------------------------------------------------------------------ what acts on a body
+
+
+def _on_pin(
+    name: str, point: str, along: Angle, by: Iterable[str], cut: Cutting, size: Product = ONE
+) -> Iterator[ActOnBody]:
+    """Yield what goes through some points, and acts on what carries a pin; the ground is free."""
+    if host := cut.host(point):
+        arm = cut.pose.frames[host][point] if host in cut.rigid else ()
+        often = cut.repeats(cut.rigid.get(host, (point,)), by)
+        yield host, _at(name, along, arm, size.scaled(often))
+
+
+def _at(name: str, along: Angle, at: Vector, size: Product = ONE) -> Act:
+    return Act(name, size, along, gathered(at))
+
+
+def _couple(name: str, body: str, size: Product) -> Iterator[ActOnBody]:
+    """Yield a couple on a body; the ground, '', takes it."""
+    if body:
+        yield body, Act(name, size, None)
