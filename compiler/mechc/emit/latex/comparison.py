@@ -33,7 +33,7 @@ _COLUMNS = (
 _ROOM = 14.0
 """Room in the second column, in em: its share of 160 mm at 11 pt, less some air."""
 
-_BESIDE = 3
+_BESIDE = 4
 """Sections in a row of the table: one with more of them could outgrow its page."""
 
 _CLOSE_DISPLAYS = r"\abovedisplayskip=3pt\belowdisplayskip=3pt"
