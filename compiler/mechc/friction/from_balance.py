@@ -1,7 +1,7 @@
 """Friction: from the balance without it to everything that was asked for."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, assert_never
 
 from ..diagnostics import Report
@@ -21,6 +21,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Result
+from ..model.results import refuse_failing
 from ..model.targets import SIGNS
 from ..power.balance import Balance, Solved
 from ..power.definitions import let_results, open_lengths
@@ -45,7 +46,17 @@ def solve(balance: Balance, report: Report) -> Solution:
     solved = [known[find.name] for find in finds if find.name in known]
     lets = let_results(balance.plan.graph.pose, [s.result for s in solved], report)
     solved += [Solved(with_default(let, numbers.of(let))) for let in lets]
+    _refuse_undefined([s.result for s in solved], balance, numbers, report)
     return Solution(balance, tuple(solved))
+
+
+def _refuse_undefined(
+    results: Sequence[Result], balance: Balance, numbers: DefaultNumbers, report: Report
+) -> None:
+    """Report tables, lists and choices that have no value at the pose and results by default."""
+    if implied := balance.plan.graph.pose.mechanism.implied:
+        known = {r.name: r.default for r in results if r.default is not None}
+        refuse_failing(implied, {**numbers.values, **known}, report)
 
 
 def _with_friction(

@@ -7,9 +7,11 @@ from ..diagnostics import Diagnostic
 from ..diagnostics import sheets as messages
 from ..diagnostics import uses as uses_messages
 from ..formula.to_text import text
+from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..source import Source
-from ..units import in_unit, si_unit
+from ..units import ANGLE, in_unit, si_unit
+from .forms import form_of_pose
 from .mechanism import Require, Subject
 
 
@@ -34,7 +36,8 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
 
 def _with_values(condition: Require, sides: tuple[float, float], source: Source) -> Iterator[str]:
     """Yield the sides of a condition with their values: ``sigma = 182 MPa``."""
-    unit = condition.unit or si_unit(condition.dimension)
+    usual = "deg" if condition.dimension == ANGLE else si_unit(condition.dimension)
+    unit = condition.unit or usual
     formulas, spelled = (condition.left, condition.right), _as_written(condition, source)
     for formula, value, words in zip(formulas, sides, spelled, strict=True):
         shown = in_unit(value, unit, 6)
@@ -47,12 +50,24 @@ def _as_written(condition: Require, source: Source) -> tuple[str, str]:
     A condition of a used sheet has names with a prefix, that of a chain has neighbours.
     """
     written = " ".join(source.written(condition.span).split()).removeprefix("require ")
-    sides = [part.strip(" '\"") for part in _OPERATOR.split(written)]
     formulas = condition.left, condition.right
-    known = (symbols(f) <= {*_NAME.findall(s)} for f, s in zip(formulas, sides, strict=False))
-    if len(sides) == len(formulas) and all(known):
+    if found := _ASKED.fullmatch(written):
+        asked = found[1] or found[2]
+        left, right = (asked if symbols(f) and _mentions(asked, f) else text(f) for f in formulas)
+        return left, right
+    sides = [part.strip(" '\"") for part in _OPERATOR.split(written)]
+    if len(sides) == len(formulas) and all(map(_mentions, sides, formulas)):
         return sides[0], sides[1]
     return text(condition.left), text(condition.right)
 
 
+def _mentions(written: str, formula: Formula) -> bool:
+    """Return whether the names of a formula are written, or what of the pose it came from."""
+    names = _NAME.findall(written)
+    return symbols(formula) <= {*names} or any(map(form_of_pose, names))
+
+
 _OPERATOR, _NAME = re.compile("[<>=!≤≥≠]+"), re.compile(r"[^\W\d]\w*")
+
+_ASKED = re.compile(r"\w+ at (.+)|(?:next )?(.+) in \w+")
+"""How a table is asked, and a list."""

@@ -33,7 +33,7 @@ from .parameters import warn_unused
 from .points import Points
 from .reactions import check_rods
 from .reported import read_reported
-from .results import read_expects, read_requires
+from .results import implied, read_expects, read_requires
 from .scope import Scope
 from .sheets import refuse_links_in_a_sheet, written_as_sheet
 from .statements import check_doubled, every, only
@@ -146,6 +146,7 @@ def _asked(mechanism: Mechanism, file: ast.File, found: Definitions, scope: Scop
         parameters=parameters,
         lets=lets,
         requires=tuple(requires),
+        implied=() if scope.sheet else tuple(implied(found)),
         expects=tuple(expects),
     )
 

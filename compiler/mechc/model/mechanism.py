@@ -330,6 +330,8 @@ class Mechanism:
     finds: tuple[Find, ...] = ()
     lets: tuple[Let, ...] = ()
     requires: tuple[Require, ...] = ()
+    implied: tuple[Require, ...] = ()
+    """What tables, lists and choices demand of the pose and of results: without it, no value."""
     expects: tuple[Expect, ...] = ()
     tables: tuple[WrittenTable, ...] = ()
     reported: tuple[Reported, ...] = ()

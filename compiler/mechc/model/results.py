@@ -1,10 +1,10 @@
 """Conditions of use, and what books and colleagues expect of results."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from ..diagnostics import Diagnostic
+from ..diagnostics import Diagnostic, Report
 from ..diagnostics import uses as uses_messages
 from ..diagnostics.model import quantities
 from ..diagnostics.model import results as messages
@@ -67,13 +67,22 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
     return [*sorted(found.requires, key=lambda r: r.span), *requires]
 
 
+def implied(found: Definitions) -> Iterator[Require]:
+    """Yield what tables, lists and choices demand, for when the pose and results are known."""
+    return (require for require in found.requires if not _is_range(require))
+
+
 def _refuse_without(implied: Sequence[Require], values: Values, scope: Scope) -> None:
     """Report the tables, choices and lists that have no value at those of a mechanism.
 
     Where a sheet is given what is outside its range, that alone is reported.
     """
-    if not all(holds(require, values) for require in implied if _is_range(require)):
-        return
+    if all(holds(require, values) for require in implied if _is_range(require)):
+        refuse_failing(implied, values, scope.report)
+
+
+def refuse_failing(implied: Iterable[Require], values: Values, report: Report) -> None:
+    """Report the conditions that fail at these values; those on what has none are left out."""
     for require in implied:
         if not symbols(require.left) | symbols(require.right) <= values.keys():
             continue
@@ -81,7 +90,7 @@ def _refuse_without(implied: Sequence[Require], values: Values, scope: Scope) ->
         if math.isnan(left) or math.isnan(right):
             continue  # what has no value is remarked on by itself
         if not compare(left, require.operator, right):
-            scope.report.add(failure(require, (left, right), scope.report.source))
+            report.add(failure(require, (left, right), report.source))
 
 
 def _is_range(require: Require) -> bool:

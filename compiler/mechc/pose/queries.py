@@ -45,7 +45,7 @@ def _formulas(mechanism: Mechanism) -> Iterator[tuple[Formula, Span]]:
     """Yield the formulas that may ask, with their places."""
     for let in mechanism.lets:
         yield let.value, let.span
-    for require in mechanism.requires:
+    for require in (*mechanism.requires, *mechanism.implied):
         yield from ((require.left, require.span), (require.right, require.span))
     for expect in mechanism.expects:
         yield expect.value, expect.span
@@ -101,8 +101,9 @@ def _coordinate(
 def _with(mechanism: Mechanism, found: Mapping[str, Formula]) -> Mechanism:
     lets = tuple(replace(x, value=_put(x.value, found)) for x in mechanism.lets)
     expects = tuple(replace(x, value=_put(x.value, found)) for x in mechanism.expects)
-    requires = tuple(
-        replace(x, left=_put(x.left, found), right=_put(x.right, found)) for x in mechanism.requires
+    requires, implied = (
+        tuple(replace(x, left=_put(x.left, found), right=_put(x.right, found)) for x in conditions)
+        for conditions in (mechanism.requires, mechanism.implied)
     )
     loads = tuple(
         load
@@ -110,7 +111,9 @@ def _with(mechanism: Mechanism, found: Mapping[str, Formula]) -> Mechanism:
         else replace(load, tie=_put(load.tie, found))
         for load in mechanism.loads
     )
-    return replace(mechanism, lets=lets, expects=expects, requires=requires, loads=loads)
+    return replace(
+        mechanism, lets=lets, expects=expects, requires=requires, implied=implied, loads=loads
+    )
 
 
 def _put(formula: Formula, found: Mapping[str, Formula]) -> Formula:
