@@ -1,4 +1,4 @@
-"""Formulas of one's own in a mechanism, and those of sheets that it uses, as they are written."""
+"""User-defined formulas of a mechanism, and those of sheets that it uses, as they are written."""
 
 from pathlib import Path
 

@@ -42,7 +42,7 @@ def of_line(code: str) -> Iterator[str]:
 
 
 def is_seen(text: str) -> bool:
-    """Return whether a mistake is told, with a hint."""
+    """Return whether a mistake is stated, with a hint."""
     compilation = Compilation(Source("a.mech", text))
     try:
         found = compilation.balance and compilation.report.diagnostics
@@ -94,7 +94,7 @@ KINDS = (
     ("oscillating_cylinder", "CB = s", "CB = 500 mm", "W249"),
     ("oscillating_cylinder", "drive s", "drive r", "W250"),
     ("crank_rocker", "drive phi from 0 deg to 360 deg", "drive d", "W250"),
-    # what rubs
+    # friction
     ("karpenko_fig9_with_friction", "f     = 0.1 ", "f     = 10 ", "W251"),
     ("karpenko_fig9_with_friction", "d     = 20 mm", "d     = 200 mm", "W257"),
     # bodies and joints
@@ -172,7 +172,7 @@ def test_what_hangs_loose_is_named(line, hint):
         ("P at B", "P at Q"),
     ],
 )
-def test_one_mistake_is_told_once(meant, written):
+def test_one_mistake_is_stated_once(meant, written):
     (found,) = codes(Source("a.mech", TOGGLE.replace(meant, written, 1)))
     assert found.startswith("E2")
 

@@ -158,7 +158,7 @@ def test_plans_speak_three_languages():
 
 
 def test_what_is_chosen_has_no_size():
-    """The length of BK is given by nothing, so that its angular velocity is not told."""
+    """The length of BK is given by nothing, so that its angular velocity is not stated."""
     found = lettering(begun("karpenko_fig9_packet_clamp").drawn_plans("en"))
     assert "ωOBA = −4\u2009VA/m" in found
     assert not any("ωBK" in text for text in found)

@@ -57,8 +57,8 @@ def agree(name, folder, compiler):
         wanted = np.broadcast_to(evaluate(function, columns), POSES)
         values = batch(code[linked], list(columns.values()))
         bound = 40 * EPSILON * (np.abs(wanted) + sensitivity(function))
-        told = np.isfinite(wanted) & (bound < 1e-2 * np.abs(wanted))
-        assert np.all(np.abs(values - wanted)[told] <= bound[told]), function.name
+        stated = np.isfinite(wanted) & (bound < 1e-2 * np.abs(wanted))
+        assert np.all(np.abs(values - wanted)[stated] <= bound[stated]), function.name
         assert np.all(np.isnan(values[np.isnan(wanted)])), function.name
 
 

@@ -105,9 +105,9 @@ def test_the_stroke_has_the_columns_asked_for(rocker: Compilation) -> None:
     for quantity in rocker.routine.points.quantities:
         column = [row.values[names.index(quantity.shown)] for row in stroke.rows]
         stands = [i for i, row in enumerate(stroke.rows) if not row.trouble]
-        told = np.broadcast_to(found[quantity.name], len(column))
+        stated = np.broadcast_to(found[quantity.name], len(column))
         assert [column[i] for i in stands] == pytest.approx(
-            [told[i] for i in stands], rel=1e-12, abs=1e-13
+            [stated[i] for i in stands], rel=1e-12, abs=1e-13
         )
     assert "x_A [mm]" in to_table(stroke)
     header = next(csv.reader(io.StringIO(to_csv(stroke))))

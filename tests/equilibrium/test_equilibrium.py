@@ -164,7 +164,7 @@ def test_a_report_has_sums_and_no_velocities(capsys):
     assert "Moments about $Q$ of the forces on $QCD$:" in text
 
 
-def test_what_is_found_for_one_load_is_not_told_again_for_the_next():
+def test_what_is_found_for_one_load_is_not_stated_again_for_the_next():
     text = """
         mechanism m
         param a = 1 m
@@ -178,5 +178,5 @@ def test_what_is_found_for_one_load_is_not_told_again_for_the_next():
         find k = P/F
     """
     compilation = Compilation(Source("m.mech", text))
-    told = [len(e.paragraphs) for e in compilation.by_equilibrium.explanations]
-    assert told == [2, 0]
+    stated = [len(e.paragraphs) for e in compilation.by_equilibrium.explanations]
+    assert stated == [2, 0]

@@ -48,13 +48,13 @@ def values(alpha: float, load: float) -> dict[str, float]:
 
 def test_a_force_has_the_status_of_the_load_that_drives(knee):
     listed = {f.name: f for f in knee._compilation.routine.functions}
-    told = [int(status(listed["P_f"], listed["P"], values(*pose))) for pose in POSES]
-    assert set(told) == {0, 3, 4}
-    assert told[POSES.index(UNLOADED)] == 0
+    stated = [int(status(listed["P_f"], listed["P"], values(*pose))) for pose in POSES]
+    assert set(stated) == {0, 3, 4}
+    assert stated[POSES.index(UNLOADED)] == 0
     for force in ("R_O", "R_O_direction", "N_OB"):
         with_friction = listed[f"{force}_f"]
         found = [int(status(with_friction, listed[force], values(*pose))) for pose in POSES]
-        assert found == told
+        assert found == stated
 
 
 def test_it_has_one_where_the_load_is_not_asked_for():
@@ -83,17 +83,17 @@ def clamp() -> dict[str, object]:
 
 
 @pytest.mark.parametrize("many", [30, pytest.param(4000, marks=pytest.mark.slow)])
-def test_beside_a_dead_centre_nothing_is_told_rather_than_what_is_false(clamp, many):
+def test_beside_a_dead_centre_nothing_is_stated_rather_than_what_is_false(clamp, many):
     """For a unit of friction, joints are pressed with up to 1e14 there."""
     dice = np.random.default_rng(1)
     beside = dice.choice([-1, 1], many) * 10.0 ** -dice.uniform(2, 16, many)
     ranges = ((0.05, 0.15), (0.01, 0.4), (0.002, 0.03))
     given = [math.pi / 2 + beside, *(dice.uniform(*ends, many) for ends in ranges)]
     given.append(dice.choice([-1.0, 1.0], many) * 10 ** dice.uniform(-1, 4, many))
-    told, of_load = (clamp[f"{n}_f_status"](*given) for n in ("R_E_x", "Q"))
-    is_false = (told != of_load) & (told != 2) & (of_load != 2)
+    stated, of_load = (clamp[f"{n}_f_status"](*given) for n in ("R_E_x", "Q"))
+    is_false = (stated != of_load) & (stated != 2) & (of_load != 2)
     assert not is_false.any(), np.transpose(given)[is_false]
-    assert all(np.isfinite(clamp["R_E_x_f"](*given)) == (told == 0))
+    assert all(np.isfinite(clamp["R_E_x_f"](*given)) == (stated == 0))
 
 
 def code(mechanism: SolvedMechanism) -> dict[str, object]:

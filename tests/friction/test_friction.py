@@ -197,7 +197,7 @@ find k = P / F
 
 
 def test_a_link_that_turns_idly_on_a_pin_without_friction_changes_nothing():
-    """Each rod rubs at one end, so that its line turns by asin(ρ/l)."""
+    """Each rod slips at one end, so that its line turns by asin(ρ/l)."""
     mechanism = mechc.loads(IDLE)
     turn = math.asin(0.005)
     for alpha in map(math.radians, (1, 10, 45)):
@@ -287,7 +287,7 @@ find k = Q / W
 
 
 def test_a_half_with_a_guide_of_its_own_is_no_wrong_half():
-    """Each plunger rubs in its guide, whether both are described or one that counts twice."""
+    """Each plunger slides in its guide, whether both are described or one that counts twice."""
     half = mechc.loads(PLUNGERS.format(counted="times 2", mirror=""))
     whole = mechc.loads(PLUNGERS.format(counted="", mirror="mirror across 90 deg sharing B"))
     assert not half.warnings

@@ -117,6 +117,6 @@ find k = P/F
 
 
 @pytest.mark.parametrize(("text", "code"), [(KNEE, "W540"), (LEVER, "W513")])
-def test_what_is_taken_and_what_is_infinite_is_told(text, code):
+def test_what_is_taken_and_what_is_infinite_is_stated(text, code):
     """A load on a pin where forces alone are asked for; an arm as long as the friction circle."""
     assert code in [d.code for d in mechc.loads(text).warnings]

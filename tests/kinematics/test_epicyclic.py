@@ -1,4 +1,4 @@
-"""Wheels on moving arms: Willis's relations, moments by hand, and what is told of them."""
+"""Wheels on moving arms: Willis's relations, moments by hand, and what is stated of them."""
 
 import math
 import re

@@ -93,7 +93,7 @@ def compiled(text: str) -> Compilation:
 
 
 def value(text: str, **given: float) -> float:
-    """Return the first result at the default values, or at some of one's own."""
+    """Return the first result at the default values, or at some that a test gives."""
     compilation = compiled(text)
     assert compilation.verdict.agrees
     assert compilation.verdict.trials

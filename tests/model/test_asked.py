@@ -38,7 +38,7 @@ def compiled(lines):
     return mechc.loads(BASE + lines, "test.mech")
 
 
-def told(lines):
+def stated(lines):
     with pytest.raises(mechc.MechcError) as caught:
         compiled(lines)
     return [(d.code, d.message, d.hint) for d in caught.value.diagnostics if d.code[0] == "E"]
@@ -125,7 +125,7 @@ expect k = a/c*sin(phi_AB - phi_O1A)/sin(phi_O2B - phi_AB)
 
 
 def test_an_expectation_that_is_wrong_is_refuted():
-    ((code, message, _),) = told("let x = len_O1B\nexpect x = 0.3 m at phi = 60 deg\n")
+    ((code, message, _),) = stated("let x = len_O1B\nexpect x = 0.3 m at phi = 60 deg\n")
     assert code == "E581", message
 
 
@@ -181,7 +181,7 @@ def test_a_load_that_is_tied_by_a_direction():
     ],
 )
 def test_what_is_refused(lines, code, part):
-    found = told(lines)
+    found = stated(lines)
     assert code in [c for c, _, _ in found], found
     assert part in "".join(f"{m} {h}" for c, m, h in found if c == code)
 

@@ -86,8 +86,8 @@ def test_a_parameter_without_a_value_has_that_of_the_drawing():
 def test_with_lengths_given_the_nearest_closure_is_meant(place, mode):
     given = "OA = 40 mm\nAB = 65 mm\nCB = 63 mm\n"
     text = re.sub(r"B at .*", f"B at {place}", FOUR_BAR)
-    told = re.sub(r"B at .*", f"assembly ABC {mode}", FOUR_BAR)
-    assert value(text + given) == value(told + given)
+    stated = re.sub(r"B at .*", f"assembly ABC {mode}", FOUR_BAR)
+    assert value(text + given) == value(stated + given)
 
 
 def test_a_few_drawn_points_tell_many_closures_apart():
@@ -103,7 +103,7 @@ def test_a_few_drawn_points_tell_many_closures_apart():
     assert value(few) == pytest.approx(value(text), rel=1e-4)
 
 
-def test_lengths_given_hold_and_a_gap_is_told():
+def test_lengths_given_hold_and_a_gap_is_stated():
     assert "W320" not in codes(FOUR_BAR + "OA = 40 mm\nAB = 65 mm\n")
     assert "W320" in codes(FOUR_BAR + "OA = 42 mm\nAB = 65 mm\n")
 
@@ -193,10 +193,10 @@ def test_a_pin_a_little_off_its_slot_is_laid_on_it():
 
 def test_a_vector_given_whole_draws_the_point_that_it_leads_to():
     undrawn = re.sub(r"A at .*", "OA = 40 mm @ phi", FOUR_BAR)
-    told = undrawn.replace("drive OA", "param phi = 60 deg\ndrive phi")
+    stated = undrawn.replace("drive OA", "param phi = 60 deg\ndrive phi")
     closed = re.sub(r"drive .*", "param phi = 60 deg", undrawn)
-    assert value(told) == pytest.approx(value(FOUR_BAR), rel=1e-4)
-    assert value(closed) == pytest.approx(value(told), rel=1e-12)
+    assert value(stated) == pytest.approx(value(FOUR_BAR), rel=1e-4)
+    assert value(closed) == pytest.approx(value(stated), rel=1e-12)
 
 
 @pytest.mark.parametrize("drive", ["", "drive phi from 0 deg to 360 deg\n"])

@@ -54,7 +54,7 @@ def test_equality_is_of_one_class_and_of_the_compared_fields():
         ((1, "A"), {"label": "B"}, "Point has no label"),
     ],
 )
-def test_wrong_arguments_are_told(given, named, message):
+def test_wrong_arguments_are_stated(given, named, message):
     with pytest.raises(TypeError, match=message):
         Point(*given, **named)
 

@@ -310,7 +310,7 @@ MISTAKES = {
 
 
 @pytest.mark.parametrize("code", MISTAKES)
-def test_mistakes_are_told(code, capsys):
+def test_mistakes_are_stated(code, capsys):
     line, said = MISTAKES[code]
     assert main(["plot", *line]) == 1
     out, err = capsys.readouterr()

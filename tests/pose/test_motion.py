@@ -73,8 +73,8 @@ def test_places_and_slopes_are_those_of_the_loops_solved_by_coordinates(name: st
         slope = (ahead.at(point) - behind.at(point)) / (2 * step)
         for axis, place, change in zip("xy", here.at(point), slope, strict=True):
             assert found[f"{axis}_{point}"] == pytest.approx(place, abs=1e-10)
-            told = found.get(f"d{axis}_{point}_d{drive}", 0.0)
-            assert told == pytest.approx(change, abs=2e-6 * max(1.0, np.max(np.abs(slope))))
+            stated = found.get(f"d{axis}_{point}_d{drive}", 0.0)
+            assert stated == pytest.approx(change, abs=2e-6 * max(1.0, np.max(np.abs(slope))))
             largest = max(largest, abs(change))
     assert largest > 1e-3
 
@@ -89,15 +89,15 @@ def test_accelerations_are_the_second_differences_of_places(name: str) -> None:
     drive = defaults(compilation.mechanism)[compilation.mechanism.drive.parameter]
     time = 2e-4 * max(abs(drive), 0.1) / speed
     behind, here, ahead = (found_at(compilation, drive + speed * time * s) for s in (-1, 0, 1))
-    told = {(q.of, q.axis, q.kind): here[q.name] for q in points.quantities}
+    stated = {(q.of, q.axis, q.kind): here[q.name] for q in points.quantities}
     checked = 0
     for q in points.quantities:
         if q.kind == "place":
             first = (ahead[q.name] - behind[q.name]) / (2 * time)
             second = (ahead[q.name] - 2 * here[q.name] + behind[q.name]) / time**2
             for kind, number in (("velocity", first), ("acceleration", second)):
-                known = told.get((q.of, q.axis, kind), 0.0)
-                size = max(abs(v) for (_, _, k), v in told.items() if k == kind)
+                known = stated.get((q.of, q.axis, kind), 0.0)
+                size = max(abs(v) for (_, _, k), v in stated.items() if k == kind)
                 assert known == pytest.approx(number, abs=3e-6 * size), (q.name, kind)
                 checked += abs(known) > 1e-3 * size
     assert checked >= 4

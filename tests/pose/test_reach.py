@@ -96,19 +96,19 @@ def refused(monkeypatch):
             monkeypatch.setattr(module.messages, "cannot_assemble", spy)
         with pytest.raises(mechc.MechcError) as caught:
             mechc.loads(text, "test.mech")
-        (told,) = [d for d in caught.value.diagnostics if d.code == "E309"]
+        (stated,) = [d for d in caught.value.diagnostics if d.code == "E309"]
         ends = [end for stretch in dict.fromkeys(seen) for end in (stretch.low, stretch.high)]
-        return ends, told
+        return ends, stated
 
     return run
 
 
 def test_a_four_bar(refused):
-    ends, told = refused(four_bar())
+    ends, stated = refused(four_bar())
     near, far = limits(80, 40, 90, 110)
     expected = [near, far, 2 * math.pi - far, 2 * math.pi - near]
     assert ends == pytest.approx(expected, abs=1e-14)
-    assert "phi ends at acos((" in told.hint
+    assert "phi ends at acos((" in stated.hint
 
 
 @pytest.mark.parametrize(
@@ -134,9 +134,9 @@ def test_a_four_bar_on_a_frame_that_lies_aslant(refused):
 
 
 def test_a_four_bar_that_closes_nowhere(refused):
-    ends, told = refused(four_bar(c=10, d=310))
+    ends, stated = refused(four_bar(c=10, d=310))
     assert not ends
-    assert "nor anywhere along phi" in told.message
+    assert "nor anywhere along phi" in stated.message
 
 
 @pytest.mark.parametrize("along", ["x", "-x", "180 deg"])
@@ -184,8 +184,8 @@ torque T on O3C
     side = math.hypot(bx, by)
     turn = math.acos((side**2 + a * a - b * b) / (2 * side * a))
     expected = [math.atan2(by, bx) + s * turn for s in (1, -1)]
-    ends, told = refused(text)
-    assert "O3-C-B-O2" in told.message
+    ends, stated = refused(text)
+    assert "O3-C-B-O2" in stated.message
     inner = [x for x in ends if x not in (0, 2 * math.pi)]
     assert len(inner) == 2
     for x in inner:
@@ -250,7 +250,7 @@ def singular_poses(place, start):
 
 def test_a_group_of_class_three(refused):
     """The ends are where crank, rods and ternary link are singular: three rods meet in a point."""
-    ends, told = refused(TRIAD.format(rod=70))
+    ends, stated = refused(TRIAD.format(rod=70))
     assert len(ends) == 2
     close = mechc.loads(TRIAD.format(rod=70).replace("170 deg", "70 deg"), "test.mech")
 
@@ -262,10 +262,10 @@ def test_a_group_of_class_three(refused):
             values[name] = evaluate(formula, values)
         start = [values[n] for n in ("phi_AB", "phi_BC", "phi_QC", "phi_RD")]
         assert float(singular_poses(end, start)) == pytest.approx(end, abs=1e-12)
-    assert "it closes for phi from -5.461056553 to 99.0191715 deg" in told.message
+    assert "it closes for phi from -5.461056553 to 99.0191715 deg" in stated.message
 
 
 def test_a_group_of_class_three_that_closes_nowhere(refused):
-    ends, told = refused(TRIAD.format(rod=20).replace("QC        = 90", "QC = 20"))
+    ends, stated = refused(TRIAD.format(rod=20).replace("QC        = 90", "QC = 20"))
     assert not ends
-    assert "nor anywhere along phi" in told.message
+    assert "nor anywhere along phi" in stated.message

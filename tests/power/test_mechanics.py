@@ -196,7 +196,7 @@ def test_an_angle_may_be_defined_so_that_the_loop_closes(guide):
 
 
 @pytest.mark.parametrize("wrong", ["0.97*a/l*sin(alpha)", "a/l*sin(30 deg)"])
-def test_a_definition_that_does_not_close_the_loop_is_told(wrong):
+def test_a_definition_that_does_not_close_the_loop_is_stated(wrong):
     body = CRANK.replace("a/l*sin(alpha)", wrong) + "slider B along x through O"
     assert codes(body)[0] in {"E303", "E304"}
 

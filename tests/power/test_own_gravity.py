@@ -43,8 +43,8 @@ find M
 def printed(text: str) -> list[str]:
     compilation = compile_source(Source("m.mech", text))
     (document,) = TARGET.emit(compilation, Options("m"))
-    told = render(compilation.derivation, compilation.mechanism)
-    return ["\n".join(report(compilation, False)), told, document.text]
+    stated = render(compilation.derivation, compilation.mechanism)
+    return ["\n".join(report(compilation, False)), stated, document.text]
 
 
 @pytest.mark.parametrize("place", range(3))

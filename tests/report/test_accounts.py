@@ -92,7 +92,7 @@ def shown(name):
     return render(compilation.derivation, compilation.mechanism)
 
 
-def test_a_force_is_told_under_one_heading_with_its_direction():
+def test_a_force_is_stated_under_one_heading_with_its_direction():
     text = shown("knee")
     assert text.count("Force at a joint") == 4
     assert text.count("Force in a rod") == 2
@@ -113,13 +113,13 @@ def test_a_guide_presses_across_itself():
     assert sideways.paragraphs[0].saying is SentenceKind.SMOOTH
 
 
-def test_results_mention_nothing_that_is_not_told():
+def test_results_mention_nothing_that_is_not_stated():
     compilation = compiled("packet clamp")
     known = {p.name for p in compilation.mechanism.parameters}
     known |= {load.name for load in compilation.mechanism.loads}
     for result in compilation.results:
-        told = known | {d.name for d in result.where}
-        assert symbols(result.formula) <= told
+        stated = known | {d.name for d in result.where}
+        assert symbols(result.formula) <= stated
 
 
 # ------------------------------------------------------------------------ friction
@@ -128,14 +128,14 @@ CASES = [name for name, path in library().items() if "\nfriction " in path.read_
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_what_is_told_of_friction_is_true(case):
+def test_what_is_stated_of_friction_is_true(case):
     """Every equation holds at the default pose, with what the equations before it define."""
     compilation = compile_source(read(find(case)))
     values = default_values(compilation.plan)
     values = {load.name: 1.0 for load in compilation.mechanism.loads} | values
     results = {r.name: r for r in compilation.results}
     values |= {name: r.default for name, r in results.items() if r.default is not None}
-    told = 0
+    stated = 0
     for account in compilation.derivation.explanations:
         target = results[account.results[0]].target
         if not isinstance(target, WithFriction | Efficiency):
@@ -153,8 +153,8 @@ def test_what_is_told_of_friction_is_true(case):
         for name in account.results:
             found = evaluate(results[name].formula, values)
             assert found == pytest.approx(results[name].default, rel=1e-9)
-        told += len(equations)
-    assert told or not compilation.derivation.explanations
+        stated += len(equations)
+    assert stated or not compilation.derivation.explanations
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -1,4 +1,4 @@
-"""A derivation in brief: the formulas of a row of a table, each name told before it is used."""
+"""A derivation in brief: the formulas of a row of a table, each name stated before it is used."""
 
 import re
 
@@ -44,13 +44,13 @@ def test_numbers_are_put_in_for_results_alone():
 
 
 @pytest.mark.parametrize("name", ["jansen_leg", "karpenko_fig9_with_friction"])
-def test_each_name_is_told_before_it_is_used(name):
-    told, where = {p.name for p in compiled(name).mechanism.parameters}, brief(name)
+def test_each_name_is_stated_before_it_is_used(name):
+    stated, where = {p.name for p in compiled(name).mechanism.parameters}, brief(name)
     solved = re.findall(r"^ *(\w+) = (.*)$", where, re.MULTILINE)
     defined = {left for left, _ in solved}
     for left, right in solved:
-        assert set(re.findall(r"\w+", right)) & defined <= told, left
-        told.add(left)
+        assert set(re.findall(r"\w+", right)) & defined <= stated, left
+        stated.add(left)
 
 
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])

@@ -135,7 +135,7 @@ def test_the_force_in_a_pulled_rod_is_a_pull():
 
 
 def test_like_terms_of_the_first_order_are_one():
-    """The rod rubs at A with half the rotation that it has at B: 1/4 + 1/2 of b·d·f/a²."""
+    """The rod slips at A with half the rotation that it has at B: 1/4 + 1/2 of b·d·f/a²."""
     assert "3bd · f / (4a² · sin² α)" in derived("karpenko_fig2_with_friction")
 
 
@@ -183,12 +183,12 @@ find k = Q/W
     assert "μ_C = μ · (36l + s²/l) / (12s)" in shown
 
 
-def test_a_force_with_friction_is_told_once_under_a_heading_of_its_own():
+def test_a_force_with_friction_is_stated_once_under_a_heading_of_its_own():
     compilation = compile_source(Source("crank.mech", ITERATED))
     shown = render(compilation.derivation, compilation.mechanism)
-    told = shown.partition("Force at a joint, with friction")[2]
-    assert told.count("This holds while") == 1
-    assert "R_A_on_AB_f = √(R_A_on_AB_x_f² + R_A_on_AB_y_f²)" in told
+    stated = shown.partition("Force at a joint, with friction")[2]
+    assert stated.count("This holds while") == 1
+    assert "R_A_on_AB_f = √(R_A_on_AB_x_f² + R_A_on_AB_y_f²)" in stated
 
 
 def test_check_tells_the_parts_of_a_force_once():
@@ -228,7 +228,7 @@ def test_the_force_on_a_face_has_one_name_and_angles_the_order_of_a_drawing():
     assert "N_A" not in shown
 
 
-def test_slips_are_told_of_joints_that_there_are():
+def test_slips_are_stated_of_joints_that_there_are():
     assert "rotation Ω" not in derived("d45_16_wedge_hook_with_friction")
     assert "speed v" not in derived("karpenko_fig2_with_friction")
 

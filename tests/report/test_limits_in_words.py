@@ -1,4 +1,4 @@
-"""When a result vanishes or becomes infinite: told once, never off the stroke without saying so."""
+"""Zeros and poles of a result are stated once, and never off the stroke without saying so."""
 
 import re
 
@@ -23,7 +23,7 @@ def said(name: str, language: str = "en") -> list[str]:
     return [line for result in results for line in remarks(result, spell.locale, spell)]
 
 
-def test_conditions_of_one_kind_stand_together_and_those_off_the_stroke_are_told_as_such():
+def test_conditions_of_one_kind_stand_together_and_those_off_the_stroke_are_stated_as_such():
     (line,) = (each for each in said("jansen_leg") if "infinite when" in each)
     assert "sin(μ_D) = 0, sin(μ_B) = 0 or sin(μ_E) = 0 (dead centre" in line
     assert line.endswith("; sampling finds none for 0 ≤ φ ≤ 360° and the values given.")
@@ -37,7 +37,7 @@ def test_places_are_listed_instead_of_a_long_condition():
     assert any("k is 0 at φ = 2.386°, φ = 34.24°" in line for line in lines)
 
 
-def test_what_is_neither_zero_nor_infinite_is_told_once():
+def test_what_is_neither_zero_nor_infinite_is_stated_once():
     lines = said("toggle_clamp")
     assert sum("sampling finds none for 2° ≤ θ ≤ 40°" in line for line in lines) == 2
     assert not any("neither 0 nor infinite" in line for line in lines)

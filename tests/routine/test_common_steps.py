@@ -101,8 +101,8 @@ def test_files_grow_as_the_chain_does(target: object) -> None:
 
 def test_comments_tell_where_other_results_come_from() -> None:
     (module,) = PYTHON.emit(chain(120), Options("chain"))
-    told = "q119 = q118*cos(phi) - q117/119\n        where q117, q118 are results, too\n"
-    assert told in module.text
+    stated = "q119 = q118*cos(phi) - q117/119\n        where q117, q118 are results, too\n"
+    assert stated in module.text
 
 
 @cache

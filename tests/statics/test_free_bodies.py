@@ -211,17 +211,17 @@ def assert_joints_as_asked(diagram, made):
 
 def assert_friction_is_of_its_size(diagram, made):
     values, bodies = made.figure.values, diagram.bodies
-    for rub in made.mechanism.friction.joints:
-        at = [a for b in bodies for a in b.forces if a.point == rub.point and a.force]
+    for pair in made.mechanism.friction.joints:
+        at = [a for b in bodies for a in b.forces if a.point == pair.point and a.force]
         slips = [a for a in at if a.kind == "friction"]
         on_guide = [math.hypot(*a.force) for a in slips if a.by == "ground"]
         on_face = [math.hypot(*a.force) for a in slips if a.by not in ("ground", "")]
-        match rub:
+        match pair:
             case PinFriction(radius=radius):
                 size = evaluate(radius, values)
                 off = [abs(a.offset) for a in at if a.kind in ("pin", "ground") and a.moment]
-                links = [k for k in made.mechanism.links if rub.point in k.points]
-                if len(links) == 2 and rub.carrier and len(at) == 2:
+                links = [k for k in made.mechanism.links if pair.point in k.points]
+                if len(links) == 2 and pair.carrier and len(at) == 2:
                     assert off == pytest.approx([size] * len(off))
             case FaceFriction(factor=factor):
                 normal = max(math.hypot(*a.force) for a in at if a.kind in ("slot", "contact"))
@@ -395,4 +395,4 @@ def test_it_is_printed():
     assert "    O, ground: (0, 400), size 400" in shown
     assert any(line.endswith("2 mm off") for line in shown)
     teeth = describe(compiled("d45_12_worm_sectors").free_bodies)
-    assert "O, ground: not known: nothing tells" in teeth
+    assert "O, ground: not known: how teeth" in teeth

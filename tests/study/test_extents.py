@@ -48,18 +48,18 @@ def refuted(compilation):
 
 
 def hold(seeds):
-    told = 0
+    stated = 0
     for seed in seeds:
         grown = Grown(seed)
         if "triad" in grown.kinds:
             continue
         compilation = Compilation(Source("grown.mech", wide(grown)))
         try:
-            told += sum(len(r.extents) for r in compilation.reported.results)
+            stated += sum(len(r.extents) for r in compilation.reported.results)
         except MechcError:
             continue
         assert list(refuted(compilation)) == [], seed
-    return told
+    return stated
 
 
 def test_the_least_force_of_the_claw_is_where_the_paper_has_it():

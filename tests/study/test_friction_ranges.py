@@ -85,8 +85,8 @@ def hold_to_free_bodies(seed: int, places: int) -> int:
                 assert (found.state == "free") == (share > 0), where
                 if share > 0:
                     assert found.share == pytest.approx(share, rel=1e-7), where
-                told = [s for s in reach.stretches if s.within and _is_in(place, *s.within)]
-                assert bool(told) == (not share > 0), where
+                stated = [s for s in reach.stretches if s.within and _is_in(place, *s.within)]
+                assert bool(stated) == (not share > 0), where
                 compared += 1
     return compared
 
@@ -140,7 +140,7 @@ find k = P/F
 """Forces that grow without end before all of the friction is there: no load balances."""
 
 
-def test_what_sticks_is_told_where_it_takes_many_corrections():
+def test_what_sticks_is_stated_where_it_takes_many_corrections():
     made = made_of(FAR_OFF)
     for degrees, state in ((-0.85, "locked"), (36.8, "jammed"), (54.2, "jammed")):
         place = math.radians(degrees)
@@ -169,7 +169,7 @@ find k = F/P
 """
 
 
-def test_beside_a_pole_what_sticks_is_told_where_iteration_gives_up():
+def test_beside_a_pole_what_sticks_is_stated_where_iteration_gives_up():
     """Nearest to the pole at 20 degrees no friction is found; a little farther it jams."""
     made = made_of(ROPED)
     stuck = [s for r in result(made, "k_f").locking.reaches for s in r.stretches]

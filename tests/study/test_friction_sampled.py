@@ -108,16 +108,16 @@ def test_an_efficiency_that_turns_before_it_jumps():
 
 @pytest.mark.slow
 def test_a_slip_that_is_zero_at_any_pose_has_no_sign():
-    """Three rods make one rigid body: no pin in it slips, and nothing is told by rounding."""
+    """Three rods make one rigid body: no pin in it slips, and nothing is stated by rounding."""
     (text,) = closed(70038)
     compilation = Compilation(Source("triangle.mech", text))
     stroke = compilation.stroke(60)
     (code,) = (f for f in compilation.routine.functions if f.name == "k_f")
     given = {i.name: i.default for i in code.inputs}
     column = [c.name for c in stroke.columns].index("k_f")
-    told = [(row.drive, row.values[column]) for row in stroke.rows if not row.trouble]
-    assert len(told) > 10
-    for phi, value in told:
+    stated = [(row.drive, row.values[column]) for row in stroke.rows if not row.trouble]
+    assert len(stated) > 10
+    for phi, value in stated:
         found = evaluate(code, {**given, "phi": phi})
         assert found == pytest.approx(value, rel=1e-9, nan_ok=True)
 

@@ -141,7 +141,7 @@ def test_a_knee_locks_up_to_the_turn_of_its_rods():
     assert stretch.within == pytest.approx((math.radians(0.1), turn), rel=1e-12)
 
 
-def test_the_condition_is_told_where_it_is_out_of_range():
+def test_the_condition_is_stated_where_it_is_out_of_range():
     (stretch,) = stretches(KNEE.format(low=1, more=""), "k_hold")
     assert stretch.high is not None
     assert stretch.high.exact is not None
@@ -190,7 +190,7 @@ def test_a_crank_locks_where_its_arm_is_inside_the_friction_circle():
         assert not stretches(CRANK.format(more=""), name)
 
 
-def test_without_a_range_the_condition_is_told_all_the_same():
+def test_without_a_range_the_condition_is_stated_all_the_same():
     description = KNEE.format(low=1, more="").replace(" in 1 deg .. 45 deg", "")
     (reach,) = locking(description, "k_hold").reaches
     assert reach.range is None
@@ -268,7 +268,7 @@ def test_the_efficiency_of_what_the_load_drives_is_below_one():
 # ------------------------------------------------------------------------------ wording
 
 
-def told(description: str, tmp_path, capsys, *command: str) -> str:
+def stated(description: str, tmp_path, capsys, *command: str) -> str:
     path = tmp_path / "m.mech"
     path.write_text(description, encoding="utf-8")
     assert main([*command, str(path)]) == 0
@@ -276,7 +276,7 @@ def told(description: str, tmp_path, capsys, *command: str) -> str:
 
 
 def test_check_tells_the_condition(tmp_path, capsys):
-    out = told(KNEE.format(low=0.1, more=""), tmp_path, capsys, "check")
+    out = stated(KNEE.format(low=0.1, more=""), tmp_path, capsys, "check")
     assert (
         "Self-locking: F alone cannot move the mechanism for alpha <= delta_OB (0.573 deg)" in out
     )
@@ -285,7 +285,7 @@ def test_check_tells_the_condition(tmp_path, capsys):
 
 
 def test_check_tells_what_is_locked_as_given(tmp_path, capsys):
-    out = told(WEDGE, tmp_path, capsys, "check")
+    out = stated(WEDGE, tmp_path, capsys, "check")
     assert "Self-locking: F alone cannot move the mechanism at the values given." in out
 
 
@@ -293,14 +293,14 @@ def test_check_tells_what_is_locked_as_given(tmp_path, capsys):
 def test_the_report_tells_the_condition(language, tmp_path, capsys):
     out = tmp_path / "m.tex"
     description = FEDORIV.format(alpha=10)
-    told(description, tmp_path, capsys, "compile", "--lang", language, "-o", str(out))
+    stated(description, tmp_path, capsys, "compile", "--lang", language, "-o", str(out))
     assert r"$\alpha\leq \delta_{AC}+" in out.read_text("utf-8")
 
 
 @pytest.mark.parametrize(("command", "times"), [("check", 1), ("derive", 1)])
 def test_what_is_sampled_is_called_so_and_what_is_solved_is_not(command, times, tmp_path, capsys):
     """The end of self-locking is a formula here; the efficiency is looked at place by place."""
-    out = told(KNEE.format(low=0.1, more=""), tmp_path, capsys, command)
+    out = stated(KNEE.format(low=0.1, more=""), tmp_path, capsys, command)
     assert out.count(SAMPLED) == times
     assert 0 < out.index("runs from") < out.index(SAMPLED)
     (stretch,) = locking(KNEE.format(low=0.1, more=""), "k_hold").reaches[0].stretches
@@ -344,7 +344,7 @@ def test_the_stroke_tells_where_nothing_moves():
 
 
 def test_the_table_of_the_stroke_tells_it_in_words(tmp_path, capsys):
-    out = told(KNEE.format(low=0.1, more="drive alpha"), tmp_path, capsys, "stroke")
+    out = stated(KNEE.format(low=0.1, more="drive alpha"), tmp_path, capsys, "stroke")
     assert "k_hold: self-locking, the load alone moves nothing, from alpha = 0.1 deg" in out
     assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 from alpha" in out
 
@@ -507,8 +507,8 @@ def test_a_constant_efficiency_takes_from_whichever_load_drives(motion, sense):
         assert found["k_f"] == pytest.approx(share * found["k"])
 
 
-def test_the_condition_of_an_efficiency_is_told(tmp_path, capsys):
-    out = told(TOGGLE.format(r=140), tmp_path, capsys, "check")
+def test_the_condition_of_an_efficiency_is_stated(tmp_path, capsys):
+    out = stated(TOGGLE.format(r=140), tmp_path, capsys, "check")
     assert "holds while k > 0" in out
     assert "for -0.573 deg <= alpha < 0. " in out
     assert "for 0 < alpha <= 0.573 deg. " in out
@@ -610,14 +610,14 @@ def test_what_an_efficiency_runs_through_over_a_coefficient():
     assert course.least == pytest.approx(math.tan(psi) / math.tan(psi + math.atan(0.2)))
 
 
-def test_lengths_are_told_in_their_unit(tmp_path, capsys):
-    out = told(ECCENTRIC, tmp_path, capsys, "check")
+def test_lengths_are_stated_in_their_unit(tmp_path, capsys):
+    out = stated(ECCENTRIC, tmp_path, capsys, "check")
     assert "(4.694 mm), in the range given for 1 <= e <= 4.694 mm." in out
 
 
-def test_an_efficiency_that_does_not_vary_is_told_as_one(tmp_path, capsys):
+def test_an_efficiency_that_does_not_vary_is_stated_as_one(tmp_path, capsys):
     description = KNEE.format(low=1, more="").replace("pins 0.1", "pins 0")
-    out = told(description, tmp_path, capsys, "check")
+    out = stated(description, tmp_path, capsys, "check")
     assert "For 1 deg <= alpha <= 45 deg, eta_k is 1 throughout." in out
 
 
@@ -653,13 +653,13 @@ def test_a_face_steep_against_its_friction_is_judged(mu, tmp_path, capsys):
     by_hand = (40 / math.tan(steep + turn) + 15) / 140
     assert found["k_hold"] == pytest.approx(by_hand)
     assert math.isnan(found["k_f"]) == (turn > steep)
-    out = told(BRAKE.format(mu=mu), tmp_path, capsys, "check")
+    out = stated(BRAKE.format(mu=mu), tmp_path, capsys, "check")
     assert f"agrees in {8 if turn > steep else 12} trials" in out
 
 
 def test_a_wedge_is_judged_by_the_force_that_it_gives(tmp_path, capsys):
     description = WEDGE.replace("k = P / F", "n = F / P").replace(" in 2 deg .. 30 deg", "")
-    out = told(description, tmp_path, capsys, "check")
+    out = stated(description, tmp_path, capsys, "check")
     assert "move the mechanism for 0 < beta <= phi_A + atan(mu) (11.42 deg)." in out
     assert "equilibrium of the free bodies agrees" in out
 
@@ -727,12 +727,12 @@ def assert_stuck(mechanism: SolvedMechanism, result: Analysis, reach: LockingInt
     ideal = result.name.removesuffix("_f").removesuffix("_hold")
     share = np.broadcast_to(found[result.name] / found[ideal], len(places))
     for place, value in zip(places, share, strict=True):
-        told = is_within(place, (s.within for s in reach.stretches))
-        assert told == (not value > 0), (result.name, reach.parameter, place)
+        stated = is_within(place, (s.within for s in reach.stretches))
+        assert stated == (not value > 0), (result.name, reach.parameter, place)
 
 
 def assert_run(mechanism: SolvedMechanism, result: Analysis, course: EfficiencyRange) -> None:
-    """An efficiency stays within what is told, and is usual just where that is told."""
+    """An efficiency stays within what is stated, and is usual just where that is stated."""
     places = along(course.range)
     found = mechanism.evaluate(**{course.parameter: places})[result.name]
     share = np.broadcast_to(np.fmax(found, 0), len(places))
@@ -742,7 +742,7 @@ def assert_run(mechanism: SolvedMechanism, result: Analysis, course: EfficiencyR
 
 
 @pytest.mark.parametrize("name", [*RUBBING, *OWN])
-def test_what_is_told_is_true_of_code(name):
+def test_what_is_stated_is_true_of_code(name):
     mechanism = mechc.loads(OWN[name]) if name in OWN else mechc.load(f"{name}_with_friction")
     for result in mechanism.results.values():
         for reach in result.locking.reaches if result.locking else ():

@@ -68,7 +68,7 @@ def test_nothing_that_is_said_is_refuted_and_no_zero_is_left_out():
     assert hold(range(40)) > 30
 
 
-def test_a_sum_of_which_it_is_not_known_what_it_shares_is_told_all_the_same():
+def test_a_sum_of_which_it_is_not_known_what_it_shares_is_stated_all_the_same():
     """With l4 = l5 the sum vanishes at a root of the sine across the line; elsewhere it counts."""
     mechanism, (k,) = results(Chain(80074, equal=True).text)
     assert len([v for v in k.zeros if v.but]) == 1
@@ -85,14 +85,14 @@ def test_a_sine_that_a_sum_has_for_itself_vanishes_too():
 def test_what_a_sum_shares_with_a_sine_across_the_line_counts_by_its_order():
     """cos(3t/2) and (1 - 2 cos t)² share a root at 60 deg, where k is infinite all the same."""
     mechanism, (k,) = results(Chain(4400156, equal=True).text)
-    told = [text(v.factor) for v in k.poles]
-    assert "sin(t/4 - pi/12)" in told
-    assert len(told) == len({*told})
+    stated = [text(v.factor) for v in k.poles]
+    assert "sin(t/4 - pi/12)" in stated
+    assert len(stated) == len({*stated})
     assert list(refuted(mechanism, k, 4400156)) == list(missing(mechanism, k, 4400156)) == []
 
 
 @pytest.mark.parametrize("seed", [910196, 910228])
-def test_a_pole_that_a_sum_hides_for_the_lengths_given_is_told_with_the_sum(seed):
+def test_a_pole_that_a_sum_hides_for_the_lengths_given_is_stated_with_the_sum(seed):
     mechanism, (k,) = results(Chain(seed, equal=True).text)
     assert any(v.but for v in k.poles)
     assert list(refuted(mechanism, k, seed)) == list(missing(mechanism, k, seed)) == []
@@ -169,7 +169,7 @@ def test_what_vanishes_less_than_it_is_divided_by_is_infinite_only():
     assert list(refuted(mechanism, k)) == list(missing(mechanism, k)) == []
 
 
-def test_a_pole_is_told_where_the_default_pose_is_next_to_where_it_cancels():
+def test_a_pole_is_stated_where_the_default_pose_is_next_to_where_it_cancels():
     """u = -60.003 deg; at -60 deg the numerator vanishes with the denominator."""
     mechanism, (k,) = results(Chain(10446).text)
     assert list(refuted(mechanism, k)) == list(missing(mechanism, k)) == []

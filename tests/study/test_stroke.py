@@ -612,10 +612,10 @@ find k = F / M
 """
 
 
-@pytest.mark.parametrize("rubs", [False, True])
-def test_a_pole_that_is_looked_at_is_no_extremum(rubs):
+@pytest.mark.parametrize("with_friction", [False, True])
+def test_a_pole_that_is_looked_at_is_no_extremum(with_friction):
     """A place of the stroke is φ = 180°, where the rod and the crank lie on one line."""
-    friction = "friction pins 0.1 diameter 10 mm" if rubs else ""
+    friction = "friction pins 0.1 diameter 10 mm" if with_friction else ""
     found = mechc.loads(BOTH_WAYS + friction).stroke()
     extrema = [e.drive for e in found.extrema if e.result == "k"]
     assert [math.degrees(e) for e in extrema] == pytest.approx([73.17529663624])

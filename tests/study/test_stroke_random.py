@@ -1,7 +1,7 @@
 """What a stroke says of random closed mechanisms, against dense sampling of emitted code.
 
 Every zero and pole of k, every end of a loop and every extremum that the samples show must
-be told, and nothing else. k, the status of the pose and the stretches must agree on where
+be stated, and nothing else. k, the status of the pose and the stretches must agree on where
 there is a pose at all.
 """
 
@@ -77,24 +77,24 @@ def check_where_there_is_a_pose(seen: Looked) -> None:
     if seen.pose:
         _, status = pose(seen.pose, seen.inputs(seen.pose, seen.places))
         assert np.array_equal(np.broadcast_to(status, finite.shape) == 0, finite)
-    told = np.zeros(PLACES, bool)
+    stated = np.zeros(PLACES, bool)
     ends = list(seen.branches)
     for stretch in seen.stroke.stretches:
-        told |= (seen.places >= stretch.low) & (seen.places <= stretch.high)
+        stated |= (seen.places >= stretch.low) & (seen.places <= stretch.high)
         ends += [stretch.low, stretch.high]
     apart = np.array([not seen.is_near(x, ends, 1.0) for x in seen.places])
-    assert np.array_equal(told[apart], finite[apart])
+    assert np.array_equal(stated[apart], finite[apart])
 
 
 def check_changes_of_sign(seen: Looked) -> None:
-    """Wherever k changes its sign it is zero, infinite, or jumps, and that is told."""
-    told = [s.drive for s in seen.stroke.singular]
+    """Wherever k changes its sign it is zero, infinite, or jumps, and that is stated."""
+    stated = [s.drive for s in seen.stroke.singular]
     for i in range(PLACES - 1):
         here, there = seen.k[i : i + 2]
         if not here * there < 0 or seen.is_near(seen.places[i], seen.branches, 2.0):
             continue
         middle = seen.places[i] + seen.cell / 2
-        assert seen.is_near(middle, told, 0.500001), f"{here} … {there} at {middle}"
+        assert seen.is_near(middle, stated, 0.500001), f"{here} … {there} at {middle}"
 
 
 def check_singular_poses(seen: Looked) -> None:
@@ -110,7 +110,7 @@ def check_singular_poses(seen: Looked) -> None:
 
 
 def check_extrema(seen: Looked) -> None:
-    told = [e.drive for e in seen.stroke.extrema]
+    stated = [e.drive for e in seen.stroke.extrema]
     for i in range(2, PLACES - 2):
         five, place = seen.k[i - 2 : i + 3], seen.places[i]
         steps = np.sign(np.diff(five))
@@ -119,8 +119,8 @@ def check_extrema(seen: Looked) -> None:
             continue
         if seen.is_near(place, seen.poles, 3.0) or seen.is_near(place, seen.branches, 4.0):
             continue
-        assert seen.is_near(place, told, 2.0), f"k turns at {place}"
-    for place in told:
+        assert seen.is_near(place, stated, 2.0), f"k turns at {place}"
+    for place in stated:
         if not seen.is_near(place, [*seen.poles, *seen.branches], 3.0):
             before, here, after = seen.at([place - seen.cell / 2, place, place + seen.cell / 2])
             assert not before < here < after, place
@@ -142,15 +142,15 @@ def check_sides_of_jumps(seen: Looked) -> None:
 
 def check_jumps(seen: Looked) -> None:
     """Wherever k differs much more between two places than beside them, and keeps doing so."""
-    told = [*(s.drive for s in seen.stroke.singular), *seen.branches]
-    told += [end for s in seen.stroke.stretches for end in (s.low, s.high)]
+    stated = [*(s.drive for s in seen.stroke.singular), *seen.branches]
+    stated += [end for s in seen.stroke.stretches for end in (s.low, s.high)]
     for i in range(1, PLACES - 2):
         before, step, after = np.abs(np.diff(seen.k[i - 1 : i + 3]))
         if step > 5 * max(before, after) and step > 1e-6 * seen.size:
             place = between(seen, i)
             sides = seen.at(np.array([-1e-8, 1e-8]) * seen.range + place)
             jumps = abs(sides[0] - sides[1]) > 0.1 * step
-            assert not jumps or seen.is_near(place, told, 1.0), f"k jumps at {place}"
+            assert not jumps or seen.is_near(place, stated, 1.0), f"k jumps at {place}"
 
 
 def between(seen: Looked, i: int) -> float:

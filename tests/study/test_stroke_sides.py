@@ -32,7 +32,7 @@ friction slider B 0.1
 BESIDE = 1e-7
 
 
-def told(text, tmp_path, capsys, *command):
+def stated(text, tmp_path, capsys, *command):
     path = tmp_path / "m.mech"
     path.write_text(text, encoding="utf-8")
     assert main([*command, str(path)]) == 0
@@ -65,9 +65,9 @@ def test_no_dead_centre_is_in_a_stuck_interval(ratio, tmp_path, capsys):
     ends = {end for s in stroke.standstills for end in (s.low, s.high)}
     dead = [row.drive for row in stroke.rows[::4]]
     assert all(any(math.isclose(d, e, abs_tol=1e-12) for e in ends) for d in dead)
-    table = told(f"{CRANK}find k = {ratio}", tmp_path, capsys, "stroke", "-n", "9")
+    table = stated(f"{CRANK}find k = {ratio}", tmp_path, capsys, "stroke", "-n", "9")
     assert not any(line.endswith(("locked", "jammed")) for line in table.splitlines()[1:10])
-    sentences = told(f"{CRANK}find k = {ratio}", tmp_path, capsys, "check")
+    sentences = stated(f"{CRANK}find k = {ratio}", tmp_path, capsys, "check")
     kind = "F alone cannot move" if ratio == "M/F" else "no force F can move"
     assert sentences.count(kind) == 4
     assert "for 0 < phi <= 2.751 deg." in sentences

@@ -1,4 +1,4 @@
-"""Random mechanisms with every joint that presses and rubs, for forces and friction.
+"""Random mechanisms with every joint that presses and has friction, for forces and friction.
 
 A mechanism grows from a drive by groups of no mobility. Directions are given as angles that
 may be moved about, so that nothing has to be closed; or, in :func:`closed`, pivots have

@@ -22,10 +22,10 @@ BESIDE = (1e-3, 1e-4, 3e-5)
 """How far from what is said to be an end is looked, too, as parts of the range."""
 
 NEAR = 1e-5
-"""What is nearer to an end is not looked at: four figures of it are told."""
+"""What is nearer to an end is not looked at: four figures of it are stated."""
 
 ENOUGH = 1e-3
-"""What an efficiency may be off: three figures are told."""
+"""What an efficiency may be off: three figures are stated."""
 
 Array = np.ndarray
 

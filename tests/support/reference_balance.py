@@ -26,14 +26,14 @@ def ratio(forces: Forces, drive: str, load: str, sense: int) -> float | None:
     """
     against = forces.loads[load]
     matrix = np.column_stack([forces.matrix, forces.loads[drive], against])
-    rubs = forces.rubs(drive)
+    pairs = forces.friction_pairs(drive)
     start = np.linalg.lstsq(matrix[:, :-1], -against, rcond=1e-11)[0]
     found = np.append(start, 1.0)
     found /= np.linalg.norm(found)
     reached, step = 0.0, STEP
     while reached < 1:
         aim = min(1.0, reached + step)
-        following = _balanced(matrix, rubs, sense * aim, found)
+        following = _balanced(matrix, pairs, sense * aim, found)
         if following is not None and np.linalg.norm(following - found) < 0.1:
             found = following / np.linalg.norm(following)
             reached, step = aim, min(2 * step, STEP)
@@ -42,16 +42,16 @@ def ratio(forces: Forces, drive: str, load: str, sense: int) -> float | None:
     return float(found[-2] / found[-1]) if found[-1] > 1e-9 else None
 
 
-def _balanced(matrix: Array, rubs: list[FrictionPair], part: float, near: Array) -> Array | None:
+def _balanced(matrix: Array, pairs: list[FrictionPair], part: float, near: Array) -> Array | None:
     """Return forces in balance near others, None where there are none."""
     found = near
     for _ in range(30):
         gap, slopes = matrix @ found, matrix.copy()
-        for rub in rubs:
-            pressed = found[list(rub.pressing)]
-            size, against = np.linalg.norm(pressed), -part * rub.factor * rub.dragged
+        for pair in pairs:
+            pressed = found[list(pair.pressing)]
+            size, against = np.linalg.norm(pressed), -part * pair.factor * pair.dragged
             gap = gap + against * size
-            for column, each in zip(rub.pressing, pressed / (size or 1), strict=True):
+            for column, each in zip(pair.pressing, pressed / (size or 1), strict=True):
                 slopes[:, column] += against * each
         right = np.append(-gap, 1 - near @ found)
         change = np.linalg.lstsq(np.vstack([slopes, near]), right, rcond=1e-12)[0]

@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from mechc.syntax import ast
-from reference_friction import FrictionPair, Rubs
+from reference_friction import FrictionPair, FrictionPairs
 from reference_geometry import (
     Action,
     Arms,
@@ -245,9 +245,9 @@ class Forces:
         choices += [("guide", point), *(("slide", b) for b in bodies)]
         return {next(c for c in choices if c in self.columns): 1.0}
 
-    def rubs(self, drive: str) -> list[FrictionPair]:
-        """Return all surfaces that rub, in both halves, where a load drives along its arrow."""
-        return [rub for rub in Rubs(self, drive).all() if rub.factor]
+    def friction_pairs(self, drive: str) -> list[FrictionPair]:
+        """Return all surfaces with friction, in both halves, where a load drives as drawn."""
+        return [pair for pair in FrictionPairs(self, drive).all() if pair.factor]
 
     # -------------------------------------------------------------------- solving
 
@@ -260,36 +260,38 @@ class Forces:
         """
         matrix = np.column_stack([self.matrix, self.loads[drive]])
         right = -sum((size * self.loads[n] for n, size in given.items()), np.zeros(self.height))
-        rubs = self.rubs(drive) if sense else []
+        pairs = self.friction_pairs(drive) if sense else []
         found = np.linalg.lstsq(matrix, right, rcond=1e-11)[0]
         jacobian = matrix
-        for part in np.linspace(1 / steps, 1, steps) if rubs else ():
+        for part in np.linspace(1 / steps, 1, steps) if pairs else ():
             for _ in range(40):
                 gap = matrix @ found - right
                 jacobian = matrix.copy()
-                for rub in rubs:
-                    pressed = found[list(rub.pressing)]
+                for pair in pairs:
+                    pressed = found[list(pair.pressing)]
                     size = float(np.linalg.norm(pressed))
-                    against = -sense * part * rub.factor * rub.dragged
+                    against = -sense * part * pair.factor * pair.dragged
                     gap = gap + against * size
                     slope = pressed / size if size else 0 * pressed
-                    for column, each in zip(rub.pressing, slope, strict=True):
+                    for column, each in zip(pair.pressing, slope, strict=True):
                         jacobian[:, column] += against * each
                 step = np.linalg.lstsq(jacobian, -gap, rcond=1e-11)[0]
                 found = found + step
                 if np.abs(step).max() <= 1e-14 * np.abs(found).max():
                     break
-        self._check(found, matrix, right, rubs, sense)
+        self._check(found, matrix, right, pairs, sense)
         sizes = np.linalg.svd(jacobian, compute_uv=False)
         return found, float(sizes[0] / min(s for s in sizes if s > 1e-10 * sizes[0]))
 
     def _check(
-        self, found: Array, matrix: Array, right: Array, rubs: Sequence[FrictionPair], sense: int
+        self, found: Array, matrix: Array, right: Array, pairs: Sequence[FrictionPair], sense: int
     ) -> None:
         """Put the solution into the equilibrium of every body once more."""
         gap = matrix @ found - right
-        for rub in rubs:
-            gap = gap - sense * rub.factor * rub.dragged * np.linalg.norm(found[list(rub.pressing)])
+        for pair in pairs:
+            gap = gap - sense * pair.factor * pair.dragged * np.linalg.norm(
+                found[list(pair.pressing)]
+            )
         if np.abs(gap).max() > 1e-11 * np.abs(found).max():
             raise NoBalance(f"gap of {np.abs(gap).max()}")
 

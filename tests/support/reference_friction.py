@@ -1,6 +1,6 @@
-"""What rubs, from coordinates, for tests only: loads of a friction of 1 against each slip.
+"""Friction, from coordinates, for tests only: loads of a friction of 1 against each slip.
 
-Which way surfaces slip is told by the motion that singular values find.
+Which way surfaces slip is stated by the motion that singular values find.
 """
 
 import math
@@ -27,8 +27,8 @@ class FrictionPair(NamedTuple):
     dragged: Array
 
 
-class Rubs:
-    """The surfaces that rub where a load drives along its arrow."""
+class FrictionPairs:
+    """The surfaces with friction where a load drives along its arrow."""
 
     def __init__(self, forces: "Forces", drive: str) -> None:
         self._forces, self._motion = forces, Motion(forces.half)

@@ -185,10 +185,10 @@ def extent_refuted(
     for x, value in zip(places, values, strict=True):
         if value < least or value > greatest:
             yield f"{value} at {x}, not {extent.least} to {extent.greatest}"
-    told = (*extent.zeros, *extent.poles)
+    stated = (*extent.zeros, *extent.poles)
     for (x, a), (_, b) in pairwise(zip(places, values, strict=True)):
-        is_told = any(x - cell <= place <= x + 2 * cell for place in told)
-        if extent.looked and a * b < 0 and min(abs(a), abs(b)) > slack and not is_told:
+        is_stated = any(x - cell <= place <= x + 2 * cell for place in stated)
+        if extent.looked and a * b < 0 and min(abs(a), abs(b)) > slack and not is_stated:
             yield f"changes its sign between {x} and {x + cell}"
 
 

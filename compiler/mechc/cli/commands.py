@@ -74,7 +74,7 @@ class LazyGroup(click.Group):
 @click.group(
     cls=LazyGroup,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 96},
-    epilog="`mechc COMMAND --help` tells more, with an example. Exit status: 0 done, 1 the "
+    epilog="`mechc COMMAND --help` says more, with an example. Exit status: 0 done, 1 the "
     "description is wrong, 2 the command line is, 3 a file, 4 a limit, 70 mechc itself.",
 )
 @click.version_option(VERSION, "-V", "--version", message="mechc %(version)s")

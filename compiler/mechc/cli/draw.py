@@ -52,7 +52,7 @@ def _known(
     multiple=True,
     callback=_known,
     metavar="PATH",
-    help="A file whose suffix tells the format: .svg, .tex (TikZ), .png or .pdf. May be repeated.",
+    help="A file; its suffix decides the format: .svg, .tex (TikZ), .png or .pdf. May be repeated.",
 )
 @click.option("--bodies", is_flag=True, help="Draw every body cut free, with the forces on it.")
 @click.option("--plans", is_flag=True, help="Draw the plans of velocities and of forces.")

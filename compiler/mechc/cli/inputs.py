@@ -90,7 +90,7 @@ stdin_option = click.option(
     "stdin_name",
     metavar="NAME",
     default=NAMELESS,
-    help="The name of standard input in messages; its suffix tells the notation.",
+    help="The name of standard input in messages; its suffix decides the notation.",
 )
 settings_option = click.option(
     "-D",

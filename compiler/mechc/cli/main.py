@@ -56,7 +56,7 @@ def _awaited() -> bool:
 
 
 def _flushed() -> bool:
-    """Return whether both streams could be flushed; of one that fails the interpreter tells."""
+    """Return whether both streams could be flushed; of one that fails the interpreter reports."""
     try:
         for stream in (sys.stdout, sys.stderr):
             if stream is not None:

@@ -7,7 +7,7 @@ from ..source import Span
 from .diagnostic import Message, coded
 
 Slip = Literal["", "sign", "unit", "degrees", "figure"]
-"""What two numbers differ by, where that tells what was taken for what."""
+"""What two numbers differ by, where that shows what was taken for what."""
 
 
 def _pose(at: Mapping[str, str]) -> str:

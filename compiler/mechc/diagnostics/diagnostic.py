@@ -50,7 +50,7 @@ class Message(NamedTuple):
 class Diagnostic:
     """One error or warning.
 
-    ``code`` is ``E`` or ``W`` and three digits, whose first tells the stage:
+    ``code`` is ``E`` or ``W`` and three digits, whose first is the stage's:
     1 syntax, 2 model, 3 pose, 4 kinematics, 5 power, 6 statics, 7 emission,
     8 limits, 9 files. ``span`` is None only where no place in the file is meant.
     """

@@ -38,7 +38,7 @@ def nothing_can_move(parts: Sequence[str], at: Span) -> Message:
 def asked_of_a_frame(at: Span, name: str) -> Message:
     """A ratio, a load or a speed is asked of a truss or a frame, in which nothing moves.
 
-    Virtual power tells how loads balance in a motion. Where there is none every load is borne
+    Virtual power gives how loads balance in a motion. Where there is none every load is borne
     by the joints, whatever the others are::
 
         find k = P/F         # wrong: P does not follow from F
@@ -55,7 +55,7 @@ def asked_of_a_frame(at: Span, name: str) -> Message:
 def friction_in_a_frame(at: Span) -> Message:
     """Friction is given in a truss or a frame, in which nothing slips.
 
-    Where bodies slip friction resists, and the sense of the motion tells its direction. In
+    Where bodies slip friction resists, and the sense of the motion decides its direction. In
     a frame it may be anything up to its bound, so that it changes no force for certain.
     """
     return Message(

@@ -145,7 +145,7 @@ def closure_open(at: Span, loop: str, number: int, hint: str) -> Message:
         assembly ABC ccw     # A, B, C turn counter-clockwise at the default pose
 
     ``assembly B forward`` takes the place of B farther along its guide, ``back`` the other.
-    A point as it is drawn tells as much: ``B at (80 mm, 60 mm)`` takes the nearest closure.
+    A point as it is drawn says as much: ``B at (80 mm, 60 mm)`` takes the nearest closure.
     """
     ways = "two" if number == 2 else str(number)
     message = f"the loop {loop} closes in {ways} ways, and nothing says which is meant"

@@ -230,7 +230,7 @@ def transmission_presses(at: Span, point: str, has_friction: bool) -> Message:
     """The force on the pin of a gear, a pulley or a screw is asked for, or its friction.
 
     What the teeth pass on presses across the line of centres, a belt was tightened before
-    it ran, and a screw's thrust is out of the plane: the description tells of none of them. A
+    it ran, and a screw's thrust is out of the plane: the description states none of them. A
     rack presses along its guide; its wheel's pivot can be asked about. The same goes for an arm
     that carries the centres of wheels.
 

@@ -82,7 +82,7 @@ def prefix_clashes(span: Span, name: str, other: Span) -> Message:
     """A name that a used sheet brings in is there already.
 
     The names of a used sheet come in behind the prefix: of ``use pin_joint as pin`` its ``d`` is
-    ``pin_d`` here. Two uses have two prefixes, and no name of one's own may be one of these::
+    ``pin_d`` here. Two uses have two prefixes, and no name of your own may be one of these::
 
         param pin_d = 5 mm
         use pin_joint as pin                       # wrong: its d would be pin_d, too

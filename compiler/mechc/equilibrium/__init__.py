@@ -1,8 +1,9 @@
 """Equilibrium by hand: sums of forces and moments, body by body, as a course in statics asks.
 
-Of virtual power it knows the mechanism, its pose and its freedoms, and no velocity. ``bodies`` cuts
-links and pins free, ``acts`` is what it makes of them, ``balances`` writes the sums, ``order``
-chooses those that give one force after another, ``from_plan`` does all of it for each load.
+Of virtual power it knows the mechanism, its pose and its degrees of freedom, and no velocity.
+``cutting`` says which links and pins are cut free, ``exerted`` what joints and loads do to them,
+``bodies`` gathers that body by body (``acts``), ``balances`` writes the sums, ``order`` chooses
+those that give one force after another, ``from_plan`` does all of it for each load.
 
 Promises: every sum holds for any values of its symbols, those of closed loops as they
 close; each step has as many sums as it finds forces, and rests on loads and on what

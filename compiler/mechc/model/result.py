@@ -79,7 +79,7 @@ class FrictionResult(Result):
     ``case`` is what is printed instead of a formula that takes its signs from the pose.
     Names of ``where`` that are ``inside`` a system are its many coefficients, of which people
     read the structure only. Whether a force at a joint is one of a mechanism that moves, its
-    ``drive`` tells.
+    ``drive`` states.
     """
 
     case: Case | None = None

@@ -17,8 +17,8 @@ Kind = Literal[
 """What an action comes from: a load, a joint, or the friction there."""
 
 Gap = Literal["", "indeterminate", "transmission"]
-"""Why a force isn't known: equilibrium leaves it open, or nothing tells how teeth, belts
-and threads press on the bearings."""
+"""Why a force isn't known: equilibrium leaves it open, or how teeth,
+belts and threads press on the bearings is undetermined."""
 
 
 Motion = Literal["", "tightening", "releasing"]

@@ -13,7 +13,7 @@ OPEN = "equilibrium leaves a force open that is asked for"
 
 UNBALANCED = "no forces at the joints balance the loads"
 
-STANDS = "a joint stands still at that pose, and rounding tells which way it slips"
+STANDS = "a joint stands still at that pose, and rounding decides which way it slips"
 """The doubt where friction may as well have the other sign, or none."""
 
 UNSETTLED = "no friction was found that balances at that pose"

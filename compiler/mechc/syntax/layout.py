@@ -353,7 +353,7 @@ SECTIONS: tuple[Section, ...] = (
     ),
     named(
         "let",
-        "formulas of one's own",
+        "user-defined formulas",
         Entry(
             ast.Let,
             NAMED,

@@ -169,7 +169,7 @@ def of_no_size(span: Span, what: str) -> Message:
 
 @coded("W256")
 def let_without_value(span: Span, name: str) -> Message:
-    """A formula of one's own has no finite value at the given parameters.
+    """A user-defined formula has no finite value at the given parameters.
 
     It divides by zero there, or asks for a root or an arc function of what has none.
 

@@ -6,7 +6,7 @@ from ..diagnostic import Message, Related, coded
 
 @coded("E525")
 def cannot_hold(at: Span, name: str) -> Message:
-    """Several drives: the first one moves, and nothing tells what the other ones hold.
+    """Several drives: the first one moves, and what the other ones hold is undetermined.
 
     A drive is held by making fast what it moves: the direction of a link on a pivot, the
     angle between two links with a common pin, the length of a telescope, the place of a slider::

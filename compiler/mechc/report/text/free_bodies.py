@@ -12,7 +12,7 @@ NOTHING = (
 
 GAPS = {
     "indeterminate": "not determined by equilibrium",
-    "transmission": "not known: nothing tells how teeth, belts or threads press",
+    "transmission": "not known: how teeth, belts or threads press is undetermined",
 }
 
 
