@@ -6,6 +6,7 @@ from fractions import Fraction
 import pytest
 
 from good_mechanisms import CLOSED, compiled
+from mechc.data import data
 from mechc.formula.layout import TRIGONOMETRIC
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Constant, Number
@@ -60,7 +61,11 @@ def gap(item):
     return (printed - value) / value
 
 
-@pytest.mark.parametrize("name", CLOSED)
+WITH_FRICTION = [p.stem for p in sorted(data("library").glob("[fk]*_with_friction.mech"))]
+"""The clamps of two papers with friction; what others give has units in which figures mix."""
+
+
+@pytest.mark.parametrize("name", [*CLOSED, *WITH_FRICTION])
 def test_the_figures_come_to_the_value(name):
     items = [item for item in found(name) if item.numbers is not None]
     for item in items:
@@ -95,3 +100,13 @@ def test_a_slope_mentions_nothing_that_is_not_introduced(name):
     for result in compiled(name).derivation.results:
         known = {each.name for each in (*listed, *result.where)}
         assert all(symbols(slope) <= known for slope in (result.derivatives or {}).values())
+
+
+@pytest.mark.parametrize("name", ["lever_clamp_with_friction", "karpenko_fig9_with_friction"])
+def test_results_with_friction_have_their_numbers_put_in(name):
+    items = shown(name)
+    assert all(items[n].numbers is not None for n in ("k_f", "k_hold", "eta_k"))
+    assert items["rho"].value.unit == "mm"
+    order = [text(item.left) for item in found(name)]
+    assert order.index("rho") < order.index("k_f") < order.index("eta_k")
+    assert len(order) == len(set(order))

@@ -14,10 +14,10 @@ from ..model.values import Chain, defaults, dependent, usual_length
 from ..study.analysis import Analysis
 from ..units import ANGLE, NUMBER, UNITS, si_unit, size_of
 from .definitions import FREE_FALL, given_loads, usual_weights
-from .homogeneous import is_homogeneous
+from .homogeneous import dimension_of, is_homogeneous
 from .note import NoteLine
 from .put_in import Quantity, put_in, usual_unit, without_rounding
-from .sections import Outline
+from .sections import Outline, Section
 from .sentences.remarks import asked
 
 LONGEST = 40
@@ -40,17 +40,19 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     """Yield the definitions and results of a report that have a value, in its order."""
     given = _given(whole, mechanism)
     for name, formula in _definitions(whole):
-        if name in given:
-            value = without_rounding(given[name])
-            numbers = _numbers(formula, given, value.unit in ("", "deg"))
-            yield Evaluated(Symbol(name), numbers, value, value.unit == "deg")
+        yield from _of_definition(name, formula, given)
     usual = usual_length(mechanism)
+    shown = _named(whole, mechanism)
     for section in whole.results:
+        for name, formula in _accounted(section, shown):
+            yield from _of_definition(name, formula, given)
         for result in section.results:
             if line := section.lines.get(result.name):
                 yield from _of_line(line)
             else:
-                yield from _of_result(result, given, usual_unit(result.dimension, usual))
+                unit = usual_unit(result.dimension, usual)
+                yield from _of_result(result, given, unit)
+                given |= _value(result, unit)
 
 
 def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
@@ -91,6 +93,41 @@ def _definitions(whole: Outline) -> Iterator[Definition]:
         yield from result.where
 
 
+def _named(whole: Outline, mechanism: Mechanism) -> set[str]:
+    """Return the names that have a place of their own among the values, or are given."""
+    results = {result.name for section in whole.results for result in section.results}
+    given = {load.name for load in given_loads(mechanism)}
+    return results | given | {definition.name for definition in _definitions(whole)}
+
+
+def _accounted(section: Section, shown: set[str]) -> Iterator[Definition]:
+    """Yield what results rest on that the account of their friction has introduced; note it."""
+    for result in section.results:
+        used, needed = symbols(result.formula), list[Definition]()
+        for definition in reversed(result.where):
+            if definition.name in used - shown - set(result.inside):
+                needed.append(definition)
+                used |= symbols(definition.formula)
+        shown |= {definition.name for definition in needed}
+        yield from reversed(needed)
+
+
+def _of_definition(
+    name: str, formula: Formula, given: Mapping[str, Quantity]
+) -> Iterator[Evaluated]:
+    """Yield the value of a definition, if it has one."""
+    if name in given:
+        value = without_rounding(given[name])
+        numbers = _numbers(formula, given, value.unit in ("", "deg"))
+        yield Evaluated(Symbol(name), numbers, value, value.unit == "deg")
+
+
+def _value(result: Analysis, unit: str) -> dict[str, Quantity]:
+    """Return the value of a result under its name, for results that rest on it."""
+    known = result.default is not None and math.isfinite(result.default)
+    return {result.name: Quantity(result.default or 0.0, unit)} if known else {}
+
+
 def _of_result(result: Analysis, given: Mapping[str, Quantity], unit: str) -> Iterator[Evaluated]:
     if result.default is None or not math.isfinite(result.default) or not symbols(result.formula):
         return
@@ -102,6 +139,8 @@ def _of_result(result: Analysis, given: Mapping[str, Quantity], unit: str) -> It
 def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     """Return the quantities that formulas mention, each in the unit that it was given in."""
     where = list(_definitions(whole))
+    shown = _named(whole, mechanism)
+    where += [d for section in whole.results for d in _accounted(section, shown)]
     # A constant of the drawing stands in ``where`` in its unit, among parameters in SI.
     chain = Chain({**dict(where), **dependent(mechanism)})
     loads = tuple(given_loads(mechanism))
@@ -113,12 +152,13 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     usual = usual_length(mechanism)
     units |= {r.name: usual_unit(r.dimension, usual) for r in whole.ratios}
     angles = {name for name, unit in units.items() if unit == "deg"}
-    for definition in where:
-        if definition.name not in units and (unit := _found_unit(definition, usual, angles)):
-            units[definition.name] = unit
-            angles |= {definition.name} if unit == "deg" else set()
     constants = (*mechanism.literals, *loads)
     values |= {p.name: evaluate(p.value, {}) for p in constants if p.value}
+    for definition in where:
+        if definition.name not in units:
+            unit = _found_unit(definition, usual, angles, values, units)
+            units |= {} if unit is None else {definition.name: unit}
+            angles |= {definition.name} if unit == "deg" else set()
     known = {name: value for name, value in values.items() if math.isfinite(value)}
     return {name: Quantity(known[name], unit) for name, unit in units.items() if name in known}
 
@@ -133,11 +173,27 @@ def _unit(parameter: Parameter) -> str:
     return "deg" if parameter.dimension == ANGLE else parameter.unit or si_unit(parameter.dimension)
 
 
-def _found_unit(definition: Definition, usual: str, angles: Iterable[str]) -> str:
-    """Return the unit of what a loop gives, '' where its dimension is not known by its name."""
+def _found_unit(
+    definition: Definition,
+    usual: str,
+    angles: Iterable[str],
+    values: Mapping[str, float],
+    units: Mapping[str, str],
+) -> str | None:
+    """Return the unit of what a loop or an account of friction gives; None if it is not known."""
     if definition.name.startswith("len_"):
         return usual
-    return "deg" if is_angle(definition.formula, set(angles)) else ""
+    if is_angle(definition.formula, set(angles)):
+        return "deg"
+    names = _names(definition.formula)
+    if _is_solved(definition.formula) or not names <= units.keys() & values.keys():
+        return None
+    found = dimension_of(
+        _as_symbols(definition.formula),
+        {name: values[name] for name in names},
+        {name: UNITS[units[name]].dimension if units[name] else NUMBER for name in names},
+    )
+    return None if found is None else usual_unit(found, usual)
 
 
 def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> Formula | None:
@@ -149,7 +205,7 @@ def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> For
         return None
     if _has_units(formula, {name: given[name] for name in names}):
         return None
-    units = {given[n].unit for n in names} - {"deg"}
+    units = {given[n].unit for n in names} - {"", "deg"}
     if bare and len(units) == 1:
         return put_in(_as_symbols(formula), {n: _bare(q) for n, q in given.items()})
     return put_in(_as_symbols(formula), given)

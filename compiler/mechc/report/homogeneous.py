@@ -6,6 +6,7 @@ there: other units must not be put in beside it.
 
 import math
 from collections.abc import Mapping
+from fractions import Fraction
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
@@ -49,6 +50,41 @@ def _is_power_of(
     return not math.isfinite(first) or math.isclose(
         second * second, first * third, rel_tol=SAME_RATIO
     )
+
+
+def dimension_of(
+    formula: Formula, values: Mapping[str, float], dimensions: Mapping[str, Dimension]
+) -> Dimension | None:
+    """Return the dimension of a formula; None where it is zero, or has no one dimension.
+
+    ``values`` of its names are in SI.
+
+    >>> from ..formula.tree import Symbol, product, total
+    >>> w, f = Symbol("w"), Symbol("f")
+    >>> area = product([(w, 2), (f, 1)])
+    >>> dimension_of(area, {"w": 2.0, "f": 0.1}, {"w": LENGTH, "f": Dimension()})
+    Dimension(length=Fraction(2, 1), mass=Fraction(0, 1), time=Fraction(0, 1), angle=0)
+    >>> dimension_of(total([w, f]), {"w": 2.0, "f": 0.1}, {"w": LENGTH, "f": Dimension()})
+    """
+    bases = (LENGTH, MASS, TIME)
+    if not all(_is_power_of(base, formula, values, dimensions) for base in bases):
+        return None
+    found = [_exponent(base, formula, values, dimensions) for base in bases]
+    return None if None in found else Dimension(*(e for e in found if e is not None))
+
+
+def _exponent(
+    base: Dimension,
+    formula: Formula,
+    values: Mapping[str, float],
+    dimensions: Mapping[str, Dimension],
+) -> Fraction | None:
+    """Return the exponent of a base unit in a formula; halves and thirds are exact."""
+    scaled = {n: v * _SCALE ** _share(dimensions[n], base) for n, v in values.items()}
+    first, second = evaluate(formula, values), evaluate(formula, scaled)
+    if not (first and second and math.isfinite(first) and math.isfinite(second)):
+        return None
+    return Fraction(math.log(second / first) / math.log(_SCALE)).limit_denominator(6)
 
 
 def _share(dimension: Dimension, base: Dimension) -> float:
