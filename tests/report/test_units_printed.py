@@ -81,7 +81,7 @@ def test_lets_that_are_numbers_have_their_unit() -> None:
     text = f"{LITERAL}let d = 25 mm\nlet s = 30 deg\nlet n = 2\n"
     compilation = compile_source(Source("m.mech", text))
     derived = render(compilation.derivation, compilation.mechanism)
-    assert derived.count("\nResults\n") == 1
+    assert derived.count("\nFurther quantities\n") == 1
     assert {"d = 25 mm", "s = 30°", "n = 2"} <= {line.strip() for line in derived.splitlines()}
     tex = mechc.loads(text).emit("latex")
     for shown in (r"d=25\,\text{mm}", r"s=30^\circ", "n=2"):

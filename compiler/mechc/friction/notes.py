@@ -5,8 +5,8 @@ from typing import assert_never
 
 from ..algebra.product import Product
 from ..algebra.sums import canonical
-from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
-from ..formula.walk import substitute
+from ..formula.tree import ZERO, Call, Formula, Symbol, number, product, total
+from ..formula.walk import substitute, symbols
 from ..model.mechanism import Link
 from .free_bodies import Bodies, BodyForce, Kind
 from .lever import moment
@@ -108,9 +108,22 @@ def _size(parts: Iterable[Formula]) -> Formula:
         case []:
             return ZERO
         case [part]:
-            return Call("abs", (part,))
+            return _size_of_one(part)
         case both:
             return Call("hypot", tuple(both))
+
+
+def _size_of_one(part: Formula) -> Formula:
+    """Return the size of a part; that of the force in a rod is a size by itself.
+
+    >>> from ..formula.to_text import text
+    >>> backwards = product([(number(-1), 1), (Symbol("S_AB"), 1)])
+    >>> text(_size_of_one(backwards)), text(_size_of_one(Symbol("Q")))
+    ('S_AB', 'abs(Q)')
+    """
+    in_rods = [Symbol(name) for name in symbols(part) if name.startswith("S_")]
+    of_rod = next((s for s in in_rods if part in (s, product([(number(-1), 1), (s, 1)]))), None)
+    return of_rod or Call("abs", (part,))
 
 
 def _across(forces: Sequence[BodyForce], found: Mapping[str, Product]) -> list[Pair]:

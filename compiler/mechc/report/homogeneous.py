@@ -69,8 +69,10 @@ def dimension_of(
     bases = (LENGTH, MASS, TIME)
     if not all(_is_power_of(base, formula, values, dimensions) for base in bases):
         return None
-    found = [_exponent(base, formula, values, dimensions) for base in bases]
-    return None if None in found else Dimension(*(e for e in found if e is not None))
+    length, mass, time = (_exponent(base, formula, values, dimensions) for base in bases)
+    if length is None or mass is None or time is None:
+        return None
+    return Dimension(length, mass, time)
 
 
 def _exponent(

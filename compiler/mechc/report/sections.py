@@ -14,6 +14,7 @@ from ..model.result import Definition
 from ..model.targets import whole
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, given_loads, letters
+from .derivation.friction import exact_name
 from .derivation.steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
 from .note import NoteLine, own_lines
 from .sentences.remarks import reaction
@@ -86,7 +87,8 @@ def _results(
         )
         needed = (d for r in results for d in earlier.of(r) if d.name not in lines)
         fresh = [*rested, *needed]
-        shown = tuple(in_short(r, results) for r in _conditioned_once(results))
+        brief = (in_short(r, results) for r in _conditioned_once(results))
+        shown = tuple(_by_exact(r, derivation) for r in brief)
         weighs = any(d.name in known.usual for d in fresh)
         where = tuple(as_written(fresh, known))
         said = (side for p in explanation.paragraphs for pair in p.equations for side in pair)
@@ -183,6 +185,12 @@ def _conditioned_once(results: Sequence[Analysis]) -> Iterator[Analysis]:
     for result, after in zip_longest(results, results[1:]):
         alike = after is not None and after.holds == result.holds
         yield replace(result, holds=()) if alike else result
+
+
+def _by_exact(result: Analysis, derivation: Derivation) -> Analysis:
+    """Return a result of first order by the exact one, if that is equal to it."""
+    name = exact_name(result, derivation.results)
+    return replace(result, formula=Symbol(name)) if name else result
 
 
 def in_short(result: Analysis, results: Iterable[Analysis]) -> Analysis:

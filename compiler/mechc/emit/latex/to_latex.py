@@ -33,6 +33,7 @@ from ...report.latex.results import (
     check,
     definitions,
     section_block,
+    section_blocks,
     untried,
 )
 from ...report.latex.text import has_cyrillic
@@ -164,7 +165,7 @@ def report(
         several=_several(derivation, locale),
         balances=_equations(derivation.balances, locale, style),
         last=_last(derivation.last_steps, locale, style),
-        results=tuple(section_block(s, locale, style) for s in whole.results),
+        results=tuple(section_blocks(whole.results, locale, style)),
         conditions=conditions(mechanism.requires, Speller(style)),
         values=values(full, locale, style),
         of_position=tuple(in_line(item, locale, style) for item in aside),

@@ -42,7 +42,7 @@ def derive_by_equilibrium(
     pose = solution.plan.graph.pose
     writer = _Writer(pose)
     by_sums = (writer.explanation(load) for load in loads)
-    explanations = (*by_sums, *of_forces(solution), *of_friction(solution))
+    explanations = (*by_sums, *of_forces(solution), *of_friction(solution, results))
     derivation = Derivation((), (), (), tuple(results), explanations)
     return replace(derivation, position=tuple(position_steps(pose, derivation)))
 

@@ -17,6 +17,7 @@ from ...model.mechanism import (
     WithFriction,
     tension_share,
 )
+from ...model.result import Result
 from ...model.targets import whole
 from ...power.balance import Solved
 from ..sentences.wording import geometry_first, positive_first
@@ -50,8 +51,11 @@ _ROPES = Paragraph(
 _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 
 
-def of_friction(solution: Solution) -> Iterator[Explanation]:
-    """Yield an account of every result with friction that was found in steps."""
+def of_friction(solution: Solution, results: Iterable[Result]) -> Iterator[Explanation]:
+    """Yield an account of every result with friction that was found in steps.
+
+    ``results`` are these in the form in which they are shown.
+    """
     mechanism = solution.plan.graph.pose.mechanism
     earlier = _Shown(mechanism.friction.parameters)
     for place, group in groupby(solution.solved, _place):
@@ -59,6 +63,9 @@ def of_friction(solution: Solution) -> Iterator[Explanation]:
         if place is None or not solved or not solved[0].steps:
             continue
         names = tuple(s.result.name for s in solved)
+        if any(exact_name(r, results) for r in results if r.name in names):
+            yield Explanation(names, (Paragraph(SentenceKind.FIRST_ORDER_SAME),))
+            continue
         steps = earlier.with_one_meaning(solved[0].steps, place, names[0])
         steps = [_with_result(step, place, names[0]) for step in steps]
         paragraphs = [p for step in steps for p in _passages(step, earlier, place)]
@@ -71,6 +78,15 @@ def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
     """Return the quantity of a result with friction, the same for all parts of one force."""
     target = solved.result.target and whole(solved.result.target)
     return target if isinstance(target, WithFriction) else None
+
+
+def exact_name(result: Result, results: Iterable[Result]) -> str:
+    """Return the name of the exact result that a result of first order is equal to, or ''."""
+    target = result.target
+    if not isinstance(target, WithFriction) or target.order != "first":
+        return ""
+    exact = replace(target, order="exact")
+    return next((r.name for r in results if r.target == exact and r.formula == result.formula), "")
 
 
 class _Shown:

@@ -25,7 +25,7 @@ def derive(solution: Solution, results: Sequence[Analysis]) -> Derivation:
         terms,
         tuple(power_equations(speeds, terms)),
         tuple(results),
-        (*of_forces(solution), *of_friction(solution)),
+        (*of_forces(solution), *of_friction(solution, results)),
         ratios=tuple(speeds.ratios),
     )
     position = position_steps(solution.plan.graph.pose, derivation)

@@ -184,6 +184,8 @@ class SentenceKind(StrEnum):
     """Frictions under the forces that there are without them."""
     FIRST_ORDER_LESS = "first order, less"
     """The same where the drive is driven back."""
+    FIRST_ORDER_SAME = "first order, same"
+    """Where they give what the exact forces give."""
     SLIP_OF_PIN = "slip of pin"
     """The slip and the coefficient of a pin."""
     SLIP_OF_FACE = "slip of face"

@@ -204,6 +204,8 @@ LOCALE = Locale(
         "first order": "To first order the joints are loaded as without friction. Each friction "
         "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
         "velocity.",
+        "first order, same": "To first order the joints are loaded as without friction, which here "
+        "gives the same.",
         "first order, less": "To first order the joints are loaded as without friction. Each "
         "friction takes away its coefficient times the force {force} times the slip, per unit of "
         "the drive’s velocity.",
@@ -234,6 +236,7 @@ LOCALE = Locale(
     "zero in every possible motion.",
     several="There are {count} independent motions, hence {count} equations.",
     results="Results",
+    further="Further quantities",
     force_ratio="Force transmission coefficient",
     load="Load",
     speed_ratio="Velocity ratio",

@@ -80,6 +80,7 @@ class Locale(NamedTuple):
     several: str
 
     results: str
+    further: str
     force_ratio: str
     load: str
     speed_ratio: str

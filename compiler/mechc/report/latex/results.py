@@ -17,7 +17,7 @@ from ..definitions import Solved, grouped
 from ..derivation.steps import Equation, Paragraph
 from ..languages.locale import Locale
 from ..sections import Section
-from ..sentences.remarks import asked, heading, is_nameless, ratio, remarks, said
+from ..sentences.remarks import asked, heading, headings, is_nameless, ratio, remarks, said
 from .display import LINE, Line, balance, display, vanishing
 from .notation import Notation, name, points, relation_sign
 from .note import alone
@@ -52,6 +52,15 @@ class SectionBlock(NamedTuple):
     paragraphs: tuple[ParagraphBlock, ...]
     displays: tuple[str, ...]
     findings: tuple[Findings, ...]
+
+
+def section_blocks(
+    sections: Sequence[Section], locale: Locale, style: Notation
+) -> Iterator[SectionBlock]:
+    """Yield everything a report says of its results, each under its heading."""
+    titles = headings((s.results[0] for s in sections), locale, Speller(style))
+    for section, title in zip(sections, titles, strict=True):
+        yield section_block(section, locale, style)._replace(heading=title)
 
 
 def section_block(section: Section, locale: Locale, style: Notation) -> SectionBlock:

@@ -39,7 +39,7 @@ def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
     drive = spell.relation((Symbol(locking.drive),), (), False)
     load = spell.relation((Symbol(locking.load),), (), False) if locking.load else locale.all_loads
     said = {s: template.format(drive=drive, load=load) for s, template in locale.states.items()}
-    if locking.state and locking.state != "free":
+    if locking.state and locking.state != "free" and not _holds_throughout(locking):
         yield f"{said[locking.state]} {locale.as_given}."
     for reach in locking.reaches:
         for stretch in (s for s in reach.stretches if _is_shown(s, reach)):
@@ -47,6 +47,12 @@ def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
                 condition=_condition(stretch, reach, spell, locale)
             )
             yield f"{said[stretch.state]} {where}{_within(stretch, reach, locale, spell)}."
+
+
+def _holds_throughout(locking: Locking) -> bool:
+    """Return whether a whole range is as the pose given is, which is then told of the range."""
+    stretches = ((s, r) for r in locking.reaches if r.range for s in r.stretches)
+    return any(s.state == locking.state and s.within == r.range for s, r in stretches)
 
 
 def _is_shown(stretch: Stretch, reach: LockingIntervals) -> bool:
@@ -101,10 +107,11 @@ def _shown_ends(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None
     if reach.range is None or stretch.within is None:
         return low, high
     first, last = reach.range
-    return (
-        low if low and (low.x > first or (low.is_strict and low.x == first)) else None,
-        high if high and (high.x < last or (high.is_strict and high.x == last)) else None,
-    )
+    low = low if low and (low.x > first or (low.is_strict and low.x == first)) else None
+    high = high if high and (high.x < last or (high.is_strict and high.x == last)) else None
+    if any(b and (b.exact is None or _is_figure(b.exact)) for b in (low, high)):
+        return low or Bound(first), high or Bound(last)
+    return low, high
 
 
 def _side(bound: Bound, reach: Along, spell: Speller) -> Formula:

@@ -82,6 +82,19 @@ def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
             assert_never(result.target)
 
 
+def headings(firsts: Iterable[Analysis], locale: Locale, spell: Speller) -> list[str]:
+    """Return the headings of results that come first under them, a common one only once.
+
+    User-defined formulas are further quantities behind results that have a kind.
+    """
+    said, last = list[str](), ""
+    for first in firsts:
+        own = heading(first, locale, spell) or (locale.further if last else "")
+        said.append("" if own == last == locale.further else own)
+        last = own
+    return said
+
+
 def _member(link: str) -> str:
     """Return what a force along a line is in, by its name among links and ropes."""
     return "rope" if link.startswith(rope_id(())) else "rod"

@@ -14,7 +14,7 @@ from ..definitions import Solved, given_loads, grouped
 from ..derivation.steps import Derivation, LastStep
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
-from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
+from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, direction_function, lines, position_sentences, sentences
 from . import note
 from .speller import DEEP, WIDTH, Speller, speller
@@ -49,12 +49,10 @@ def render(
         *_position(whole.position, spell),
     ]
     lines += [*_velocities(derivation, spell), *_power(derivation, spell)]
-    before = ""
-    for section in whole.results:
-        title = heading(section.results[0], spell.locale, spell) or spell.locale.results
-        again = title == before == spell.locale.results
-        lines += ["", *([] if again else [title]), *_section(section, spell)]
-        before = title
+    titles = headings((s.results[0] for s in whole.results), spell.locale, spell)
+    for number, (section, title) in enumerate(zip(whole.results, titles, strict=True)):
+        title = title or ("" if number else spell.locale.results)
+        lines += ["", *([title] if title else []), *_section(section, spell)]
     if numbers:
         lines += _numbers(evaluated(whole, mechanism), spell)
     if mechanism.requires:

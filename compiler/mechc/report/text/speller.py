@@ -16,7 +16,7 @@ from ...units import ANGLE, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..put_in import Quantity, in_degrees
-from .printer import ASCII, UNICODE, Signs, print_point, print_side
+from .printer import ASCII, UNICODE, Signs, print_point, print_quantity, print_side
 
 SHOWN = 6
 """Significant digits of values."""
@@ -69,7 +69,7 @@ class Speller(NamedTuple):
     def quantity(self, quantity: Quantity) -> str:
         """Return a value in its unit, an angle in degrees."""
         if quantity.unit != "deg":
-            return quantity.text(SHOWN)
+            return print_quantity(quantity.text(SHOWN), self.signs)
         return print_side(in_degrees(quantity.value, SHOWN), self.signs, True)
 
     def point(self, names: str) -> str:
