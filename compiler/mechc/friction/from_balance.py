@@ -25,6 +25,7 @@ from ..model.results import refuse_failing
 from ..model.targets import SIGNS
 from ..power.balance import Balance, Solved
 from ..power.definitions import let_results, open_lengths
+from ..power.idle import warn_of_idle_loads
 from ..power.numbers import DefaultNumbers, with_default
 from .solution import Solution, SolvedWithFriction
 
@@ -46,7 +47,10 @@ def solve(balance: Balance, report: Report) -> Solution:
     solved = [known[find.name] for find in finds if find.name in known]
     lets = let_results(balance.plan.graph.pose, [s.result for s in solved], report)
     solved += [Solved(with_default(let, numbers.of(let))) for let in lets]
-    _refuse_undefined([s.result for s in solved], balance, numbers, report)
+    results = [s.result for s in solved]
+    _refuse_undefined(results, balance, numbers, report)
+    if balance.plan.graph.pose.mechanism.friction.joints:
+        warn_of_idle_loads(balance, results, report)
     return Solution(balance, tuple(solved))
 
 

@@ -34,10 +34,11 @@ def balance(plan: Plan, report: Report) -> Balance:
     warn_of_idle_motions(problem)
     found = (_answer(problem, find) for find in problem.mechanism.finds)
     solved = tuple(answer for answer in found if answer is not None)
-    warn_of_idle_loads(problem, solved)
-    report.stop_on_errors()
     terms, equations, driving = problem.terms, problem.equations, problem.driving
     balanced = Balance(plan, terms, equations, driving, solved, problem.reading.plan)
+    if not problem.mechanism.friction.joints:
+        warn_of_idle_loads(balanced, balanced.results, report)
+    report.stop_on_errors()
     return replace(balanced, solved=checked(balanced, report))
 
 

@@ -2,11 +2,14 @@
 
 from collections.abc import Iterable
 
+from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..formula.walk import symbols
 from ..kinematics.graph import Kind
 from ..model.mechanism import SpeedRatio
-from .balance import Solved
+from ..model.result import Result
+from .balance import Balance
+from .loads import held_drives
 from .problem import Problem
 
 
@@ -25,16 +28,19 @@ def warn_of_idle_motions(problem: Problem) -> None:
     problem.report.add(messages.idle_freedom(spans[what[0]], what))
 
 
-def warn_of_idle_loads(problem: Problem, solved: Iterable[Solved]) -> None:
-    """Warn of loads without work, but not in a frame, nor where friction or a find has them."""
-    mechanism = problem.mechanism
-    if mechanism.friction.joints or not problem.plan.mobility:
+def warn_of_idle_loads(balance: Balance, results: Iterable[Result], report: Report) -> None:
+    """Warn of loads without work that no result has, but not in a frame.
+
+    With friction a load without work may press a joint: all results have to be known.
+    """
+    mechanism = balance.plan.graph.pose.mechanism
+    if not balance.plan.mobility:
         return
     shown = [let.value for let in mechanism.lets]
-    for result in (one.result for one in solved):
+    for result in results:
         shown += [result.formula, *(d.formula for d in result.where)]
     seen = {name for formula in shown for name in symbols(formula)}
-    for name in problem.equations.idle_loads:
+    spans = {load.name: load.span for load in mechanism.loads}
+    for name in balance.equations.idle_loads:
         if name not in seen:
-            at = problem.loads[name].span
-            problem.report.add(messages.load_does_no_work(at, name, problem.held_drives))
+            report.add(messages.load_does_no_work(spans[name], name, held_drives(mechanism)))

@@ -11,6 +11,7 @@ from ..model.mechanism import Find, LoadForm, LoadRatio
 from ..model.result import Definition, Result
 from .balance import Solved
 from .definitions import intermediates
+from .loads import held_drives
 from .loose import looseness
 from .problem import Problem
 
@@ -41,7 +42,9 @@ def _is_determined(problem: Problem, find: Find, asked: LoadRatio, unknown: list
     equations, report, (upper, *others) = problem.equations, problem.report, unknown
     above, below = asked.above, asked.below
     if upper not in equations.columns:
-        report.add(messages.load_not_balanced(find.span, below, above, problem.held_drives))
+        report.add(
+            messages.load_not_balanced(find.span, below, above, held_drives(problem.mechanism))
+        )
         return False
     if len(unknown) < equations.number:
         _report_too_few(problem, find, unknown)
@@ -81,7 +84,9 @@ def load_form(problem: Problem, find: Find, load: str) -> Solved | None:
         return None
     if not equations.determines(unknown):
         problem.report.add(
-            messages.load_not_balanced(find.span, "the other loads", load, problem.held_drives)
+            messages.load_not_balanced(
+                find.span, "the other loads", load, held_drives(problem.mechanism)
+            )
         )
         return None
     known = [n for n in equations.columns if n not in unknown]

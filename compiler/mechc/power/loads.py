@@ -86,3 +86,8 @@ def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
             return (first, second)
         case Torque(link=link):
             return links[link]
+
+
+def held_drives(mechanism: Mechanism) -> str:
+    """Return the drives that are held, as a message names them; '' where there are none."""
+    return ", ".join("".join(d.ends) if d.ends else d.parameter for d in mechanism.held)

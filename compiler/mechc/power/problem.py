@@ -59,12 +59,6 @@ class Problem:
             return self.asked_for
         return self.left if 0 < open_ < len(self.left) else ()
 
-    @property
-    def held_drives(self) -> str:
-        """Return the drives that are held, as a message names them; '' where there are none."""
-        held = self.mechanism.held
-        return ", ".join("".join(d.ends) if d.ends else d.parameter for d in held)
-
     def given(self, load: str) -> Formula | None:
         """Return the size that the description gives a load."""
         return given_size(self.mechanism, load)
