@@ -35,8 +35,6 @@ from .statics.referee import cross_check
 from .statics.verdict import Verdict
 from .study.analysis import as_printed
 from .study.expectations import Finding, compare
-from .study.stroke.gaps import remark as look_for_gaps
-from .study.stroke.in_step import remark
 from .syntax import ast
 from .syntax.notation import read
 from .syntax.settings import Settings, attached, driven_by, put_in
@@ -227,13 +225,21 @@ class Pipeline:
     @of_linkages
     def out_of_step(self) -> tuple[Link, ...]:
         """The links that do not follow the drive."""
+        if self.pose.mechanism.drive is None:
+            return ()
+        from .study.stroke.in_step import remark
+
         return self._sound(remark(self.plan, self.report))
 
     @Stage
     @of_linkages
     def gaps(self) -> tuple[tuple[float, float], ...]:
         """The parts of the stroke on which a loop does not close."""
-        return self._sound(look_for_gaps(self.plan, self.report))
+        if self.pose.mechanism.drive is None:
+            return ()
+        from .study.stroke.gaps import remark
+
+        return self._sound(remark(self.plan, self.report))
 
     @Stage
     def derivation(self) -> "Derivation":

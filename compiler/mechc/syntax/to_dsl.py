@@ -219,7 +219,7 @@ def written(field: str, value: Any) -> str:
 
 
 def quoted(value: str) -> str:
-    r"""Return a text in quotes; :func:`mechc.syntax.tree.unquoted` takes them off again.
+    r"""Return a text in quotes; :func:`mechc.syntax.builders.unquoted` takes them off again.
 
     >>> quoted('a "b"')
     '"a \\"b\\""'
