@@ -7,6 +7,7 @@ an angle unit in degrees is a rational multiple of π, so :class:`Unit` keeps it
 
 import math
 import re
+from collections.abc import Sequence
 from fractions import Fraction
 
 from .named import NamedTuple
@@ -110,15 +111,23 @@ def described(dimension: Dimension) -> str:
 
     >>> described(LENGTH), described(ANGLE), described(NUMBER)
     ('a length (mm)', 'an angle (deg)', 'a pure number')
-    >>> described(Dimension(-1))
-    'a quantity in 1/m'
+    >>> described(Dimension(-1)), described(FORCE.joined(Dimension(2)))
+    ('a quantity in 1/m', 'a quantity in N*m^2')
     """
     if dimension == NUMBER:
         return "a pure number"
     for name, known in DIMENSIONS.items():
         if known == dimension:
             return f"{'an' if name[0] in 'aeiou' else 'a'} {name} ({USUAL_UNITS[known]})"
-    return f"a quantity in {base_units(dimension)}"
+    return f"a quantity in {_in_newtons(dimension)}"
+
+
+def _in_newtons(dimension: Dimension) -> str:
+    """Return a dimension in newtons and metres where that is what it is made of."""
+    forces = dimension.mass
+    if forces and dimension.time == -2 * forces:
+        return _quotient((("N", forces), ("m", dimension.length - forces)))
+    return base_units(dimension)
 
 
 def base_units(dimension: Dimension) -> str:
@@ -127,7 +136,11 @@ def base_units(dimension: Dimension) -> str:
     >>> base_units(FORCE)
     'kg*m/s^2'
     """
-    powers = (("kg", dimension.mass), ("m", dimension.length), ("s", dimension.time))
+    return _quotient((("kg", dimension.mass), ("m", dimension.length), ("s", dimension.time)))
+
+
+def _quotient(powers: Sequence[tuple[str, int | Fraction]]) -> str:
+    """Return units to their powers, those that divide behind a stroke."""
     above = [_raised(unit, e) for unit, e in powers if e > 0]
     below = [_raised(unit, -e) for unit, e in powers if e < 0]
     return "/".join(["*".join(above) or "1", *below])

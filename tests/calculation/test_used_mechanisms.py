@@ -259,3 +259,56 @@ def test_what_is_expected_of_used_results(tmp_path: Path) -> None:
         (message,) = refused(written(tmp_path, right.replace(sound, wrong)))
         assert "E581" in message
         assert "c_k is" in message
+
+
+TONGS = """
+sheet jaw
+use tongs_fig4_9_forces as L (N = 500 N)
+"""
+
+
+@pytest.mark.parametrize(
+    ("lang", "rod", "joint"),
+    [
+        ("en", "force in a rod", "force at a joint"),
+        ("uk", "зусилля в стрижні", "реакція в шарнірі"),
+        ("ru", "усилие в стержне", "реакция в шарнире"),
+    ],
+)
+def test_results_say_what_they_are_and_of_which_mechanism(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str], lang: str, rod: str, joint: str
+) -> None:
+    path = tmp_path / "jaw.mech"
+    path.write_text(TONGS, encoding="utf-8")
+    assert main(["check", str(path), "--lang", lang]) == 0
+    rows = {line.split()[0]: line for line in capfd.readouterr().out.splitlines()}
+    assert rows["L_N_KE"].endswith(f"{rod} (tongs_fig4_9_forces)")
+    assert rows["L_R_A"].endswith(f"{joint} (tongs_fig4_9_forces)")
+    assert rows["L_N"].split() == ["L_N", "=", "500", {"en": "N"}.get(lang, "Н")]
+
+
+def test_a_loop_that_does_not_close_is_named_with_both_places(tmp_path: Path) -> None:
+    (tmp_path / "crank.mech").write_text(CRANK, encoding="utf-8")
+    (tmp_path / "s.mech").write_text('sheet s\nuse "crank.mech" as C (l = 30 mm)\n', "utf-8")
+    with pytest.raises(MechcError) as found:
+        mechc.load(tmp_path / "s.mech")
+    assert found.value.source is not None
+    said = render(found.value.diagnostics[0], found.value.source)
+    assert "has no value at what is given to the mechanism: loop" in said
+    assert "s.mech:2:5" in said
+    assert "crank.mech:17:10: it is asked for here" in said
+
+
+def test_a_bound_on_a_force_in_compression_is_doubted(tmp_path: Path) -> None:
+    bounds = {
+        "L_N_KE < 5 kN": True,
+        "5 kN > L_N_KE": True,
+        "abs(L_N_KE) < 5 kN": False,
+        "L_R_A_x < 5 kN": False,
+        "-5 kN < L_N_KE < 5 kN": False,
+        "L_N_KE < 0 N": False,
+    }
+    for condition, is_doubted in bounds.items():
+        sheet = mechc.loads(f"{TONGS}require {condition}\n")
+        codes = [d.code for d in sheet.warnings]
+        assert ("W265" in codes) == is_doubted, condition

@@ -11,11 +11,12 @@ from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..model.failures import failure
 from ..model.mechanism import Mechanism, Require
-from ..model.result import Result, Solved
+from ..model.result import ClosedLoop, Result, Solved
 from ..model.values import Chain, Values, compare, defaults, dependent
 from ..pose.pose import Definition, Pose
 from ..power.definitions import let_results
 from .calculation import Calculation, Check
+from .signs import doubtful
 from .taken import taken, with_values
 
 
@@ -23,7 +24,7 @@ def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
     """Return the results of a sheet with their values, those of the mechanisms that it uses first.
 
     E550 where a condition fails at the values of the sheet, E551 where a formula has no value
-    there, E564 where a result of a mechanism has none.
+    there, E564 where a result of a mechanism has none; W265 where a sign makes a condition hold.
     """
     pose = _with(pose, solved)
     mechanism = pose.mechanism
@@ -34,7 +35,9 @@ def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
     values = Chain({**dict(solved.definitions), **lets}).complete(given)
     checks = tuple(_checked(condition, values) for condition in mechanism.requires)
     failed = _refuse_broken(checks, report)
-    failed |= _refuse_without(mechanism, given, report)
+    for doubt in doubtful(mechanism, checks):
+        report.add(doubt)
+    failed |= _refuse_without(pose, given, values, report)
     _refuse_undefined(mechanism, values, failed, report)
     nothing = _rounded_zeros(mechanism, given)
     known = {name: 0.0 if name in nothing else value for name, value in values.items()}
@@ -54,15 +57,26 @@ def _with(pose: Pose, solved: Solved) -> Pose:
     )
 
 
-def _refuse_without(mechanism: Mechanism, values: Values, report: Report) -> set[str]:
+def _refuse_without(pose: Pose, given: Values, values: Values, report: Report) -> set[str]:
     """Report the first result of each mechanism that has no value; return the names of all.
 
     Where a parameter has no value nothing is known of them.
     """
-    missing = [r for r in mechanism.taken if not math.isfinite(values.get(r.name, 0.0))]
+    taken = pose.mechanism.taken
+    missing = [r for r in taken if not math.isfinite(given.get(r.name, 0.0))]
     for span, result in {r.span: r for r in reversed(missing)}.items():
-        report.add(uses_messages.result_without_value(span, result.name))
+        loop = _open_loop(result.name, pose.loops, values)
+        report.add(uses_messages.result_without_value(span, result.name, result.asked, loop))
     return {result.name for result in missing}
+
+
+def _open_loop(result: str, loops: tuple[ClosedLoop, ...], values: Values) -> str:
+    """Return the first loop of the mechanism of a result that does not close, '' if all do."""
+    for loop in loops:
+        known = symbols(loop.margin) <= values.keys()
+        if known and result.startswith(f"{loop.of}_") and not evaluate(loop.margin, values) >= 0:
+            return loop.loop
+    return ""
 
 
 def _rounded_zeros(mechanism: Mechanism, values: Values) -> frozenset[str]:

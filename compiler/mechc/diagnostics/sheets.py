@@ -1,4 +1,4 @@
-"""Messages about calculation sheets (E21x, E55x, E704, W55x)."""
+"""Messages about calculation sheets (E21x, E55x, E704, W265)."""
 
 from ..source import Span
 from .diagnostic import Message, coded
@@ -78,6 +78,24 @@ def without_value(span: Span, name: str) -> Message:
         let s = sqrt(a - b)                        # b = 30 mm, a = 20 mm
     """
     return Message(span, f"{name} has no value at what is given", "look at what it is made of")
+
+
+@coded("W265")
+def bound_on_a_negative(span: Span, side: str, value: str, force: str) -> Message:
+    """An upper bound holds because the force held against it counts as negative.
+
+    The force along a rod is negative in compression, a component against its axis. However
+    large it becomes, it stays below a positive bound, and nothing was checked::
+
+        let sigma = C_N_AB/A in MPa                # -120 MPa
+        require sigma <= sigma_a                   # holds for any compression
+        require abs(sigma) <= sigma_a              # right
+
+    Where both signs are meant, bound it on both sides: `require -F_cr < C_N_AB < F_max`.
+    """
+    said = f"{side} is {value}, which is below any positive bound: {force} counts with its sign"
+    hint = f"for its size write abs({side}); with both signs bound it from below, too"
+    return Message(span, said, hint)
 
 
 @coded("E704")

@@ -5,6 +5,7 @@ from collections.abc import Collection
 from ..source import Span
 from ..units import Dimension, described
 from .diagnostic import Message, Related, coded, near_miss
+from .model.quantities import lost_factor
 
 
 @coded("E555")
@@ -58,7 +59,7 @@ def given_another_kind(
     """
     message = f"{name} is {described(wanted)}, and {described(found)} is given to it"
     related = (Related(declared, "the parameter is declared here"),)
-    return Message(span, message, "look at the units", related)
+    return Message(span, message, lost_factor(found, wanted), related)
 
 
 @coded("E560")
@@ -104,16 +105,19 @@ def too_much_used(span: Span, most: int) -> Message:
 
 
 @coded("E564")
-def result_without_value(span: Span, name: str) -> Message:
+def result_without_value(span: Span, name: str, asked: Span, loop: str = "") -> Message:
     """A result of a used mechanism has no value at what is given to that.
 
-    A loop does not close there, the mechanism stands at a dead centre, friction locks it, or a
-    condition of it fails. ``mechc check FILE -D NAME=VALUE`` says which::
+    A loop does not close there (the message names it), the mechanism stands at a dead centre,
+    friction locks it, or a condition of it fails. ``mechc check FILE -D NAME=VALUE`` says which::
 
         use crank_rocker as R (phi = 200 deg)           # does it close there?
     """
-    message = f"{name} has no value at what is given to the mechanism"
-    return Message(span, message, "change what is given, or check the mechanism by itself")
+    said = f": loop {loop} does not close there" if loop else ""
+    message = f"{name} has no value at what is given to the mechanism{said}"
+    related = (Related(asked, "it is asked for here"),)
+    hint = "change what is given" if loop else "change what is given, or check it by itself"
+    return Message(span, message, hint, related)
 
 
 @coded("E565")

@@ -117,7 +117,7 @@ def _of_a_mechanism(
     known = values | results | {row.name for row in rows}
     wanted = (put_in.needed(solved) | given.keys()) - known
     yield from (put_in.load(load, here) for name, load in used.loads.items() if name in wanted)
-    yield from (put_in.taken(result, here) for result in solved.results)
+    yield from (put_in.taken(result, here, used.mechanism) for result in solved.results)
     yield from (put_in.formula(row, here.span) for row in rows)
 
 
@@ -229,8 +229,12 @@ def _labelled(statement: ast.Statement) -> ast.Statement:
 
 
 def with_origin(statement: ast.Statement, origin: str) -> ast.Statement:
-    """Return a statement whose text, in a report, ends with the sheet that it is from."""
-    if isinstance(statement, ast.Param | ast.Let | ast.Link) and statement.label:
-        return replace(statement, label=f"{statement.label} ({origin})")
+    """Return a statement whose text, in a report, ends with the sheet that it is from.
+
+    A quantity without a text has none there either: its prefix says whose it is.
+    """
+    if isinstance(statement, ast.Param | ast.Let | ast.Link):
+        said = f"{statement.label} ({origin})" if statement.label else ""
+        return replace(statement, label=said)
     said = f"{statement.remark} ({origin})" if statement.remark else f"({origin})"
     return replace(statement, remark=said)

@@ -13,7 +13,7 @@ from ..diagnostics.model import sheets as messages
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols, walk
 from ..syntax import ast
-from ..units import UNITS
+from ..units import UNITS, Dimension
 from .choices import read_let_value, read_tables
 from .constants import names_in_let_value
 from .expressions import Quantity, Reader
@@ -106,10 +106,11 @@ def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
             return None
         return Let(name, found.formula, entry.dimension, statement.span)
     plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
-    scope.define(name, found.dimension, plain, posed, _solved(found.formula, scope))
+    dimension = _asked_for(statement, found, scope)
+    scope.define(name, dimension, plain, posed, _solved(found.formula, scope))
     note_unitless(name, found, scope)
-    unit = _unit(statement, found, scope)
-    return Let(name, found.formula, found.dimension, statement.span, unit, statement.label)
+    unit = statement.unit.text if statement.unit else ""
+    return Let(name, found.formula, dimension, statement.span, unit, statement.label)
 
 
 def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Require]:
@@ -126,14 +127,17 @@ def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Requir
             yield Require(*sides, place, subject, shown, let.dimension)
 
 
-def _unit(statement: ast.Let, found: Quantity, scope: Scope) -> str:
-    """Return the unit to show a formula in, '' where none is named; refuse a wrong one."""
+def _asked_for(statement: ast.Let, found: Quantity, scope: Scope) -> Dimension:
+    """Return the dimension of a formula, that of the unit to show it in, if any; refuse another.
+
+    What rests on it is read as if it were of that unit: one mistake, one message.
+    """
     unit = statement.unit
     if unit is None or found.sort.fits(UNITS[unit.text].dimension):
-        return unit.text if unit else ""
-    name = statement.name.text
-    scope.report.add(messages.other_unit(unit.span, name, unit.text, found.dimension))
-    return ""
+        return found.dimension
+    asked, name = UNITS[unit.text].dimension, statement.name.text
+    scope.report.add(messages.other_unit(unit.span, name, unit.text, found.dimension, asked))
+    return asked
 
 
 def _plain(formula: Formula, scope: Scope) -> bool:

@@ -126,10 +126,12 @@ def _taken(file: ast.File, lets: Iterable[Let], units: _Units) -> Iterator[Taken
         match statement:
             case ast.Let(name=name):
                 before += name.text in known
-            case ast.Taken(name=name, measures=dimension, rests_on=used, remark=remark):
+            case ast.Taken(
+                name=name, measures=dimension, rests_on=used, asked=asked, remark=remark
+            ):
                 rests_on = [symbol.name for symbol in used]
                 unit = units.given(name.text, "", dimension, (), rests_on)
-                yield Taken(name.text, dimension, name.span, before, unit, remark)
+                yield Taken(name.text, dimension, name.span, asked, before, unit, remark)
 
 
 def _with_sides(requires: Iterable[Require], units: _Units, file: ast.File) -> Iterator[Require]:

@@ -214,12 +214,14 @@ class Let:
 class Taken:
     """A result of a mechanism that a sheet uses, the unit to give it in, and its text.
 
-    So many of the sheet's formulas stand ``before`` it, among them what is given to the mechanism.
+    Its ``span`` is that of the use, ``asked`` where the mechanism asks for it. So many of the
+    sheet's formulas stand ``before`` it, among them what is given to the mechanism.
     """
 
     name: str
     dimension: Dimension
     span: Span
+    asked: Span
     before: int = 0
     unit: str = ""
     label: str = ""

@@ -11,8 +11,9 @@ from ..source import Span
 from ..syntax import ast
 from ..units import DIMENSIONS, Dimension
 from .load_kinds import Load
-from .mechanism import LoadRatio, Mechanism, WithFriction
+from .mechanism import Efficiency, LoadRatio, Mechanism, WithFriction
 from .result import Result, Solved
+from .targets import whole
 
 
 class Row(NamedTuple):
@@ -42,12 +43,24 @@ def _open(result: Result) -> frozenset[str]:
     return names | _open(result.elsewhere) if result.elsewhere else names
 
 
-def taken(result: Result, use: ast.Use) -> ast.Taken:
+def taken(result: Result, use: ast.Use, mechanism: Mechanism) -> ast.Taken:
     """Return the statement that stands for a result, by the names of the used mechanism."""
     rests_on = tuple(ast.Symbol(name, use.span) for name in sorted(_open(result)))
-    return ast.Taken(
-        use.used.span, ast.Name(result.name, use.used.span), result.dimension, rests_on
-    )
+    name = ast.Name(result.name, use.used.span)
+    asked = _asked(result, mechanism)
+    return ast.Taken(use.used.span, name, result.dimension, rests_on, asked)
+
+
+def _asked(result: Result, mechanism: Mechanism) -> Span:
+    """Return where a mechanism asks for a result, or for the one that it goes with."""
+    places = {let.name: let.span for let in mechanism.lets if result.target is None}
+    if result.name in places:
+        return places[result.name]
+    of = result.target
+    if isinstance(of, WithFriction | Efficiency):
+        of = of.of
+    finds = {find.target: find.span for find in mechanism.finds}
+    return finds.get(whole(of), mechanism.span) if of else mechanism.span
 
 
 def load(known: Load, use: ast.Use) -> ast.Param:

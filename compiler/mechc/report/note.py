@@ -15,7 +15,7 @@ from ..frozen import replace
 from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
 from ..model.values import Chain, defaults, dependent, usual_length
-from ..study.analysis import as_printed
+from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .between import Tables, line_between, tables_of
@@ -35,7 +35,8 @@ class NoteLine(NamedTuple):
     ``of`` is the table or list that is asked, for what ``formula`` comes to: ``asked``. Of
     several things that the largest or smallest is taken of, one ``decides``. There are no
     ``numbers`` where nothing is put in, and no ``value`` where a parameter has none. A line that
-    ``is_taken`` is of a mechanism that the sheet uses.
+    ``is_taken`` is of a mechanism that the sheet uses: a ``result`` of that, or a name on the way
+    to one.
     """
 
     name: str
@@ -49,6 +50,7 @@ class NoteLine(NamedTuple):
     decides: Formula | None
     dimension: Dimension
     is_taken: bool = False
+    result: Analysis | None = None
     between: Formula | None = None
     source: str = ""
 
@@ -141,7 +143,10 @@ def _lines(
         is_bare = _is_iterated(result) or isinstance(result.formula, Number)  # a number in SI
         formula = None if is_bare else result.formula
         yield from _mentioned(result, literals, shown) if formula else ()
-        yield _plain(known.name, known.label, formula, given.get(known.name), known.dimension)
+        has_text = result.target is not None or result.label
+        said = f"{result.label} {known.label}".strip() if has_text else ""
+        line = _plain(known.name, said, formula, given.get(known.name), known.dimension)
+        yield line._replace(result=result)
     yield from (_line(let, given, tables) for let in mechanism.lets[done:])
 
 

@@ -674,12 +674,14 @@ class Translate(Statement):
 class Taken(Statement):
     """A result of a used mechanism: what it measures, and the names of values that it rests on.
 
-    No line says so: it is made where the mechanism is put in.
+    No line says so: it is made where the mechanism is put in. ``asked`` is where the mechanism
+    asks for it.
     """
 
     name: Name
     measures: Dimension
     rests_on: tuple[Symbol, ...]
+    asked: Span
 
 
 @frozen

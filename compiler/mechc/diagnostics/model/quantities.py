@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from ...source import Span
 from ...units import (
+    ACCELERATION,
     ANGLE,
     FORCE,
     FREQUENCY,
@@ -12,6 +13,7 @@ from ...units import (
     NUMBER,
     USUAL_UNITS,
     Dimension,
+    base_units,
     described,
 )
 from ..diagnostic import Message, Related, coded, near_miss, used_at
@@ -33,7 +35,28 @@ def mixed_dimensions(
     """
     message = f"cannot {act} {described(first_dimension)} and {described(dimension)}"
     related = (Related(first, f"this is {described(first_dimension)}"),)
-    return Message(span, message, "look for a wrong unit, a wrong name, or a lost factor", related)
+    return Message(span, message, lost_factor(first_dimension, dimension), related)
+
+
+LOST = "look for a wrong unit, a wrong name, or a lost factor"
+
+
+def lost_factor(one: Dimension, other: Dimension) -> str:
+    """Return the hint for two dimensions that should be one, which names a simple factor.
+
+    >>> lost_factor(FORCE, FORCE.joined(Dimension(2)))
+    'they differ by a factor in m^2: look for a number without its unit, or a lost factor'
+    """
+    factor = one.over(other)
+    forwards = next((e > 0 for e in factor if e), True)
+    factor = factor if forwards else factor.scaled(-1)
+    is_simple = factor == ACCELERATION or sum(map(bool, factor)) == 1
+    if not is_simple or one.angle or other.angle:
+        return LOST
+    said = base_units(factor)
+    return (
+        f"they differ by a factor in {said}: look for a number without its unit, or a lost factor"
+    )
 
 
 @coded("E221")
@@ -60,7 +83,7 @@ def wrong_dimension(
         hint = "a weight that is given as a force is one: `force W at G along -y`"
     if (found, what) in ((ANGLE, "the length"), (LENGTH, "the direction")):
         hint = "the length stands before '@', the direction behind it"
-    hint = hint or "look for a wrong unit, a wrong name, or a lost factor"
+    hint = hint or LOST
     if declared and wanted in (LENGTH, ANGLE) and found not in (LENGTH, ANGLE, NUMBER):
         return Message(declared, said, hint, (Related(span, f"'{name}' is {what} here"),))
     related = (

@@ -5,6 +5,7 @@ from collections.abc import Collection
 from ...source import Span
 from ...units import Dimension, described
 from ..diagnostic import Message, Related, coded, near_miss
+from .quantities import lost_factor
 
 
 @coded("E210")
@@ -53,14 +54,14 @@ def not_in_order(span: Span, name: str, before: Span) -> Message:
 
 
 @coded("E213")
-def other_unit(span: Span, name: str, unit: str, found: Dimension) -> Message:
+def other_unit(span: Span, name: str, unit: str, found: Dimension, wanted: Dimension) -> Message:
     """A formula is to be shown in a unit of something else than it measures::
 
     let sigma = M/W in MPa                     # right where M is a moment
     let sigma = M/W in N                       # wrong: it is a pressure
     """
-    message = f"'{name}' measures {described(found)}, which is not given in {unit}"
-    return Message(span, message, "name a unit of what the formula measures")
+    message = f"'{name}' is asked for in {unit}, and its formula gives {described(found)}"
+    return Message(span, message, lost_factor(found, wanted))
 
 
 @coded("E215")

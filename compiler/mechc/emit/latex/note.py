@@ -14,8 +14,10 @@ from ...report.latex.notation import Notation, name, relation_sign, spellings, t
 from ...report.latex.note import in_numbers, measure, remark
 from ...report.latex.printer import Box, box, latex
 from ...report.latex.quantity import decimal
+from ...report.latex.results import Speller
 from ...report.latex.text import escape
 from ...report.note import Note, NoteCheck, NoteLine, note
+from ...report.sentences.noted import label
 from ...units import ANGLE
 from ..target import Compiled
 
@@ -143,14 +145,14 @@ def _values(lines: Iterable[NoteLine], style: Notation) -> str:
     said = (
         math(f"{name(line.name, style)}={measure(line.value, style).tex}")
         for line in lines
-        if line.value and line.label
+        if line.value and line.result
     )
     return rf"{', '.join(said)}.\par\medskip"
 
 
 def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
     return LineBlock(
-        translated(line.label, style),
+        label(line, translated(line.label, style), locale, Speller(style)),
         in_numbers(line, locale.where, style),
         remark(line, locale.calculation, style),
     )

@@ -55,6 +55,16 @@ def subject(results: Iterable[Analysis], locale: Locale) -> str:
 
 def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
     """Return the heading of a result by its kind; ``""`` for a user-defined formula."""
+    said = kind(result, locale, spell)
+    match result.target:
+        case WithFriction(LoadRatio() | LoadForm()):
+            return f"{said} ({_spelled(asked(result), spell)})"
+        case _:
+            return said
+
+
+def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
+    """Return what a result is, without its name; ``""`` for a user-defined formula."""
     match result.target:
         case LoadRatio():
             return locale.force_ratio
@@ -68,8 +78,7 @@ def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
             return locale.axial[_member(link)]
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             said = locale.with_friction["first" if order == "first" else sense]
-            said = said.format(drive=_spelled(Symbol(drive), spell))
-            return f"{said} ({_spelled(asked(result), spell)})"
+            return said.format(drive=_spelled(Symbol(drive), spell))
         case WithFriction(Axial(link)):
             return locale.axial[f"{_member(link)} with friction"]
         case WithFriction():

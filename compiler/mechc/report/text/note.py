@@ -16,6 +16,7 @@ from ...model.written import Written, WrittenTable
 from ...units import ANGLE, in_unit, si_unit
 from ..note import NoteCheck, NoteLine, note
 from ..put_in import Quantity
+from ..sentences.noted import label
 from .printer import Signs, print_formula, print_name, print_quantity
 from .speller import SHOWN, Speller
 
@@ -39,19 +40,26 @@ def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> s
         [spell.text(part) for part in title if part],
         given(mechanism.parameters, spell),
         tables(mechanism, spell),
-        _headed(words["lines"], [_line(one, signs, words, True) for one in found.lines], spell),
+        _headed(words["lines"], [_line(one, signs, spell, True) for one in found.lines], spell),
         _headed(words["checks"], [_check(check, signs, words) for check in found.checks], spell),
     ]
     return "\n".join("".join(f"{line}\n" for line in part) for part in parts if part)
 
 
 def in_brief(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> Iterator[str]:
-    """Yield the value of each formula, and the checks."""
+    """Yield the value of each formula, and the checks; of used mechanisms their results alone."""
     found, signs = note(mechanism, results), _signs(mechanism, spell.signs)
     words = spell.locale.calculation
-    lines = [_line(line, signs, words, in_numbers=False) for line in found.lines]
+    said = (_without_the_way(line) for line in found.lines if line.result or not line.is_taken)
+    lines = [_line(line, signs, spell, in_numbers=False) for line in said]
     yield from _aligned(_translated(lines, spell))
     yield from _aligned(_translated([_check(check, signs, words) for check in found.checks], spell))
+
+
+def _without_the_way(line: NoteLine) -> NoteLine:
+    """Return what a mechanism was asked for as its value, if it has one; another line as it is."""
+    is_found = line.result and line.result.target and line.value
+    return line._replace(formula=None) if is_found else line
 
 
 def _signs(mechanism: Mechanism, signs: Signs) -> Signs:
@@ -113,8 +121,7 @@ def _set(formula: Formula, signs: Signs) -> str:
 
 def formula_alone(line: NoteLine, spell: Speller) -> str:
     """Return a user-defined formula as it is written."""
-    bare, words = line._replace(value=None), spell.locale.calculation
-    return _line(bare, spell.signs, words, in_numbers=False).said
+    return _line(line._replace(value=None), spell.signs, spell, in_numbers=False).said
 
 
 def in_language(line: NoteLine) -> str:
@@ -136,9 +143,9 @@ def tables(mechanism: Mechanism, spell: Speller) -> list[str]:
     return _headed(spell.locale.calculation["tables"], _tables(mechanism, spell.signs), spell)
 
 
-def _line(line: NoteLine, signs: Signs, words: Words, in_numbers: bool) -> Row:
+def _line(line: NoteLine, signs: Signs, spell: Speller, in_numbers: bool) -> Row:
     """Return a formula, the numbers put in if they are wanted, and its value."""
-    angle = line.dimension == ANGLE
+    angle, words = line.dimension == ANGLE, spell.locale.calculation
     sides = [_asked(line, line.formula, signs, angle)] if line.formula else []
     if in_numbers and line.numbers:
         sides.append(_asked(line, line.numbers, signs, angle))
@@ -147,10 +154,11 @@ def _line(line: NoteLine, signs: Signs, words: Words, in_numbers: bool) -> Row:
     constant = not line.of and line.numbers is None and line.is_number
     if line.value and not constant:
         sides.append(_value(line.value, signs))
-    decides = (
-        f" ({words['decides'].format(formula=_set(line.decides, signs))})" if line.decides else ""
-    )
-    return Row(f"{print_name(line.name, signs)} = {' = '.join(sides)}{decides}", line.label)
+    decides = ""
+    if line.decides:
+        decides = f" ({words['decides'].format(formula=_set(line.decides, signs))})"
+    said = f"{print_name(line.name, signs)} = {' = '.join(sides)}{decides}"
+    return Row(said, label(line, spell.text(line.label), spell.locale, spell))
 
 
 def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool) -> str:
