@@ -70,8 +70,8 @@ def shown(value: object, stage: str = "stage") -> list[str]:
         (Binding("Z_1", arm), "Z_1 = a"),
         (Definition("psi", product([(number(2), 1), (alpha, 1)])), "psi = 2*alpha"),
         (
-            Vanishing(alpha, ("alpha", number(0)), "drive locked"),
-            "Vanishing(factor=alpha, at=(alpha, 0), kind=drive locked)",
+            Vanishing(alpha, ("alpha", number(0)), "other"),
+            "Vanishing(factor=alpha, at=(alpha, 0), cause=other)",
         ),
         (model.Require(a, "<=", number(3), AT), "a <= 3"),
         (

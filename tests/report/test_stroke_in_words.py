@@ -8,18 +8,22 @@ import mechc
 from mechc.model.locking import State
 from mechc.report.languages.registry import locale
 from mechc.report.text.stroke import ENDS, KINDS, to_table
+from mechc.study.analysis import NoCentre
 from mechc.study.stroke.along import EXCLUDED, NO_POSE
 from mechc.study.stroke.stretches import BEYOND, FLAT
-from mechc.study.stroke.stroke import Kind
+from mechc.study.stroke.stroke import OnTheWay
 from mechc.syntax.vocabulary import LANGUAGES
+
+VERBS = ("still", "moves")
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_all_that_a_stroke_can_meet_has_words(language):
     words = locale(language).along_stroke
-    kinds = {KINDS.get(kind, kind) for kind in get_args(Kind)} - {""}
+    kinds = {KINDS.get(kind, kind) for kind in get_args(NoCentre) + get_args(OnTheWay)} - {""}
     states = {f"{state} part" for state in get_args(State)}
     assert {*NO_POSE, EXCLUDED, BEYOND, FLAT, *kinds, *states} <= words.keys()
+    assert {"dead centre", *(f"{v}{d}" for v in VERBS for d in ("", " distance"))} <= words.keys()
     assert set(ENDS.values()) - {""} <= words.keys()
 
 
@@ -40,5 +44,5 @@ def test_efficiencies_and_jams_in_russian():
 
 def test_english_is_said_as_ever():
     table = to_table(mechc.load("crank_rocker").stroke(3))
-    assert "k = 0 at phi = 24.1468479965 deg: dead centre, the output stands still" in table
+    assert "k = 0 at phi = 24.1468479965 deg: dead centre, B stands still while O1A moves" in table
     assert "Looked at 721 places: zeros, poles and extrema" in table

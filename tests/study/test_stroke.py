@@ -1,6 +1,7 @@
 """The stroke: rows, stretches, singular poses told apart, extrema."""
 
 import math
+import re
 
 import pytest
 
@@ -8,6 +9,7 @@ import mechc
 from mechc.cli.main import main
 from mechc.driver import Compilation, checked
 from mechc.source import Source
+from mechc.study.analysis import Acted, DeadCentre
 from paths import LIBRARY
 
 CLAW = """
@@ -55,6 +57,9 @@ torque T on O2B
 find k = M/T
 """
 
+OUTPUT_STILL = DeadCentre(still=Acted("O2B"), moving=Acted("O1A"))
+DRIVE_STILL = DeadCentre(still=Acted("O1A"), moving=Acted("O2B"))
+
 
 def stroke(text, points=5):
     return mechc.loads(text, "test.mech").stroke(points)
@@ -93,7 +98,7 @@ def test_figures_of_the_claw():
 def test_dead_centres_of_a_crank_and_rocker():
     """Crank and coupler lie in one line: cos φ by the cosine rule with sides b ± a, c, d."""
     found = stroke(four_bar(40, 120, 80, 100, 60)).singular
-    assert [(s.value, s.kind) for s in found] == [("0", "output still")] * 2
+    assert [(s.value, s.kind) for s in found] == [("0", OUTPUT_STILL)] * 2
     outer = math.acos((160**2 + 100**2 - 80**2) / (2 * 160 * 100))
     inner = math.acos((80**2 + 100**2 - 80**2) / (2 * 80 * 100)) + math.pi
     assert [s.drive for s in found] == pytest.approx([outer, inner], abs=1e-12)
@@ -103,7 +108,7 @@ def test_limits_of_a_rocker_are_where_the_drive_is_locked():
     found = stroke(four_bar(80, 40, 90, 110, 78, 0, 180))
     (stretch,) = found.stretches
     locked = [s for s in found.singular if s.value == "infinite"]
-    assert [s.kind for s in locked] == ["drive locked"] * 2
+    assert [s.kind for s in locked] == [DRIVE_STILL] * 2
     high = math.acos((80**2 + 110**2 - 130**2) / (2 * 80 * 110))
     low = math.acos((80**2 + 110**2 - 50**2) / (2 * 80 * 110))
     assert (stretch.low, stretch.high) == pytest.approx((low, high), abs=1e-12)
@@ -175,7 +180,7 @@ def test_nothing_branches_near_a_change_point():
         assert not stroke(four_bar(40, 100, c, 80, 60)).branches
     limited = stroke(four_bar(80, 40, 90, 110, 78, 0, 180))
     assert not limited.branches
-    assert {s.kind for s in limited.singular} == {"output still", "drive locked"}
+    assert {s.kind for s in limited.singular} == {OUTPUT_STILL, DRIVE_STILL}
 
 
 CRANK_SLIDER = """
@@ -243,7 +248,8 @@ def test_a_group_of_class_three_turns_back():
     (stretch,) = found.stretches
     assert stretch.high == pytest.approx(math.radians(99.01917149833), abs=1e-12)
     (locked,) = found.singular
-    assert (locked.kind, locked.drive) == ("drive locked", stretch.high)
+    assert isinstance(locked.kind, DeadCentre)
+    assert (locked.value, locked.drive) == ("infinite", stretch.high)
 
 
 PLATFORM = """
@@ -306,7 +312,7 @@ force F at K along -y
 find k = P/F
 """
     (dead,) = stroke(text).singular
-    assert dead.kind == "output still"
+    assert dead.kind == DeadCentre(still=Acted("K"), moving=Acted("B"))
     assert dead.drive == pytest.approx(0, abs=1e-15)
     assert dead.exact is not None
 
@@ -324,7 +330,7 @@ force F at A along -x
 find k = M/F
 """
     found = stroke(text)
-    assert not [s for s in found.singular if s.kind in ("output still", "drive locked")]
+    assert not [s for s in found.singular if isinstance(s.kind, DeadCentre)]
 
 
 @pytest.mark.parametrize(
@@ -620,3 +626,52 @@ def test_a_pole_that_is_looked_at_is_no_extremum(with_friction):
     extrema = [e.drive for e in found.extrema if e.result == "k"]
     assert [math.degrees(e) for e in extrema] == pytest.approx([73.17529663624])
     assert all(abs(e.value) < 200 for e in found.extrema if e.result != "k_f1")
+
+
+DRIVEN = [
+    path.stem
+    for path in sorted(LIBRARY.iterdir())
+    if path.suffix in (".mech", ".yaml") and re.search(r"^drive\b", path.read_text(), re.M)
+]
+
+INVERSES = ("k = M/T", "k = T/M")
+
+
+@pytest.mark.parametrize("asked", INVERSES)
+def test_what_stands_still_does_whichever_load_is_above_the_line(asked):
+    """Of T/M, too, the rocker stands still where the crank and the coupler are in line."""
+    text = four_bar(40, 120, 80, 100, 60).replace("k = M/T", asked)
+    assert [s.kind for s in stroke(text).singular] == [OUTPUT_STILL] * 2
+
+
+@pytest.mark.parametrize("name", DRIVEN)
+def test_what_is_said_to_stand_still_does(name):
+    mechanism = mechc.load(name)
+    found = mechanism.stroke(3)
+    inside = BESIDE * (found.high - found.low)
+    for pose in found.singular:
+        if isinstance(pose.kind, DeadCentre):
+            at = min(max(pose.drive, found.low + inside), found.high - inside)
+            rates, _ = mechanism.points(**{found.drive: at})
+            still, moving = (rate(rates, found.drive, a) for a in pose.kind)
+            assert abs(still) < 1e-3 * abs(moving), (name, pose)
+
+
+BESIDE = 1e-9
+"""At the very end of a stroke there may be no rates."""
+
+
+def rate(rates, drive, acted):
+    """Return how fast, by the drive, a point, the end of a link, or a distance moves, SI.
+
+    Points of the ground have no rates.
+    """
+    if len(split := re.findall(r"[A-Z][0-9]*'*", acted.name)) == 1:
+        return math.hypot(*(rates.get(f"d{c}_{acted.name}_d{drive}", 0.0) for c in "xy"))
+    first, last = split[0], split[1]
+    along = [rates[f"{c}_{last}"] - rates[f"{c}_{first}"] for c in "xy"]
+    names = [(f"d{c}_{last}_d{drive}", f"d{c}_{first}_d{drive}") for c in "xy"]
+    speed = [rates.get(head, 0.0) - rates.get(tail, 0.0) for head, tail in names]
+    if acted.is_distance:
+        return sum(a * v for a, v in zip(along, speed, strict=True)) / math.hypot(*along)
+    return math.hypot(*speed)

@@ -11,6 +11,7 @@ from mechc.formula.roots import roots
 from mechc.frozen import replace
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
+from mechc.study.analysis import DeadCentre
 from mechc.study.stroke.grid import GRADED, graded, looked_at
 from mechc.study.stroke.stroke import Stretch
 from paths import CORPUS
@@ -77,7 +78,7 @@ def test_how_a_length_is_written_changes_no_end(way):
     locked = [s.drive for s in found.singular if s.value == "infinite"]
     assert locked == pytest.approx([end, 2 * math.pi - end], abs=1e-12)
     (still,) = [s for s in found.singular if s.value == "0"]
-    assert still.kind == "output still"
+    assert isinstance(still.kind, DeadCentre)
 
 
 def test_a_parameter_and_its_figure_say_the_same():

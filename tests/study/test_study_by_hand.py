@@ -16,7 +16,7 @@ from mechc.model.result import Definition, Result
 from mechc.power.from_plan import balance
 from mechc.source import Source
 from mechc.study import ranges
-from mechc.study.analysis import Break
+from mechc.study.analysis import Acted, Break, DeadCentre
 from mechc.study.breaks import breaks
 from mechc.study.poses import complete, default_pose, random_poses
 from mechc.study.ratios import sizes
@@ -115,14 +115,16 @@ def test_a_toggle_needs_no_force_where_it_is_straight():
     item, found = solved(two_bars(), "P", "F")
     (zero,) = zeros(item, found, VALUES)
     (pole,) = poles(item, found, VALUES)
-    assert (zero.kind, pole.kind) == ("output still", "perpendicular load")
+    assert zero.cause == DeadCentre(still=Acted("K"), moving=Acted("B"))
+    assert pole.cause == "perpendicular load"
 
 
 def test_a_crank_drives_a_slider_and_stands_still_at_its_dead_centres():
     item, found = solved(slider_crank(), "M", "F")
     (zero,) = zeros(item, found, VALUES)
-    assert zero.kind == "output still"
-    assert [p.kind for p in poles(item, found, VALUES)] == ["drive locked"]
+    assert zero.cause == DeadCentre(still=Acted("B"), moving=Acted("OA"))
+    causes = [p.cause for p in poles(item, found, VALUES)]
+    assert causes == [DeadCentre(still=Acted("OA"), moving=Acted("B"))]
 
 
 def test_a_length_that_is_infinite_somewhere_breaks_a_result():

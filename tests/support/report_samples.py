@@ -44,7 +44,7 @@ from mechc.report.derivation.steps import Derivation, Equation, Rule, Step
 from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import NO_MORE, Trial, Untried, Verdict
-from mechc.study.analysis import Analysis, Vanishing
+from mechc.study.analysis import Acted, Analysis, DeadCentre, Vanishing
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER
 
 HERE = Span(0, 0)
@@ -139,7 +139,13 @@ CLAMP_K = Analysis(
     LoadRatio("P", "F"),
     NUMBER,
     formula("a*sin(alpha+beta)/(2*b*cos(alpha)*cos(beta))"),
-    zeros=(Vanishing(formula("sin(alpha+beta)"), ("alpha", formula("-beta")), "output still"),),
+    zeros=(
+        Vanishing(
+            formula("sin(alpha+beta)"),
+            ("alpha", formula("-beta")),
+            DeadCentre(Acted("K"), Acted("A")),
+        ),
+    ),
     poles=(Vanishing(formula("cos(alpha)"), ("alpha", formula("deg(90)")), "perpendicular load"),),
     proportional={"a": 1, "b": -1},
     swaps=(("alpha", "beta"),),

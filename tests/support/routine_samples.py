@@ -44,7 +44,7 @@ from mechc.routine.from_results import program
 from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import NO_MORE, Trial, Untried, Verdict
-from mechc.study.analysis import Analysis, Vanishing
+from mechc.study.analysis import Acted, Analysis, DeadCentre, Vanishing
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER, Dimension
 from systems import triad
 
@@ -110,8 +110,14 @@ def clamp() -> tuple[Mechanism, tuple[Analysis, ...]]:
         LoadRatio("P", "F"),
         NUMBER,
         CLAMP_K,
-        zeros=(Vanishing(sin(total([ALPHA, BETA])), ("beta", negative(ALPHA)), "output still"),),
-        poles=(Vanishing(cos(ALPHA), ("alpha", degrees(90)), "drive locked"),),
+        zeros=(
+            Vanishing(
+                sin(total([ALPHA, BETA])),
+                ("beta", negative(ALPHA)),
+                DeadCentre(Acted("K"), Acted("A")),
+            ),
+        ),
+        poles=(Vanishing(cos(ALPHA), ("alpha", degrees(90)), DeadCentre(Acted("A"), Acted("K"))),),
         proportional={"a": 1, "b": -1},
         swaps=(("alpha", "beta"),),
         trends={"alpha": "rises", "beta": "rises"},

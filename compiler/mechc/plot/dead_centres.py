@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from ..frozen import frozen, replace
 from ..model.values import Chain, Values, defaults, dependent
 from ..pose.pose import Pose
-from ..study.analysis import Analysis, Vanishing
+from ..study.analysis import Analysis, DeadCentre, Vanishing
 from ..study.stroke.forms import form
 from .plot import Curve, Plot
 
@@ -18,9 +18,6 @@ Rounding leaves it no value where the mechanism can just be assembled.
 
 VANISHED = 1e-4
 """What is smaller than this part of what a factor is beside a point is nothing there."""
-
-AT_REST = ("output still", "drive locked")
-"""The zeros and poles at which the output, or the drive, stands still."""
 
 
 def with_dead_centres(plot: Plot, pose: Pose, results: Callable[[], Iterable[Analysis]]) -> Plot:
@@ -76,7 +73,7 @@ class _Rest:
                 for of in (at, beside)
             )
             is_nothing = bool(here and there) and min(here) < VANISHED * max(there)
-            yield vanishing.kind in AT_REST and is_nothing
+            yield isinstance(vanishing.cause, DeadCentre) and is_nothing
 
     def _around(self, x: float) -> Iterator[list[float]]:
         """Yield ``x`` and those as near as rounding allows, then those beside it."""

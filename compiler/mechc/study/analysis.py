@@ -13,18 +13,38 @@ from ..named import NamedTuple
 from ..units import Dimension
 
 
+class Acted(NamedTuple):
+    """What a load acts on: a point, the link of a couple, or the distance of two points."""
+
+    name: str
+    is_distance: bool = False
+
+
+class DeadCentre(NamedTuple):
+    """What one load acts on stands ``still`` while what the other acts on is ``moving``."""
+
+    still: Acted
+    moving: Acted
+
+
+NoCentre = Literal["perpendicular load", "other"]
+
+Cause = DeadCentre | NoCentre
+"""Why a ratio of loads is zero or infinite."""
+
+
 class Vanishing(NamedTuple):
     """A condition ``factor = 0`` under which a result is zero, or infinite.
 
     ``at`` solves it: ``(symbol, value)``, exact where the factor allows, else None.
-    ``kind`` is a dead centre or a load perpendicular to its point's velocity. It is
+    ``cause`` is a dead centre or a load perpendicular to its point's velocity. It is
     ``outside`` where it is proved that the factor does not vanish within the ranges given. Where
     one of ``but`` is zero, too, it is not known what the result does.
     """
 
     factor: Formula
     at: tuple[str, Formula] | None
-    kind: Literal["output still", "drive locked", "perpendicular load", "other"]
+    cause: Cause
     outside: bool = False
     but: tuple[Formula, ...] = ()
 

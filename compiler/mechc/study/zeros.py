@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Literal
+from typing import assert_never
 
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.factors import Factor, Trig
@@ -16,11 +16,11 @@ from ..formula.walk import symbols
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.boxes import stroke_box
-from ..model.mechanism import Force
+from ..model.mechanism import Force, ForcePair, Load, Torque
 from ..model.values import Chain
 from ..power.balance import Balance, Solved, Term
 from ..power.definitions import resting_on
-from .analysis import Vanishing
+from .analysis import Acted, Cause, DeadCentre, Vanishing
 from .breaks import divisors, may_vanish
 from .ranges import moving_first, with_range
 from .tolerances import VANISHED_SUM
@@ -31,8 +31,6 @@ STEPS = (1e-4, 1e-7)
 
 Far from it rounding does no harm; near it no other root that is close by does.
 """
-
-Kind = Literal["output still", "drive locked", "perpendicular load", "other"]
 
 
 def zeros(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Vanishing, ...]:
@@ -47,7 +45,7 @@ def zeros(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Va
 def poles(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Vanishing, ...]:
     """Return the conditions under which a ratio is infinite.
 
-    The point of the load above stands still while the other moves (the drive is locked),
+    The point of the load above stands still while the other moves (the other dead centre),
     or moves across its load.
     """
     return tuple(_conditions(item, balance, near, -1))
@@ -87,7 +85,7 @@ def _of_sum(
     At what it shares it may have the higher order: cos(3t/2)/(1 - 2 cos t)² is infinite at 60°.
     """
     assert item.value is not None
-    kind = _kind(factor, (), item, balance, side)
+    cause = _cause(factor, (), item, balance, side)
     across = _roots_across(factor, item.value)
     shared = [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
     left = _without_shared(factor, across, shared, near)
@@ -96,11 +94,11 @@ def _of_sum(
         if isinstance(part, Trig):
             yield from _at_roots(part, item, balance, near, side, chain)
         elif may_vanish(part, near):
-            yield Vanishing(part.formula(), None, kind, _is_outside(part, balance), but)
+            yield Vanishing(part.formula(), None, cause, _is_outside(part, balance), but)
     for root in shared:
         in_rest = any(order(Product.of(part), root.name, root.value) != 0 for part in left)
         if not in_rest and _has_order(item, root, near, side, chain):
-            there = _kind(root.factor, (root,), item, balance, side)
+            there = _cause(root.factor, (root,), item, balance, side)
             yield _vanishing(root.factor, there, item, balance, near)
 
 
@@ -119,12 +117,12 @@ def _at_roots(
     assert item.value is not None
     found = roots(trig, item.value)
     proved = [r for r in found if _has_order(item, r, near, side, chain)]
-    kinds = [_kind(r.factor, (r,), item, balance, side) for r in proved]
-    if len(proved) == len(found) and len({*kinds}) == 1:
-        yield _vanishing(trig, kinds[0], item, balance, near)
+    causes = [_cause(r.factor, (r,), item, balance, side) for r in proved]
+    if len(proved) == len(found) and len({*causes}) == 1:
+        yield _vanishing(trig, causes[0], item, balance, near)
     else:
-        for root, kind in zip(proved, kinds, strict=True):
-            yield _vanishing(root.factor, kind, item, balance, near)
+        for root, cause in zip(proved, causes, strict=True):
+            yield _vanishing(root.factor, cause, item, balance, near)
     for root in found:
         if root not in proved:
             yield from _but_by_chance(root, item, balance, near, side)
@@ -139,18 +137,18 @@ def _but_by_chance(
     across = [f for f, e in item.value.factors.items() if e * side < 0]
     sums = tuple(f.formula() for f in across if _is_nil(f, root, near))
     if sums and known is not None and known * side > 0:
-        kind = _kind(root.factor, (root,), item, balance, side)
-        yield Vanishing(root.factor.formula(), None, kind, _is_outside(root.factor, balance), sums)
+        cause = _cause(root.factor, (root,), item, balance, side)
+        yield Vanishing(root.factor.formula(), None, cause, _is_outside(root.factor, balance), sums)
 
 
 def _vanishing(
-    trig: Trig, kind: Kind, item: Solved, balance: Balance, near: Mapping[str, float]
+    trig: Trig, cause: Cause, item: Solved, balance: Balance, near: Mapping[str, float]
 ) -> Vanishing:
     """Return a condition solved for what moves; not for, nor by, what loops find."""
     mechanism = balance.plan.graph.pose.mechanism
     found = trig.angle.names & {d.name for d in item.result.where}
     at = None if found else solution(trig, near, moving_first(mechanism))
-    return Vanishing(trig.formula(), at, kind, _is_outside(trig, balance))
+    return Vanishing(trig.formula(), at, cause, _is_outside(trig, balance))
 
 
 def _is_outside(factor: Factor, balance: Balance) -> bool:
@@ -249,7 +247,7 @@ def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
     return here < VANISHED_SUM * there
 
 
-def _kind(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Kind:
+def _cause(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Cause:
     """Return whether the point of a load stands still or moves across it, if that is known."""
     still, moving = (item.below, item.above) if side > 0 else (item.above, item.below)
     tied = {name for t in balance.terms if t.tie for name in (t.load.name, t.tie[0])}
@@ -262,7 +260,20 @@ def _kind(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, si
     ratio = canonical(across / terms[moving].power[0]) if across else across
     if ratio and not _vanishes(ratio, factor, at):
         return "perpendicular load"
-    return "output still" if side > 0 else "drive locked"
+    return DeadCentre(_acted(terms[still].load), _acted(terms[moving].load))
+
+
+def _acted(load: Load) -> Acted:
+    """Return what a load acts on."""
+    match load:
+        case Force():
+            return Acted(load.point)
+        case Torque():
+            return Acted(load.link)
+        case ForcePair():
+            return Acted(f"{load.first}{load.second}", is_distance=True)
+        case _:
+            assert_never(load)
 
 
 def _vanishes(ratio: Product, factor: Factor, at: Sequence[Root]) -> bool:

@@ -17,7 +17,7 @@ from ...model.mechanism import (
     WithFriction,
 )
 from ...model.result import Result
-from ...study.analysis import Analysis, Break, Scope, Trend, Vanishing
+from ...study.analysis import Analysis, Break, DeadCentre, Scope, Trend, Vanishing
 from ...units import si_unit
 from ..describe import dimension_name
 from .formula import DEFINITION, FORMULA
@@ -25,7 +25,7 @@ from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, op
 from .lets import LONG
 
 TRENDS, SCOPES = get_args(Trend), get_args(Scope)
-VANISHINGS = ("output still", "drive locked", "perpendicular load", "other")
+CAUSES = ("dead centre", "perpendicular load", "other")
 KINDS: Mapping[type[Target] | type[None], str] = {
     LoadRatio: "load ratio",
     LoadForm: "load",
@@ -47,13 +47,28 @@ CONDITION: Kind[Require] = record(
     member("right", "The other side.", FORMULA, lambda c: c.right),
 )
 
+
+def _cause(limit: Vanishing) -> str:
+    return "dead centre" if isinstance(limit.cause, DeadCentre) else limit.cause
+
+
+def _still(limit: Vanishing) -> str | None:
+    return limit.cause.still.name if isinstance(limit.cause, DeadCentre) else None
+
+
+def _moving(limit: Vanishing) -> str | None:
+    return limit.cause.moving.name if isinstance(limit.cause, DeadCentre) else None
+
+
 VANISHING: Kind[Vanishing] = record(
     "vanishing",
     "A condition under which a result is zero, or infinite.",
     member("factor", "It is where this is 0.", FORMULA, lambda v: v.factor),
     member("symbol", "Solved for this.", optional(TEXT), lambda v: v.at and v.at[0]),
     member("value", "Its value there.", optional(FORMULA), lambda v: v.at and v.at[1]),
-    member("kind", "What happens there.", one_of(*VANISHINGS), lambda v: v.kind),
+    member("kind", "What happens there.", one_of(*CAUSES), _cause),
+    member("still", "What stands still at a dead centre.", optional(TEXT), _still),
+    member("moving", "What moves there.", optional(TEXT), _moving),
     member("but", "Unless one of these is 0, too.", list_of(FORMULA), lambda v: v.but),
     member("outside", "Proved: not within the ranges given.", TRUTH, lambda v: v.outside),
 )

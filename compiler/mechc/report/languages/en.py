@@ -284,9 +284,12 @@ LOCALE = Locale(
     when="that is, at {condition}",
     unmet="; sampling finds none for {span} and the values given",
     but_where="except perhaps where also one of these holds: {conditions}",
-    centres={
-        "output still": "dead centre: the output stands still while the drive moves",
-        "drive locked": "dead centre: the drive stands still while the output can move",
+    causes={
+        "dead centre": "dead centre: {still} while {moving}",
+        "still": "{name} stands still",
+        "still distance": "the distance {name} does not change",
+        "moves": "{name} moves",
+        "moves distance": "the distance {name} changes",
         "perpendicular load": "the load is perpendicular to the velocity of its point",
         "other": "",
     },

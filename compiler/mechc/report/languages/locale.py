@@ -17,7 +17,7 @@ class Locale(NamedTuple):
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
     first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
     ``{joined}`` for all written as one (the rod AB); ``again`` are the shorter sentences of loops
-    and rules from the second time on. ``trends`` and ``centres`` map the
+    and rules from the second time on. ``trends`` and ``causes`` map the
     words of a result, ``joints`` those of a joint that is neither pin nor guide,
     ``given_friction`` what is given of friction, ``sayings`` the words of a passage about forces or
     friction, with places for its names and formulas. ``with_friction`` are headings by the
@@ -104,7 +104,7 @@ class Locale(NamedTuple):
     when: str
     unmet: str
     but_where: str
-    centres: Mapping[str, str]
+    causes: Mapping[str, str]
     states: Mapping[str, str]
     all_loads: str
     as_given: str

@@ -1,11 +1,11 @@
 """Under which conditions a result is zero or infinite, in sentences."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula, Sum, Symbol, total
-from ...study.analysis import Analysis, Extent, Vanishing
+from ...study.analysis import Analysis, Cause, DeadCentre, Extent, Vanishing
 from ..languages.locale import Locale
 from .locking import span
 from .speller import Speller
@@ -22,7 +22,7 @@ def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Ite
         (locale.pole, result.poles, passed_by(result, "poles")),
     ):
         listed = [v for v in found if not _is_shown_by_places(v, result.extents)]
-        for _, alike in groupby(listed, lambda v: (v.kind, _is_bare(v), v if v.at else None)):
+        for _, alike in groupby(listed, lambda v: (v.cause, _is_bare(v), v if v.at else None)):
             group = [*alike]
             if _is_bare(group[0]):
                 yield _bare(template, symbol, group, passed, locale, spell)
@@ -53,7 +53,7 @@ def _is_shown_by_places(limit: Vanishing, extents: Sequence[Extent]) -> bool:
 
 
 def _is_bare(limit: Vanishing) -> bool:
-    """Return whether there is nothing but the condition and its kind."""
+    """Return whether there is nothing but the condition and its cause."""
     return not (limit.at or limit.but or limit.outside)
 
 
@@ -66,7 +66,9 @@ def _bare(
     spell: Speller,
 ) -> str:
     conditions = alternatives([_zero(v.factor, spell) for v in group], locale)
-    said = _with_kind(template.format(result=symbol, condition=conditions), group[0], locale)
+    said = _with_cause(
+        template.format(result=symbol, condition=conditions), group[0], locale, spell
+    )
     if passed:
         said += locale.unmet.format(span=span(passed.range, passed, locale, spell))
     return f"{said}."
@@ -83,12 +85,28 @@ def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: 
         said += ", " + locale.but_where.format(conditions=", ".join(but))
     if limit.outside:
         said += ", " + locale.out_of_ranges
-    return f"{_with_kind(said, limit, locale)}."
+    return f"{_with_cause(said, limit, locale, spell)}."
 
 
-def _with_kind(said: str, limit: Vanishing, locale: Locale) -> str:
-    kind = locale.centres[limit.kind]
-    return f"{said} ({kind})" if kind else said
+def _with_cause(said: str, limit: Vanishing, locale: Locale, spell: Speller) -> str:
+    cause = _cause(limit.cause, locale, spell)
+    return f"{said} ({cause})" if cause else said
+
+
+def _cause(cause: Cause, locale: Locale, spell: Speller) -> str:
+    """Return what happens there in words, '' where it is not known."""
+    if not isinstance(cause, DeadCentre):
+        return locale.causes[cause]
+    return dead_centre(cause, locale.causes, spell.point)
+
+
+def dead_centre(centre: DeadCentre, words: Mapping[str, str], spell: Callable[[str], str]) -> str:
+    """Return in words what stands still while what else moves; ``spell`` writes their names."""
+    still, moving = (
+        words[f"{verb} distance" if acted.is_distance else verb].format(name=spell(acted.name))
+        for verb, acted in (("still", centre.still), ("moves", centre.moving))
+    )
+    return words["dead centre"].format(still=still, moving=moving)
 
 
 def _zero(factor: Formula, spell: Speller) -> str:

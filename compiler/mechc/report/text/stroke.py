@@ -7,6 +7,7 @@ from typing import NamedTuple
 from ...drawing.letters import Letters, lettered, of_unit
 from ...formula.to_text import text
 from ...model.locking import USUAL, EfficiencyRange
+from ...study.analysis import DeadCentre
 from ...study.stroke.stroke import (
     Branch,
     Column,
@@ -22,6 +23,7 @@ from ...study.tolerances import EXACT
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
 from ..languages.letters import letters
 from ..languages.registry import locale
+from ..sentences.limits import dead_centre
 
 ENDS = {
     (False, False): "",
@@ -202,6 +204,8 @@ def _singular(found: Singular, shown: Written) -> str:
     whole = shown.says(does, **names)
     if found.exact is not None:
         whole += shown.says("exactly", value=text(found.exact))
+    if isinstance(found.kind, DeadCentre):
+        return f"{whole}: {dead_centre(found.kind, shown.words, str)}"
     kind = KINDS.get(found.kind, found.kind)
     if kind == "jump" and found.sides:
         return whole

@@ -60,7 +60,7 @@ def singular_poses(
         for root in roots_at(result, vanishing, along, stretch, grid):
             exact = _exact(vanishing, drive, along, root)
             known.append(root.x)
-            yield Singular(result.name, value, vanishing.kind, *root, exact)
+            yield Singular(result.name, value, vanishing.cause, *root, exact)
     size = cache(lambda x: along.of(result.formula, result, x))
     for root in _other_zeros(size, grid, known):
         yield Singular(result.name, "0", "other", *root, None)

@@ -7,10 +7,12 @@ from ...formula.tree import Formula
 from ...frozen import frozen
 from ...model.locking import EfficiencyRange, State
 from ...units import Dimension
+from ..analysis import Cause
 
-Kind = Literal[
-    "output still", "drive locked", "branch point", "perpendicular load", "jump", "far", "other"
-]
+OnTheWay = Literal["branch point", "jump", "far"]
+"""What only a stroke meets."""
+
+Kind = Cause | OnTheWay
 Content = Literal["result", "slope", "velocity", "angle", "path"]
 
 
