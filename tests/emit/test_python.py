@@ -13,9 +13,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechc.emit.python.to_python import TARGET
+from mechc.emit.names import Names
+from mechc.emit.python.printer import RESERVED
+from mechc.emit.python.to_python import TARGET, function_names
 from mechc.emit.target import Options
+from mechc.formula.tree import Call
+from mechc.formula.walk import walk
+from mechc.routine.steps import Input
 from routine_samples import LIBRARY, SAMPLES, compiled, solved
+from run_targets import span
 
 RUFF = shutil.which("ruff") or shutil.which("ruff", path=str(Path(sys.executable).parent))
 
@@ -137,3 +143,68 @@ def test_everything_is_clean(tmp_path: Path) -> None:
 @pytest.mark.parametrize("sample", ["clamp", "chained", "badly_named"])
 def test_golden(sample: str, golden: Callable[[str, str], None]) -> None:
     golden(f"code/{sample}.py", text(sample))
+
+
+ANGLES = np.concatenate(
+    [
+        np.random.default_rng(1).uniform(-7.0, 7.0, 4000),
+        np.random.default_rng(2).uniform(-1e15, 1e15, 1000),
+        np.arange(-40, 41) * np.pi / 2,
+        np.nextafter(np.arange(-40, 41) * np.pi / 2, 100.0),
+        10.0 ** np.arange(-300.0, 300.0, 7.0),
+        [0.0, -0.0, np.nan, np.inf, -np.inf],
+    ]
+)
+"""Many angles, those next to multiples of a quarter turn and huge ones among them."""
+
+
+@pytest.mark.parametrize("vectors", [True, False])
+def test_many_sines_and_cosines_are_those_of_one_angle(vectors: bool) -> None:
+    space = module("clamp")
+    space["_VECTOR_TANGENTS"] = vectors
+    with np.errstate(all="ignore"):
+        pairs = zip(space["_cos_sin"](ANGLES), (np.cos(ANGLES), np.sin(ANGLES)), strict=True)
+        for found, expected in pairs:
+            assert np.array_equal(np.isnan(found), np.isnan(expected))
+            known = ~np.isnan(expected)
+            off = np.abs(found - expected)[known] / np.spacing(np.abs(expected[known]))
+            assert np.max(off) <= (4.0 if vectors else 0.0)
+            assert np.array_equal(np.signbit(found[known]), np.signbit(expected[known]))
+
+
+@pytest.mark.parametrize("sample", LIBRARY)
+def test_many_poses_have_the_values_of_one(sample: str) -> None:
+    """Sines within 4 ulp move a result by some of them, times how sensitive it is.
+
+    An arc sine next to a right angle turns one ulp into 1e-8, for one pose as well.
+    """
+    space, poses = module(sample), 2000
+    for function in solved(sample).routine.functions:
+        if any(isinstance(p, Call) and p.function == "asin" for p in walk(function.formula)):
+            continue
+        columns = {i.name: random_values(i, poses) for i in function.inputs}
+        call = space[function_names(solved(sample).routine, Names(RESERVED))[function.name]]
+        many = np.broadcast_to(call(*columns.values()), poses)
+        moved = np.zeros(poses)
+        few = parts_of(call, columns, poses)
+        for name, values in columns.items():
+            moved += np.abs(parts_of(call, {**columns, name: values * (1 + 1e-7)}, poses) - few)
+        near = np.isfinite(few) & np.isfinite(moved)
+        assert np.array_equal(np.isnan(many)[near], np.isnan(few)[near])
+        size = np.sqrt(np.mean(np.square(few[near]))) if np.any(near) else 0.0
+        allowed = 16 * np.finfo(float).eps * (np.maximum(np.abs(few), size) + moved / 1e-7)
+        assert np.all(np.abs(many - few)[near] <= allowed[near])
+
+
+def random_values(item: Input, poses: int) -> np.ndarray:
+    return np.random.default_rng(len(item.name)).uniform(*span(item), poses)
+
+
+def parts_of(call: Callable[..., Any], columns: dict[str, np.ndarray], poses: int) -> np.ndarray:
+    """Return values a hundred poses at a time, which are too few for another way of computing."""
+    return np.concatenate(
+        [
+            np.broadcast_to(call(*(c[i : i + 100] for c in columns.values())), 100)
+            for i in range(0, poses, 100)
+        ]
+    )

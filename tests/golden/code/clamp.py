@@ -43,14 +43,41 @@ def k(a, b, alpha, beta):
 
 
 def _block_of_k(a, b, alpha, beta):
-    k = a*np.sin(alpha + beta)/(2.0*b*np.cos(alpha)*np.cos(beta))
+    _, sin_1 = _cos_sin(alpha + beta)
+    cos_alpha, _ = _cos_sin(alpha)
+    cos_beta, _ = _cos_sin(beta)
+    k = a*sin_1/(2.0*b*cos_alpha*cos_beta)
     k = np.where(alpha + beta < np.pi/2.0, k, np.nan)
     return k
 
 
+def _cos_sin(angle):
+    """Return cosine and sine: of many angles by tangents, where NumPy has these as vector code.
+
+    tan x gives the size of the cosine, tan x/2 has the sign of the sine; within 4 ulp.
+    """
+    if np.size(angle) < 512 or not _VECTOR_TANGENTS:
+        return np.cos(angle), np.sin(angle)
+    tangent, half = np.tan(angle), np.tan(0.5*angle)
+    cosine = 1.0/np.sqrt(1.0 + tangent*tangent)
+    return np.copysign(cosine, tangent*half), np.copysign(tangent*cosine, half)
+
+
+def _has_vector_tangents():
+    try:
+        from numpy.lib.introspect import opt_func_info
+    except ImportError:  # before NumPy 2
+        return False
+    found = opt_func_info("^tan$", "float64").get("tan", {}).get("dd", {})
+    return not found.get("current", "baseline").startswith("baseline")
+
+
+_VECTOR_TANGENTS = _has_vector_tangents()
+
+
 def _in_blocks(function, *arguments):
     """Return a function's values: of many poses a block at a time, so that it fits the cache."""
-    arguments = [np.asarray(each, dtype=float) for each in arguments]
+    arguments = [np.asarray(each, dtype=float)[()] for each in arguments]
     wide = [i for i, each in enumerate(arguments) if each.ndim]
     many = wide and np.prod(np.broadcast_shapes(*(arguments[i].shape for i in wide))) > 8192
     with np.errstate(all="ignore"):

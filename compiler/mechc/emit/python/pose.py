@@ -18,6 +18,7 @@ from .. import describe
 from ..names import Names, mangle
 from ..render import Line
 from ..target import Compiled
+from .pairs import PAIR, Pair, in_pairs
 from .printer import RESERVED, PythonPrinter
 from .solvers import line
 
@@ -109,9 +110,8 @@ def common_context(
     """Return the function of what others have in common."""
     own = {i.name: arguments[i.name] for i in common.inputs}
     space = Names(RESERVED, set(own.values()))
-    body, printer = taken(
-        common.before, common.steps, map(Symbol, common.outputs), own, space, solvers
-    )
+    ends = [*map(Symbol, common.outputs)]
+    body, _, printer = taken(common.before, common.steps, ends, own, space, solvers)
     return CommonContext(
         common_name(common),
         list(own.values()),
@@ -120,21 +120,40 @@ def common_context(
     )
 
 
+class Taken(NamedTuple):
+    """Lines of a function, its ends in their terms, and the printer of these."""
+
+    body: list[Line]
+    ends: list[Formula]
+    printer: PythonPrinter
+
+
 def taken(
     common: Common | None,
     steps: Sequence[Statement],
-    ends: Iterable[Formula],
+    ends: Sequence[Formula],
     own: Mapping[str, str],
     space: Names,
     solvers: Mapping[Solver, str],
-) -> tuple[list[Line], PythonPrinter]:
-    """Return lines that take what is common and add steps to it, and a printer in their terms."""
+) -> Taken:
+    """Return lines that take what is common and add steps to it, for many poses at once."""
     names, body = dict(own), list[Line]()
     if common:
         values = space.claim("values")
         given = ", ".join(own[i.name] for i in common.inputs)
         body.append(Line(values, f"{common_name(common)}({given})"))
         names.update((name, f'{values}["{name}"]') for name in common.outputs)
-    printer = PythonPrinter(names | mangle((n for s in steps for n in names_of(s)), space))
     used = mentioned(steps, ends)
-    return [*body, *(line(step, used, solvers, printer) for step in steps)], printer
+    found = in_pairs(steps, ends, names)
+    own_names = (*(n for s in steps for n in names_of(s)), *found.names)
+    printer = PythonPrinter(names | mangle(own_names, space))
+    body += [
+        _pair(s, printer) if isinstance(s, Pair) else line(s, used, solvers, printer)
+        for s in found.statements
+    ]
+    return Taken(body, found.formulas, printer)
+
+
+def _pair(pair: Pair, printer: PythonPrinter) -> Line:
+    cosine, sine = (printer.names.get(name, name) for name in (pair.cosine, pair.sine))
+    return Line(f"{cosine}, {sine}", f"{PAIR}({printer.print(pair.angle)})")

@@ -1,8 +1,10 @@
 """How Python writes formulas, for NumPy."""
 
 from ...formula.choices import SIGNS
+from ...formula.tree import Formula, Product, Sum
+from ...routine.quotient import quotient_of
 from ..names import Reserved
-from ..printer import Printer
+from ..printer import Level, Printer
 
 _KEYWORDS = """
     False None True and as assert async await break class continue def del elif else except
@@ -51,6 +53,13 @@ class PythonPrinter(Printer):
 
     pi = "np.pi"
 
+    def print(self, formula: Formula, level: Level = Level.SUM) -> str:
+        """Return a formula; a difference of two begins without a minus sign, one pass less."""
+        match formula:
+            case Sum((first, other)) if _is_negative(first) and not _is_negative(other):
+                formula = Sum((other, first))
+        return super().print(formula, level)
+
     def call(self, function: str, arguments: list[str]) -> str:
         """Return a call of a NumPy function."""
         if function == "choose" and len(arguments) == 2:
@@ -60,3 +69,7 @@ class PythonPrinter(Printer):
     def power(self, base: str, exponent: str) -> str:
         """Return ``np.power``, which gives NaN where ``**`` on floats would be complex."""
         return f"np.power({base}, {exponent})"
+
+
+def _is_negative(formula: Formula) -> bool:
+    return isinstance(formula, Product) and quotient_of(formula).negative

@@ -10,6 +10,7 @@ from ...formula import newton
 from ...formula.choices import SIGNS
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
+from ...frozen import replace
 from ...routine.steps import (
     Common,
     Function,
@@ -29,6 +30,7 @@ from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
 from .checks import ChecksContext, checks_context
+from .pairs import PAIR
 from .pose import (
     CommonContext,
     PoseContext,
@@ -79,6 +81,7 @@ class ModuleContext(NamedTuple):
     chooses: bool
     commons: list[CommonContext]
     functions: list[FunctionContext]
+    pairs: bool
     poses: list[PoseContext]
     checks: ChecksContext | None
     gradients: "list[GradientContext]"
@@ -121,6 +124,12 @@ def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
     written = (*parts, *(gradient.program for gradient in gradients))
     called = {name for program in written for name in _called(program)}
     listed = list(every(routine.functions))
+    commons = [common_context(p, arguments, solvers) for p in parts if isinstance(p, Common)]
+    functions = [_function(f, names, arguments, solvers, listed) for f in listed]
+    lines = [
+        *(line for c in commons for line in c.body),
+        *(line for f in functions for line in f.body),
+    ]
     return ModuleContext(
         heading=_quoted(describe.heading(compiled.mechanism)),
         preface=[_quoted(line) for line in _preface(compiled)],
@@ -130,8 +139,9 @@ def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
         newton=newton,
         conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
         chooses="choose" in called,
-        commons=[common_context(p, arguments, solvers) for p in parts if isinstance(p, Common)],
-        functions=[_function(f, names, arguments, solvers, listed) for f in listed],
+        commons=commons,
+        functions=functions,
+        pairs=any(line.code.startswith(PAIR) for line in lines),
         poses=poses,
         checks=checks,
         gradients=gradients,
@@ -210,7 +220,7 @@ def _function(
     space = Names(RESERVED, {*own.values(), *([names[other.name]] if other else [])})
     result = space.claim(function.name if function.name not in own else "result")
     steps = function.own if function.common else function.steps
-    lines, printer = taken(function.common, steps, _ends(function), own, space, solvers)
+    body, ends, printer = taken(function.common, steps, _ends(function), own, space, solvers)
     unit = si_unit(function.dimension)
     return FunctionContext(
         name=names[function.name],
@@ -223,7 +233,7 @@ def _function(
             Line(own[i.name], _quoted(describe.input_words(i, own[i.name])))
             for i in function.inputs
         ],
-        body=[*lines, *_returned(function, result, printer)],
+        body=[*body, *_returned(function, ends, result, printer)],
         result=result,
         block=f"_block_of_{names[function.name]}",
         operations=function.operations,
@@ -240,10 +250,16 @@ def _ends(function: Function) -> list[Formula]:
     return [function.output, *(side for g in function.guards for side in (g.left, g.right))]
 
 
-def _returned(function: Function, result: str, printer: Printer) -> list[Line]:
-    lines = [Line(result, printer.print(function.output))]
-    for guard in function.guards:
-        lines.append(Line(result, f"np.where({printer.condition(guard)}, {result}, np.nan)"))
+def _returned(
+    function: Function, ends: Sequence[Formula], result: str, printer: Printer
+) -> list[Line]:
+    """Return the lines of the output and the guards, which ``ends`` have in the printer's terms."""
+    output, *sides = ends
+    lines = [Line(result, printer.print(output))]
+    pairs = zip(sides[::2], sides[1::2], strict=True)
+    for guard, (left, right) in zip(function.guards, pairs, strict=True):
+        condition = printer.condition(replace(guard, left=left, right=right))
+        lines.append(Line(result, f"np.where({condition}, {result}, np.nan)"))
     return lines
 
 
