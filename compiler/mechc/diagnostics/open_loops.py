@@ -92,7 +92,7 @@ def guide_without_line(at: Span, slider: str, through: str) -> Message:
 
 
 @coded("E315")
-def inputs_missing(at: Span, points: Sequence[str], missing: int) -> Message:
+def inputs_missing(at: Span, points: Sequence[str], missing: int, guided: str = "") -> Message:
     """The loops leave more open than the drive gives: the linkage needs more inputs.
 
     A loop determines two directions or places. A five-bar linkage has one direction more
@@ -103,14 +103,21 @@ def inputs_missing(at: Span, points: Sequence[str], missing: int) -> Message:
         BD = b
         CD = a               # wrong: three directions are open, the loop determines two
         CD = a @ psi         # right: the second input
+
+    A link that a block guides (``slot B in OC guiding BD``) keeps its angle to the slot, which
+    has to be given: ``angle OBD = 90 deg``.
     """
     several = "inputs are" if missing > 1 else "input is"
     names = ", ".join(points)
+    if guided:
+        hint = f"give the angle that the slot keeps, as in `angle {guided} = 90 deg`"
+    else:
+        hint = f"give {_counted(missing)} of them, as in `{points[-1]} = … @ psi`"
     return Message(
         at,
         f"the directions of {names} are open, and the loops leave {_counted(missing)} of them"
         f" undetermined: {_counted(missing)} more {several} needed",
-        f"give {_counted(missing)} of them, as in `{points[-1]} = … @ psi`",
+        hint,
     )
 
 

@@ -252,7 +252,10 @@ class Reader:
 
     def _power(self, node: ast.Power) -> Quantity | None:
         base, exponent = self.read(node.base), self.read(node.exponent)
-        if not base or not exponent or not self.fits(exponent, NUMBER, "an exponent"):
+        if not base or not exponent:
+            return None
+        exponent = _in_a_product(node.exponent, exponent)
+        if not self.fits(exponent, NUMBER, "an exponent"):
             return None
         constant = rational(exponent.formula)
         if constant is None:
@@ -292,9 +295,21 @@ class Reader:
         if node.function in NUMBER_TO_ANGLE:
             return Sort(ANGLE) if self.fits(argument, NUMBER, what) else None
         if node.function in NUMBER_TO_NUMBER:
+            argument = _in_a_product(node.arguments[0], argument)
             return Sort.of(NUMBER) if self.fits(argument, NUMBER, what) else None
         if node.function == "sqrt":
             return raised(argument.sort, Fraction(1, 2))
         assert node.function in ALIKE, node.function
         sort = self.alike(arguments, "compare")
         return Sort(ANGLE) if sort and node.function == "atan2" else sort
+
+
+def _in_a_product(node: ast.Expr, found: Quantity) -> Quantity:
+    """Return a multiple of an angle as the pure number that it is, as in exp(0.25*theta).
+
+    An angle alone may be meant in degrees: it stays one.
+    """
+    terms = [term for _, term in node.terms] if isinstance(node, ast.Sum) else [node]
+    if found.dimension != ANGLE or not all(isinstance(term, ast.Product) for term in terms):
+        return found
+    return found._replace(sort=Sort.of(NUMBER))

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from ..diagnostics import Diagnostic
 from ..diagnostics import open_loops as messages
 from ..diagnostics import pose as plain
-from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter, Pivot, Slider
+from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter, Pivot, Slider, Slot
 from ..model.values import bounds
 from ..source import Span
 from ..units import ANGLE, LENGTH, in_unit
@@ -34,7 +34,7 @@ def explained(
         _cycles(mechanism),
         _without_value(mechanism.parameters, left.unknown),
         _without_place(mechanism, vectors),
-        _without_input(needed, sought, left),
+        _without_input(mechanism, needed, sought, left),
         _without_rail(mechanism, [sought[name][:2] for name in needed]),
     )
     for cause in causes:
@@ -117,12 +117,27 @@ def _without_rail(mechanism: Mechanism, vectors: Sequence[tuple[str, str]]) -> I
             yield messages.guide_without_line(slider.span, slider.point, near)
 
 
-def _without_input(needed: Mapping[str, Link], sought: Sought, left: Open) -> Iterator[Diagnostic]:
-    """Yield one message for loops that leave some of their unknowns open."""
+def _without_input(
+    mechanism: Mechanism, needed: Mapping[str, Link], sought: Sought, left: Open
+) -> Iterator[Diagnostic]:
+    """Yield one message for loops that leave some of their unknowns open.
+
+    A link that a block guides keeps its angle to the slot: that is what is missing first.
+    """
     names = [name for name in needed if name in left.unknown]
-    if names and left.missing:
-        points = ["".join(sought[name][:2]) for name in names]
-        yield messages.inputs_missing(needed[names[0]].span, points, left.missing)
+    if not names or not left.missing:
+        return
+    points = ["".join(sought[name][:2]) for name in names]
+    guided = next(_guided(mechanism, {needed[name].name for name in names}), "")
+    yield messages.inputs_missing(needed[names[0]].span, points, left.missing, guided)
+
+
+def _guided(mechanism: Mechanism, open_: Collection[str]) -> Iterator[str]:
+    """Yield the three points of the angle between a slot and an open link that it guides."""
+    for slot in mechanism.each(Slot):
+        if slot.guided in open_:
+            other = next(p for p in mechanism.link(slot.guided).points if p != slot.point)
+            yield f"{slot.tail}{slot.point}{other}"
 
 
 def _cycles(mechanism: Mechanism) -> Iterator[Diagnostic]:
