@@ -30,6 +30,9 @@ STATED = {
     ("BELT", "="): "a radius stands behind its pivot: belt O1 20 mm, O2 30 mm",
     ("ACTUATOR", "in"): "a cylinder is a telescope, and the actuator acts between its ends: "
     "actuator P between A and B",
+    ("LINK", "="): "a link is declared, and its lengths are lines of their own: OA = 60 mm",
+    ("TELESCOPE", "="): "a telescope is declared, and its length is a line of its own: AB = 60 mm",
+    ("SLIDE", "="): "a slide is declared, and its lengths are lines of their own: WX = 60 mm",
     ("WEIGHT", "at"): "a weight has a mass: weight W mass 2 kg at G",
 }
 """What is said otherwise in a statement, by its word and what does not fit in it."""
