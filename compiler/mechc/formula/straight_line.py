@@ -101,7 +101,7 @@ class StraightLine:
             try:
                 for operation, arguments in steps:
                     keep(operation(arguments(found)))
-            except UNDEFINED:
+            except UNDEFINED:  # the loop goes on behind the operation that has no value
                 keep(None)
             else:
                 return [math.nan if (v := found[i]) is None else v for i in self._results]

@@ -133,13 +133,13 @@ class AtAnyPose(_Names):
 
     def of(self, name: str, value: Product) -> Product:
         """Return the name of the sign, with a minus for that of the opposite."""
-        telling = bare(value)
-        if not telling.factors:
-            return telling
-        positive = Product(1, telling.factors)
-        known = self.define(name, Call("sign", (positive.formula(),)))
-        self._own.add(Length(known))
-        return Product.symbol(known).scaled(telling.coefficient)
+        signed = bare(value)
+        if not signed.factors:
+            return signed
+        factors = Product(1, signed.factors)
+        sign = self.define(name, Call("sign", (factors.formula(),)))
+        self._own.add(Length(sign))
+        return Product.symbol(sign).scaled(signed.coefficient)
 
     def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a named angle, which carries its sign."""

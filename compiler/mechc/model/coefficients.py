@@ -64,9 +64,10 @@ def _out_of_sense(
     for name in sorted(symbols(formula) & scope.ranges.keys()):
         low, high = scope.ranges[name]
         for end, other in ((low, high), (high, low)):
-            values, within = ({**scope.values, name: x} for x in (end, end + (other - end) * HAIR))
-            if symbols(formula) <= values.keys() and not fits(evaluate(formula, within)):
-                return name, evaluate(formula, values)
+            at_end = {**scope.values, name: end}
+            inside = {**scope.values, name: end + (other - end) * HAIR}
+            if symbols(formula) <= inside.keys() and not fits(evaluate(formula, inside)):
+                return name, evaluate(formula, at_end)
     return None
 
 

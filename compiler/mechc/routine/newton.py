@@ -5,7 +5,7 @@ are done wait for the others.
 """
 
 from collections.abc import Callable, Sequence
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,40 +28,74 @@ def follow(equations: Equations, solver: Solver, outer: Sequence[Array]) -> tupl
     return status.reshape(shape), found.reshape(len(solver.unknowns), *shape)
 
 
+class _Poses(NamedTuple):
+    """The poses on their way: unknowns at the last ``base`` and ``found`` since, poses last.
+
+    ``reached`` is the part of the way at the base, ``step`` the next part, at most the ``longest``;
+    ``last`` is the size of the last correction, 0 where there was none since the base.
+    """
+
+    base: Array
+    found: Array
+    reached: Array
+    step: Array
+    last: Array
+    longest: Array
+
+    def only(self, chosen: NDArray[np.bool_]) -> "_Poses":
+        """Return some of the poses."""
+        return _Poses(*(array[..., chosen] for array in self))
+
+
 def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, Array]:
-    poses = outer.shape[1]
+    number = outer.shape[1]
     anchor, start = _beginning(solver, outer)
-    scales = np.array([newton.scale(s) for s in solver.start])[:, None]
-    status, result = np.full(poses, 2.0), np.full((len(start), poses), np.nan)
+    status, result = np.full(number, 2.0), np.full((len(start), number), np.nan)
     longest = _longest(solver, anchor, outer)
     left = np.flatnonzero(longest)
-    base, longest = start[:, left], longest[left]
-    found, step = base.copy(), longest
-    reached, last = np.zeros(len(left)), np.zeros(len(left))
+    none = np.zeros(len(left))
+    poses = _Poses(start[:, left], start[:, left], none, longest[left], none, longest[left])
     for _ in range(solver.corrections):
-        aim = reached + step
-        residuals, matrix = equations(found, (1.0 - aim) * anchor[:, left] + aim * outer[:, left])
-        sign = eliminate(matrix, residuals)
-        size = np.sqrt(np.sum(residuals / scales * (residuals / scales), axis=0))
-        allowed = np.where(last > 0, newton.CONTRACTION * last, newton.LONGEST)
-        good = (sign == solver.side) & (sign != 0) & ((size <= newton.TINY) | (size <= allowed))
-        found = np.where(good, found - residuals, base)
-        precise = (size <= newton.TINY) | (size * size * size <= newton.ROUNDING * last * last)
-        there = good & (precise | ((aim < 1.0) & (size <= newton.ROUGH)))
-        last = np.where(good & ~there, size, 0.0)
-        base = np.where(there, found, base)
-        reached = np.where(there, aim, reached)
-        ahead = np.minimum(np.minimum(2 * step, longest), 1.0 - reached)
-        step = np.where(there, ahead, np.where(good, step, step / 2))
-        solved = there & (aim == 1.0)
-        status[left[solved]], result[:, left[solved]] = 0.0, found[:, solved]
-        on = ~solved
-        left, base, found = left[on], base[:, on], found[:, on]
-        reached, step, last, longest = reached[on], step[on], last[on], longest[on]
+        aim = poses.reached + poses.step
+        known = (1.0 - aim) * anchor[:, left] + aim * outer[:, left]
+        poses, solved = _corrected(poses, aim, *equations(poses.found, known), solver)
+        status[left[solved]], result[:, left[solved]] = 0.0, poses.found[:, solved]
+        left, poses = left[~solved], poses.only(~solved)
         if not len(left):
             break
-    status[left] = np.where(step < newton.SHORTEST, 1.0, 2.0)
+    status[left] = np.where(poses.step < newton.SHORTEST, 1.0, 2.0)
     return status, result
+
+
+def _corrected(
+    poses: _Poses, aim: Array, residuals: Array, matrix: Array, solver: Solver
+) -> tuple[_Poses, NDArray[np.bool_]]:
+    """Return the poses after one correction, and which of them are at the end of their way.
+
+    A correction is good that keeps to the side of the Jacobian and contracts; where one is not,
+    the step is halved.
+    """
+    scales = np.array([newton.scale(s) for s in solver.start])[:, None]
+    sign = eliminate(matrix, residuals)
+    size = np.sqrt(np.sum(residuals / scales * (residuals / scales), axis=0))
+    last = poses.last
+    allowed = np.where(last > 0, newton.CONTRACTION * last, newton.LONGEST)
+    good = (sign == solver.side) & (sign != 0) & ((size <= newton.TINY) | (size <= allowed))
+    precise = (size <= newton.TINY) | (size * size * size <= newton.ROUNDING * last * last)
+    there = good & (precise | ((aim < 1.0) & (size <= newton.ROUGH)))
+
+    found = np.where(good, poses.found - residuals, poses.base)
+    reached = np.where(there, aim, poses.reached)
+    ahead = np.minimum(np.minimum(2 * poses.step, poses.longest), 1.0 - reached)
+    new = _Poses(
+        base=np.where(there, found, poses.base),
+        found=found,
+        reached=reached,
+        step=np.where(there, ahead, np.where(good, poses.step, poses.step / 2)),
+        last=np.where(good & ~there, size, 0.0),
+        longest=poses.longest,
+    )
+    return new, there & (aim == 1.0)
 
 
 def _beginning(solver: Solver, outer: Array) -> tuple[Array, Array]:

@@ -7,3 +7,11 @@ one ratio, and the ``referee`` compares at several ``poses``, after ``closure`` 
 whether the mechanism stands there as described. ``diagrams`` hands out what acts on every
 body, for reports.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"friction", "joint_forces"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -16,19 +16,22 @@ def uncounted(unfolding: Unfolding, friction: Acting) -> Iterator[str]:
     The pins are counted on what is cut free, twins among them, and not on the description: a
     body turns on a pin that something else holds or turns on, unless symmetry keeps it still.
     """
-    acted: set[tuple[str, str]] = set()
     whole = unfolding.assembly()
-    parts = {c.part(p): (p, c.name) for c in whole.cylinders for p in c.ends}
-    for on, actions in friction:
-        for action in actions:
-            if isinstance(action, Couple):
-                for point in (on, f"{on}'"):
-                    acted.add(parts.get(action.body, (point, action.body)))
-    held = _held(whole)
+    acted, held = set(_acted(friction, whole)), _held(whole)
     for point, bodies in _turning(whole).items():
         if len(bodies) > 1 or point in held:
             turning = (body for body in bodies if unfolding.turns(body))
             yield from (f"{point} on {b}" for b in turning if (point, b) not in acted)
+
+
+def _acted(friction: Acting, whole: Assembly) -> Iterator[tuple[str, str]]:
+    """Yield each pin, or its twin, with a body on it that friction turns."""
+    parts = {c.part(p): (p, c.name) for c in whole.cylinders for p in c.ends}
+    for pin, actions in friction:
+        for action in actions:
+            if isinstance(action, Couple):
+                for point in (pin, f"{pin}'"):
+                    yield parts.get(action.body, (point, action.body))
 
 
 def _held(whole: Assembly) -> set[str]:

@@ -32,6 +32,7 @@ from ..model.values import defaults
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
+from . import friction, joint_forces
 from .answers import Answer, load_coefficient, load_ratio
 from .balanced import Balanced
 from .closure import worst_gap
@@ -132,10 +133,8 @@ def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
 
 def _count_pins(at: Balanced, report: Report) -> None:
     """See that friction acts at every pin where it is said to act."""
-    from .friction import pairs_of
-
-    friction = ((pair.on, pair.actions) for pair in pairs_of(at) if pair.kind == "pin")
-    for pin in uncounted(at, friction):
+    at_pins = ((p.on, p.actions) for p in friction.pairs_of(at) if p.kind == "pin")
+    for pin in uncounted(at, at_pins):
         report.add(messages.friction_not_counted(at.pose.mechanism.span, pin))
 
 
@@ -183,18 +182,16 @@ def _forces(
     The size of a force is checked where one load makes it; under several it follows from
     the components.
     """
-    from .joint_forces import joint_force
-
     coefficients = result.coefficients or _single(result, mechanism)
     for load, formula in coefficients.items():
-        ask = partial(joint_force, target=target, given=load, known=coefficients.keys())
+        ask = partial(
+            joint_forces.joint_force, target=target, given=load, known=coefficients.keys()
+        )
         yield Question(f"{result.name}/{load}", formula, result.where, ask)
 
 
 def _with_friction(result: Result, target: WithFriction, mechanism: Mechanism) -> Question:
     """Ask for a load or force with friction where every other load is 1 or what is known."""
-    from .friction import others_with_friction, with_friction
-
     known = {d.name: d.formula for d in result.where}
     asked = _asked(target, mechanism)
     free = [load.name for load in mechanism.loads if load.tie is None or load.name in known]
@@ -209,10 +206,10 @@ def _with_friction(result: Result, target: WithFriction, mechanism: Mechanism) -
         return driving, {n: evaluate(known.get(n, ONE), at.values) for n in others}
 
     def ask(at: Balanced) -> Answer:
-        return with_friction(at, target, *loaded(at))
+        return friction.with_friction(at, target, *loaded(at))
 
     def others(at: Balanced) -> Iterator[Answer]:
-        return others_with_friction(at, target, *loaded(at))
+        return friction.others_with_friction(at, target, *loaded(at))
 
     return Question(result.name, result.formula, where, ask, result.guards, others)
 

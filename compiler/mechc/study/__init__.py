@@ -2,3 +2,11 @@
 
 Promises: what is said without "sampled" is proved; nothing here changes a formula.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"efficiency_range", "locking", "ratios"}
+    __getattr__ = waiting(__name__, SELDOM)

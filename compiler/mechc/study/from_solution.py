@@ -4,7 +4,6 @@ from collections.abc import Callable, Mapping, Set
 from functools import cache, partial
 from itertools import combinations
 from math import isfinite
-from typing import TYPE_CHECKING
 
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
@@ -24,15 +23,13 @@ from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
 from ..power.numbers import DefaultNumbers
 from ..units import LENGTH
+from . import efficiency_range, locking, ratios
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
 from .ranges import with_range
 from .tolerances import SAME_RATIO
 from .trends import trend
 from .zeros import poles, zeros
-
-if TYPE_CHECKING:
-    from .ratios import Study
 
 MANY = 16
 """A result of more parameters than this is given without swaps, trends and derivatives.
@@ -54,17 +51,15 @@ def analyse(solution: Solution) -> tuple[Analysis, ...]:
     return tuple(_concluded(item, solution, numbers, study) for item in solution.solved)
 
 
-def _study(solution: Solution) -> "Study":
-    from .ratios import Study
-
-    return Study(solution)
+def _study(solution: Solution) -> "ratios.Study":
+    return ratios.Study(solution)
 
 
 def _concluded(
     item: Solved | SolvedWithFriction,
     solution: Solution,
     numbers: DefaultNumbers,
-    study: "Callable[[], Study]",
+    study: "Callable[[], ratios.Study]",
 ) -> Analysis:
     balance, values = solution.balance, numbers.values
     if isinstance(item, SolvedWithFriction) or item.value is None:
@@ -131,20 +126,18 @@ def _sloping(
     return replace(result, derivatives=derivatives, slopes=slopes)
 
 
-def _with_friction(result: Result, balance: Balance, study: "Callable[[], Study]") -> Analysis:
+def _with_friction(
+    result: Result, balance: Balance, study: "Callable[[], ratios.Study]"
+) -> Analysis:
     """Return a result as it is printed, with where the mechanism moves at all."""
     printed, friction = as_printed(result), balance.plan.graph.pose.mechanism.friction
     if friction.efficiency is not None:
         return printed
     match result.target:
         case WithFriction(of=LoadRatio() | LoadForm(), order="exact"):
-            from .locking import locking
-
-            return replace(printed, locking=locking(study(), result, printed))
+            return replace(printed, locking=locking.locking(study(), result, printed))
         case Efficiency():
-            from .efficiency_range import courses
-
-            return replace(printed, courses=tuple(courses(study(), result)))
+            return replace(printed, courses=tuple(efficiency_range.courses(study(), result)))
         case _:
             return printed
 

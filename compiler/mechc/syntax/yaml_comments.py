@@ -67,14 +67,13 @@ def with_comments(
     for comment in found:
         while following < len(statements) and statements[following].span.start < comment.at:
             following += 1
-        last = following - 1
-        inside = last >= 0 and comment.at < statements[last].span.end
-        if comment.alone:
-            above[last if inside else following].append(comment.text)
-        elif inside or (last >= 0 and same_line(statements[last], comment, source)):
-            remarks[last].append(comment.text)
+        before = statements[following - 1] if following else None
+        inside = before is not None and comment.at < before.span.end
+        beside = before is not None and same_line(before, comment, source)
+        if not comment.alone and (inside or beside):
+            remarks[following - 1].append(comment.text)
         else:
-            above[following].append(comment.text)
+            above[following - 1 if inside else following].append(comment.text)
     commented = zip(statements, above, remarks, strict=False)
     return ast.File(
         tuple(replace(s, comments=tuple(a), remark=" ".join(r)) for s, a, r in commented),
