@@ -65,7 +65,7 @@ def test_the_derivation_has_units_tables_and_texts(lever: mechc.SolvedMechanism)
         "pin_D = 8 mm",
         "F = 3 kN",
         "stress:",
-        "J = π · (8 mm)⁴ / 64 = 201.062 mm^4",
+        "J = π · (8 mm)⁴ / 64 = 201.062 mm⁴",
         "w = 3 · 8 mm − 8 mm = 16 mm",
         "The result holds for pin_F ≥ 0 kN, pin_F ≤ 12 kN, pin_p < 80 MPa.",
     ]:

@@ -169,6 +169,8 @@ def _declare_names(file: ast.File, scope: Scope) -> None:
                 scope.declare(name, "parameter")
             case ast.Taken(name=name):
                 scope.declare(name, "let")
+            case ast.Brought(prefix=prefix):
+                scope.brought[prefix] = statement
             case ast.Table(name=name):
                 scope.declare(name, "table")
             case ast.Sizes(name=name):

@@ -15,6 +15,7 @@ from ..syntax import ast
 from ..syntax.vocabulary import points_of
 from ..units import Dimension
 from .forms import FORMS, form_of
+from .not_brought import not_brought, of_a_use
 from .points import Points
 
 Kind = Literal["parameter", "let", "load", "result", "table", "list"]
@@ -98,7 +99,8 @@ class Scope:
     for an open one, which reveal multiples that are out of reach; ``ranges`` has the ends of
     those that run over one, ``settings`` the places where the command line gives a value.
     ``constants`` are the numbers that have got a name, by what they are and their value, with
-    their places. Of a calculation ``sheet`` a condition keeps the names of lets.
+    their places, ``brought`` what is used, by its prefix. Of a calculation ``sheet`` a condition
+    keeps the names of lets.
     """
 
     def __init__(self, report: Report, points: Points, sheet: bool = False) -> None:
@@ -114,6 +116,7 @@ class Scope:
         self.sizes: dict[str, float] = {}
         self.ranges: dict[str, tuple[float, float]] = {}
         self.constants: dict[tuple[str, Formula], Named] = {}
+        self.brought: dict[str, ast.Brought] = {}
         self._on_paper: dict[Name, str] = {}
         self._misfits: set[tuple[str, Dimension]] = set()
         self._unknowns: set[tuple[str, str]] = set()
@@ -203,13 +206,25 @@ class Scope:
             hint = messages.NEGATIVE_RADIUS
         if symbol.name.lower() in AXES:
             hint = messages.axis_in_words(symbol.name, AXES[symbol.name.lower()])
-        self.unknown(symbol.span, symbol.name, self._offered(usage), hint)
+        use = of_a_use(symbol.name, self.brought)
+        hint = hint or (not_brought(symbol.name, use, self.entries) if use else "")
+        near = f"{use.prefix}_" if use else ""
+        offered = [name for name in self._offered(usage) if name.startswith(near)]
+        self.unknown(symbol.span, symbol.name, offered, hint, use)
 
-    def unknown(self, span: Span, name: str, offered: list[str], hint: str = "") -> None:
+    def unknown(
+        self,
+        span: Span,
+        name: str,
+        offered: list[str],
+        hint: str = "",
+        use: ast.Brought | None = None,
+    ) -> None:
         """Report a name that nothing declares, where it is first met."""
         if (name, hint) not in self._unknowns:
             self._unknowns.add((name, hint))
-            self.report.add(messages.unknown_name(span, name, offered, hint))
+            place = use.span if use else None
+            self.report.add(messages.unknown_name(span, name, offered, hint, place))
 
     def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
         """Return the entry of a name in a formula; None where that is an error."""

@@ -8,7 +8,7 @@ from .statements import only
 
 WRITTEN_IN_SHEETS = (
     *(ast.Version, ast.Heading, ast.SourceNote),
-    *(ast.Param, ast.Table, ast.Sizes, ast.Let, ast.Taken, ast.Require, ast.Expect),
+    *(ast.Param, ast.Table, ast.Sizes, ast.Let, ast.Taken, ast.Brought, ast.Require, ast.Expect),
     *(ast.Translate, ast.Reported),
 )
 """The statements of a sheet: a description that has others describes a mechanism."""

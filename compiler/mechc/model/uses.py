@@ -127,7 +127,11 @@ class _Composing:
             return None
         self._solved += renamed(without_given(used, use), use.prefix.text, used.start)
         self._mechanisms += _mechanisms(use.prefix.text, used)
-        return tuple(brought_in(use, used, self._report))
+        found = tuple(brought_in(use, used, self._report))
+        names = {name.text for statement in found for name in declared(statement)}
+        prefix = use.prefix.text
+        loads = tuple(name for name in used.loads if f"{prefix}_{name}" not in names)
+        return ast.Brought(use.span, prefix, use.used.text, loads), *found
 
     def _part(self, use: ast.Use, used: Used) -> Sequence[ast.Statement] | None:
         parts = [s for part in self._parts.values() for s in part.statements]

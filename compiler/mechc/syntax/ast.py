@@ -685,6 +685,18 @@ class Taken(Statement):
 
 
 @frozen
+class Brought(Statement):
+    """A prefix under which something is used, what that is, and its loads that nothing gives.
+
+    No line says so: it stands where a sheet or a mechanism is put in.
+    """
+
+    prefix: str
+    used: str
+    loads: tuple[str, ...]
+
+
+@frozen
 class Table(Statement):
     """``table m49 "Table 4.9" = 1: 0.388, 0.9: 0.400``: pairs of an argument and its value."""
 

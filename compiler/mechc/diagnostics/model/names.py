@@ -34,7 +34,9 @@ def offered(name: str, known: Collection[str], what: str) -> str:
 
 
 @coded("E201")
-def unknown_name(span: Span, name: str, known: Collection[str], hint: str = "") -> Message:
+def unknown_name(
+    span: Span, name: str, known: Collection[str], hint: str = "", use: Span | None = None
+) -> Message:
     """An expression mentions a name that nothing declares.
 
     A name in an expression is a parameter, a load, or the name of a ``find`` or ``let``.
@@ -47,7 +49,24 @@ def unknown_name(span: Span, name: str, known: Collection[str], hint: str = "") 
         angle BAC = 30 deg           # right
     """
     hint = hint or offered(name, known, "names declared")
-    return Message(span, f"the name '{name}' is not declared", hint)
+    related = (Related(use, "this brings in the names with its prefix"),) if use else ()
+    return Message(span, f"the name '{name}' is not declared", hint, related)
+
+
+def load_follows(used: str, prefix: str, given: str) -> str:
+    """Return the hint at a load of a used mechanism that nothing gives and that nothing tells."""
+    written = f'"{used}"' if "." in used else used
+    return f"it follows once a load is given: use {written} as {prefix} ({given} = …)"
+
+
+def found_if_asked(used: str, result: str) -> str:
+    """Return the hint at a result that a used mechanism does not ask for."""
+    return f"{used} gives it once it has a line `find {result}`"
+
+
+def without_friction(used: str) -> str:
+    """Return the hint at a result with friction of a used mechanism that has none."""
+    return f"{used} has no friction"
 
 
 NEGATIVE_RADIUS = "behind this word a negative radius stands in brackets: radius (-5 mm)"
