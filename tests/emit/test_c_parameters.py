@@ -2,6 +2,7 @@
 
 import ctypes
 import math
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -18,6 +19,7 @@ from paths import LIBRARY
 from routine_samples import solved
 
 NAMES = ("crank_rocker", "fedoriv_fig2a_with_friction", "triad_closed", "grip_force")
+TYPES = {"double": ctypes.c_double, "int": ctypes.c_int}
 pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="no C compiler")
 
 
@@ -28,7 +30,7 @@ def read(name: str) -> Compiled:
 
 
 def header(found: Compiled) -> str:
-    return TARGET.emit(found, Options("code"))[1].text
+    return TARGET.emit(found, Options("code", gradient=True))[1].text
 
 
 def struct_of(found: Compiled) -> type[ctypes.Structure]:
@@ -55,7 +57,7 @@ def heads(found: Compiled) -> dict[str, tuple[str, list[str]]]:
 
 
 def built(found: Compiled, folder: Path) -> ctypes.CDLL:
-    (source,) = TARGET.emit(found, Options("code", single=True))
+    (source,) = TARGET.emit(found, Options("code", single=True, gradient=True))
     (folder / "code.c").write_text(source.text, encoding="utf-8")
     command = ["gcc", "-std=c99", "-O2", "-fPIC", "-shared", "code.c", "-o", "code.so", "-lm"]
     subprocess.run(command, cwd=folder, check=True)
@@ -68,7 +70,7 @@ def called(
     """Return what a function returns and what it fills."""
     outputs = [ctypes.c_double(math.nan) for _ in range(filled)]
     call = code[name]
-    call.restype = {"double": ctypes.c_double, "int": ctypes.c_int}[kind]
+    call.restype = TYPES.get(kind)
     return [call(*given, *map(ctypes.byref, outputs)), *(output.value for output in outputs)]
 
 
@@ -78,7 +80,7 @@ def test_the_struct_gives_the_same_bits_as_numbers_in_order(name: str, tmp_path:
     code, functions, struct = built(found, tmp_path), heads(found), struct_of(found)
     fields, dice = [field for field, _ in struct._fields_], np.random.default_rng(3)
     defaults = struct.in_dll(code, f"{found.routine.name}_defaults")
-    pairs = [(n.removesuffix("_of"), n) for n in functions if n.endswith("_of")]
+    pairs = [(n.removesuffix("_of"), n) for n in functions if re.search("(?<!_n)_of$", n)]
     results = {f"{found.routine.name}_{f.name}" for f in found.routine.functions}
     assert results <= {positional for positional, _ in pairs}
     for stretch in (1.0, *dice.uniform(0.9, 1.1, 5)):
@@ -90,6 +92,32 @@ def test_the_struct_gives_the_same_bits_as_numbers_in_order(name: str, tmp_path:
             expected = called(code, positional, kind, given, filled)
             of_struct = ctypes.byref(struct(**values))
             np.testing.assert_array_equal(called(code, taking, kind, [of_struct], filled), expected)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_array_of_structs_gives_what_each_gives_alone(name: str, tmp_path: Path) -> None:
+    found = read(name)
+    code, functions, struct = built(found, tmp_path), heads(found), struct_of(found)
+    defaults = struct.in_dll(code, f"{found.routine.name}_defaults")
+    stretched = [
+        [getattr(defaults, field) * part for field, _ in struct._fields_]
+        for part in (1, 1.04, 0.97)
+    ]
+    several = (struct * len(stretched))(*(struct(*values) for values in stretched))
+    taking = [n for n in functions if re.search("_n_of$", n)]
+    assert len(taking) == len([n for n in functions if re.search("(?<!_n)_of$", n)])
+    for many in taking:
+        one = re.sub("_n_of$", "_of", many)
+        kind, arguments = functions[one]
+        kinds = [*("double" for _ in arguments[1:]), *([] if kind == "void" else [kind])]
+        arrays = [(TYPES[each] * len(several))() for each in kinds]
+        code[many].restype = None
+        code[many](ctypes.c_size_t(len(several)), several, *arrays)
+        for i, single in enumerate(several):
+            given = [ctypes.byref(single)]
+            returned, *rest = called(code, one, kind, given, len(arguments) - 1)
+            expected = rest if kind == "void" else [*rest, returned]
+            np.testing.assert_array_equal([array[i] for array in arrays], expected)
 
 
 def test_defaults_are_those_of_the_description_and_nan_where_it_has_none(tmp_path: Path) -> None:
@@ -124,3 +152,11 @@ def test_what_a_pose_fills_has_its_unit() -> None:
     text = header(solved("crank_rocker"))
     assert "len_AO2_out: len_AO2, in m\n" in text
     assert "psi_out: psi, in rad\n" in text
+
+
+def test_slopes_have_their_units() -> None:
+    text = header(solved("crank_rocker"))
+    assert " *   k_out: k, in m\n" in text
+    assert " *   dk_da_out: the slope of k by a\n" in text
+    assert " *   dk_dphi_out: the slope of k by phi, in m\n" in text
+    assert " *   di_da_out: the slope of i by a, in 1/m\n" in text

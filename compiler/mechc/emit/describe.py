@@ -91,7 +91,7 @@ def quantity_lines(quantities: Iterable[Quantity]) -> list[str]:
 
 
 def measured_words(name: str, dimension: Dimension) -> str:
-    """Return the name of an angle or a length that loops find, with its SI unit."""
+    """Return the name of what a function fills, or words on it, with its SI unit."""
     unit = si_unit(dimension)
     return f"{name}, in {unit}" if unit else name
 

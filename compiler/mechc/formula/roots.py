@@ -53,6 +53,9 @@ SAME_ROOT = 1e-9
 
 GOLDEN = (math.sqrt(5) - 1) / 2
 
+ALL_SECTIONS = 90
+"""Golden sections that leave nothing between two ends."""
+
 
 def spaced(low: float, high: float, parts: int) -> list[float]:
     """Return the ends of equal cells, the last one exactly.
@@ -189,14 +192,19 @@ def _lowest(
         yield Root(x, HALF_DIGITS * max(abs(x), SMALL))
 
 
-def lowest(function: Function, a: float, b: float, sections: int = 90) -> float:
+def lowest(
+    function: Function, a: float, b: float, sections: int = ALL_SECTIONS, flat: float = math.inf
+) -> float:
     """Return where a function with one minimum is least, by golden sections.
 
-    90 of them leave nothing between the ends.
+    There are more than ``sections`` while two values within still differ by more than ``flat``:
+    beside a kink a function may be steep.
     """
     c, d = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
     at_c, at_d = function(c), function(d)
-    for _ in range(sections):
+    for section in range(ALL_SECTIONS):
+        if section >= sections and not abs(at_c - at_d) > flat:
+            break
         if at_c < at_d:
             b, d, at_d = d, c, at_c
             c = b - GOLDEN * (b - a)

@@ -5,13 +5,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
-from ..formula.layout import TRIGONOMETRIC
-from ..formula.tree import Call, Constant, Formula, Number, Power, Product, Symbol, degrees
+from ..formula.layout import TRIGONOMETRIC, squares
+from ..formula.tree import Call, Constant, Formula, Number, Power, Product, Symbol, degrees, power
 from ..formula.typesetting import HALF
 from ..formula.walk import children, evaluate, rebuild, symbols
 from ..units import ANGLE, LENGTH, Dimension, in_unit, si_unit
 
-DIGITS = 4
+DIGITS = 6
 """Significant digits of numbers that are put in."""
 
 FINEST = 9
@@ -53,6 +53,8 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
             values = {name: quantity.value for name, quantity in given.items()}
             return Call(function, (in_degrees(_within_a_turn(evaluate(angle, values)), DIGITS),))
+        case Call("hypot", sides) if symbols(formula):
+            return put_in(power(squares(sides), HALF), given)
         case Call(function, arguments):
             return Call(function, tuple(_argument(a, given) for a in arguments))
         case Constant():

@@ -42,7 +42,10 @@ BEFORE_JUMP = 1e-2
 """How far before a jump an efficiency is looked at, as a part of the cell that ends there."""
 
 SECTIONS, FEWER = 16, 13
-"""Sections to a lowest or highest efficiency, after which three figures are right."""
+"""Sections to a lowest or highest efficiency; three figures of a smooth one are right then."""
+
+THREE_FIGURES = 1e-4
+"""What an efficiency may still change by there; where it has a kink, it takes more sections."""
 
 Find = Callable[[Moving, float, float], Iterator[float]]
 """Yields values between two others at which something happens."""
@@ -220,7 +223,7 @@ def _turning_beside_jumps(moving: Moving, grid: Sequence[float]) -> Iterator[flo
         for sense in (1, -1):
             if sense * inside < sense * final <= sense * first:
                 efficiency = partial(_signed, moving, sense)
-                yield lowest(efficiency, min(far, end), max(far, end), sections)
+                yield lowest(efficiency, min(far, end), max(far, end), sections, THREE_FIGURES)
 
 
 def _triples(grid: Sequence[float]) -> Iterator[tuple[float, float, float]]:
@@ -238,7 +241,7 @@ def _extremes(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
         for sense in (1, -1):
             if sense * here <= sense * before and sense * here <= sense * after:
                 efficiency = partial(_signed, moving, sense)
-                yield lowest(efficiency, grid[i - 1], grid[i + 1], sections)
+                yield lowest(efficiency, grid[i - 1], grid[i + 1], sections, THREE_FIGURES)
 
 
 def _signed(moving: Moving, sense: int, x: float) -> float:

@@ -276,9 +276,23 @@ double class_k_of(const class_parameters *p)
         p->k);
 }
 
-double class_k_n_of(const class_parameters *p)
+void class_k_n_of(size_t n, const class_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT k)
+{
+    for (size_t i = 0; i < n; ++i) {
+        k[i] = class_k_of(p + i);
+    }
+}
+
+double class_k_n_of_2(const class_parameters *p)
 {
     return class_k_n(p->I_, p->np);
+}
+
+void class_k_n_n_of(size_t n, const class_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT k_n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        k_n[i] = class_k_n_of_2(p + i);
+    }
 }
 
 double class_int_of(const class_parameters *p)
@@ -286,15 +300,42 @@ double class_int_of(const class_parameters *p)
     return class_int(p->beta_3, p->beta);
 }
 
+void class_int_n_of(size_t n, const class_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT int_)
+{
+    for (size_t i = 0; i < n; ++i) {
+        int_[i] = class_int_of(p + i);
+    }
+}
+
 double class_int_of_2(const class_parameters *p)
 {
     return class_int_(p->int_, p->double_);
+}
+
+void class_int_n_of_2(
+    size_t n,
+    const class_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT int_2)
+{
+    for (size_t i = 0; i < n; ++i) {
+        int_2[i] = class_int_of_2(p + i);
+    }
 }
 
 double class_seven_of(const class_parameters *p)
 {
     (void)p;
     return class_seven();
+}
+
+void class_seven_n_of(
+    size_t n,
+    const class_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT seven)
+{
+    for (size_t i = 0; i < n; ++i) {
+        seven[i] = class_seven_of(p + i);
+    }
 }
 
 int class_pose_of(const class_parameters *p, double *sin_lambda_out, double *NAN_out)
@@ -314,4 +355,16 @@ int class_pose_of(const class_parameters *p, double *sin_lambda_out, double *NAN
         p->k,
         sin_lambda_out,
         NAN_out);
+}
+
+void class_pose_n_of(
+    size_t n,
+    const class_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT sin_lambda_out,
+    double *MECHC_RESTRICT NAN_out,
+    int *MECHC_RESTRICT status)
+{
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = class_pose_of(p + i, sin_lambda_out + i, NAN_out + i);
+    }
 }

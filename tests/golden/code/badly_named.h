@@ -193,7 +193,8 @@ void class_pose_n(
 /*
  * All parameters by name. The defaults are the values of the description, NAN where it has none:
  * copy them, set what is to differ, and pass the copy on. Each function below gives what the
- * one without _of gives for these values.
+ * one without _of gives for these values; one with _n_of takes the elements 0 .. n - 1 of an
+ * array of structs, and its arrays must not overlap.
  */
 typedef struct class_parameters {
     double lambda; /* m; 20 mm, in 10 mm .. 20 mm */
@@ -213,11 +214,28 @@ typedef struct class_parameters {
 extern const class_parameters class_defaults;
 
 double class_k_of(const class_parameters *p);
-double class_k_n_of(const class_parameters *p);
+void class_k_n_of(size_t n, const class_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT k);
+double class_k_n_of_2(const class_parameters *p);
+void class_k_n_n_of(size_t n, const class_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT k_n);
 double class_int_of(const class_parameters *p);
+void class_int_n_of(size_t n, const class_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT int_);
 double class_int_of_2(const class_parameters *p);
+void class_int_n_of_2(
+    size_t n,
+    const class_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT int_2);
 double class_seven_of(const class_parameters *p);
+void class_seven_n_of(
+    size_t n,
+    const class_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT seven);
 int class_pose_of(const class_parameters *p, double *sin_lambda_out, double *NAN_out);
+void class_pose_n_of(
+    size_t n,
+    const class_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT sin_lambda_out,
+    double *MECHC_RESTRICT NAN_out,
+    int *MECHC_RESTRICT status);
 
 #ifdef __cplusplus
 }

@@ -314,9 +314,23 @@ double chained_k_of(const chained_parameters *p)
     return chained_k(p->a, p->b, p->phi);
 }
 
+void chained_k_n_of(size_t n, const chained_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT k)
+{
+    for (size_t i = 0; i < n; ++i) {
+        k[i] = chained_k_of(p + i);
+    }
+}
+
 double chained_P_of(const chained_parameters *p)
 {
     return chained_P(p->a, p->b, p->phi, p->m, p->M);
+}
+
+void chained_P_n_of(size_t n, const chained_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT P)
+{
+    for (size_t i = 0; i < n; ++i) {
+        P[i] = chained_P_of(p + i);
+    }
 }
 
 double chained_F_of(const chained_parameters *p)
@@ -324,12 +338,41 @@ double chained_F_of(const chained_parameters *p)
     return chained_F(p->m);
 }
 
+void chained_F_n_of(size_t n, const chained_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT F)
+{
+    for (size_t i = 0; i < n; ++i) {
+        F[i] = chained_F_of(p + i);
+    }
+}
+
 double chained_twice_of(const chained_parameters *p)
 {
     return chained_twice(p->a, p->b, p->phi, p->m, p->M);
 }
 
+void chained_twice_n_of(
+    size_t n,
+    const chained_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT twice)
+{
+    for (size_t i = 0; i < n; ++i) {
+        twice[i] = chained_twice_of(p + i);
+    }
+}
+
 int chained_pose_of(const chained_parameters *p, double *theta_out, double *reach_out)
 {
     return chained_pose(p->a, p->b, p->phi, theta_out, reach_out);
+}
+
+void chained_pose_n_of(
+    size_t n,
+    const chained_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT theta_out,
+    double *MECHC_RESTRICT reach_out,
+    int *MECHC_RESTRICT status)
+{
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = chained_pose_of(p + i, theta_out + i, reach_out + i);
+    }
 }

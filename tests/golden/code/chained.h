@@ -142,7 +142,8 @@ void chained_pose_n(
 /*
  * All parameters by name. The defaults are the values of the description, NAN where it has none:
  * copy them, set what is to differ, and pass the copy on. Each function below gives what the
- * one without _of gives for these values.
+ * one without _of gives for these values; one with _n_of takes the elements 0 .. n - 1 of an
+ * array of structs, and its arrays must not overlap.
  */
 typedef struct chained_parameters {
     double a; /* m; 100 mm, in 50 mm .. 100 mm */
@@ -155,10 +156,23 @@ typedef struct chained_parameters {
 extern const chained_parameters chained_defaults;
 
 double chained_k_of(const chained_parameters *p);
+void chained_k_n_of(size_t n, const chained_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT k);
 double chained_P_of(const chained_parameters *p);
+void chained_P_n_of(size_t n, const chained_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT P);
 double chained_F_of(const chained_parameters *p);
+void chained_F_n_of(size_t n, const chained_parameters *MECHC_RESTRICT p, double *MECHC_RESTRICT F);
 double chained_twice_of(const chained_parameters *p);
+void chained_twice_n_of(
+    size_t n,
+    const chained_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT twice);
 int chained_pose_of(const chained_parameters *p, double *theta_out, double *reach_out);
+void chained_pose_n_of(
+    size_t n,
+    const chained_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT theta_out,
+    double *MECHC_RESTRICT reach_out,
+    int *MECHC_RESTRICT status);
 
 #ifdef __cplusplus
 }

@@ -129,3 +129,13 @@ double packet_clamp_k_of(const packet_clamp_parameters *p)
 {
     return packet_clamp_k(p->a, p->b, p->alpha, p->beta);
 }
+
+void packet_clamp_k_n_of(
+    size_t n,
+    const packet_clamp_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT k)
+{
+    for (size_t i = 0; i < n; ++i) {
+        k[i] = packet_clamp_k_of(p + i);
+    }
+}

@@ -48,7 +48,8 @@ void packet_clamp_k_n(
 /*
  * All parameters by name. The defaults are the values of the description, NAN where it has none:
  * copy them, set what is to differ, and pass the copy on. Each function below gives what the
- * one without _of gives for these values.
+ * one without _of gives for these values; one with _n_of takes the elements 0 .. n - 1 of an
+ * array of structs, and its arrays must not overlap.
  */
 typedef struct packet_clamp_parameters {
     double a; /* m; 100 mm, in 50 mm .. 100 mm */
@@ -60,6 +61,10 @@ typedef struct packet_clamp_parameters {
 extern const packet_clamp_parameters packet_clamp_defaults;
 
 double packet_clamp_k_of(const packet_clamp_parameters *p);
+void packet_clamp_k_n_of(
+    size_t n,
+    const packet_clamp_parameters *MECHC_RESTRICT p,
+    double *MECHC_RESTRICT k);
 
 #ifdef __cplusplus
 }

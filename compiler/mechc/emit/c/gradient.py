@@ -1,13 +1,13 @@
 """Functions that give a result and its slopes by each argument, for one pose and for many."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ...formula.tree import Call
 from ...formula.walk import walk
 from ...routine.functions import operations
 from ...routine.gradient import gradients
-from ...routine.steps import Function, Pose, formulas_of, names_of
+from ...routine.steps import Function, Input, Pose, formulas_of, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..printer import Printer
@@ -20,9 +20,13 @@ from .solvers import lines
 class GradientContext(NamedTuple):
     """Fields are what ``c/gradient.jinja`` and ``c/declarations.jinja`` mention.
 
-    ``kernel`` is the form with the ``quick`` body, which loops call; '' where the plain one serves.
+    ``name``, ``inputs`` and ``outputs`` are those of the form for one pose. ``kernel`` is the form
+    with the ``quick`` body, which loops call; '' where the plain one serves.
     """
 
+    name: str
+    inputs: Sequence[Input]
+    outputs: list[str]
     remarks: list[str]
     single: str
     batch: str
@@ -62,6 +66,9 @@ def _context(
         for printer in (CPrinter(names), QuickPrinter(names))
     )
     return GradientContext(
+        name=single,
+        inputs=program.inputs,
+        outputs=slots,
         remarks=[*map(harmless, _remarks(function, program, own, outputs, number))],
         single=wrapped(f"void {single}(", heads),
         batch=wrapped(f"void {batch}(", _arrays(number, inputs, slots)),
@@ -108,9 +115,10 @@ def _remarks(
     yield f"The {describe.one_line(function.title)} and its slopes by each argument."
     yield ""
     yield from (f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in program.inputs)
-    yield f"  {value}: {function.name}"
+    yield f"  {value}: {describe.measured_words(function.name, function.dimension)}"
     for slope, item in zip(slopes, program.inputs, strict=True):
-        yield f"  {slope}: the slope of {function.name} by {item.name}"
+        words, unit = f"the slope of {function.name} by {item.name}", function.dimension
+        yield f"  {slope}: {describe.measured_words(words, unit.over(item.dimension))}"
     yield from describe.slope_remarks(function)
     yield f"{operations(program.steps)} operations. The second form computes the elements"
     yield f"0 .. {number} - 1; its arrays must not overlap."

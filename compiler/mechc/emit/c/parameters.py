@@ -1,6 +1,7 @@
 """A struct of all parameters with the values of the description, and the functions that take it."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from ...named import NamedTuple
 from ...routine.steps import Function, Input, Routine, programs
@@ -9,6 +10,9 @@ from ..names import Names
 from .layout import harmless, wrapped
 from .pose import PoseContext
 from .reserved import RESERVED
+
+if TYPE_CHECKING:
+    from .gradient import GradientContext
 
 
 class Field(NamedTuple):
@@ -20,10 +24,10 @@ class Field(NamedTuple):
 
 
 class Taking(NamedTuple):
-    """A function that takes the struct: its head, and the call of the one that takes numbers."""
+    """A function that takes the struct, or an array of it: its head and its statements."""
 
     head: str
-    call: str
+    body: list[str]
 
 
 class ParametersContext(NamedTuple):
@@ -31,24 +35,38 @@ class ParametersContext(NamedTuple):
 
     struct: str
     defaults: str
-    pointer: str
     fields: list[Field]
     functions: list[Taking]
 
 
 class Positional(NamedTuple):
-    """A function that takes numbers: its type, its name, what it takes and what it fills."""
+    """A function that takes numbers: its type, its name, what it takes and what it fills.
+
+    What it returns for many poses stands in an array ``returned``.
+    """
 
     kind: str
     name: str
     inputs: Sequence[Input]
     outputs: Sequence[str] = ()
+    returned: str = "status"
+
+
+class Own(NamedTuple):
+    """What the functions that take a struct call it, their arguments and what they return."""
+
+    struct: str
+    pointer: str
+    number: str
+    loop: str
+    returned: Mapping[str, str]
 
 
 def parameters_context(
     routine: Routine,
     singles: Mapping[str, str],
     poses: Sequence[PoseContext],
+    gradients: "Sequence[GradientContext]",
     checks: str,
     space: Names,
     arguments: Mapping[str, str],
@@ -64,22 +82,36 @@ def parameters_context(
     listed = [*_of_results(routine.functions, singles), *_of_poses(routine, poses)]
     if routine.checks:
         listed.append(Positional("int", checks, routine.checks.inputs))
+    listed += (Positional("void", g.name, g.inputs, g.outputs) for g in gradients)
     struct, defaults = (space.claim(f"{routine.name}_{end}") for end in ("parameters", "defaults"))
-    outputs = (output for each in listed for output in each.outputs)
-    pointer = Names(RESERVED, {struct, *(each.name for each in listed), *outputs}).claim("p")
-    named = [(each, space.claim(f"{each.name}_of")) for each in listed]
+    named = [(each, *_claimed(each.name, space)) for each in listed]
+    taken = {struct, *(name for each, *names in named for name in (each.name, *names))}
+    own = _own(struct, listed, Names(RESERVED, taken))
     return ParametersContext(
         struct,
         defaults,
-        pointer,
         [_field(item, arguments[item.name]) for item in inputs.values()],
-        [_taking(each, name, struct, pointer, arguments) for each, name in named],
+        [f for each, *names in named for f in _taking(each, *names, own, arguments)],
     )
+
+
+def _claimed(name: str, space: Names) -> tuple[str, str]:
+    """Return the names of the functions that take the struct, and an array of it."""
+    return space.claim(f"{name}_of"), space.claim(f"{name}_n_of")
+
+
+def _own(struct: str, listed: Sequence[Positional], inner: Names) -> Own:
+    for output in sorted({output for each in listed for output in each.outputs}):
+        inner.claim(output)
+    pointer, number, loop = map(inner.claim, ("p", "n", "i"))
+    returned = dict.fromkeys(each.returned for each in listed)
+    return Own(struct, pointer, number, loop, {name: inner.claim(name) for name in returned})
 
 
 def _of_results(functions: Sequence[Function], singles: Mapping[str, str]) -> Iterator[Positional]:
     for function in functions:
-        yield Positional("double", singles[function.name], function.inputs)
+        name = function.name
+        yield Positional("double", singles[name], function.inputs, returned=name)
         if function.status:
             yield Positional("int", singles[function.status.name], function.status.inputs)
 
@@ -97,11 +129,36 @@ def _field(item: Input, name: str) -> Field:
 
 
 def _taking(
-    function: Positional, name: str, struct: str, pointer: str, arguments: Mapping[str, str]
-) -> Taking:
-    heads = [f"const {struct} *{pointer}", *(f"double *{o}" for o in function.outputs)]
+    function: Positional, one: str, many: str, own: Own, arguments: Mapping[str, str]
+) -> tuple[Taking, Taking]:
+    """Return the functions that take one struct, and an array of them."""
+    return _for_one(function, one, own, arguments), _for_many(function, one, many, own)
+
+
+def _for_one(function: Positional, name: str, own: Own, arguments: Mapping[str, str]) -> Taking:
+    pointer = own.pointer
+    heads = [f"const {own.struct} *{pointer}", *(f"double *{o}" for o in function.outputs)]
     given = [*(f"{pointer}->{arguments[i.name]}" for i in function.inputs), *function.outputs]
-    return Taking(
-        wrapped(f"{function.kind} {name}(", heads),
-        wrapped(f"return {function.name}(", given, indent=" " * 8),
+    back = "" if function.kind == "void" else "return "
+    call = wrapped(f"{back}{function.name}(", given, indent=" " * 8)
+    unused = [] if function.inputs else [f"(void){pointer};"]
+    return Taking(wrapped(f"{function.kind} {name}(", heads), [*unused, f"{call};"])
+
+
+def _for_many(function: Positional, one: str, name: str, own: Own) -> Taking:
+    pointer, loop = own.pointer, own.loop
+    filled = [f"double *MECHC_RESTRICT {o}" for o in function.outputs]
+    call = (
+        f"{one}({', '.join([f'{pointer} + {loop}', *(f'{o} + {loop}' for o in function.outputs)])})"
     )
+    if function.kind != "void":
+        result = own.returned[function.returned]
+        filled.append(f"{function.kind} *MECHC_RESTRICT {result}")
+        call = f"{result}[{loop}] = {call}"
+    heads = [f"size_t {own.number}", f"const {own.struct} *MECHC_RESTRICT {pointer}", *filled]
+    body = [
+        f"for (size_t {loop} = 0; {loop} < {own.number}; ++{loop}) {{",
+        f"    {call};",
+        "}",
+    ]
+    return Taking(wrapped(f"void {name}(", heads), body)

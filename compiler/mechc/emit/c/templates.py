@@ -67,7 +67,7 @@ def macro_restrict() -> str:
 
 def macro_by_parameters(parameters: Any) -> str:
     _parts: list[str] = []
-    _parts += ['\n/*\n * All parameters by name. The defaults are the values of the description, NAN where it has none:\n * copy them, set what is to differ, and pass the copy on. Each function below gives what the\n * one without _of gives for these values.\n */\ntypedef struct ', str(parameters.struct), ' {\n']
+    _parts += ['\n/*\n * All parameters by name. The defaults are the values of the description, NAN where it has none:\n * copy them, set what is to differ, and pass the copy on. Each function below gives what the\n * one without _of gives for these values; one with _n_of takes the elements 0 .. n - 1 of an\n * array of structs, and its arrays must not overlap.\n */\ntypedef struct ', str(parameters.struct), ' {\n']
     for field in parameters.fields:
         _parts += ['    double ', str(field.name), '; /* ', str(field.words), ' */\n']
     _parts += ['} ', str(parameters.struct), ';\n\nextern const ', str(parameters.struct), ' ', str(parameters.defaults), ';\n\n']
@@ -187,9 +187,9 @@ def _parameters(_known: Mapping[str, Any]) -> str:
     _parts += ['};\n']
     for f in _known["parameters"].functions:
         _parts += ['\n', str(f.head), '\n{\n']
-        if ('->' not in f.call):
-            _parts += ['    (void)', str(_known["parameters"].pointer), ';\n']
-        _parts += ['    ', str(f.call), ';\n}\n']
+        for line in f.body:
+            _parts += ['    ', str(line), '\n']
+        _parts += ['}\n']
     return "".join(_parts)
 
 

@@ -216,7 +216,9 @@ def _parts(compiled: Compiled, slopes: bool) -> Parts:
             if isinstance(c, Common)
         ],
         gradients=gradients,
-        parameters=parameters_context(routine, scope.singles, poses, status, space, arguments),
+        parameters=parameters_context(
+            routine, scope.singles, poses, gradients, status, space, arguments
+        ),
     )
 
 

@@ -1,0 +1,80 @@
+"""Any relation on a page of the library balances in units, and its numbers come to its values."""
+
+from pathlib import Path
+
+import pytest
+
+import mechc
+from paths import LIBRARY
+from printed_units import PrintedUnits, displaced, extents
+
+FILES = sorted(p for p in LIBRARY.rglob("*") if p.suffix in {".mech", ".yaml"})
+LANGUAGES = ("en", "uk", "ru")
+
+QUICK = {"gripper_closed", "jansen_leg", "lever_clamp_with_friction", "wedge_drive_with_friction"}
+QUICK |= {"claw_angles", "cylinder", "prism_jaws", "wheelbarrow", "triad_press", "tongs_fig4_9"}
+
+
+def chosen(path: Path) -> object:
+    return pytest.param(path, marks=() if path.stem in QUICK else pytest.mark.slow, id=path.stem)
+
+
+def printed(path: Path, language: str = "en") -> str:
+    return mechc.load(path).emit("latex", language=language)
+
+
+def wrong(tex: str) -> list[str]:
+    page = PrintedUnits(tex)
+    return [*page.contradictions(), *page.unread]
+
+
+@pytest.mark.parametrize("path", [chosen(path) for path in FILES])
+def test_units_and_numbers_of_a_page_agree(path):
+    tex = printed(path)
+    assert wrong(tex) == []
+    assert list(displaced(tex)) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("language", LANGUAGES[1:])
+def test_units_and_numbers_of_a_translated_page_agree(path, language):
+    assert wrong(printed(path, language)) == []
+
+
+def test_a_page_is_read_in_earnest():
+    page = PrintedUnits(printed(LIBRARY / "gripper_closed.mech"))
+    assert list(page.contradictions()) == []
+    assert page.read_relations > 20
+    assert page.valued > 4
+    assert len(list(extents(page.tex))) == 2
+
+
+@pytest.mark.parametrize(
+    ("printed_there", "instead", "left"),
+    [
+        (r"(15\,\text{mm})^{2}", r"15\,\text{mm}^{2}", "AO"),
+        (r"33.541\,\text{mm}", r"33.541\,\text{m}", "AO"),
+        (r"33.541\,\text{mm}", r"33.551\,\text{mm}", "AO"),
+        (r"\boxed{k=\frac{P}{F}=\frac{2b}{a}", r"\boxed{k=\frac{P}{F}=\frac{2b}{a^{2}}", "k"),
+        (r"\boxed{k=\frac{P}{F}=\frac{2b}{a}", r"\boxed{k=\frac{P}{F}=\frac{3b}{a}", "k"),
+        (r"V_B\sin\mu_B=V_A\cos", r"aV_B\sin\mu_B=V_A\cos", "aV_B\\sin\\mu_B"),
+        (r"PV_A+2FV_{J,F}", r"P+2FV_{J,F}", "P+2FV_{J,F}"),
+    ],
+)
+def test_a_wrong_page_is_seen(printed_there, instead, left):
+    tex = printed(LIBRARY / "gripper_closed.mech")
+    assert printed_there in tex
+    found = wrong(tex.replace(printed_there, instead))
+    assert left in {text.split(" = ")[0] for text in found}
+
+
+def test_an_extremum_at_another_place_is_seen():
+    tex = printed(LIBRARY / "gripper_closed.mech")
+    assert "at $s=44$ mm" in tex
+    assert len(list(displaced(tex.replace("at $s=44$ mm", "at $s=43$ mm")))) == 1
+
+
+def test_what_was_found_is_put_in_as_it_was_printed():
+    tex = printed(LIBRARY / "sheets" / "prism_jaws.mech")
+    assert r"39.1548\,\text{N}+49.6515\,\text{N}+5.58517\,\text{N}=94.3914\,\text{N}" in tex
