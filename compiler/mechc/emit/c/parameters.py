@@ -85,13 +85,13 @@ def parameters_context(
     listed += (Positional("void", g.name, g.inputs, g.outputs) for g in gradients)
     struct, defaults = (space.claim(f"{routine.name}_{end}") for end in ("parameters", "defaults"))
     named = [(each, *_claimed(each.name, space)) for each in listed]
-    taken = {struct, *(name for each, *names in named for name in (each.name, *names))}
+    taken = {struct, *(name for each, one, many in named for name in (each.name, one, many))}
     own = _own(struct, listed, Names(RESERVED, taken))
     return ParametersContext(
         struct,
         defaults,
         [_field(item, arguments[item.name]) for item in inputs.values()],
-        [f for each, *names in named for f in _taking(each, *names, own, arguments)],
+        [f for each, one, many in named for f in _taking(each, one, many, own, arguments)],
     )
 
 
