@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable
+from itertools import takewhile
 
 import pytest
 
@@ -59,3 +60,12 @@ def test_check_breaks_lines_at_the_width_of_a_terminal() -> None:
         lines = [*report(compilation, False, "uk", width)][1:]
         assert max(map(len, lines)) <= width
         assert all(line.startswith("  ") for line in lines)
+
+
+def test_it_says_which_load_drives_against_friction(capsys):
+    """The load above the line drives: of k = F/P it is F, which may not be what was meant."""
+    assert main(["check", "fedoriv_fig2b_with_friction"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    at = next(i for i, line in enumerate(lines) if line.startswith("  i_f = "))
+    after = list(takewhile(lambda line: line.startswith("    "), lines[at + 1 :]))
+    assert "    With friction, W is back-driven." in after

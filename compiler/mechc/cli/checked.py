@@ -21,7 +21,7 @@ from ..report.definitions import Letters, Solved, as_written, grouped, letters
 from ..report.note import own_lines
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
-from ..report.sentences.remarks import own_conditions, reaction
+from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
 from ..report.text.note import in_brief, in_language
 from ..report.text.overview import overview
 from ..report.text.speller import Speller, speller
@@ -143,6 +143,8 @@ def _of_result(
     if sizes and not (before and sizes == _sizes(before)):
         press = words["press" if len(sizes) > 1 else "presses"]
         yield f"    {press.format(names=', '.join(sizes), equation='n = |r + D*n|')}"
+    if says_what_drives(result):
+        yield f"    {kind(result, spell.locale, spell)}."
     if result.default is not None:
         value = _measured(result.default, unit, spell)
         yield f"    = {words['default'].format(value=value)}"

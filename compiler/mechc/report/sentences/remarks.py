@@ -56,11 +56,14 @@ def subject(results: Iterable[Analysis], locale: Locale) -> str:
 def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
     """Return the heading of a result by its kind; ``""`` for a user-defined formula."""
     said = kind(result, locale, spell)
-    match result.target:
-        case WithFriction(LoadRatio() | LoadForm()):
-            return f"{said} ({_spelled(asked(result), spell)})"
-        case _:
-            return said
+    return f"{said} ({_spelled(asked(result), spell)})" if says_what_drives(result) else said
+
+
+def says_what_drives(result: Analysis) -> bool:
+    """Return whether :func:`kind` says which load drives, or is back-driven."""
+    return isinstance(result.target, WithFriction) and isinstance(
+        result.target.of, LoadRatio | LoadForm
+    )
 
 
 def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
