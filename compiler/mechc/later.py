@@ -5,19 +5,28 @@ compilation imports. A package whose modules may wait has a ``__getattr__`` of :
 which gives them as :class:`Later`; ``from package import module`` then imports nothing.
 """
 
-from collections.abc import Callable, Set
+from __future__ import annotations
+
 from importlib import import_module
-from types import ModuleType
-from typing import Any
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Set
+    from typing import Any
 
 
-class Later(ModuleType):
+class Later:
     """Stands for a module, and imports it when one of its names is asked for.
 
     >>> module = Later("mechc.version")
     >>> module.VERSION == import_module("mechc.version").VERSION
     True
     """
+
+    __slots__ = ("__name__",)
+
+    def __init__(self, name: str) -> None:
+        self.__name__ = name
 
     def __getattr__(self, name: str) -> Any:
         return getattr(import_module(self.__name__), name)

@@ -15,7 +15,8 @@ import pytest
 
 from mechc import __version__
 from mechc.cli import main
-from mechc.cli.commands import COMMANDS, mechc
+from mechc.cli.by_click import mechc
+from mechc.cli.commands import COMMANDS
 from mechc.files import library
 from paths import EXAMPLES
 

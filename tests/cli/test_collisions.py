@@ -6,11 +6,11 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from click import UsageError
 
 from mechc.cli import main
 from mechc.cli.collisions import claim
 from mechc.cli.outputs import makefile_rule
+from mechc.cli.usage import UsageError
 from paths import EXAMPLES
 
 needs_make = pytest.mark.skipif(shutil.which("make") is None, reason="make is not installed here")

@@ -87,3 +87,13 @@ def test_a_class_that_cannot_be_is_refused():
         making("Wrong", (), body | {"__annotations__": annotations, "a": 1})
     with pytest.raises(TypeError, match="no other bases"):
         named.NamedTuple.__mro_entries__((named.NamedTuple, Rod))
+
+
+def test_more_fields_than_the_usual():
+    names = [f"field_{i}" for i in range(60)]
+    many = type(named.NamedTuple.__mro_entries__((named.NamedTuple,))[0])(
+        "Many", (), {"__annotations__": dict.fromkeys(names, int), "__module__": __name__}
+    )
+    made = many(*range(60))
+    assert [getattr(made, name) for name in names] == list(range(60))
+    assert made._replace(field_50=0)[49:52] == (49, 0, 51)

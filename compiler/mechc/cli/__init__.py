@@ -8,3 +8,9 @@ description is wrong, 2 the command line is, 3 a file or the environment, 4 a li
 from .main import console, main
 
 __all__ = ["console", "main"]
+
+TYPE_CHECKING = False
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    __getattr__ = waiting(__name__, {"by_click", "keeping"})

@@ -1,27 +1,25 @@
 """``mechc check``: mistakes found, expectations proved or refuted, the second opinion."""
 
-import click
-
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
+from . import usage
 from .checked import overview_of, report
 from .inputs import expanded, settings_option, stdin_option
 from .open import begin
-from .session import Repeatable, session, session_options, status
+from .session import session, session_options, status
 from .terminal import line_width, say
-from .words import Word, descriptions
+from .usage import Word
+from .words import descriptions
 
 
-@click.command("check", cls=Repeatable)
-@click.argument(
-    "files", nargs=-1, required=True, metavar="FILE|FOLDER|NAME|-...", shell_complete=descriptions
-)
-@click.option("-v", "--verbose", is_flag=True, help="Show what is given, and every pose.")
-@click.option("-q", "--quiet", is_flag=True, help="Print errors and warnings only.")
-@click.option(
-    "--lang", "language", type=Word(LANGUAGES), default="en", show_default=True,
+@usage.command("check", repeatable=True)
+@usage.argument("files", several=True, metavar="FILE|FOLDER|NAME|-...", complete=descriptions)
+@usage.option("-v", "--verbose", is_flag=True, help="Show what is given, and every pose.")
+@usage.option("-q", "--quiet", is_flag=True, help="Print errors and warnings only.")
+@usage.option(
+    "--lang", "language", kind=Word(LANGUAGES), default="en", show_default=True,
     help="The language of what is found; errors and warnings are in English.",
 )  # fmt: skip
 @settings_option
@@ -34,7 +32,7 @@ def command(
     language: str,
     settings: Settings,
     stdin_name: str,
-) -> None:
+) -> int:
     """Find mistakes; prove or refute expectations.
 
     Every `expect` is proved by algebra, or refuted by a pose with both numbers. Every
@@ -66,4 +64,4 @@ def command(
                 worst = max(worst, 1)
         for line in () if quiet else report(compilation, verbose, language, line_width()):
             say(line)
-    click.get_current_context().exit(worst)
+    return worst

@@ -6,11 +6,11 @@ import sys
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import NamedTuple, TextIO
-
-import click
+from typing import TextIO
 
 from ..files import resolved
+from ..named import NamedTuple
+from . import usage
 
 Key = tuple[object, ...]
 """The identity of a file, whatever path leads to it."""
@@ -32,7 +32,7 @@ def refuse_collisions(written: Iterable[Path], read: Iterable[Claim], printed: b
     claims = [claim(path) for path in written]
     for key, name in [*claims, *(streams(sys.stdout) if printed else ())]:
         if key in taken:
-            raise click.UsageError(f"the output {name!r} would overwrite {taken[key]}")
+            raise usage.UsageError(f"the output {name!r} would overwrite {taken[key]}")
         if key:
             taken[key] = f"the output {name!r}"
 
@@ -42,7 +42,7 @@ def refuse_reading(read: Claim) -> None:
     for stream in (sys.stdout, sys.stderr):
         for key, name in streams(stream):
             if key and key == read.key:
-                raise click.UsageError(f"{name} is the description {read.name!r} itself")
+                raise usage.UsageError(f"{name} is the description {read.name!r} itself")
 
 
 def claim(path: Path) -> Claim:

@@ -1,9 +1,7 @@
 """``mechc compile``: one description, any number of outputs."""
 
+from collections.abc import Iterator
 from pathlib import Path
-
-import click
-from click.shell_completion import CompletionItem
 
 from .. import witness
 from ..diagnostics import near_miss
@@ -13,6 +11,7 @@ from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
+from . import usage
 from .collisions import claim, refuse_collisions
 from .inputs import (
     by_option,
@@ -24,83 +23,84 @@ from .inputs import (
 )
 from .open import begin
 from .outputs import Output, makefile_rule, outputs, placed
-from .session import Repeatable, session, session_options
+from .session import session, session_options
 from .terminal import give
-from .words import Word, beginning, paths
+from .usage import Word
+from .words import beginning, paths
 
 Text = tuple[Path, str]
 """A file to be written."""
 
 
-def _known(ctx: click.Context, parameter: click.Parameter, name: str | None) -> str | None:
+def _known(name: str | None) -> str | None:
     if name is not None and name not in registry.BUILT_IN and name not in registry.names():
         known = registry.names()
         hint = near_miss(name, known)
-        raise click.BadParameter(
+        raise usage.BadParameter(
             f"{name!r} is not one of {', '.join(known)}{f'; {hint}' if hint else ''}"
         )
     return name
 
 
-def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+def _formats(begun: str) -> Iterator[usage.Proposal]:
     return beginning(begun, registry.names())
 
 
-@click.command("compile", cls=Repeatable)
+@usage.command("compile", repeatable=True)
 @description_argument
-@click.option(
+@usage.option(
     "--emit",
     "target",
     metavar="FORMAT",
-    callback=_known,
-    shell_complete=_formats,
+    check=_known,
+    complete=_formats,
     help="latex, python, c or json; with -o the suffix says it.",
 )
-@click.option(
+@usage.option(
     "-o",
     "--output",
     "paths",
     multiple=True,
     metavar="PATH",
-    shell_complete=paths,
+    complete=paths,
     help="A file (x.c writes x.c and x.h), a folder, or - for standard output. May be repeated.",
 )
-@click.option("--fragment", is_flag=True, help="LaTeX without preamble, to \\input.")
-@click.option(
+@usage.option("--fragment", is_flag=True, help="LaTeX without preamble, to \\input.")
+@usage.option(
     "--numbers/--no-numbers",
     default=True,
     help="Put the values given into the formulas of LaTeX output.",
 )
-@click.option("--brief", is_flag=True, help="LaTeX of the formulas alone, on about a page.")
-@click.option(
+@usage.option("--brief", is_flag=True, help="LaTeX of the formulas alone, on about a page.")
+@usage.option(
     "--pictures",
     is_flag=True,
     help="LaTeX with the scheme, the free bodies, a plot of the first result and its table.",
 )
-@click.option(
+@usage.option(
     "--lang",
     "language",
-    type=Word(LANGUAGES),
+    kind=Word(LANGUAGES),
     default="en",
     help="The language of LaTeX output.",
 )
-@click.option(
+@usage.option(
     "--gradient",
     is_flag=True,
     help="In C and Python, functions that give results with their slopes by each argument.",
 )
-@click.option(
+@usage.option(
     "--c-real",
-    type=Word(("double", "float")),
+    kind=Word(("double", "float")),
     default="double",
     help="The type of real numbers in C: float for processors without double.",
 )
 @by_option
 @settings_option
-@click.option(
+@usage.option(
     "--deps",
     metavar="FILE",
-    shell_complete=paths,
+    complete=paths,
     help="Write a rule for make: the outputs depend on the description. - prints it.",
 )
 @stdin_option
@@ -164,7 +164,7 @@ def _add_rule(rule: str, deps: str, texts: list[Text], printed: list[str]) -> No
     if deps != "-":
         texts.append((Path(deps), rule))
     elif printed:
-        raise click.UsageError("standard output cannot take both the output and the rule for make")
+        raise usage.UsageError("standard output cannot take both the output and the rule for make")
     else:
         printed.append(rule)
 

@@ -1,16 +1,16 @@
 """``mechc completions``: the shell's own script."""
 
-import click
 from click.shell_completion import BashComplete, ShellComplete, get_completion_class
 
 from ..data import data
-from .session import Command
+from . import usage
+from .by_click import mechc
 from .terminal import give
-from .words import Word
+from .usage import Word
 
 
-@click.command("completions", cls=Command)
-@click.argument("shell", type=Word(["bash", "zsh", "fish"]))
+@usage.command("completions")
+@usage.argument("shell", kind=Word(("bash", "zsh", "fish")))
 def command(shell: str) -> None:
     """Print shell completions.
 
@@ -20,8 +20,7 @@ def command(shell: str) -> None:
     mechc completions fish > ~/.config/fish/completions/mechc.fish
     """
     script = _script(shell)
-    root = click.get_current_context().find_root().command
-    give(script.source_template % script(root, {}, "mechc", "_MECHC_COMPLETE").source_vars())
+    give(script.source_template % script(mechc, {}, "mechc", "_MECHC_COMPLETE").source_vars())
 
 
 def _script(shell: str) -> type[ShellComplete]:

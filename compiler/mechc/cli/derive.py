@@ -1,24 +1,23 @@
 """``mechc derive``: the derivation, for the terminal."""
 
-import click
-
 from ..driver import complete, warnings
 from ..report.text.derivation import render, render_brief
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
+from . import usage
 from .inputs import by_option, description_argument, settings_option, stdin_option
 from .open import begin
-from .session import Repeatable, session, session_options
+from .session import session, session_options
 from .terminal import columns, say, speaks_unicode
-from .words import Word
+from .usage import Word
 
 
-@click.command("derive", cls=Repeatable)
+@usage.command("derive", repeatable=True)
 @description_argument
-@click.option("--numbers/--no-numbers", default=True, help="Put the values given into formulas.")
-@click.option("--brief", is_flag=True, help="Print the formulas alone.")
-@click.option(
-    "--lang", "language", type=Word(LANGUAGES), default="en", show_default=True,
+@usage.option("--numbers/--no-numbers", default=True, help="Put the values given into formulas.")
+@usage.option("--brief", is_flag=True, help="Print the formulas alone.")
+@usage.option(
+    "--lang", "language", kind=Word(LANGUAGES), default="en", show_default=True,
     help="The language of the derivation.",
 )  # fmt: skip
 @by_option

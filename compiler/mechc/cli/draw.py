@@ -3,8 +3,6 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-import click
-
 from ..diagnostics import MechcError
 from ..diagnostics.drawing import no_free_bodies, no_plans, nothing_to_draw
 from ..drawing.drawing import Drawing
@@ -19,12 +17,13 @@ from ..report.languages.registry import locale
 from ..statics.diagram import friction_circles
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
+from . import usage
 from .collisions import refuse_collisions
 from .inputs import claim_of, description_argument, settings_option, stdin_option
 from .open import begin
-from .session import Command, session, session_options
+from .session import session, session_options
 from .terminal import give
-from .words import Word
+from .usage import Word
 
 STANDARD_OUTPUT = Path("-")
 
@@ -32,35 +31,33 @@ ALONE, MARKS = ("bodies", "plans"), ("velocities", "centres", "friction_circles"
 """What is a picture of its own, and what is marked in the scheme."""
 
 
-def _known(
-    ctx: click.Context, parameter: click.Parameter, paths: tuple[Path, ...]
-) -> tuple[Path, ...]:
+def _known(paths: tuple[Path, ...]) -> tuple[Path, ...]:
     for path in paths:
         if path != STANDARD_OUTPUT and path.suffix.lower() not in FORMATS:
             known = ", ".join(FORMATS)
-            raise click.BadParameter(f"{str(path)!r} has none of the suffixes {known}")
+            raise usage.BadParameter(f"{str(path)!r} has none of the suffixes {known}")
     return paths
 
 
-@click.command("draw", cls=Command)
+@usage.command("draw")
 @description_argument
-@click.option(
+@usage.option(
     "-o",
     "--output",
     "paths",
-    type=click.Path(path_type=Path),
+    kind=Path,
     multiple=True,
-    callback=_known,
+    check=_known,
     metavar="PATH",
     help="A file; its suffix decides the format: .svg, .tex (TikZ), .png or .pdf. May be repeated.",
 )
-@click.option("--bodies", is_flag=True, help="Draw every body cut free, with the forces on it.")
-@click.option("--plans", is_flag=True, help="Draw the plans of velocities and of forces.")
-@click.option("--velocities", is_flag=True, help="Draw the velocities of points in the scheme.")
-@click.option("--centres", is_flag=True, help="Draw the instantaneous centres of links in it.")
-@click.option("--friction-circles", is_flag=True, help="Draw the friction circles in it.")
-@click.option(
-    "--lang", "language", type=Word(LANGUAGES), default="en", help="The language of the words."
+@usage.option("--bodies", is_flag=True, help="Draw every body cut free, with the forces on it.")
+@usage.option("--plans", is_flag=True, help="Draw the plans of velocities and of forces.")
+@usage.option("--velocities", is_flag=True, help="Draw the velocities of points in the scheme.")
+@usage.option("--centres", is_flag=True, help="Draw the instantaneous centres of links in it.")
+@usage.option("--friction-circles", is_flag=True, help="Draw the friction circles in it.")
+@usage.option(
+    "--lang", "language", kind=Word(LANGUAGES), default="en", help="The language of the words."
 )
 @settings_option
 @stdin_option
@@ -111,7 +108,7 @@ def _refuse_several(asked: Mapping[str, bool]) -> None:
     given = [f"--{name}" for name in ALONE if asked[name]]
     given += [f"--{name.replace('_', '-')}" for name in MARKS if asked[name]][:1]
     if len(given) > 1:
-        raise click.UsageError(f"{given[0]} and {given[1]} are two pictures; draw one at a time")
+        raise usage.UsageError(f"{given[0]} and {given[1]} are two pictures; draw one at a time")
 
 
 def _drawing(compilation: Compilation, asked: Mapping[str, bool], language: str) -> Drawing:

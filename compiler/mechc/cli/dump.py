@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 from enum import Enum
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
@@ -20,6 +20,7 @@ from ..figure.figure import Plane
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..frozen import REQUIRED, fields
+from ..named import NamedTuple
 from ..report.text.printer import ASCII, print_formula
 from ..source import Span
 from ..syntax import ast

@@ -4,26 +4,23 @@ from importlib import import_module
 from pkgutil import walk_packages
 from textwrap import indent
 
-import click
-from click.shell_completion import CompletionItem
-
 from .. import diagnostics
 from ..diagnostics import CATALOGUE, near_miss
-from .session import Command
+from . import usage
 from .terminal import say
 from .words import beginning
 
 
-def _codes(ctx: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+def _codes(begun: str) -> list[usage.Proposal]:
     """Return the codes that begin so, with their names, or else the names."""
     load_all()
     known = (e for e in CATALOGUE.values() if e.code.startswith(begun.upper()))
-    codes = [CompletionItem(entry.code, help=entry.name) for entry in known]
-    return codes or beginning(begun, (entry.name for entry in CATALOGUE.values()))
+    codes = [usage.Proposal(entry.code, entry.name) for entry in known]
+    return codes or [*beginning(begun, (entry.name for entry in CATALOGUE.values()))]
 
 
-@click.command("explain", cls=Command)
-@click.argument("code", required=False, shell_complete=_codes)
+@usage.command("explain")
+@usage.argument("code", required=False, complete=_codes)
 def command(code: str | None) -> None:
     """Explain an error or a warning by its code or its name.
 
@@ -48,9 +45,9 @@ def explanation(code: str) -> str:
             return f"{entry.code}: {entry.name}\n\n{_with_examples(entry.explanation)}"
     names = [entry.name for entry in CATALOGUE.values()]
     hint = near_miss(code.upper(), CATALOGUE) or near_miss(code.lower(), names)
-    raise click.BadParameter(
+    raise usage.BadParameter(
         f"no error or warning is called {code!r}; {hint or '`mechc explain` lists them'}",
-        param_hint="CODE",
+        where="CODE",
     )
 
 

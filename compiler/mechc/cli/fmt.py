@@ -2,21 +2,22 @@
 
 from difflib import unified_diff
 from pathlib import Path
-from typing import Literal, NamedTuple
-
-import click
+from typing import Literal
 
 from ..diagnostics import MechcError, Report
 from ..files import write_all
+from ..named import NamedTuple
 from ..source import Source
 from ..syntax import ast
 from ..syntax.notation import is_yaml, read
 from ..syntax.to_dsl import to_dsl
 from ..syntax.to_yaml import in_yaml_order, to_yaml
+from . import usage
 from .inputs import expanded, source_of, stdin_option
-from .session import Command, session, session_options, status
+from .session import session, session_options, status
 from .terminal import give, warn
-from .words import Word, paths
+from .usage import Word
+from .words import paths
 
 Notation = Literal["mech", "yaml"]
 
@@ -34,16 +35,16 @@ class Formatted(NamedTuple):
         return self.text != self.source.text
 
 
-@click.command("fmt", cls=Command)
-@click.argument("files", nargs=-1, required=True, metavar="FILE|FOLDER|-...", shell_complete=paths)
-@click.option("--check", is_flag=True, help="Write nothing; status 1 if a file would change.")
-@click.option("--diff", is_flag=True, help="Write nothing; print what would change, status 1.")
-@click.option("--to", type=Word(["mech", "yaml"]), help="Print in the other notation.")
+@usage.command("fmt")
+@usage.argument("files", several=True, metavar="FILE|FOLDER|-...", complete=paths)
+@usage.option("--check", is_flag=True, help="Write nothing; status 1 if a file would change.")
+@usage.option("--diff", is_flag=True, help="Write nothing; print what would change, status 1.")
+@usage.option("--to", kind=Word(("mech", "yaml")), help="Print in the other notation.")
 @stdin_option
 @session_options
 def command(
     files: tuple[str, ...], check: bool, diff: bool, to: Notation | None, stdin_name: str
-) -> None:
+) -> int:
     """Lay out descriptions in place; turn one notation into the other.
 
     Comments are kept. With --to the result goes to standard output, and so does
@@ -58,9 +59,9 @@ def command(
     worst, done = 0, []
     names = list(expanded(files))
     if to and len(names) > 1 and not (check or diff):
-        raise click.UsageError(f"--to prints one description, {len(names)} are given")
+        raise usage.UsageError(f"--to prints one description, {len(names)} are given")
     if names.count("-") > 1:
-        raise click.UsageError("standard input (-) is read once")
+        raise usage.UsageError("standard input (-) is read once")
     for name in names:
         try:
             done.append(_formatted(name, stdin_name, to))
@@ -74,7 +75,7 @@ def command(
         if not to and any(Path(name).is_dir() for name in files):
             for file in (f for f in done if f.changed and f.path):
                 warn(f"changed {file.source.name}")
-    click.get_current_context().exit(worst)
+    return worst
 
 
 def _formatted(name: str, stdin_name: str, to: Notation | None) -> Formatted:

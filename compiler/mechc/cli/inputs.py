@@ -5,8 +5,6 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, TypeVar
 
-import click
-
 from .. import witness
 from ..diagnostics import MechcError
 from ..diagnostics import files as files_messages
@@ -14,8 +12,10 @@ from ..files import SUFFIXES, find, read, read_stdin
 from ..source import Source
 from ..syntax.settings import Settings, parse
 from ..syntax.vocabulary import METHODS
+from . import usage
 from .collisions import Claim, claim, refuse_reading, streams
-from .words import Word, descriptions
+from .usage import Word
+from .words import descriptions
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -66,38 +66,38 @@ def _below(folder: Path) -> Iterator[Path]:
             yield path
 
 
-def _settings(ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]) -> Settings:
+def _settings(given: tuple[str, ...]) -> Settings:
     for text in given:
         if "=" not in text:
-            raise click.BadParameter(f"{text!r} is not NAME=VALUE, as in -D alpha=30deg")
+            raise usage.BadParameter(f"{text!r} is not NAME=VALUE, as in -D alpha=30deg")
     try:
         return dict(map(parse, given))
     except MechcError as error:
-        raise click.BadParameter(str(error)) from None
+        raise usage.BadParameter(str(error)) from None
 
 
-description_argument = click.argument("file", metavar="FILE|NAME|-", shell_complete=descriptions)
-by_option = click.option(
+description_argument = usage.argument("file", metavar="FILE|NAME|-", complete=descriptions)
+by_option = usage.option(
     "--by",
     "method",
-    type=Word(METHODS),
+    kind=Word(METHODS),
     default=METHODS[0],
     show_default=True,
     help="How loads are derived: by virtual power, or by the equilibrium of free bodies.",
 )
-stdin_option = click.option(
+stdin_option = usage.option(
     "--stdin-filename",
     "stdin_name",
     metavar="NAME",
     default=NAMELESS,
     help="The name of standard input in messages; its suffix decides the notation.",
 )
-settings_option = click.option(
+settings_option = usage.option(
     "-D",
     "--define",
     "settings",
     multiple=True,
-    callback=_settings,
+    check=_settings,
     metavar="NAME=VALUE",
     help="Set a parameter: -D alpha=30deg. May be given several times.",
 )

@@ -5,6 +5,7 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
+from ..files import temporary
 from .answers import SUFFIX, Event, checksum, folder, place
 
 LARGEST = 4 << 20
@@ -37,14 +38,13 @@ def keep(asked: bytes, status: int, events: list[Event]) -> None:
 def _put(path: Path, content: bytes) -> None:
     """Write an answer, for its owner only; whoever reads meanwhile finds the old one, or none."""
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    temporary = path.with_suffix(f".{os.getpid()}")
-    try:
-        handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-        with open(handle, "wb") as file:
+    with temporary(path) as file:
+        try:
             file.write(content)
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
+            file.close()
+            os.replace(file.name, path)
+        finally:
+            Path(file.name).unlink(missing_ok=True)
 
 
 def _make_room(kept: Path) -> None:

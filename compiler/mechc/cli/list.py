@@ -3,17 +3,15 @@
 import json
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
-
-import click
 
 from ..diagnostics import MechcError
 from ..driver import Compilation
 from ..files import library, read
 from ..formula.to_text import text
 from ..model.statements import only
+from ..named import NamedTuple
 from ..syntax.ast import Heading
-from .session import Repeatable
+from . import usage
 from .terminal import give, say
 
 TERMINAL = 80
@@ -32,9 +30,9 @@ class Row(NamedTuple):
     k: str
 
 
-@click.command("list", cls=Repeatable)
-@click.option("-l", "--long", is_flag=True, help="With source and k, wider than a terminal.")
-@click.option("--json", "as_json", is_flag=True, help="All of it, one object per line, uncut.")
+@usage.command("list", repeatable=True)
+@usage.option("-l", "--long", is_flag=True, help="With source and k, wider than a terminal.")
+@usage.option("--json", "as_json", is_flag=True, help="All of it, one object per line, uncut.")
 def command(long: bool, as_json: bool) -> None:
     """List the mechanisms and sheets of the library by name and title.
 

@@ -6,11 +6,12 @@ command writes two sections of the library's README, above its pictures.
 
 import json
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..data import data
 from ..driver import Compilation
 from ..files import library, mechanisms, read, write_all
+from ..named import NamedTuple
 from .make_gallery import HEADING as PICTURES
 
 SHEETS = "## Calculation sheets\n"

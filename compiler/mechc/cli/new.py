@@ -3,26 +3,24 @@
 import re
 from pathlib import Path
 
-import click
-
 from ..data import data
 from ..diagnostics import MechcError
 from ..diagnostics.files import file_exists
 from ..files import SUFFIXES, write_all
 from ..source import Source
+from . import usage
 from .fmt import layout
-from .session import Command
 from .terminal import give, say
 
 
-@click.command("new", cls=Command)
-@click.argument("name")
-@click.option("--toggle", "kind", flag_value="toggle", default=True, help="A toggle clamp.")
-@click.option("--four-bar", "kind", flag_value="four-bar", help="A four-bar linkage.")
-@click.option("--slider-crank", "kind", flag_value="slider-crank", help="A slider-crank.")
-@click.option("--gripper", "kind", flag_value="gripper", help="One half of a gripper.")
-@click.option("--cylinder", "kind", flag_value="cylinder", help="A lever on a cylinder.")
-@click.option("--sheet", "kind", flag_value="sheet", help="A calculation sheet.")
+@usage.command("new")
+@usage.argument("name")
+@usage.option("--toggle", "kind", value="toggle", default=True, help="A toggle clamp.")
+@usage.option("--four-bar", "kind", value="four-bar", help="A four-bar linkage.")
+@usage.option("--slider-crank", "kind", value="slider-crank", help="A slider-crank.")
+@usage.option("--gripper", "kind", value="gripper", help="One half of a gripper.")
+@usage.option("--cylinder", "kind", value="cylinder", help="A lever on a cylinder.")
+@usage.option("--sheet", "kind", value="sheet", help="A calculation sheet.")
 def command(name: str, kind: str) -> None:
     """Start a description from a commented example.
 
@@ -40,8 +38,8 @@ def command(name: str, kind: str) -> None:
         return
     path = Path(name) if Path(name).suffix in SUFFIXES else Path(f"{name}.mech")
     if not (path.stem.isidentifier() and path.stem.isascii()):
-        raise click.BadParameter(
-            f"{path.stem!r} is no name: letters, digits and _ make one", param_hint="NAME"
+        raise usage.BadParameter(
+            f"{path.stem!r} is no name: letters, digits and _ make one", where="NAME"
         )
     if path.exists():
         raise MechcError([file_exists(str(path))])

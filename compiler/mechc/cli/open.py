@@ -1,11 +1,10 @@
 """A compilation of what a command was given."""
 
-import click
-
 from ..diagnostics import near_miss
 from ..driver import Compilation
 from ..source import Source
 from ..syntax.settings import Settings, driven, drives, params
+from . import usage
 from .inputs import source_of
 
 
@@ -30,8 +29,8 @@ def check_names(settings: Settings, source: Source, option: str) -> None:
     declared += driven(statements)
     for unknown in (name for name in settings if name not in declared):
         hint = near_miss(unknown, declared) or f"it has {', '.join(declared) or 'none'}"
-        raise click.BadParameter(
-            f"{source.name} has no parameter {unknown!r}; {hint}", param_hint=option
+        raise usage.BadParameter(
+            f"{source.name} has no parameter {unknown!r}; {hint}", where=option
         )
 
 
@@ -39,6 +38,4 @@ def _check_drive(drive: str, source: Source) -> None:
     declared = [d.name.text for d in drives(Compilation(source).tree.statements)]
     if drive not in declared:
         hint = near_miss(drive, declared) or f"it has {', '.join(declared) or 'none'}"
-        raise click.BadParameter(
-            f"{source.name} has no drive {drive!r}; {hint}", param_hint="--drive"
-        )
+        raise usage.BadParameter(f"{source.name} has no drive {drive!r}; {hint}", where="--drive")

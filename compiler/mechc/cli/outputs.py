@@ -3,12 +3,11 @@
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import NamedTuple
-
-import click
 
 from ..emit import registry
 from ..emit.target import Emitted
+from ..named import NamedTuple
+from . import usage
 
 SPECIAL = re.compile(r"(\\*)([ #:])")
 """What make reads as itself behind a backslash, for which backslashes in front are doubled."""
@@ -46,7 +45,7 @@ def _output(path: str, target: str | None) -> Output:
 
 def _choose(reason: str) -> str:
     formats = ", ".join(registry.names())
-    raise click.UsageError(f"{reason}: choose a format with --emit, one of {formats}")
+    raise usage.UsageError(f"{reason}: choose a format with --emit, one of {formats}")
 
 
 def placed(output: Output, emitted: tuple[Emitted, ...]) -> dict[Path, str]:
@@ -69,7 +68,7 @@ def makefile_rule(made: Iterable[Path], read: Iterable[Path]) -> str:
     """
     targets = " ".join(_escaped(path).replace("%", "\\%") for path in made)
     if not targets:
-        raise click.UsageError("a rule for make needs files: write the output to one with -o")
+        raise usage.UsageError("a rule for make needs files: write the output to one with -o")
     return " ".join([f"{targets}:", *map(_escaped, read)]) + "\n"
 
 
@@ -77,7 +76,7 @@ def _escaped(path: Path) -> str:
     """Return a path as make reads it; a usage error where no rule can name it."""
     name = str(path)
     if UNSPEAKABLE.search(name):
-        raise click.UsageError(
+        raise usage.UsageError(
             f"no rule for make can name {name!r}; rename it, or leave out --deps"
         )
     return SPECIAL.sub(r"\1\1\\\2", name).replace("$", "$$")

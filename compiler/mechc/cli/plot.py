@@ -19,12 +19,13 @@ from ..report.languages.letters import letters
 from ..report.languages.registry import locale
 from ..syntax.settings import Settings, parse
 from ..syntax.vocabulary import LANGUAGES
+from . import usage
 from .collisions import refuse_collisions
 from .inputs import claim_of, description_argument, settings_option, stdin_option
 from .open import begin, check_names
-from .session import Command, session, session_options
+from .session import session, session_options
 from .terminal import give, watched
-from .words import Word
+from .usage import Whole, Word
 
 STANDARD_OUTPUT = Path("-")
 
@@ -32,26 +33,20 @@ NUMBER = re.compile(r"^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 """A number that begins a value; its unit is what stands behind it."""
 
 
-def _known(
-    ctx: click.Context, parameter: click.Parameter, paths: tuple[Path, ...]
-) -> tuple[Path, ...]:
+def _known(paths: tuple[Path, ...]) -> tuple[Path, ...]:
     for path in paths:
         if path != STANDARD_OUTPUT and path.suffix.lower() not in FORMATS:
             known = ", ".join(FORMATS)
-            raise click.BadParameter(f"{str(path)!r} has none of the suffixes {known}")
+            raise usage.BadParameter(f"{str(path)!r} has none of the suffixes {known}")
     return paths
 
 
-def _names(
-    ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
-) -> tuple[str, ...]:
+def _names(given: tuple[str, ...]) -> tuple[str, ...]:
     """Return the names of several options, each of which may list some."""
     return tuple(name.strip() for text in given for name in text.split(",") if name.strip())
 
 
-def _family(
-    ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
-) -> tuple[tuple[str, tuple[str, ...]], ...]:
+def _family(given: tuple[str, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Return names with the values they are set to: the last one's unit is that of all."""
     return tuple(map(_member, given))
 
@@ -60,83 +55,77 @@ def _member(text: str) -> tuple[str, tuple[str, ...]]:
     name, sign, values = text.partition("=")
     listed = [value.strip() for value in values.split(",")]
     if not sign or not name.strip() or not all(listed):
-        raise click.BadParameter(f"{text!r} is not NAME=VALUE,VALUE…, as in beta=10,20,30deg")
+        raise usage.BadParameter(f"{text!r} is not NAME=VALUE,VALUE…, as in beta=10,20,30deg")
     unit = NUMBER.sub("", listed[-1])
     bare = (NUMBER.fullmatch(value) is not None for value in listed)
     return name.strip(), tuple(v + unit * b for v, b in zip(listed, bare, strict=True))
 
 
-def _ends(
-    ctx: click.Context, parameter: click.Parameter, text: str | None
-) -> tuple[str, str] | None:
+def _ends(text: str | None) -> tuple[str, str] | None:
     if text is None:
         return None
     low, dots, high = text.partition("..")
     if not dots or not low.strip() or not high.strip():
-        raise click.BadParameter(f"{text!r} is not LOW .. HIGH, as in '2 deg .. 40 deg'")
+        raise usage.BadParameter(f"{text!r} is not LOW .. HIGH, as in '2 deg .. 40 deg'")
     return low.strip(), high.strip()
 
 
-def _zone(
-    ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
-) -> tuple[Condition, ...]:
+def _zone(given: tuple[str, ...]) -> tuple[Condition, ...]:
     try:
         return tuple(map(condition, given))
     except ValueError as error:
-        raise click.BadParameter(str(error)) from None
+        raise usage.BadParameter(str(error)) from None
 
 
-def _constraints(
-    ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
-) -> Settings:
+def _constraints(given: tuple[str, ...]) -> Settings:
     """Return formulas for parameters, which vary along with what the plot runs over."""
     for text in given:
         if "=" not in text:
             example = '--along "theta = 80 deg - alpha"'
-            raise click.BadParameter(f"{text!r} is not NAME = FORMULA, as in {example}")
+            raise usage.BadParameter(f"{text!r} is not NAME = FORMULA, as in {example}")
     try:
         return dict(map(parse, given))
     except MechcError as error:
-        raise click.BadParameter(str(error)) from None
+        raise usage.BadParameter(str(error)) from None
 
 
-@click.command("plot", cls=Command)
+@usage.command("plot")
 @description_argument
-@click.option("--x", "x", default="", metavar="NAME", help="What varies; else the drive.")
-@click.option(
-    "--y", "ys", multiple=True, callback=_names, metavar="NAME,…",
+@usage.option("--x", "x", default="", metavar="NAME", help="What varies; else the drive.")
+@usage.option(
+    "--y", "ys", multiple=True, check=_names, metavar="NAME,…",
     help="What is shown: results, angles that loops find, x_C, V_C_x; else the first result.",
 )  # fmt: skip
-@click.option(
-    "--path", "paths", multiple=True, callback=_names, metavar="POINT,…",
+@usage.option(
+    "--path", "paths", multiple=True, check=_names, metavar="POINT,…",
     help="Show the path of a point instead, while the drive moves.",
 )  # fmt: skip
-@click.option(
-    "--family", "family", multiple=True, callback=_family, metavar="NAME=VALUE,…",
+@usage.option(
+    "--family", "family", multiple=True, check=_family, metavar="NAME=VALUE,…",
     help="A curve for each value: beta=10,20,30deg.",
 )  # fmt: skip
-@click.option(
-    "--along", "along", multiple=True, callback=_constraints, metavar="NAME=FORMULA",
+@usage.option(
+    "--along", "along", multiple=True, check=_constraints, metavar="NAME=FORMULA",
     help='What else varies: "theta = 80 deg - alpha".',
 )  # fmt: skip
-@click.option(
-    "--range", "ends", callback=_ends, metavar="LOW..HIGH",
+@usage.option(
+    "--range", "ends", check=_ends, metavar="LOW..HIGH",
     help='From where to where, other than the description says: "0 deg .. 80 deg".',
 )  # fmt: skip
-@click.option(
-    "--where", "zone", multiple=True, callback=_zone, metavar="NAME>=VALUE",
+@usage.option(
+    "--where", "zone", multiple=True, check=_zone, metavar="NAME>=VALUE",
     help='Shade where this holds: "gamma >= 1.5 rad".',
 )  # fmt: skip
-@click.option(
-    "-n", "--points", type=click.IntRange(2, 100_000), default=POINTS, show_default=True,
+@usage.option(
+    "-n", "--points", kind=Whole(2, 100_000), default=POINTS, show_default=True,
     help="How many rows a table has.",
 )  # fmt: skip
-@click.option(
-    "-o", "--output", "outputs", type=click.Path(path_type=Path), multiple=True, callback=_known,
+@usage.option(
+    "-o", "--output", "outputs", kind=Path, multiple=True, check=_known,
     metavar="PATH", help=f"A file by its suffix: {', '.join(FORMATS)}. May be repeated.",
 )  # fmt: skip
-@click.option(
-    "--lang", "language", type=Word(LANGUAGES), default="en",
+@usage.option(
+    "--lang", "language", kind=Word(LANGUAGES), default="en",
     help="The language of words, units and decimals.",
 )  # fmt: skip
 @settings_option

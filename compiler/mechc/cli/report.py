@@ -2,30 +2,30 @@
 
 from pathlib import Path
 
-import click
-
 from ..driver import Compilation, checked, warnings
 from ..emit.latex.comparison import Compared, to_table
 from ..files import write_all
 from ..syntax.vocabulary import LANGUAGES
+from . import usage
 from .collisions import refuse_collisions
 from .inputs import NAMELESS, claim_of, expanded
 from .open import begin
-from .session import Command, session, session_options
+from .session import session, session_options
 from .terminal import give
-from .words import Word, descriptions, paths
+from .usage import Word
+from .words import descriptions, paths
 
 
-@click.command("report", cls=Command)
-@click.argument("files", metavar="FILE|NAME…", nargs=-1, required=True, shell_complete=descriptions)
-@click.option(
-    "-o", "--output", "path", type=click.Path(path_type=Path), metavar="PATH", shell_complete=paths,
+@usage.command("report")
+@usage.argument("files", metavar="FILE|NAME…", several=True, complete=descriptions)
+@usage.option(
+    "-o", "--output", "path", kind=Path, metavar="PATH", complete=paths,
     help="A LaTeX file; without it the table goes to standard output.",
 )  # fmt: skip
-@click.option("--schemes/--no-schemes", default=True, help="Draw each mechanism in its row.")
-@click.option("--fragment", is_flag=True, help="LaTeX without preamble, to \\input.")
-@click.option(
-    "--lang", "language", type=Word(LANGUAGES), default="en",
+@usage.option("--schemes/--no-schemes", default=True, help="Draw each mechanism in its row.")
+@usage.option("--fragment", is_flag=True, help="LaTeX without preamble, to \\input.")
+@usage.option(
+    "--lang", "language", kind=Word(LANGUAGES), default="en",
     help="The language of the table.",
 )  # fmt: skip
 @session_options

@@ -5,16 +5,18 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 
-import click
-
 from ..files import reason
 from ..version import VERSION
 from ..witness import listening
-from . import terminal
+from . import by_click, keeping, terminal
 from .answers import Event
-from .commands import mechc
-from .keeping import keep
-from .session import ENVIRONMENT, INTERNAL
+from .commands import COMMANDS, found
+from .plain import read
+from .session import ENVIRONMENT, INTERNAL, perform
+from .usage import UsageError
+
+COMPLETING = "_MECHC_COMPLETE"
+"""Set in the environment where a shell asks for completions."""
 
 
 def run(arguments: Sequence[str] | None = None, asked: bytes = b"") -> int:
@@ -25,11 +27,6 @@ def run(arguments: Sequence[str] | None = None, asked: bytes = b"") -> int:
     terminal.prepare()
     try:
         return _answered(arguments, asked) if asked else _status(arguments)
-    except click.ClickException as error:
-        error.show()
-        return error.exit_code
-    except click.Abort:
-        raise KeyboardInterrupt from None
     except OSError as error:
         return broken(error)
     except SystemExit as error:
@@ -39,16 +36,33 @@ def run(arguments: Sequence[str] | None = None, asked: bytes = b"") -> int:
 
 
 def _status(arguments: Sequence[str] | None) -> int:
-    status = mechc.main(arguments, prog_name="mechc", standalone_mode=False)
+    words = sys.argv[1:] if arguments is None else [*arguments]
+    status = None if COMPLETING in os.environ else _plainly(words)
+    if status is None:
+        status = by_click.run(arguments)
     terminal.flush()
-    return status if isinstance(status, int) else 0
+    return status
+
+
+def _plainly(words: list[str]) -> int | None:
+    """Run the command of a line that is plain; None where it is for click to read."""
+    if not words or words[0] not in COMMANDS:
+        return None
+    command = found(words[0])
+    values = read(command, words[1:])
+    if values is None:
+        return None
+    try:
+        return perform(command, values)
+    except UsageError as error:
+        return by_click.refuse(command, error)
 
 
 def _answered(arguments: Sequence[str] | None, asked: bytes) -> int:
     events: list[Event] = []
     with listening(lambda *event: events.append(event)):
         status = _status(arguments)
-    keep(asked, status, events)
+    keeping.keep(asked, status, events)
     return status
 
 

@@ -1,19 +1,17 @@
 """How messages are shown: form, colour, and whether warnings count as errors."""
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
+from contextvars import ContextVar
 from typing import Any, Literal, TypeVar
 
-import click
-
 from .. import witness
-from ..diagnostics import Diagnostic, MechcError, Severity, drawing, statics
-from ..diagnostics.render import Form, render
+from ..diagnostics import Diagnostic, MechcError, Severity, drawing, render, statics
 from ..frozen import frozen, replace
 from ..source import Source
 from .answers import OFF
 from .terminal import give_message, on_terminal, warn
-from .words import Word
+from .usage import Command, Exit, Option, Word, adding
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -22,16 +20,17 @@ WRONG, ENVIRONMENT, LIMIT, INTERNAL = 1, 3, 4, 70
 
 @frozen
 class Session:
-    """What the options say of messages."""
+    """What the options say of messages; ``afresh`` that no answer is given that was kept."""
 
-    form: Form = "full"
+    form: Literal["full", "concise", "json"] = "full"
     color: Literal["auto", "always", "never"] = "auto"
     werror: bool = False
+    afresh: bool = False
 
     def show(self, diagnostics: Iterable[Diagnostic], source: Source | None) -> None:
         """Print diagnostics on standard error."""
         for diagnostic in diagnostics:
-            text = render(diagnostic, source, self.form, self.colored)
+            text = render.render(diagnostic, source, self.form, self.colored)
             if self.form == "json":
                 give_message(text)
             else:
@@ -48,12 +47,37 @@ class Session:
         """Show warnings; with ``--werror`` they end the command with status 1."""
         self.show(diagnostics, source)
         if diagnostics and self.werror:
-            raise click.exceptions.Exit(WRONG)
+            raise Exit(WRONG)
+
+
+_running: ContextVar[Session] = ContextVar("session")
 
 
 def session() -> Session:
     """Return the session of the command that runs."""
-    return click.get_current_context().find_object(Session) or Session()
+    return _running.get(Session())
+
+
+def perform(command: Command, values: Mapping[str, Any], how: Session | None = None) -> int:
+    """Run a command with the values of its arguments and options; return the exit status.
+
+    Those of a session change ``how``. Errors in descriptions are shown here; a
+    :class:`.usage.UsageError` is for the caller to show.
+    """
+    shown = {name: value for name, value in values.items() if name in NAMES}
+    how = replace(how or Session(), **{n: value for n, value in shown.items() if value is not None})
+    if command.repeatable:
+        witness.report("repeatable")
+    token = _running.set(how)
+    try:
+        return command.run(**{n: v for n, v in values.items() if n not in NAMES}) or 0
+    except MechcError as error:
+        how.show(error.diagnostics, error.source)
+        return status(error.diagnostics)
+    except Exit as end:
+        return end.status
+    finally:
+        _running.reset(token)
 
 
 def status(diagnostics: Iterable[Diagnostic]) -> int:
@@ -75,65 +99,43 @@ def status(diagnostics: Iterable[Diagnostic]) -> int:
     return WRONG
 
 
-class Command(click.Command):
-    """A command that turns the library's exception into messages and an exit status."""
+OPTIONS = (
+    Option(
+        "form",
+        ("--format",),
+        kind=Word(("full", "concise", "json")),
+        of_session=True,
+        help="How messages look: full, concise (one line), json (one object per line).",
+    ),
+    Option(
+        "color",
+        ("--color",),
+        kind=Word(("auto", "always", "never")),
+        of_session=True,
+        help="Colour messages; auto: on a terminal, unless NO_COLOR is set.",
+    ),
+    Option(
+        "werror",
+        ("--werror",),
+        is_flag=True,
+        of_session=True,
+        help="Treat warnings as errors.",
+    ),
+    Option(
+        "afresh",
+        (OFF,),
+        is_flag=True,
+        of_session=True,
+        help="Compute anew what was answered before.",
+    ),
+)
+"""The options of a session; they may stand before or after a command."""
 
-    def invoke(self, ctx: click.Context) -> Any:
-        """Run the command."""
-        try:
-            return super().invoke(ctx)
-        except MechcError as error:
-            session().show(error.diagnostics, error.source)
-            ctx.exit(status(error.diagnostics))
-
-
-class Repeatable(Command):
-    """A command whose answer hangs on its arguments and on what it reads, and on nothing else."""
-
-    def invoke(self, ctx: click.Context) -> Any:
-        """Run the command; what it answers may be kept."""
-        witness.report("repeatable")
-        return super().invoke(ctx)
-
-
-def _remember(ctx: click.Context, parameter: click.Parameter, value: Any) -> None:
-    if value is not None and parameter.name:
-        ctx.obj = replace(ctx.find_object(Session) or Session(), **{parameter.name: value})
+NAMES = frozenset(option.name for option in OPTIONS)
 
 
 def session_options(function: F) -> F:
-    """Add ``--format``, ``--color`` and the like; they may stand before or after a command."""
-    for option in (_afresh, _werror, _color, _form):
-        function = option(function)
+    """Add the options of a session to a command."""
+    for one in reversed(OPTIONS):
+        function = adding(one)(function)
     return function
-
-
-_form = click.option(
-    "--format",
-    "form",
-    type=Word(["full", "concise", "json"]),
-    expose_value=False,
-    callback=_remember,
-    help="How messages look: full, concise (one line), json (one object per line).",
-)
-_color = click.option(
-    "--color",
-    type=Word(["auto", "always", "never"]),
-    expose_value=False,
-    callback=_remember,
-    help="Colour messages; auto: on a terminal, unless NO_COLOR is set.",
-)
-_werror = click.option(
-    "--werror",
-    is_flag=True,
-    default=None,
-    expose_value=False,
-    callback=_remember,
-    help="Treat warnings as errors.",
-)
-_afresh = click.option(
-    OFF,
-    is_flag=True,
-    expose_value=False,
-    help="Compute anew what was answered before.",
-)

@@ -2,24 +2,23 @@
 
 import json
 
-import click
-
 from ..driver import VIEWS, Compilation
 from ..pipeline import STAGES
 from ..report.text import free_bodies as bodies_to_text
 from ..report.text import verdict as statics
 from ..report.text.derivation import render
 from ..syntax.settings import Settings
+from . import usage
 from .dump import dump, nested
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
-from .session import Command, session, session_options
+from .session import session, session_options
 from .terminal import give, say
-from .words import Word
+from .usage import Word
 
 
-@click.command("show", cls=Command)
-@click.argument("stage", type=Word(list(VIEWS)), metavar="STAGE")
+@usage.command("show")
+@usage.argument("stage", kind=Word(tuple(VIEWS)), metavar="STAGE")
 @description_argument
 @settings_option
 @stdin_option

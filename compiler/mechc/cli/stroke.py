@@ -2,45 +2,44 @@
 
 from collections.abc import Iterator, Sequence
 
-import click
-
 from ..driver import checked, warnings
 from ..report.text.csv_of_stroke import DIALECTS, to_csv
 from ..report.text.stroke import to_table
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
+from . import usage
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
-from .session import Repeatable, session, session_options
+from .session import session, session_options
 from .terminal import give, say, watched
-from .words import Word
+from .usage import Whole, Word
 
 MANY = 200
 """More rows than this take long enough to be watched."""
 
 
-@click.command("stroke", cls=Repeatable)
+@usage.command("stroke", repeatable=True)
 @description_argument
-@click.option(
-    "-n", "--points", type=click.IntRange(2, 100_000), default=19, show_default=True,
+@usage.option(
+    "-n", "--points", kind=Whole(2, 100_000), default=19, show_default=True,
     help="How many places along the stroke.",
 )  # fmt: skip
-@click.option("--csv", "as_csv", is_flag=True, help="Print comma-separated values.")
-@click.option(
-    "--csv-dialect", "dialect", type=click.Choice(list(DIALECTS)),
+@usage.option("--csv", "as_csv", is_flag=True, help="Print comma-separated values.")
+@usage.option(
+    "--csv-dialect", "dialect", kind=Word(tuple(DIALECTS)),
     help="CSV with a decimal point, or a decimal comma and semicolons.",
 )  # fmt: skip
-@click.option("--velocities", is_flag=True, help="Show dk/dφ and velocity ratios in the table.")
-@click.option(
+@usage.option("--velocities", is_flag=True, help="Show dk/dφ and velocity ratios in the table.")
+@usage.option(
     "--path", "paths", multiple=True, metavar="NAME",
     help="A point or link whose coordinates, direction and rates are shown; all for all.",
 )  # fmt: skip
-@click.option(
+@usage.option(
     "--drive", default="", metavar="NAME",
     help="Which of several drives moves, the others being held at their values.",
 )  # fmt: skip
-@click.option(
-    "--lang", "language", type=Word(LANGUAGES), default="en", show_default=True,
+@usage.option(
+    "--lang", "language", kind=Word(LANGUAGES), default="en", show_default=True,
     help="The language of the table; CSV, errors and warnings are in English.",
 )  # fmt: skip
 @settings_option

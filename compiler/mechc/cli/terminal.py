@@ -7,15 +7,21 @@ LaTeX, code, descriptions and tables of numbers are the same bytes whatever the 
 import codecs
 import errno
 import os
-import shutil
 import sys
 from collections.abc import Iterator, Sequence
-from typing import TextIO, TypeVar
+from typing import TYPE_CHECKING, TextIO, TypeVar
 from unicodedata import normalize
 
-import click
-
 from .. import witness
+
+if TYPE_CHECKING:
+    import shutil
+
+    import click
+else:
+    from ..later import Later
+
+    click, shutil = Later("click"), Later("shutil")
 
 T = TypeVar("T")
 
@@ -104,8 +110,7 @@ def watched(items: Sequence[T], label: str) -> Iterator[T]:
 
 def say(text: object, end: str = "\n") -> None:
     """Write text for people on standard output."""
-    _report("out", _out(), f"{text}{end}")
-    click.echo(f"{text}{end}", file=_out(), nl=False)
+    _say("out", _out(), f"{text}{end}")
 
 
 def give(text: str) -> None:
@@ -113,17 +118,25 @@ def give(text: str) -> None:
     _give("out", _out(), text)
 
 
-def warn(text: str, color: bool | None = None) -> None:
+def warn(text: str, color: bool = False) -> None:
     """Write a message for people on standard error."""
     if sys.stderr is not None:
-        _report("err", sys.stderr, f"{text}\n")
-        click.echo(text, file=sys.stderr, color=color)
+        _say("err", sys.stderr, f"{text}\n", color)
 
 
 def give_message(text: str) -> None:
     """Write a message for programs on standard error: UTF-8."""
     if sys.stderr is not None:
         _give("err", sys.stderr, f"{text}\n")
+
+
+def _say(what: str, stream: TextIO, text: str, color: bool = False) -> None:
+    _report(what, stream, text)
+    if color:
+        click.echo(text, file=stream, nl=False, color=True)
+    else:
+        stream.write(text)
+        stream.flush()
 
 
 def _report(what: str, stream: TextIO, text: str) -> None:

@@ -37,4 +37,4 @@ if not TYPE_CHECKING:
         *("joining", "kinematics", "open_loops", "plot", "pose", "power", "sheets", "statics"),
         *("stroke", "syntax", "syntax_limits", "syntax_yaml", "uses"),
     }
-    __getattr__ = waiting(__name__, WORDS)
+    __getattr__ = waiting(__name__, WORDS | {"render"})

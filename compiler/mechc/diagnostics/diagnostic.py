@@ -7,15 +7,21 @@ says what is wrong, why it matters, and shows how to fix it.
 """
 
 from collections.abc import Callable, Iterable
-from difflib import get_close_matches
 from enum import StrEnum
 from functools import wraps
-from inspect import cleandoc
-from typing import ParamSpec
+from typing import TYPE_CHECKING, ParamSpec
 
 from ..frozen import frozen, replace
 from ..named import NamedTuple
 from ..source import Source, Span
+
+if TYPE_CHECKING:
+    import difflib
+    import inspect
+else:
+    from ..later import Later
+
+    difflib, inspect = Later("difflib"), Later("inspect")
 
 
 class Severity(StrEnum):
@@ -69,11 +75,16 @@ class Diagnostic:
 
 
 class Entry(NamedTuple):
-    """A kind of diagnostic in the catalogue: its name and its explanation."""
+    """A kind of diagnostic in the catalogue: its name, and the docstring that explains it."""
 
     code: str
     name: str
-    explanation: str
+    docstring: str
+
+    @property
+    def explanation(self) -> str:
+        """Return the docstring without its indent."""
+        return inspect.cleandoc(self.docstring)
 
 
 CATALOGUE: dict[str, Entry] = {}
@@ -89,7 +100,7 @@ def coded(code: str) -> Callable[[Callable[P, Message]], Callable[P, Diagnostic]
         name = words.__name__.replace("_", "-")
         assert code not in CATALOGUE, f"{code} is taken"
         assert words.__doc__, f"{code} has no explanation"
-        CATALOGUE[code] = Entry(code, name, cleandoc(words.__doc__))
+        CATALOGUE[code] = Entry(code, name, words.__doc__)
 
         @wraps(words)
         def make(*args: P.args, **kwargs: P.kwargs) -> Diagnostic:
@@ -186,5 +197,5 @@ def near_miss(name: str, known: Iterable[str]) -> str:
     known = list(known)
     twin = [k for k in known if k.lower() == name.lower()]
     longer = sorted((k for k in known if k.startswith(f"{name}_")), key=len)
-    close = twin or longer or get_close_matches(name, known, n=1, cutoff=0.7)
+    close = twin or longer or difflib.get_close_matches(name, known, n=1, cutoff=0.7)
     return f"did you mean {close[0]!r}?" if close else ""

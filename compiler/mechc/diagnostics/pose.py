@@ -2,8 +2,8 @@
 
 import math
 from collections.abc import Iterable
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from ..source import Span
 from ..units import ANGLE, Dimension
 from .diagnostic import Message, Related, coded

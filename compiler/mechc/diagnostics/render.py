@@ -10,13 +10,18 @@ The full form quotes the line and puts a caret under the place::
 
 import json
 from collections.abc import Callable
-from typing import Literal, assert_never
+from typing import TYPE_CHECKING, Literal, assert_never
 from unicodedata import combining, east_asian_width
-
-import click
 
 from ..source import Source, Span
 from .diagnostic import Diagnostic, Severity
+
+if TYPE_CHECKING:
+    import click
+else:
+    from ..later import Later
+
+    click = Later("click")
 
 Form = Literal["full", "concise", "json"]
 
