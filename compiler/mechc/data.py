@@ -4,12 +4,16 @@ import atexit
 from functools import cache
 from importlib import import_module
 from pathlib import Path
-from shutil import rmtree
-from tempfile import mkdtemp
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    import shutil
+    import tempfile
     from importlib.resources.abc import Traversable
+else:
+    from .later import Later
+
+    shutil, tempfile = Later("shutil"), Later("tempfile")
 
 PACKAGE = Path(__file__).parent
 
@@ -39,8 +43,8 @@ def _unpacked(folder: str) -> Path:
     It goes when Python ends.
     """
     packed: Traversable = import_module("importlib.resources").files(__package__)
-    target = Path(mkdtemp(prefix="mechc-"))
-    atexit.register(rmtree, target, ignore_errors=True)
+    target = Path(tempfile.mkdtemp(prefix="mechc-"))
+    atexit.register(shutil.rmtree, target, ignore_errors=True)
     _copy(packed.joinpath(*folder.split("/")), target / folder)
     return target / folder
 

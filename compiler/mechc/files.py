@@ -6,15 +6,16 @@ import stat
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
+from itertools import count
 from pathlib import Path, PurePosixPath
-from tempfile import mkstemp
-from typing import NamedTuple
+from typing import BinaryIO
 
 from . import witness
 from .data import data
 from .diagnostics import MechcError, near_miss, syntax_limits
 from .diagnostics import files as messages
 from .frozen import replace
+from .named import NamedTuple
 from .source import Source, Span
 
 LARGEST = 1 << 20
@@ -215,11 +216,20 @@ def _prepare(path: Path, content: bytes) -> Iterator[_Pending]:
     if target.exists() and not target.is_file():
         target.write_bytes(content)
         return
-    handle, name = mkstemp(prefix=f".{target.name}.", dir=target.parent)
-    yield _Pending(Path(name), target)
-    with open(handle, "wb") as file:
+    with temporary(target) as file:
+        made = Path(file.name)
+        yield _Pending(made, target)
         file.write(content)
-    Path(name).chmod(_mode(target))
+    made.chmod(_mode(target))
+
+
+def temporary(target: Path) -> BinaryIO:
+    """Return a new file beside another, open for writing, that its owner alone can read."""
+    attempts = count()
+    while True:
+        name = target.with_name(f".{target.name}.{os.getpid()}-{next(attempts)}")
+        with suppress(FileExistsError):
+            return open(name, "xb", opener=lambda path, flags: os.open(path, flags, 0o600))
 
 
 def _mode(target: Path) -> int:

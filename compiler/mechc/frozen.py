@@ -9,7 +9,9 @@ from collections.abc import Callable, Iterable, Mapping
 from copyreg import pickle
 from operator import attrgetter
 from types import MappingProxyType
-from typing import Any, NamedTuple, NoReturn, TypeVar, dataclass_transform
+from typing import Any, NoReturn, TypeVar, dataclass_transform
+
+from .named import NamedTuple
 
 T = TypeVar("T")
 

@@ -9,6 +9,7 @@ names of its own fields, which is called as fast.
 from collections import namedtuple
 from collections.abc import Callable, Iterable
 from functools import cache
+from operator import itemgetter
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, Self
 
@@ -81,12 +82,14 @@ class _Making(type):
 _Template = type.__new__(_Making, "_Template", (), {})
 
 _make: Callable[..., Any] = namedtuple
-_Sample = _make("_Sample", [f"f{i}" for i in range(48)])
+_Sample = _make("_Sample", [f"f{i}" for i in range(24)])
 
 
 def _getter(index: int) -> Any:
     """Give the attribute that reads one field: those of the standard library are in C."""
-    return vars(_Sample)[_Sample._fields[index]]
+    if index < len(_Sample._fields):
+        return vars(_Sample)[_Sample._fields[index]]
+    return property(itemgetter(index))
 
 
 def _constructor(fields: tuple[str, ...], defaults: tuple[object, ...]) -> Any:

@@ -11,8 +11,8 @@ relations between constants, which leave the width as it is.
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from ..work import spend
 from .constants import is_constant, without_relations
 from .factoring import factor, factored

@@ -14,8 +14,8 @@ and sin² 60° = 3/4. One is put in only where fewer sines are left than before.
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import lru_cache
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from ..work import spend
 from .angle import Angle, Rational, rational
 from .factors import Factor, Trig

@@ -6,9 +6,9 @@ it was not proved.
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ..formula.tree import Call
+from ..named import NamedTuple
 from .angle import RADIAN, Angle
 from .factors import CIRCLE, Constant, Factor, Length, Opaque, Trig
 from .product import Product, Sum

@@ -9,7 +9,7 @@ field; a constant such as 40° is then what it is, not a free symbol.
 """
 
 from functools import lru_cache
-from hashlib import blake2b
+from random import Random
 from typing import Literal
 
 from .angle import Angle, Rational
@@ -108,8 +108,7 @@ class Point:
 
 def _drawn(seed: int, name: str) -> int:
     """Return a number other than 0 that only the seed and the name decide."""
-    digest = blake2b(f"{seed}/{name}".encode(), digest_size=32).digest()
-    return int.from_bytes(digest, "big") % (PRIME - 1) + 1
+    return Random(f"{seed}/{name}").randrange(1, PRIME)
 
 
 @lru_cache(maxsize=4096)

@@ -10,8 +10,8 @@
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from ..work import spend
 from .angle import Angle
 from .factoring import factored

@@ -15,9 +15,9 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
-from typing import NamedTuple
 
 from ..formula.walk import symbols
+from ..named import NamedTuple
 from ..work import spend
 from .angle import RADIAN, Angle, Rational
 from .factors import Factor, Length, Opaque, Trig

@@ -10,9 +10,9 @@
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
-from typing import NamedTuple
 
 from ..formula.operations import count_operations
+from ..named import NamedTuple
 from .angle import Angle
 from .factoring import content_of
 from .factors import Trig

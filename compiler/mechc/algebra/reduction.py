@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
 from math import gcd, isqrt, lcm
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .cyclotomic import unique
 from .gcd import Poly, TooLongError, common, divided
 from .laurent import Polynomial, Ring

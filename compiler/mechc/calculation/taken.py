@@ -1,7 +1,6 @@
 """Results that a sheet takes from mechanisms, with what the sheet gives to these."""
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -10,6 +9,7 @@ from ..model.mechanism import Mechanism, Require
 from ..model.order import ordered
 from ..model.result import Definition, FrictionResult, Result, Solved
 from ..model.values import Values, completed, holds, standing
+from ..named import NamedTuple
 
 
 class _Whole(NamedTuple):

@@ -4,8 +4,6 @@ import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-import click
-
 from ..diagnostics import MechcError
 from ..drawing.from_plot import picture
 from ..driver import checked, warnings

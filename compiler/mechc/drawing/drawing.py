@@ -1,9 +1,10 @@
 """A drawing as data: shapes and labels in millimetres on paper, x to the right, y upwards."""
 
 import math
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 
 Fill = Literal["", "white", "light", "solid"]

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterator
 from itertools import count
-from typing import NamedTuple
 
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..pose.places import Plane, direction
 from .drawing import HATCH, Arc, Label, Pen, Polyline, Run
 from .lettering import SIZE, box

@@ -2,9 +2,9 @@
 
 import re
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
 from ..frozen import replace
+from ..named import NamedTuple
 from .drawing import Drawing, Run
 
 _BEHIND_A_NUMBER = re.compile(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[²³]?[*·/^][A-Za-z0-9]+)*")

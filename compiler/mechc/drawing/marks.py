@@ -3,8 +3,8 @@
 import math
 from collections.abc import Iterator
 from itertools import takewhile
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from ..plot.plot import Curve, Mark
 from ..pose.places import Plane
 from .axes import at_zero, outline

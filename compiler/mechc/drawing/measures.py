@@ -2,9 +2,9 @@
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from ..figure.figure import AngleMark, Dimension, Link, Telescope
+from ..named import NamedTuple
 from ..pose.places import Plane, direction
 from .bodies import bars_at
 from .drawing import MEASURE, Arc, Polyline, Shape

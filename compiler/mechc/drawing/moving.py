@@ -3,13 +3,13 @@
 import math
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
 from ..figure.figure import Link
 from ..figure.tolerances import NO_SPEED
 from ..figure.velocities import Velocities
 from ..formula.names import split_points
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..pose.places import Plane
 from . import symbols
 from .drawing import AXIS, FORCE, SYMBOL, VELOCITY, Arc, Run

@@ -1,8 +1,8 @@
 """Where an axis has its ticks: at multiples of 1, 2 or 5, of an angle also of 15, 30, 45, 90."""
 
 import math
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .tolerances import ONE_VALUE, SAME_STEP, WHOLE
 
 STEPS = (1.0, 2.0, 5.0, 10.0)

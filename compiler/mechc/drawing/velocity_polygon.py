@@ -3,12 +3,12 @@
 import math
 from collections.abc import Iterator
 from itertools import combinations
-from typing import NamedTuple
 
 from ..figure.figure import Contact, Figure, Link, Slide, Slot, Telescope
 from ..figure.velocities import Velocities
 from ..formula.names import split_points
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane
 from .drawing import RELATIVE, SYMBOL, VELOCITY, Arc, Drawing, Pen, Run
 from .labels import Around, Beside

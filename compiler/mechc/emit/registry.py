@@ -7,10 +7,11 @@ or a suffix is none of our own, so that finding a target costs nothing otherwise
 
 from collections.abc import Iterable
 from importlib import import_module
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, cast
 
 from ..diagnostics import emission as messages
 from ..diagnostics.diagnostic import MechcError, Report
+from ..named import NamedTuple
 from .target import Target
 
 if TYPE_CHECKING:

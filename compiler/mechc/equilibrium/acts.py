@@ -1,7 +1,7 @@
 """A body that is cut free, and what acts on it: the values that sums are written from."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
@@ -21,6 +21,7 @@ from ..model.mechanism import (
     Torque,
     WheelPair,
 )
+from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector, components
 
 QUARTER = Angle.constant(90)

@@ -8,10 +8,10 @@ there are such parts.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..model.mechanism import Mechanism
+from ..named import NamedTuple
 from ..pose.pose import Pose, Vector
 from .acts import Act, FreeBody, lines_of
 from .cutting import Cutting, cutting

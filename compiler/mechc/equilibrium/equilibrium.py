@@ -6,11 +6,12 @@ components of the force at a pin, ``R_B_n`` and ``R_B_t`` those along an arm and
 """
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..frozen import frozen
+from ..named import NamedTuple
 
 Kind = Literal["rod", "pivot", "pin", "guide", "touch", "rim", "rack", "thread", "rope", "couple"]
 """What passes a force on. A ``couple`` is that of a link in a slot that turns with it."""

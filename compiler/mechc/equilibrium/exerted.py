@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..algebra.angle import Angle, rational
 from ..algebra.from_formula import to_product
@@ -24,6 +24,7 @@ from ..model.mechanism import (
     Torque,
     WheelPair,
 )
+from ..named import NamedTuple
 from ..pose.pose import Arm, PointContact, Vector, gathered
 from ..power.loads import owners
 from .acts import QUARTER, Act, X, Y, unit

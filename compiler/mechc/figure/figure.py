@@ -6,9 +6,9 @@ counter-clockwise from +x.
 """
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 
 

@@ -3,10 +3,10 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
-from typing import NamedTuple
 
 from ..frozen import frozen
 from ..model.mechanism import Force, Mechanism, Pivot, Slider
+from ..named import NamedTuple
 from ..pose.places import NOWHERE, Edge, Plane, between, placed
 from .figure import MirrorLine
 from .lengths import choose

@@ -6,8 +6,8 @@ which every length is as near to a usual one as can be, and none is turned round
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .tolerances import DEPENDENT, SAME_LENGTH
 from .ways import Linear, Way
 

@@ -6,9 +6,9 @@ that is described. Angular velocities are counter-clockwise.
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ..frozen import frozen
+from ..named import NamedTuple
 from .figure import Plane
 
 

@@ -7,12 +7,13 @@ guide. Firm ways must hold; loose ones only say where to draw what nothing else 
 import math
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..formula.walk import symbols
 from ..frozen import frozen
 from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
+from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane, direction
 from ..pose.pose import PointContact, Pose, Vector, evaluate_vector
 

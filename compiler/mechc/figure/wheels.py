@@ -1,8 +1,8 @@
 """Where wheels touch each other, and how a belt runs about them."""
 
 import math
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from ..pose.places import Plane
 from .figure import Segment
 

@@ -9,8 +9,8 @@ the last bits.
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .newton import Equations, eliminate
 
 STEP, SHORTEST = 0.06, 1e-7

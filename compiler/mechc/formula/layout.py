@@ -7,8 +7,8 @@ stand in degrees. Both are decided here once, for LaTeX and for the terminal.
 
 from collections.abc import Iterable, Set
 from fractions import Fraction
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .operations import split_fraction
 from .tree import (
     Call,

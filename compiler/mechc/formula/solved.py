@@ -6,8 +6,8 @@ What is not of such a form has no solution here.
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .layout import in_degrees
 from .tree import (
     ZERO,

@@ -3,8 +3,9 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, lru_cache
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
+from ..named import NamedTuple
 from ..work import LIMIT, Allowance, at_most, spend
 from .choices import chosen
 from .derivative import jacobian

@@ -1,10 +1,10 @@
 """A case to be solved: a result without friction, and the loads under which it is looked at."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ..algebra.product import Product
 from ..model.result import Result
+from ..named import NamedTuple
 
 
 class Case(NamedTuple):

@@ -1,7 +1,7 @@
 """A closed form: as code takes it, and as it is printed."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Literal, NamedTuple, Protocol
+from typing import Literal, Protocol
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
@@ -10,6 +10,7 @@ from ..formula.operations import count_operations
 from ..formula.tree import Formula, product, total
 from ..frozen import frozen
 from ..model.result import Definition
+from ..named import NamedTuple
 from .signs import AtAnyPose, AtOnePose, Signs, bare
 from .steps import Step
 

@@ -15,7 +15,6 @@ round: nothing balances. Nor does anything where the branch of solutions ends on
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 from fractions import Fraction
-from typing import NamedTuple
 
 from ..formula.names import another
 from ..formula.newton import LONGER
@@ -34,6 +33,7 @@ from ..formula.tree import (
 )
 from ..frozen import frozen
 from ..model.result import Definition
+from ..named import NamedTuple
 from .normal_forces import Component, LoadedPair
 
 NOTHING = number(Fraction(1, 10**30))

@@ -5,7 +5,7 @@ One half of a mirror, one branch of copies: a load on what they share counts for
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Literal, NamedTuple, assert_never
+from typing import Literal, assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.product import ONE, ZERO, Product
@@ -21,6 +21,7 @@ from ..model.mechanism import (
     PinFriction,
     Torque,
 )
+from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.definitions import bound_names
 from ..power.loads import occurrences

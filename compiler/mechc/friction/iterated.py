@@ -5,7 +5,6 @@ Every friction adds its power, factor · pressing force · slip, to what the dri
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
-from typing import NamedTuple
 
 from ..algebra.angle import Rational
 from ..algebra.product import ZERO, Product
@@ -13,6 +12,7 @@ from ..algebra.sums import add
 from ..formula.tree import Formula, Symbol, negative, number, product, total
 from ..model.mechanism import Mechanism
 from ..model.result import Result
+from ..named import NamedTuple
 from ..power.joint_forces import size_of
 from ..power.speeds import even, magnitude
 from .closed_form import Named, Printed, conditions, readable

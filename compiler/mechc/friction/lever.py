@@ -13,7 +13,6 @@ long as friction does not exceed the arm.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
@@ -31,6 +30,7 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import substitute
+from ..named import NamedTuple
 from ..pose.pose import Vector
 from ..power.speeds import root
 from .free_bodies import BodyForce, EquationsCoupled

@@ -5,7 +5,7 @@ A pin of several links slips in each of them but the one that carries it.
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
@@ -32,6 +32,7 @@ from ..model.mechanism import (
     WheelPair,
     coulomb,
 )
+from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose
 from ..power.joint_forces import guiding
 

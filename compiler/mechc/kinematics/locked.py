@@ -1,9 +1,9 @@
 """What locks a mechanism of mobility 0: the smallest group of parts that hold one another."""
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from ..algebra.blocks import blocks, match
+from ..named import NamedTuple
 from ..source import Span
 from .graph import Graph, Kind, Relation, Rule
 

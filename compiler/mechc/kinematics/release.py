@@ -11,7 +11,7 @@ moves along it only.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from typing import Literal, NamedTuple, assert_never
+from typing import Literal, assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
@@ -34,6 +34,7 @@ from ..model.mechanism import (
     Torque,
     WheelPair,
 )
+from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose
 from ..source import Source, Span
 from .carriers import graph_of

@@ -6,11 +6,11 @@ stay parameters. What is expected there stays behind.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics import uses as messages
 from ..frozen import replace
+from ..named import NamedTuple
 from ..source import Source, Span
 from ..syntax import ast
 from ..syntax.moved import moved

@@ -5,13 +5,14 @@ parameter by another word; it is handed on as one.
 """
 
 from collections.abc import Iterator, Mapping
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..diagnostics import uses as uses_messages
 from ..diagnostics.model import names
 from ..diagnostics.model import sheets as messages
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols, walk
+from ..named import NamedTuple
 from ..syntax import ast
 from ..units import UNITS, Dimension
 from .choices import read_let_value, read_tables

@@ -5,7 +5,7 @@ uses it stays quiet.
 """
 
 from fractions import Fraction
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..diagnostics import Report
 from ..diagnostics.model import names, quantities, reactions
@@ -26,6 +26,7 @@ from ..formula.tree import (
     total,
 )
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension

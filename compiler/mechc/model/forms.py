@@ -2,8 +2,9 @@
 
 import re
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import Literal
 
+from ..named import NamedTuple
 from ..syntax.vocabulary import points_of
 
 FORMS = {

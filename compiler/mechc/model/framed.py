@@ -7,9 +7,9 @@ one by quarters.
 
 from decimal import Decimal
 from fractions import Fraction
-from typing import NamedTuple
 
 from ..frozen import replace
+from ..named import NamedTuple
 from ..source import Span
 from ..syntax import ast
 from ..syntax.vocabulary import points_of

@@ -8,7 +8,7 @@ formulas of the drive, so is that one.
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..diagnostics import Report
 from ..diagnostics import drawn as messages
@@ -26,6 +26,7 @@ from ..formula.tree import (
 )
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
+from ..named import NamedTuple
 from .mechanism import (
     Absolute,
     Along,

@@ -1,11 +1,11 @@
 """Vectors and angles between points."""
 
 import math
-from typing import NamedTuple
 
 from ..diagnostics.model import joints as messages
 from ..formula.tree import Formula
 from ..formula.walk import symbols
+from ..named import NamedTuple
 from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, LENGTH

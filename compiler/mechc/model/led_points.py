@@ -7,10 +7,10 @@ the length that it has there, whatever phi becomes: the steps along arms are num
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from typing import NamedTuple
 
 from ..formula.tree import Formula, negative, number, total
 from ..formula.walk import evaluate, symbols
+from ..named import NamedTuple
 from ..source import Span
 from .mechanism import Absolute, Arrow, Geometry, Offset, Turn
 from .values import Values

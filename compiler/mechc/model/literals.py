@@ -7,12 +7,13 @@ own: of two links that are as long as each other a formula names the one that is
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..formula.names import another
 from ..formula.tree import ZERO, Constant, Formula, Sum, negative, number
 from ..formula.walk import substitute, symbols
 from ..frozen import fields, replace
+from ..named import NamedTuple
 from ..source import Span
 from ..syntax import ast
 from ..units import LENGTH, UNITS, Dimension, si_unit

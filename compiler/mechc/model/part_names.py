@@ -6,9 +6,10 @@ that it has in the whole. ``T.O`` is point O of the part T, wherever a point may
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 from ..frozen import fields, replace
+from ..named import NamedTuple
 from ..source import Span
 from ..syntax import ast
 from ..syntax.moved import UNITS

@@ -1,13 +1,13 @@
 """Vectors whose components are written by a length and an angle: ``(a*cos(t), a*sin(t))``."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Trig
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
+from ..named import NamedTuple
 
 
 class Polar(NamedTuple):

@@ -9,8 +9,8 @@ involute function ``tan(alpha) - alpha`` is an angle, and ``tan(alpha)`` alone i
 from collections.abc import Sequence
 from enum import Enum
 from fractions import Fraction
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from ..units import ANGLE, NUMBER, Dimension
 
 

@@ -1,9 +1,10 @@
 """The targets of ``find``."""
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..frozen import frozen, replace
+from ..named import NamedTuple
 
 
 class Speed(NamedTuple):

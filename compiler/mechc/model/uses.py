@@ -9,13 +9,13 @@ mechanisms that it is joined to: these become parts of it (:mod:`.joining`).
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from .. import files
 from ..diagnostics import Diagnostic, MechcError, Report, Severity
 from ..diagnostics import joining as join_messages
 from ..diagnostics import uses as messages
 from ..frozen import replace
+from ..named import NamedTuple
 from ..source import Source
 from ..syntax import ast
 from . import part_names

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..pose.places import Plane
 from ..units import UNITS, Dimension
 

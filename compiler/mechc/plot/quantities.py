@@ -2,12 +2,12 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..model.mechanism import Mechanism
+from ..named import NamedTuple
 from ..routine.dimensions import closed_dimensions
 from ..routine.evaluate import evaluate, pose
 from ..routine.steps import Input, Pose, Routine

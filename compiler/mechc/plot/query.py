@@ -1,8 +1,9 @@
 """What is to be plotted, as a person writes it."""
 
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..frozen import frozen
+from ..named import NamedTuple
 
 POINTS = 101
 """How many rows the table has where nothing else is asked for."""

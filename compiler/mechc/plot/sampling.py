@@ -6,11 +6,11 @@ two neighbouring points may be missed.
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..named import NamedTuple
 from .narrowing import EPS, NEAR, Array, Function, lone, lowest, narrowed, on, without_holes
 
 CELLS = 360

@@ -7,7 +7,6 @@ that does not ties symbols which were given as independent.
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Constant, Factor, Length, Trig
@@ -18,6 +17,7 @@ from ..algebra.trigonometry import cosine
 from ..diagnostics import Diagnostic
 from ..diagnostics import pose as messages
 from ..formula.to_text import text
+from ..named import NamedTuple
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector
 from .tolerances import LOOP_GAP

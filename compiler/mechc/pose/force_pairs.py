@@ -1,7 +1,6 @@
 """The line of a pair of forces, and the distance between its points."""
 
 import math
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
@@ -11,6 +10,7 @@ from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..diagnostics import power as power_words
 from ..model.mechanism import ForcePair, Mechanism
+from ..named import NamedTuple
 from .loops.vector_graph import mentioned
 from .pose import Arm, Definition, Vector, evaluate_vector
 from .samples import is_behind, poses_nearby

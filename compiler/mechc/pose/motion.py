@@ -1,13 +1,14 @@
 """Coordinates of points, directions of links, and how both change with the drive."""
 
 from collections.abc import Collection, Iterator, Sequence
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..algebra.trigonometry import cosine, sine
 from ..formula.tree import ONE, ZERO, Call, Formula, Symbol, total
 from ..formula.walk import constants
 from ..frozen import frozen
 from ..model.mechanism import Parameter
+from ..named import NamedTuple
 from ..units import ACCELERATION, ANGLE, FREQUENCY, LENGTH, VELOCITY, Dimension
 from .paths import paths
 from .pose import Definition, Pose, Vector

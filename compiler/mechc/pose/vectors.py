@@ -3,12 +3,12 @@
 from collections import deque
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..formula.walk import symbols
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Pivot, Slider, Turn
+from ..named import NamedTuple
 from ..source import Span
 from .directions import Directions
 from .loops.vector_graph import Edge

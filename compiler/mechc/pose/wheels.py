@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
@@ -18,6 +18,7 @@ from ..model.mechanism import (
     Slot,
     WheelPair,
 )
+from ..named import NamedTuple
 from ..source import Span
 from .loops.vector_graph import mentioned
 from .pose import Pose, evaluate_vector

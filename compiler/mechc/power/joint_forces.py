@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
@@ -16,6 +15,7 @@ from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..kinematics.release import JointRef, held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
+from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
 from .balance import Release
 from .numbers import pose_values

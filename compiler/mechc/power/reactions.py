@@ -5,7 +5,6 @@ and do no work while they are held.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
@@ -17,6 +16,7 @@ from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..kinematics.release import JointRef, ReleasedLinkage, members, released_linkage, touch_at
 from ..model.mechanism import Absolute, Force
+from ..named import NamedTuple
 from ..pose.pose import Pose
 from .balance import Release, Term
 from .equations import equations_of

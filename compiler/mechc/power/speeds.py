@@ -3,7 +3,6 @@
 import math
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import NamedTuple
 
 from ..algebra.angle import Angle, Rational
 from ..algebra.factors import Factor, Opaque, Trig
@@ -16,6 +15,7 @@ from ..formula.tree import Call
 from ..kinematics.plan import Plan, Speeds
 from ..model.boxes import allowed_box
 from ..model.mechanism import Mechanism, Speed
+from ..named import NamedTuple
 from ..pose.pose import Arm, Vector, gathered
 
 

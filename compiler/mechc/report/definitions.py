@@ -3,7 +3,6 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from typing import NamedTuple
 
 from ..formula.tree import ZERO, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
@@ -11,6 +10,7 @@ from ..frozen import frozen
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
 from ..model.result import Definition, Result
 from ..model.values import is_constant
+from ..named import NamedTuple
 from ..units import ANGLE, NUMBER, UNITS, si_unit
 from .book_forms import book_form, positive_names
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
 
 from ..formula.layout import is_angle
 from ..formula.operations import count_operations
@@ -11,6 +10,7 @@ from ..formula.walk import constants, evaluate, substitute, symbols, walk
 from ..model.mechanism import GRAVITY, Mechanism, Parameter, Torque
 from ..model.result import Definition
 from ..model.values import Chain, defaults, dependent, usual_length
+from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import ANGLE, NUMBER, UNITS, si_unit, size_of
 from .definitions import FREE_FALL, given_loads, usual_weights

@@ -6,7 +6,7 @@ the units in which they are given.
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..formula.choices import chosen, is_choice
 from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol
@@ -15,6 +15,7 @@ from ..frozen import replace
 from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
 from ..model.values import Chain, defaults, dependent, usual_length
+from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit

@@ -3,12 +3,12 @@
 import math
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import NamedTuple
 
 from ..formula.layout import TRIGONOMETRIC, squares
 from ..formula.tree import Call, Constant, Formula, Number, Power, Product, Symbol, degrees, power
 from ..formula.typesetting import HALF
 from ..formula.walk import children, evaluate, rebuild, symbols
+from ..named import NamedTuple
 from ..units import ANGLE, LENGTH, Dimension, in_unit, si_unit
 
 DIGITS = 6

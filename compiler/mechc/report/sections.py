@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from types import MappingProxyType
-from typing import NamedTuple
 
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Implicit, Symbol, System
@@ -12,6 +11,7 @@ from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
 from ..model.targets import whole
+from ..named import NamedTuple
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, given_loads, letters
 from .derivation.friction import exact_name

@@ -9,11 +9,12 @@ calls the one before: each result takes the last of these that it rests on and a
 from collections.abc import Iterable, Iterator, Sequence
 from functools import reduce
 from operator import or_
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
+from ..named import NamedTuple
 from .functions import operations
 from .many import Output, Program
 from .steps import Common, Function, Statement, formulas_of, mentioned, names_of

@@ -1,11 +1,11 @@
 """One program of many results, which have most of their steps in common."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
-from typing import NamedTuple
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
+from ..named import NamedTuple
 from .functions import Asked, Read, steps_to, written
 from .scope import Scope, rename
 from .steps import Function, Guard, Statement, Step

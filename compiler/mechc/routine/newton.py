@@ -5,12 +5,13 @@ are done wait for the others.
 """
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..formula import newton
+from ..named import NamedTuple
 from .steps import Solver
 
 Array: TypeAlias = NDArray[np.float64]

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import count
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..formula.derivative import jacobian
 from ..formula.sharing import each_part
@@ -26,6 +26,7 @@ from ..formula.tree import (
     System,
 )
 from ..formula.walk import side, symbols
+from ..named import NamedTuple
 from .angle_offsets import turned_alike
 from .steps import Solve, Solver, Statement, Step
 from .table import (

@@ -6,11 +6,11 @@ division.
 
 from collections import Counter
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.trigonometry import cosine, sine
 from ..formula.tree import ONE, Call, Formula, Product, negative, product, total
+from ..named import NamedTuple
 
 
 class Unit(NamedTuple):

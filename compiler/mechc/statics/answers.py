@@ -6,8 +6,8 @@ size 1 and the one asked for is read off.
 
 import math
 from collections.abc import Mapping, Set
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .balanced import Balanced, Row, Tie
 from .free_bodies import System
 from .solve import Factors

@@ -1,12 +1,12 @@
 """The sets of loads under which forces are shown: what is given, and what follows."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
 from ..model.mechanism import Axial, LoadForm, LoadRatio, Mechanism, Normal, Reaction
 from ..model.result import Result
+from ..named import NamedTuple
 
 Sizes = Mapping[str, float]
 

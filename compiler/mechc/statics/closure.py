@@ -7,12 +7,13 @@ vectors given in full, and then everything said about the geometry is measured.
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
+from ..named import NamedTuple
 from ..pose.places import Edge, Plane, Sweep, between, direction, placed
 from ..pose.pose import Pose, evaluate_vector
 from .tolerances import LOOP_GAP

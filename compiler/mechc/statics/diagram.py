@@ -6,8 +6,9 @@ is ``OA'``. Forces are in newtons, couples in newton metres, counter-clockwise.
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import Literal, NamedTuple
+from typing import Literal
 
+from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 
 Kind = Literal[

@@ -11,9 +11,9 @@ Forces are in newtons, and positive as they act on the pin; a tension is positiv
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from ..frozen import frozen
+from ..named import NamedTuple
 from .assembly import (
     GROUND,
     Action,

@@ -8,7 +8,7 @@ there, against the slip. What the pressing forces are depends on friction again:
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Literal, NamedTuple, assert_never
+from typing import Literal, assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
@@ -30,6 +30,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.targets import SIGNS
+from ..named import NamedTuple
 from .answers import Answer
 from .assembly import Action, direction, scaled
 from .balanced import Row, Tie, gather, ties, with_loads

@@ -13,9 +13,9 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from operator import mul
 from random import Random
-from typing import NamedTuple
 
 from ..formula.newton import Matrix, eliminate
+from ..named import NamedTuple
 from ..work import spend
 
 ROUNDS = 400

@@ -13,7 +13,7 @@ import random
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 from types import MappingProxyType
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
@@ -26,6 +26,7 @@ from ..frozen import replace
 from ..model.mechanism import Expect, Mechanism, Torque
 from ..model.result import Definition, Result
 from ..model.values import Chain, Values, allowed, completed, dependent, standing
+from ..named import NamedTuple
 from ..units import in_unit
 from .analysis import as_printed
 from .poses import complete, default_pose, random_poses

@@ -13,7 +13,6 @@ found at all, nothing is said.
 import math
 from collections.abc import Iterator
 from functools import cached_property
-from typing import NamedTuple
 
 from ..formula.tree import ZERO, Call, Formula, Implicit
 from ..formula.walk import status, symbols, walk
@@ -21,6 +20,7 @@ from ..frozen import replace
 from ..model.locking import State
 from ..model.result import Definition, FrictionResult, Result
 from ..model.targets import SIGNS, Sense
+from ..named import NamedTuple
 from .sweep import VALUE, Sweep, guarded
 from .tolerances import NEGLIGIBLE
 

@@ -8,8 +8,8 @@ that is not closed, is found where it stands.
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from .grammar import statement_words
 from .lalr import Token
 

@@ -6,8 +6,8 @@ mapping form has.
 """
 
 from enum import Enum, auto
-from typing import NamedTuple
 
+from ..named import NamedTuple
 from . import ast
 
 

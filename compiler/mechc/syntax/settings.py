@@ -6,10 +6,11 @@ its own, so that what may stand there is exactly what may stand in a file.
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..diagnostics import Report
 from ..frozen import replace
+from ..named import NamedTuple
 from ..source import Source
 from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast

@@ -1,8 +1,15 @@
 """What people write for a unit: one hint for each of the usual spellings."""
 
-from difflib import get_close_matches
+from typing import TYPE_CHECKING
 
 from ..units import UNITS
+
+if TYPE_CHECKING:
+    import difflib
+else:
+    from ..later import Later
+
+    difflib = Later("difflib")
 
 SPELLED: dict[str, str] = {
     "millimeter": "mm", "millimetre": "mm", "centimeter": "cm", "centimetre": "cm",
@@ -36,5 +43,5 @@ def unit_meant(word: str) -> str:
     for spelled in (small, small.removesuffix("s")):
         if spelled in known:
             return known[spelled]
-    near = get_close_matches(small.removesuffix("s"), SPELLED, n=1, cutoff=0.85)
+    near = difflib.get_close_matches(small.removesuffix("s"), SPELLED, n=1, cutoff=0.85)
     return SPELLED[near[0]] if near and len(small) > 3 else ""

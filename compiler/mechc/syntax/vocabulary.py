@@ -1,7 +1,8 @@
 """Functions, their twins, and the shape of names: what both notations agree on."""
 
 import re
-from typing import NamedTuple
+
+from ..named import NamedTuple
 
 GROUND = "ground"
 """What a wheel is fixed to that is fast in the ground."""

@@ -6,9 +6,9 @@ of a section, stands above the next statement; what is left stands at the end.
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from ..frozen import replace
+from ..named import NamedTuple
 from ..source import Source
 from . import ast
 from .yaml_nodes import Listing, Mapping, Node, Scalar

@@ -5,12 +5,12 @@ text of every scalar. Depth and number are counted while reading, before any rec
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import yaml
 
 from ..diagnostics import Diagnostic, MechcError, Report, syntax_limits, syntax_yaml
 from ..frozen import frozen
+from ..named import NamedTuple
 from ..source import Span
 from . import limits, yaml_slips
 from .fault import check_characters, note

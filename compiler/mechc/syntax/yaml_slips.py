@@ -2,7 +2,9 @@
 
 import re
 from collections.abc import Collection, Iterable, Mapping
-from typing import Final, NamedTuple
+from typing import Final
+
+from ..named import NamedTuple
 
 GLUED: Final = re.compile(
     r"^\s*(?:- )?([A-Za-z][\w']*):([^\s/:'\"][^:\n]*?)\s*(?:\n[^\n]*)?\Z", re.MULTILINE

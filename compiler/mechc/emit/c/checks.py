@@ -1,8 +1,8 @@
 """The function that states which condition of a calculation sheet fails first."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
+from ...named import NamedTuple
 from ...routine.steps import Checks, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle

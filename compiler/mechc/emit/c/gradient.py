@@ -1,10 +1,10 @@
 """Functions that give a result and its slopes by each argument, for one pose and for many."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from ...formula.tree import Call
 from ...formula.walk import walk
+from ...named import NamedTuple
 from ...routine.functions import operations
 from ...routine.gradient import gradients
 from ...routine.steps import Function, Input, Pose, formulas_of, names_of

@@ -1,10 +1,10 @@
 """The first correction from the default pose, whose slopes are known when code is written."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ...formula import newton
 from ...formula.walk import evaluate, symbols
+from ...named import NamedTuple
 from ...routine.steps import Solver
 from .printer import QuickPrinter
 

@@ -5,11 +5,11 @@ literals and the functions of ``math.h`` change, comments and names do not.
 """
 
 import re
-from typing import NamedTuple
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
 from ...formula import newton
+from ...named import NamedTuple
 
 
 class Real(NamedTuple):

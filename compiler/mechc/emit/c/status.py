@@ -1,9 +1,9 @@
 """The function that says whether a result with friction moves, for one pose and for many."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ...model.result import Drive
+from ...named import NamedTuple
 from ...routine.steps import NOTHING, STATUSES, Function, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle

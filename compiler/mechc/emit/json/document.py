@@ -3,14 +3,13 @@
 The document and its JSON Schema are both made from what stands here.
 """
 
-from typing import NamedTuple
-
 from ...formula.tree import Formula
 from ...formula.walk import evaluate
 from ...model.mechanism import (
     Parameter,
 )
 from ...model.sheets import is_sheet
+from ...named import NamedTuple
 from ...statics.verdict import Trial, Verdict
 from ...units import si_unit
 from ..describe import dimension_name

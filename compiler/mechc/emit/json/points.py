@@ -1,11 +1,12 @@
 """Where points are and how links point, as the document lists them."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, get_args
+from typing import get_args
 
 from ...formula.walk import symbols
 from ...model.result import Definition
 from ...model.values import Chain
+from ...named import NamedTuple
 from ...pose.motion import Kind as Motion
 from ...pose.motion import Quantity
 from ...units import si_unit

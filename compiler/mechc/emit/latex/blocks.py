@@ -1,8 +1,8 @@
 """What the templates of reports print, piece by piece."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
+from ...named import NamedTuple
 from ...report.languages.locale import Locale
 from ...report.latex.given import ParameterRow, VectorRow
 from ...report.latex.results import SectionBlock

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
-from typing import NamedTuple
 
 from ...frozen import replace
 from ...model.mechanism import Mechanism
+from ...named import NamedTuple
 from ...report.languages.locale import Locale
 from ...report.latex.directions import math
 from ...report.latex.display import LINE

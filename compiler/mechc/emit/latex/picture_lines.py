@@ -1,6 +1,6 @@
 """The pictures of a report as lines of LaTeX, for reports that have none, too."""
 
-from typing import NamedTuple
+from ...named import NamedTuple
 
 
 class Pictures(NamedTuple):

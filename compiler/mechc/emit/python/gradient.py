@@ -1,8 +1,8 @@
 """Functions that give a result and its slopes by each argument."""
 
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
+from ...named import NamedTuple
 from ...routine.functions import operations
 from ...routine.gradient import gradients
 from ...routine.steps import Function, Pose, names_of

@@ -1,9 +1,9 @@
 """Functions that give many values: a pose's with its status, and what others have in common."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
 
 from ...formula.tree import Formula, Symbol
+from ...named import NamedTuple
 from ...routine.dimensions import closed_dimensions
 from ...routine.steps import (
     Common,

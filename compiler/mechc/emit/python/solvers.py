@@ -1,10 +1,10 @@
 """What a module needs to solve systems: one function for each, and Newton's method for all."""
 
 from collections.abc import Iterable, Mapping, Set
-from typing import NamedTuple
 
 from ...formula import newton
 from ...formula.to_text import text
+from ...named import NamedTuple
 from ...routine.steps import Solve, Solver, Statement
 from ..names import Names, mangle
 from ..render import Line

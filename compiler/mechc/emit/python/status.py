@@ -1,8 +1,8 @@
 """The function that says whether a result with friction moves."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
+from ...named import NamedTuple
 from ...routine.steps import NOTHING, STATUSES, Function, Solve, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle

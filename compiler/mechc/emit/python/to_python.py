@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from types import ModuleType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
@@ -11,6 +11,7 @@ from ...formula.choices import SIGNS
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
 from ...frozen import replace
+from ...named import NamedTuple
 from ...routine.steps import (
     Common,
     Function,

@@ -8,7 +8,6 @@ put in where it is a sum of named angles.
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.from_formula import is_transparent, to_product
@@ -21,6 +20,7 @@ from ...formula.tree import Formula
 from ...frozen import replace
 from ...model.mechanism import Assembly, Link, Mechanism, Parameter
 from ...model.values import Chain, dependent
+from ...named import NamedTuple
 from ...units import ANGLE, LENGTH
 from ..directions import Directions
 from ..pose import ClosedLoop, Limit, SolvedLoop

@@ -1,7 +1,7 @@
 """Guides and slots as vectors of open length, for loops that close through them."""
 
 from collections.abc import Iterator
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
@@ -20,6 +20,7 @@ from ...model.mechanism import (
     Slot,
     WheelPair,
 )
+from ...named import NamedTuple
 from ...source import Span
 from ..directions import Directions
 from ..pose import Arm

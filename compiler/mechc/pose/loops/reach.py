@@ -8,7 +8,6 @@ is the zero of the margin, halved to the last bits.
 import math
 from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
-from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.factors import Factor, Trig
@@ -20,6 +19,7 @@ from ...formula.to_text import text
 from ...formula.tree import Call, Formula, Number, negative, total
 from ...formula.walk import constants, evaluate, symbols, walk
 from ...model.values import Chain, dependent
+from ...named import NamedTuple
 from ...units import ANGLE, Dimension
 from ..pose import Limit
 from .continuation import moved_by

@@ -8,11 +8,11 @@ unknowns between them, and no more.
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from itertools import combinations
-from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product, Sum
 from ...formula.walk import symbols
+from ...named import NamedTuple
 from ...source import Span
 from ..pose import Arm, Vector, evaluate_vector, reverse
 

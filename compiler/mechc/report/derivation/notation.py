@@ -6,7 +6,6 @@ independent motions, or without default values, they are signed as the unknowns 
 """
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.product import ONE, Product
@@ -14,6 +13,7 @@ from ...algebra.sums import add, canonical, readable
 from ...formula.tree import Formula, Sum, Symbol, product, total
 from ...kinematics.graph import Form, Kind, Rule, Unknown
 from ...kinematics.plan import Plan
+from ...named import NamedTuple
 from ...power.balance import Balance
 from ...power.numbers import default_values
 from ..sentences.wording import positive_first

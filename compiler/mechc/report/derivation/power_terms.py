@@ -1,13 +1,14 @@
 """The power of each load by the speeds that the steps have named, and the power equation."""
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ...kinematics.forms import parting, projection, spin
 from ...kinematics.graph import Form
 from ...model.mechanism import Force, ForcePair, Torque
+from ...named import NamedTuple
 from ...power.balance import Term
 from ..sentences.wording import positive_first
 from .notation import linear, times

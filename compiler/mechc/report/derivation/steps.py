@@ -8,11 +8,11 @@ belong to whoever prints.
 from collections.abc import Mapping
 from enum import StrEnum
 from types import MappingProxyType
-from typing import NamedTuple
 
 from ...formula.tree import Formula
 from ...frozen import frozen, replace
 from ...model.result import Definition
+from ...named import NamedTuple
 from ...pose.pose import LoopKind
 from ...study.analysis import Analysis
 from ...units import Dimension

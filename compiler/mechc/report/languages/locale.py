@@ -1,8 +1,8 @@
 """What a language must say, and how its books write formulas."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
+from ...named import NamedTuple
 from ...pose.pose import LoopKind
 
 

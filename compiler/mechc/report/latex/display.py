@@ -9,11 +9,11 @@ earlier display keeps that name and is not defined again.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from ...formula.layout import is_angle
 from ...formula.tree import Formula, Product, Sum
 from ...formula.walk import children, rebuild, symbols
+from ...named import NamedTuple
 from .notation import Notation
 from .printer import Box, box, plain, row, signed
 

@@ -1,7 +1,7 @@
 """The report's first part: what was given, as tables and sentences."""
 
 from collections.abc import Iterable, Iterator, Mapping, Set
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ...formula.names import split_points
 from ...formula.tree import Constant, number
@@ -24,6 +24,7 @@ from ...model.mechanism import (
 )
 from ...model.values import is_constant
 from ...model.written import Written
+from ...named import NamedTuple
 from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale

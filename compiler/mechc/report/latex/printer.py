@@ -18,11 +18,11 @@ import re
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import NamedTuple
 
 from ...formula.layout import TRIGONOMETRIC, in_degrees
 from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
 from ...formula.typesetting import Row, Typesetter
+from ...named import NamedTuple
 from ...syntax.vocabulary import split_quantity
 from .notation import Notation, relation_sign
 from .notation import name as name_of

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
-from typing import NamedTuple
 
 from ...formula.layout import decimal as exact_decimal
 from ...formula.layout import is_angle
@@ -10,6 +9,7 @@ from ...formula.names import split_points
 from ...formula.tree import ZERO, Formula, Number, Symbol, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition
+from ...named import NamedTuple
 from ...statics.verdict import Verdict
 from ...study.analysis import Analysis
 from ...units import ANGLE

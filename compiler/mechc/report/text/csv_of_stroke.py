@@ -4,8 +4,8 @@ import csv
 import io
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from ...named import NamedTuple
 from ...study.stroke.stroke import Row, Stroke
 from ...units import size_of
 from .stroke import headed, held, unit_of, written

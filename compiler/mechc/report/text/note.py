@@ -1,7 +1,6 @@
 """The calculation note of a sheet for the terminal."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from ...formula.choices import is_choice
 from ...formula.layout import is_angle
@@ -13,6 +12,7 @@ from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
 from ...model.values import is_constant
 from ...model.written import Written, WrittenTable
+from ...named import NamedTuple
 from ...units import ANGLE, in_unit, si_unit
 from ..note import NoteCheck, NoteLine, note
 from ..put_in import Quantity

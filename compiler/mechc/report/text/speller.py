@@ -4,7 +4,6 @@ import re
 from collections.abc import Iterable, Mapping
 from textwrap import wrap
 from types import MappingProxyType
-from typing import NamedTuple
 
 from ...formula.layout import is_angle
 from ...formula.tree import Formula, Symbol
@@ -12,6 +11,7 @@ from ...formula.walk import evaluate
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
+from ...named import NamedTuple
 from ...units import ANGLE, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of

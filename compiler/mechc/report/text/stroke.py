@@ -2,11 +2,11 @@
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from ...drawing.letters import Letters, lettered, of_unit
 from ...formula.to_text import text
 from ...model.locking import USUAL, EfficiencyRange
+from ...named import NamedTuple
 from ...study.analysis import DeadCentre
 from ...study.stroke.stroke import (
     Branch,

@@ -1,10 +1,10 @@
 """The columns of a stroke with what fills them."""
 
 from collections.abc import Callable, Iterable
-from typing import NamedTuple
 
 from ...formula.tree import Formula
 from ...model.result import Definition
+from ...named import NamedTuple
 from .stroke import Column
 
 

@@ -7,12 +7,12 @@ one crosses it: a branch point, at which the drive can go on and the loop in two
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import NamedTuple
 
 from ...formula.folds import Curve
 from ...formula.tree import Formula, Implicit, System
 from ...formula.walk import evaluate, numeric, solution
 from ...model.values import Chain, dependent
+from ...named import NamedTuple
 from ...pose.pose import Pose
 from ...units import LENGTH
 from .along import Along

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import NamedTuple
 
 from ...diagnostics import MechcError, near_miss
 from ...diagnostics import stroke as messages
@@ -10,6 +9,7 @@ from ...formula.tree import Formula
 from ...formula.walk import evaluate, symbols
 from ...model.result import Definition
 from ...model.values import Chain, Values
+from ...named import NamedTuple
 from ...pose.motion import Motion, Quantity
 from ...units import Dimension
 from .along import Along

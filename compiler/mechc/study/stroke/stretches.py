@@ -3,8 +3,8 @@
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
+from ...named import NamedTuple
 from ..tolerances import AT_BRANCH_POINT, BRANCH_POINT, CROSSING
 from .along import NO_POSE
 from .ends import end_of_branch

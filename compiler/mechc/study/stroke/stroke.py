@@ -1,11 +1,12 @@
 """The stroke as data: rows, the stretches on which it can be run, singular poses, extrema."""
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ...formula.tree import Formula
 from ...frozen import frozen
 from ...model.locking import EfficiencyRange, State
+from ...named import NamedTuple
 from ...units import Dimension
 from ..analysis import Cause
 

@@ -7,10 +7,10 @@ Forces pass well near 90° and not at all at 0.
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...model.mechanism import Link
+from ...named import NamedTuple
 from ...pose.pose import Pose
 
 

@@ -5,7 +5,7 @@ of points that it shifts, else its own rate, written ``s'``.
 """
 
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ...algebra.angle import rational
 from ...algebra.product import Product
@@ -14,6 +14,7 @@ from ...formula.tree import Symbol
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.mechanism import Arrow, Force, ForcePair, Load, Torque
+from ...named import NamedTuple
 from ...power.balance import Balance, Term
 from ...units import FREQUENCY, VELOCITY, Dimension
 from .branches import rates_of
