@@ -1,6 +1,7 @@
 """From a plot to its picture: panels above one another, legends to their right."""
 
 from collections.abc import Iterator, Mapping
+from itertools import chain
 
 from ..frozen import replace
 from ..plot.plot import Plot
@@ -19,6 +20,9 @@ SAMPLE = 9.0
 
 ROW = 5.6
 """How far rows of the legend are apart."""
+
+BELOW, LEFT, ABOVE = 9.4, 6.0, 4.2
+"""How far the headings of the axes are from the frame: one below it, one up its left side."""
 
 
 def picture(plot: Plot, words: Mapping[str, str]) -> Drawing:
@@ -42,16 +46,17 @@ def _drawn(layout: Layout) -> Drawing:
 
 
 def _write_axes(sheet: Sheet, layout: Layout) -> None:
+    """Write the numbers of both axes and their headings."""
     frame = layout.frame
     numbers = numbers_below(frame, layout.across), numbers_beside(frame, layout.up)
-    for written in (one for side in numbers for one in side):
-        sheet.write(written)
+    for number in chain(*numbers):
+        sheet.write(number)
     below = heading((layout.plot.x,), layout.across)
     width, _ = box(below, SIZE)
     middle = (frame.low.x + frame.high.x - width) / 2
-    sheet.write(label(Plane(middle, frame.low.y - 9.4), below))
+    sheet.write(label(Plane(middle, frame.low.y - BELOW), below))
     beside = heading(layout.headed, layout.up)
-    sheet.write(label(Plane(frame.low.x - 6.0, frame.high.y + 4.2), beside))
+    sheet.write(label(Plane(frame.low.x - LEFT, frame.high.y + ABOVE), beside))
 
 
 def _shaded(layout: Layout) -> Iterator[Shape]:

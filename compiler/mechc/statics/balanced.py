@@ -60,13 +60,13 @@ class Balanced(Unfolding):
 
     def formulas(self, where: tuple[Definition, ...]) -> Evaluation:
         """Return the way to values of formulas that may use definitions, which stand in order."""
-        known = self._formulas.get(id(where))
-        if known is None:
+        if id(where) not in self._formulas:
             values = dict(self.values)
-            known = self._formulas[id(where)] = where, Evaluation(values)
+            evaluation = Evaluation(values)
             for name, formula in where:
-                values[name] = known[1].of(formula)
-        return known[1]
+                values[name] = evaluation.of(formula)
+            self._formulas[id(where)] = where, evaluation  # the id is that of ``where`` as it lives
+        return self._formulas[id(where)][1]
 
     @cached_property
     def _formulas(self) -> dict[int, tuple[tuple[Definition, ...], Evaluation]]:

@@ -48,18 +48,25 @@ def in_numbers(line: NoteLine, where: str, style: Notation) -> str:
         found, asked = measure(line.value, style), measure(line.asked, style)
         needed = box(line.formula, style)
         return rf"\[ {left.tex}={found.tex}\geq {needed.tex}={asked.tex} \]"
-    angle = line.dimension == ANGLE
-    formulas = (line.formula, line.numbers)
-    sides = [side(line, formula, style, angle) for formula in formulas if formula]
-    sides += [box(line.between, style, angle)] if line.between else []
-    if line.value and not line.is_number:
-        sides.append(measure(line.value, style))
+    sides = list(_sides(line, style))
     if line.formula and max(side.width for side in sides) > LINE:
         return _broken(line, line.formula, left, sides[-1], where, style)
     if left.width + sum(side.width + 1.2 for side in sides) <= LINE or len(sides) == 1:
         return rf"\[ {'='.join(side.tex for side in (left, *sides))} \]"
     rows = r" \\ ".join(rf"&={side.tex}" for side in sides)
     return rf"\begin{{align*}} {left.tex}{rows} \end{{align*}}"
+
+
+def _sides(line: NoteLine, style: Notation) -> Iterator[Box]:
+    """Yield what a name is equal to: its formula, that in numbers, the rows between, its value."""
+    angle = line.dimension == ANGLE
+    for formula in (line.formula, line.numbers):
+        if formula:
+            yield side(line, formula, style, angle)
+    if line.between:
+        yield box(line.between, style, angle)
+    if line.value and not line.is_number:
+        yield measure(line.value, style)
 
 
 def _broken(

@@ -22,11 +22,12 @@ def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) ->
     """Return whether a value rests on a sign that rounding makes, or has no number."""
     if size.number is None or not math.isfinite(size.number):
         return True
-    inner = Rounding({})
-    inner.values.update(rounding.values)
-    inner.define(where)
-    parts = (part for d in where if d.name in inner.values for part in walk(d.formula))
-    return any(inner.of(part).error >= 1 for part in parts if is_sign(part))
+    known = Rounding({})
+    known.values.update(rounding.values)
+    known.define(where)
+    formulas = (d.formula for d in where if d.name in known.values)
+    signs = (part for formula in formulas for part in walk(formula) if is_sign(part))
+    return any(known.of(sign).error >= 1 for sign in signs)
 
 
 def from_both_sides(
