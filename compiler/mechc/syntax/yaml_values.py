@@ -197,6 +197,9 @@ def result(node: Node, source: Source) -> Fields:
     if isinstance(node, Table):
         hint = "in a list the name stands before '=': - k = P/F"
         raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "what to find", hint))
+    if isinstance(node, Scalar) and node.empty:
+        hint = "what has no name of its own stands in a list: [k = P/F, R_O]"
+        raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "what to find", hint))
     found = parsed("result", "what to find", node, source)
     return found.target, found.name, found.on
 
