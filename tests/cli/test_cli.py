@@ -17,6 +17,8 @@ from mechc import __version__
 from mechc.cli import main
 from mechc.cli.by_click import mechc
 from mechc.cli.commands import COMMANDS
+from mechc.cli.list import NOTED, noted
+from mechc.data import data
 from mechc.files import library
 from paths import EXAMPLES
 
@@ -430,6 +432,18 @@ def test_list(run: Mechc) -> None:
     records = [json.loads(line) for line in run("list", "--json").out.splitlines()]
     assert [r["name"] for r in records] == [row.split()[0] for row in rows]
     assert not [r for r in records if r["k"].startswith("(E")]
+
+
+def test_titles_noted_are_those_of_the_library() -> None:
+    assert (data("library") / NOTED).read_text("utf-8") == noted()
+
+
+def test_a_title_noted_of_another_text_is_read_again(
+    run: Mechc, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = run("list").out
+    monkeypatch.setattr("mechc.cli.list._noted", lambda: {"four_bar": (0, "something else")})
+    assert run("list").out == before
 
 
 def test_explain(run: Mechc) -> None:

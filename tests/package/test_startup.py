@@ -96,6 +96,11 @@ def test_what_was_answered_before_needs_no_compiler(
     }
 
 
+def test_listing_titles_needs_no_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MECHC_CACHE", "")
+    assert not imports("-m", "mechc", "list") & STAGES
+
+
 LIBRARIES = {"mechc"}
 OWN, ALL = 320, 420
 """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""

@@ -2,20 +2,24 @@
 
 import json
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
+from zlib import crc32
 
+from ..data import data
 from ..diagnostics import MechcError
-from ..driver import Compilation
 from ..files import library, read
-from ..formula.to_text import text
-from ..model.statements import only
 from ..named import NamedTuple
-from ..syntax.ast import Heading
-from . import usage
+from ..source import Source
+from . import compiled, usage
 from .terminal import give, say
 
 TERMINAL = 80
 """Columns of a terminal, which names and titles share."""
+
+NOTED = "titles.json"
+"""The file in the library that ``python -m mechc.cli.make_titles`` makes anew: reading all the
+descriptions for their titles takes longer than any one of them to be compiled."""
 
 SOURCE = 34
 """Longest source shown; ``--json`` has all of it."""
@@ -51,21 +55,47 @@ def command(long: bool, as_json: bool) -> None:
 
 
 def _titled(name: str, path: Path) -> Row:
-    """Return a row with the title alone, for which nothing has to be solved."""
+    """Return a row with the title alone, the one that was noted if the text is still the same."""
+    source = read(path)
+    made_from, title = _noted().get(name, (0, ""))
+    return Row(name, title, "", "") if made_from == checksum(source.text) else titled(name, source)
+
+
+def titled(name: str, source: Source) -> Row:
+    """Return a row with the title that stands in a text."""
     try:
-        heading = only(Compilation(read(path)).tree, Heading)
+        return Row(name, compiled.title(source), "", "")
     except MechcError as error:
         return _failed(name, error)
-    return Row(name, heading.title if heading else "", "", "")
+
+
+@cache
+def _noted() -> dict[str, tuple[int, str]]:
+    """Return the titles of the library by name, each with the checksum of its text."""
+    file = data("library") / NOTED
+    return json.loads(file.read_text("utf-8")) if file.is_file() else {}
+
+
+def checksum(text: str) -> int:
+    """Return the checksum of a text whose title is noted."""
+    return crc32(text.encode())
+
+
+def noted() -> str:
+    """Return the titles of the library as the text of their file, a line for each."""
+    sources = {name: read(path) for name, path in library().items()}
+    lines = {n: [checksum(s.text), titled(n, s).title] for n, s in sources.items()}
+    shown = (
+        f"{json.dumps(n)}: {json.dumps(line, ensure_ascii=False)}" for n, line in lines.items()
+    )
+    return "{\n" + ",\n".join(shown) + "\n}\n"
 
 
 def _row(name: str, path: Path) -> Row:
-    compilation = Compilation(read(path))
     try:
-        mechanism, (first, *_) = compilation.mechanism, compilation.found
+        return Row(name, *compiled.title_source_and_result(read(path)))
     except MechcError as error:
         return _failed(name, error)
-    return Row(name, mechanism.title, mechanism.source, f"{first.name} = {text(first.formula)}")
 
 
 def _failed(name: str, error: MechcError) -> Row:
