@@ -197,7 +197,7 @@ class Pipeline:
             return tuple(map(as_printed, self.found))
         from .study.from_solution import analyse
 
-        return self._sound(analyse(self.solution))
+        return self._sound(analyse(self.solution, self.report))
 
     @Stage
     @of_linkages

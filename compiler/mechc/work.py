@@ -49,6 +49,18 @@ def at_most(allowance: Allowance) -> Iterator[Allowance]:
         _ALLOWANCE.reset(token)
 
 
+@contextmanager
+def within_part(part: Allowance) -> Iterator[Allowance]:
+    """Count what is done inside against a part of the allowance, and then against the whole."""
+    whole, before = _ALLOWANCE.get(), part.left
+    try:
+        with at_most(part):
+            yield part
+    finally:
+        if whole is not None:
+            whole.left -= before - max(part.left, 0)
+
+
 def spend(steps: int) -> None:
     """Count steps; raise :class:`WorkLimitError` where the allowance is used up.
 

@@ -15,7 +15,8 @@ from mechc.driver import Compilation, complete
 from mechc.formula.tree import Symbol, System, negative, number, power, product, total
 from mechc.formula.walk import evaluate, solution, straight_line
 from mechc.source import Source
-from mechc.work import LIMIT, Allowance, WorkLimitError, at_most, spend
+from mechc.study import from_solution
+from mechc.work import LIMIT, Allowance, WorkLimitError, at_most, spend, within_part
 
 ROD = """
 slider A along x
@@ -105,6 +106,26 @@ def test_a_study_of_ranges_ends_with_the_message():
     with pytest.raises(MechcError) as error:
         _ = compilation.results
     assert [d.code for d in error.value.diagnostics] == ["E817"]
+
+
+def test_what_takes_too_much_work_along_ranges_is_named_and_the_rest_is_given(monkeypatch):
+    monkeypatch.setattr(from_solution, "FRICTION", 1000)
+    compilation = Compilation(Source("coupled.mech", COUPLED))
+    names = [r.name for r in compilation.results]
+    assert names == ["k", "k_f", "k_f1", "k_hold", "eta_k"]
+    told = [d for d in compilation.report.diagnostics if d.code == "W261"]
+    assert [d.message.split()[0] for d in told] == ["k_f", "k_hold", "eta_k"]
+    assert all(r.locking is None and not r.courses for r in compilation.results)
+    assert compilation.verdict.trials
+
+
+def test_a_part_of_the_allowance_is_taken_from_the_whole():
+    with at_most(Allowance(100)) as whole:
+        with within_part(Allowance(10)):
+            spend(7)
+        with pytest.raises(WorkLimitError), within_part(Allowance(10)):
+            spend(20)
+    assert whole.left == 83
 
 
 LONG = ["double_butterfly", "jansen_leg", "class_four_block", "karpenko_fig4_with_friction"]

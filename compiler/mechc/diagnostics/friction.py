@@ -1,4 +1,4 @@
-"""Messages for friction in the balance of power (E419, E510 … E514, E540, W511 … W541)."""
+"""Messages for friction in the balance of power (E419, W261, E510 … E514, E540, W511 … W541)."""
 
 from collections.abc import Sequence
 
@@ -28,6 +28,22 @@ def pressed_how_hard(span: Span, point: str) -> Message:
     """
     message = f"equilibrium leaves open how hard the joint at {point} is pressed"
     return Message(span, message, "leave the redundant bar or guide out, or give it no friction")
+
+
+@coded("W261")
+def ranges_not_looked_at(span: Span, result: str) -> Message:
+    """It takes too much work to look at a result with friction along the ranges given.
+
+    Where friction locks or jams a mechanism, and how its efficiency changes, is found by solving
+    it at many places of every range. For many bodies with friction and many ranges that is more
+    than one compilation may do. The formula, its values and its code are as they would be; code
+    tells at any pose by its status what locks. Give fewer ranges to have them looked at::
+
+        param t1 = 60 deg in 50 deg .. 70 deg
+        param t2 = 15 deg                       # no range: nothing is looked for along t2
+    """
+    message = f"{result} was not looked at along all ranges: that takes too much work"
+    return Message(span, message, "leave out ranges of which nothing has to be known")
 
 
 @coded("E513")

@@ -10,6 +10,8 @@ from ..algebra.equality import equal
 from ..algebra.factors import Constant, Length
 from ..algebra.product import Product
 from ..algebra.sums import add
+from ..diagnostics import Report
+from ..diagnostics import friction as messages
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import evaluate, substitute, symbols
 from ..friction.solution import Solution, SolvedWithFriction
@@ -23,6 +25,7 @@ from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
 from ..power.numbers import DefaultNumbers
 from ..units import LENGTH
+from ..work import LIMIT, Allowance, WorkLimitError, within_part
 from . import efficiency_range, locking, ratios
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
@@ -45,10 +48,29 @@ Each loop's rate rests on the one before, so that the formula of the slope nests
 """
 
 
-def analyse(solution: Solution) -> tuple[Analysis, ...]:
-    """Return the results with what follows from each."""
+FRICTION = LIMIT * 6 // 10
+"""Steps for all that is said of friction along ranges: each place of each is solved anew."""
+
+
+def analyse(solution: Solution, report: Report) -> tuple[Analysis, ...]:
+    """Return the results with what follows from each.
+
+    W261 names those of which it is not looked at where friction locks them: it takes too much.
+    """
     numbers, study = DefaultNumbers(solution.plan), cache(partial(_study, solution))
-    return tuple(_concluded(item, solution, numbers, study) for item in solution.solved)
+    part = Allowance(FRICTION)
+    analyses: list[Analysis] = []
+    for item in solution.solved:
+        try:
+            analyses.append(_concluded(item, solution, numbers, study, part))
+        except WorkLimitError:
+            if part.left >= 0:
+                raise
+            analyses.append(as_printed(item.result))
+            finds = solution.plan.graph.pose.mechanism.finds
+            span = next(f.span for f in finds if f.name == item.result.name)
+            report.add(messages.ranges_not_looked_at(span, item.result.name))
+    return tuple(analyses)
 
 
 def _study(solution: Solution) -> "ratios.Study":
@@ -60,10 +82,12 @@ def _concluded(
     solution: Solution,
     numbers: DefaultNumbers,
     study: "Callable[[], ratios.Study]",
+    part: Allowance,
 ) -> Analysis:
     balance, values = solution.balance, numbers.values
     if isinstance(item, SolvedWithFriction) or item.value is None:
-        return _with_friction(item.result, balance, study)
+        with within_part(part):
+            return _with_friction(item.result, balance, study)
     pose = balance.plan.graph.pose
     mechanism = pose.mechanism
     where = resting_on(balance.plan, item.value.formula(), [item.value])
