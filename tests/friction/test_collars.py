@@ -109,11 +109,11 @@ def test_free_bodies_agree_where_a_collar_hangs_together_with_pins():
     assert found["k_f"] > found["k"] > found["k_hold"]
 
 
-def test_diameters_that_are_numbers_have_names():
+def test_diameters_and_coefficients_that_are_numbers_have_names():
     sizes = "friction screw A 0.12 thread 20 mm", "friction collar A 0.15 outer 40 mm inner 24 mm"
     jack = mechc.loads(JACK.format(pitch=6, friction="\n".join(sizes)))
     named = {symbol.name for symbol in jack["k_f"].free_symbols}
-    assert named == {"p", "d_A", "D_A", "D_i_A"}
+    assert named == {"p", "f_A", "f_A_2", "d_A", "D_A", "D_i_A"}
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,9 @@ import pytest
 import mechc
 from force_samples import rubbing, samples
 from mechc.driver import Compilation
+from mechc.formula.to_text import text
 from mechc.formula.tree import Formula
+from mechc.model.mechanism import PinFriction
 from mechc.model.result import Result
 from mechc.routine.evaluate import evaluate, status
 from mechc.source import Source
@@ -120,3 +122,41 @@ find k = P/F
 def test_what_is_taken_and_what_is_infinite_is_stated(text, code):
     """A load on a pin where forces alone are asked for; an arm as long as the friction circle."""
     assert code in [d.code for d in mechc.loads(text).warnings]
+
+
+KNEE = """mechanism knee
+pivot O at (0 mm, 0 mm)
+slider B along y through O
+link OA
+link AB
+OA = 150 mm @ 90 deg - theta
+AB = 150 mm @ 90 deg + theta
+param theta = 12 deg in 3 deg .. 20 deg
+force P at A along -x
+force Q at B along -y
+friction pins {pins} diameter 20 mm
+friction slider B {guide}
+find k = P/Q
+"""
+
+
+def test_coefficients_that_are_numbers_have_names():
+    knee = mechc.loads(KNEE.format(pins="0.15", guide="0.1"))
+    joints = knee._compilation.mechanism.friction.joints
+    assert "f*d/2" in [text(j.radius) for j in joints if isinstance(j, PinFriction)]
+    named = {symbol.name for symbol in knee["k_f1"].free_symbols}
+    assert named == {"theta", "d", "f", "f_B", "len_AB", "len_OA"}
+
+
+def test_one_number_is_one_coefficient():
+    knee = mechc.loads(KNEE.format(pins="0.1", guide="0.1"))
+    assert {s.name for s in knee["k_f1"].free_symbols} == {"theta", "d", "f", "len_AB", "len_OA"}
+
+
+def test_results_are_those_of_coefficients_that_are_parameters():
+    given = KNEE.format(pins="f", guide="mu") + "param f = 0.15\nparam mu = 0.1\n"
+    by_number, by_name = (
+        mechc.loads(t).evaluate() for t in (KNEE.format(pins="0.15", guide="0.1"), given)
+    )
+    for name in ("k_f", "k_f1", "k_hold", "eta_k"):
+        assert by_number[name] == pytest.approx(by_name[name], rel=1e-13)

@@ -16,14 +16,18 @@ HAIR = 1e-9
 """How far within a range is looked at, as a part of it."""
 
 
-def coefficient(expression: ast.Expr, scope: Scope) -> Formula | None:
-    """Return a coefficient of friction; None where an error was reported."""
+def coefficient(expression: ast.Expr, of: str, scope: Scope) -> Formula | None:
+    """Return a coefficient of friction, by a name where it is a number; None after an error.
+
+    It is that of a point, or of all pins: then ``of`` is empty.
+    """
     what = "a coefficient of friction"
     formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, what)
     value = value_of(formula, scope) if formula else None
     if value is not None and value > 1:
         scope.report.add(doubts.coefficient_above_one(expression.span, what, value))
-    return checked(formula, expression.span, what, lambda v: v >= 0, scope)
+    found = checked(formula, expression.span, what, lambda v: v >= 0, scope)
+    return found and scope.named("f", of, found, NUMBER, expression.span)
 
 
 def positive_length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:

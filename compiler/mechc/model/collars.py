@@ -18,7 +18,7 @@ def read_collar(
 ) -> PivotFriction | None:
     """Return the friction of a collar on a pivot; None where an error was reported."""
     point = statement.point
-    f = coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, point.text, scope)
     if not scope.points.acting(point) or f is None:
         return None
     thrust = _thrust(statement, scope)

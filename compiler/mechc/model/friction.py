@@ -142,7 +142,7 @@ def _read(
 
 
 def _guide(statement: ast.GuideFriction, built: Mechanism, scope: Scope) -> Iterator[JointFriction]:
-    f = coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, statement.point.text, scope)
     if not _is_guided(statement.point, built, scope) or f is None:
         return
     tilt: Formula | None = number(1)
@@ -166,6 +166,9 @@ def _tilt(
     length = positive_length(lengths[1], "the length of a guide", scope)
     if length is None or overhang is None:
         return None
+    point = statement.point.text
+    overhang = scope.named("l", point, overhang, LENGTH, lengths[0].span)
+    length = scope.named("L", point, length, LENGTH, lengths[1].span)
     x = product([(overhang, 1), (length, -1)])
     share = value_of(x, scope)
     match statement.law:
@@ -185,17 +188,20 @@ def _tilt(
 def _roller(
     statement: ast.RollerFriction, built: Mechanism, scope: Scope
 ) -> Iterator[JointFriction]:
-    f = coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, statement.point.text, scope)
     axle = positive_length(statement.axle, "the diameter of an axle", scope)
     wheel = positive_length(statement.wheel, "the diameter of a roller", scope)
+    point = statement.point.text
     if not _is_guided(statement.point, built, scope) or f is None or axle is None or wheel is None:
         return
+    axle = scope.named("d", point, axle, LENGTH, statement.axle.span)
+    wheel = scope.named("D", point, wheel, LENGTH, statement.wheel.span)
     factor = product([(f, 1), (axle, 1), (wheel, -1)])
     yield GuideFriction(statement.point.text, factor, statement.span)
 
 
 def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[JointFriction]:
-    f = coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, statement.point.text, scope)
     if not scope.points.acting(statement.point) or f is None:
         return
     point = statement.point
@@ -215,7 +221,7 @@ def _transmission(
     scope: Scope,
 ) -> Iterator[JointFriction]:
     """Return the friction of a pair by its first wheel, of a rack or screw by its slider."""
-    f = coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, statement.point.text, scope)
     point, span = statement.point, statement.span
     if not scope.points.acting(point) or f is None:
         return

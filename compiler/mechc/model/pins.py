@@ -97,12 +97,12 @@ def remark_on_pairs(built: Mechanism, scope: Scope) -> None:
 
 
 def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
-    f = coefficient(statement.coefficient, scope)
+    of = statement.point.text if statement.point else ""
+    f = coefficient(statement.coefficient, of, scope)
     diameter = positive_length(statement.diameter, "the diameter of a pin", scope)
     if f is None or diameter is None:
         return None
     if statement.law == "coulomb":
         f = coulomb(f)
-    of = statement.point.text if statement.point else ""
     diameter = scope.named("d", of, diameter, LENGTH, statement.diameter.span)
     return product([(HALF, 1), (f, 1), (diameter, 1)])

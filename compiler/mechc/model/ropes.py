@@ -76,7 +76,7 @@ def read_rope_friction(
 ) -> RopeFriction | None:
     """Return the friction of a rope around a pulley; None where an error was reported."""
     point = statement.point.text
-    f = coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, point, scope)
     wrap = Reader(scope, DESCRIPTION).wanted(statement.wrap, ANGLE, "an angle of wrap")
     found = _pulley(statement.point, built, scope)
     if found is None or f is None or wrap is None:
