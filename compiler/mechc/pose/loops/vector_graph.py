@@ -157,7 +157,11 @@ class VectorGraph:
     def _candidates(
         self, loose: list[tuple[Edge, Names]], clusters: Mapping[str, int]
     ) -> Iterator[Names]:
-        """Yield sets of one unknown, then of two whose edges meet in a cluster."""
+        """Yield sets of one unknown, then of two whose edges meet in a cluster.
+
+        Those of two in one cycle meet in two clusters, so that one of all, the greatest, need
+        not be looked at: the frame, where the vectors of all loops meet.
+        """
         small = [(e, m) for e, m in loose if len(m) <= 2]
         singles = {m for _, m in small if len(m) == 1}
         yield from sorted(singles, key=sorted)
@@ -166,7 +170,7 @@ class VectorGraph:
             for point in (edge.tail, edge.head):
                 meeting.setdefault(clusters[point], set()).add(names)
         found = {m for _, m in small if len(m) == 2}
-        for groups in meeting.values():
+        for groups in sorted(meeting.values(), key=len)[:-1]:
             found |= {a | b for a, b in combinations(groups, 2) if len(a | b) == 2}
         yield from sorted(found, key=sorted)
 
