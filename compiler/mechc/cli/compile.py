@@ -95,6 +95,11 @@ def _formats(begun: str) -> Iterator[usage.Proposal]:
     default="double",
     help="The type of real numbers in C: float for processors without double.",
 )
+@usage.option(
+    "--c-openmp",
+    is_flag=True,
+    help="In C, forms for many poses that use all processors where built with -fopenmp.",
+)
 @by_option
 @settings_option
 @usage.option(
@@ -116,6 +121,7 @@ def command(
     language: str,
     gradient: bool,
     c_real: str,
+    c_openmp: bool,
     method: str,
     settings: Settings,
     deps: str | None,
@@ -136,7 +142,10 @@ def command(
     compilation = checked(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     options = Options(
-        "", fragment, language, numbers, brief, pictures, gradient, c_real=c_real, by=method
+        *("", fragment, language, numbers, brief, pictures, gradient),
+        c_real=c_real,
+        c_openmp=c_openmp,
+        by=method,
     )
     made = [(output, _emitted(compilation, output, options)) for output in wanted]
     texts = [file for output, emitted in made for file in placed(output, emitted).items()]

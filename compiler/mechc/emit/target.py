@@ -122,6 +122,8 @@ class Options(NamedTuple):
     """Whether code has functions of results with their slopes by each input."""
     c_real: str = "double"
     """The type of C's real numbers, of :data:`~mechc.emit.c.real.REALS`."""
+    c_openmp: bool = False
+    """Whether C's forms for many poses work on all processors where it is built with OpenMP."""
     by: str = "power"
     """How reports find loads, one of :data:`~mechc.syntax.vocabulary.METHODS`."""
     single: bool = False

@@ -36,6 +36,7 @@ from .solvers import (
     solvers_of,
 )
 from .status import StatusContext
+from .threads import in_threads
 
 if TYPE_CHECKING:
     from .gradient import GradientContext
@@ -119,9 +120,9 @@ class CTarget:
         """Return source and header, or one file with the declarations in front."""
         stem = _stem(options)
         parts = _parts(compiled, options.gradient)
-        preface, real = _preface(compiled), named(options.c_real)
+        preface, real = _preface(compiled, options.c_openmp), named(options.c_real)
         header = "" if options.single else f"{stem}.h"
-        source = _file(f"{stem}.c", _source(parts, preface, header, real), real)
+        source = _file(f"{stem}.c", _source(parts, preface, header, real, options.c_openmp), real)
         if options.single:
             return (source,)
         guard = f"MECHC_{transliterate(compiled.routine.name).upper()}_H"
@@ -148,8 +149,10 @@ def _file(name: str, text: str, real: Real) -> Emitted:
     return Emitted(name, in_single_precision(text) if real is FLOAT else text)
 
 
-def _source(parts: Parts, preface: list[str], header: str, real: Real) -> str:
+def _source(parts: Parts, preface: list[str], header: str, real: Real, threads: bool) -> str:
     code = render("c/functions.jinja", CodeContext(*parts, newton, real))
+    if threads:
+        code = in_threads(code)
     called = helpers(code)
     context = SourceContext(
         preface=preface,
@@ -177,7 +180,7 @@ def _quick_lines(parts: Parts) -> Iterator[str]:
         yield from gradient.quick
 
 
-def _preface(compiled: Compiled) -> list[str]:
+def _preface(compiled: Compiled, threads: bool) -> list[str]:
     mechanism = compiled.mechanism
     lines = [f"{describe.heading(mechanism)}."]
     if mechanism.source:
@@ -185,6 +188,8 @@ def _preface(compiled: Compiled) -> list[str]:
     for line in describe.unchecked(mechanism, compiled.routine):
         lines.append(f"Not checked here: {line}.")
     lines.append(f"Written by mechc {compiled.version}. SI units and radians.")
+    if threads:
+        lines.append("Built with OpenMP (-fopenmp), forms for many poses use all processors.")
     return [harmless(line) for line in lines]
 
 
