@@ -2,9 +2,14 @@
 
 from collections.abc import Sequence
 
+import pytest
+
 from mechc.driver import Compilation
+from mechc.formula.tree import ONE
 from mechc.model.carriers import Carriers, Edge, Node, is_held, refined
+from mechc.model.mechanism import WheelPair
 from mechc.source import Source
+from small_poses import HERE
 
 PATH = [("point", name) for name in "abcde"]
 
@@ -98,3 +103,19 @@ def test_pivots_and_sliders_hold_their_pins() -> None:
     text = FOUR_BAR.format(one="1 m", other="2 m")
     mechanism = Compilation(Source("bars.mech", text)).mechanism
     assert [is_held(point, mechanism) for point in "OABC"] == [True, False, False, True]
+
+
+@pytest.mark.parametrize(
+    ("carried", "name"),
+    [
+        ({}, "gear A, B"),
+        ({"arm": "AB", "first_link": "OC"}, "gear OC at A, the ground at B"),
+        ({"arm": "AB", "second_link": "BD"}, "gear the ground at A, BD at B"),
+    ],
+)
+def test_wheels_on_an_arm_are_told_apart_by_what_they_are_fixed_to(carried, name) -> None:
+    """Two trains on one arm share their centres, so that these alone would name both."""
+    own = {"first_link": "", "second_link": "", **carried}
+    pair = WheelPair("gear", "A", own.pop("first_link"), ONE, "B", own.pop("second_link"), ONE,
+                     same=False, span=HERE, **own)  # fmt: skip
+    assert pair.id == name
