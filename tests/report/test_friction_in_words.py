@@ -8,6 +8,7 @@ import mechc
 from mechc.cli.checked import report
 from mechc.driver import compile_source
 from mechc.files import find, read
+from mechc.report.sentences.speller import LoadWords
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from paths import LIBRARY
@@ -101,14 +102,14 @@ def test_friction_is_among_what_is_given(name, said):
         ("en", "$P$ drives", "$P$ is back-driven", "to first order"),
         (
             "uk",
-            "прямий хід (рушійне навантаження $P$)",
-            "зворотний хід (навантаження $P$ утримує)",
+            "прямий хід (рушійна сила $P$)",
+            "зворотний хід (сила $P$ утримує)",
             "перше наближення",
         ),
         (
             "ru",
-            "прямой ход (движущая нагрузка $P$)",
-            "обратный ход (нагрузка $P$ удерживает)",
+            "прямой ход (движущая сила $P$)",
+            "обратный ход (сила $P$ удерживает)",
             "первое приближение",
         ),
     ],
@@ -119,6 +120,45 @@ def test_headings_tell_results_with_friction_apart(language, tightening, releasi
     hold = {"en": r"\mathrm{hold}", "uk": r"\text{утр}", "ru": r"\text{уд}"}[language]
     assert f"{releasing} ($k_{{{hold}}}$):}}" in shown
     assert f"{first} ($k_{{f1}}$):" in shown
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        (
+            "uk",
+            [
+                "рух відбувається в напрямку моменту $T$",
+                "прямий хід (рушійний момент $T$)",
+                "зворотний хід (момент $T$ утримує)",
+                "проти моменту $T$, який його ледь стримує",
+                "Самогальмування: сила $N$ сама не може",
+            ],
+        ),
+        (
+            "ru",
+            [
+                "движение происходит в направлении момента $T$",
+                "прямой ход (движущий момент $T$)",
+                "обратный ход (момент $T$ удерживает)",
+                "против момента $T$, который его едва сдерживает",
+                "Самоторможение: сила $N$ одна не может",
+            ],
+        ),
+    ],
+)
+def test_a_couple_that_drives_is_a_moment(language: str, said: list[str]) -> None:
+    shown = mechc.load("d45_11_screw_lever_with_friction").emit("latex", language=language)
+    assert [sentence for sentence in said if sentence not in shown] == []
+
+
+@pytest.mark.parametrize(
+    ("loads", "word"),
+    [(["P"], "сила"), (["T"], "момент"), (["P", "T"], "навантаження"), ([], "навантаження")],
+)
+def test_words_on_a_load_agree_with_what_it_is(loads: list[str], word: str) -> None:
+    forms = LoadWords(loads, frozenset({"T"}))
+    assert f"{forms:сила|момент|навантаження}" == word
 
 
 def derived(name):

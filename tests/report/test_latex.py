@@ -182,7 +182,20 @@ def entries(words: Locale) -> dict[str, str]:
 
 
 def placeholders(text: str) -> set[str]:
-    return {field for _, field, _, _ in Formatter().parse(text) if field}
+    """Return what a sentence is filled with, forms of words that agree with a load aside."""
+    fields = {field for _, field, _, _ in Formatter().parse(text) if field}
+    return {field for field in fields if not field.startswith("of_")}
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_forms_of_words_serve_a_force_a_couple_and_where_there_may_be_many_all_of_them(
+    language: str,
+) -> None:
+    for text in entries(TABLES[language]).values():
+        for _, field, forms, _ in Formatter().parse(text):
+            if field and field.startswith("of_"):
+                several = field == "of_loads" or "{load}" in text
+                assert len((forms or "").split("|")) == (3 if several else 2), text
 
 
 @pytest.mark.parametrize("language", ["uk", "ru"])

@@ -9,6 +9,7 @@ from ...model.mechanism import Mechanism, WithFriction
 from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..sentences.remarks import called, reaction
+from ..sentences.speller import couples_of
 from .notation import Notation, of_first_order, of_force, spellings
 
 
@@ -20,7 +21,13 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
             if is_angle(definition.formula, angles):
                 angles.add(definition.name)
     texts = mechanism.translations.get(style.language, style.texts)
-    known = replace(style, angles=frozenset(angles), texts=texts, own=_own(mechanism))
+    known = replace(
+        style,
+        angles=frozenset(angles),
+        couples=couples_of(mechanism),
+        texts=texts,
+        own=_own(mechanism),
+    )
     known.made.take(_names(mechanism, results))
     known.made.take_points(_points(mechanism))
     known = replace(known, spellings=spellings(_names(mechanism, results), known))

@@ -20,6 +20,7 @@ from ...model.mechanism import (
     WheelFriction,
 )
 from ..languages.locale import Locale
+from ..sentences.speller import LoadWords
 from ..sentences.wording import enumeration
 from .directions import math
 from .notation import Notation, name, points
@@ -39,8 +40,10 @@ def friction_sentences(mechanism: Mechanism, locale: Locale, style: Notation) ->
         yield from _pins(friction, locale, style)
         for joint in friction.joints:
             yield from _joint(joint, locale, style)
-    if drives := [math(name(drive, style)) for drive in _driving(mechanism)]:
-        yield locale.given_friction[friction.sense].format(loads=enumeration(drives, locale))
+    if driving := _driving(mechanism):
+        drives = enumeration((math(name(drive, style)) for drive in driving), locale)
+        of_loads = LoadWords(driving, style.couples)
+        yield locale.given_friction[friction.sense].format(loads=drives, of_loads=of_loads)
 
 
 def _driving(mechanism: Mechanism) -> list[str]:

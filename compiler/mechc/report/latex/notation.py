@@ -95,7 +95,7 @@ class MadeNames:
 
 @frozen
 class Notation:
-    """How functions, decimals and names are written, and which names are angles.
+    """How functions, decimals and names are written, and which names are angles or couples.
 
     ``texts`` has what texts of the description are in the ``language``, where they are translated;
     ``made`` are the names made up in the document that is written by this notation, ``units``
@@ -114,6 +114,7 @@ class Notation:
     language: str = "en"
     texts: Mapping[str, str] = MappingProxyType({})
     angles: frozenset[str] = frozenset()
+    couples: frozenset[str] = frozenset()
     spellings: Mapping[str, str] = MappingProxyType({})
     subscripts: Mapping[str, str] = MappingProxyType({})
     own: frozenset[str] = frozenset()

@@ -232,6 +232,11 @@ class Speller(NamedTuple):
         """Return the names that are angles."""
         return self.style.angles
 
+    @property
+    def couples(self) -> frozenset[str]:
+        """Return the loads that are couples."""
+        return self.style.couples
+
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
         tex = [self._side(side, angle) for side in sides]

@@ -9,7 +9,7 @@ from ...model.locking import Bound, EfficiencyRange, Locking, LockingIntervals, 
 from ...study.analysis import Analysis, Extent
 from ...units import behind, size_of
 from ..languages.locale import Locale
-from .speller import Speller
+from .speller import LoadWords, Speller
 from .wording import enumeration, positive_first
 
 Along = LockingIntervals | EfficiencyRange | Extent
@@ -38,7 +38,12 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
 def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
     drive = spell.relation((Symbol(locking.drive),), (), False)
     load = spell.relation((Symbol(locking.load),), (), False) if locking.load else locale.all_loads
-    said = {s: template.format(drive=drive, load=load) for s, template in locale.states.items()}
+    loads = [locking.load] if locking.load else []
+    of_drive, of_load = (LoadWords(n, spell.couples) for n in ([locking.drive], loads))
+    said = {
+        s: template.format(drive=drive, load=load, of_drive=of_drive, of_load=of_load)
+        for s, template in locale.states.items()
+    }
     if locking.state and locking.state != "free" and not _holds_throughout(locking):
         yield f"{said[locking.state]} {locale.as_given}."
     for reach in locking.reaches:

@@ -26,7 +26,7 @@ from ..languages.locale import Locale
 from .extents import extent_remarks
 from .limits import limits
 from .locking import friction_remarks
-from .speller import Speller
+from .speller import LoadWords, Speller
 from .wording import enumeration
 
 
@@ -41,8 +41,10 @@ def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
         place: spell.relation((f,), (), place == "direction")
         for place, f in paragraph.formulas.items()
     }
+    loads = [f.name for f in paragraph.formulas.values() if isinstance(f, Symbol)]
+    words = {"of_drive": LoadWords(loads, spell.couples)}
     held = " " + locale.held.format(loads=names["held"]) if "held" in names else ""
-    return locale.sayings[paragraph.saying].format_map({**names, **formulas, "held": held})
+    return locale.sayings[paragraph.saying].format_map({**names, **formulas, **words, "held": held})
 
 
 def subject(results: Iterable[Analysis], locale: Locale) -> str:
@@ -81,7 +83,8 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
             return locale.axial[_member(link)]
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             said = locale.with_friction["first" if order == "first" else sense]
-            return said.format(drive=_spelled(Symbol(drive), spell))
+            of_drive = LoadWords([drive], spell.couples)
+            return said.format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
         case WithFriction(Axial(link)):
             return locale.axial[f"{_member(link)} with friction"]
         case WithFriction():

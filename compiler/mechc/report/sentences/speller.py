@@ -1,8 +1,10 @@
 """What a printer must know to write mathematics inside a sentence."""
 
+from collections.abc import Sequence
 from typing import Protocol
 
 from ...formula.tree import Formula
+from ...model.mechanism import Mechanism, Torque
 
 
 class Speller(Protocol):
@@ -11,6 +13,11 @@ class Speller(Protocol):
     @property
     def angles(self) -> frozenset[str]:
         """Return the names that are angles."""
+        ...
+
+    @property
+    def couples(self) -> frozenset[str]:
+        """Return the loads that are couples, which languages with genders call by another word."""
         ...
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
@@ -27,3 +34,22 @@ class Speller(Protocol):
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
         ...
+
+
+class LoadWords:
+    """Forms of words on one force, on one couple, or on several loads, as templates ask for them.
+
+    >>> "{of:рушійна сила|рушійний момент} T".format(of=LoadWords(["T"], frozenset("T")))
+    'рушійний момент T'
+    """
+
+    def __init__(self, loads: Sequence[str], couples: frozenset[str]) -> None:
+        self._form = 2 if len(loads) != 1 else int(loads[0] in couples)
+
+    def __format__(self, forms: str) -> str:
+        return forms.split("|")[self._form]
+
+
+def couples_of(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names of the loads that are couples."""
+    return frozenset(load.name for load in mechanism.loads if isinstance(load, Torque))

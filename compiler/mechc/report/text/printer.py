@@ -45,6 +45,7 @@ class Signs:
     pi: str
     relations: Mapping[str, str]
     angles: frozenset[str] = frozenset()
+    couples: frozenset[str] = frozenset()
     functions: Mapping[str, str] = MappingProxyType({})
 
 

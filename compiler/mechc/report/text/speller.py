@@ -16,6 +16,7 @@ from ...units import ANGLE, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..put_in import Quantity, in_degrees
+from ..sentences.speller import couples_of
 from .printer import ASCII, UNICODE, Signs, print_point, print_quantity, print_side
 
 SHOWN = 6
@@ -53,6 +54,11 @@ class Speller(NamedTuple):
     def angles(self) -> frozenset[str]:
         """Return the names that are angles."""
         return self.signs.angles
+
+    @property
+    def couples(self) -> frozenset[str]:
+        """Return the loads that are couples."""
+        return self.signs.couples
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
@@ -145,6 +151,9 @@ def speller(
     signs = UNICODE if unicode else ASCII
     functions = {name: _OPERATOR.sub(r"\1", word) for name, word in words.functions.items()}
     signs = replace(
-        signs, angles=frozenset(angles), functions=functions if language != "en" else {}
+        signs,
+        angles=frozenset(angles),
+        couples=couples_of(mechanism),
+        functions=functions if language != "en" else {},
     )
     return Speller(signs, words, width, mechanism.translations.get(language, {}))
