@@ -17,6 +17,7 @@ from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.model.locking import Stretch
 from mechc.model.result import Result
+from mechc.study.analysis import DeadCentre, Vanishing
 
 ENOUGH = 1e-7
 """What two results may differ by, as a part of the larger: they are rounded in other orders."""
@@ -110,7 +111,12 @@ def assert_same_statements(one: Compiled, two: Compiled, new: dict[str, str], la
 def kinds(result: Result) -> list[tuple[str, str]]:
     """Return what happens at zeros and poles, and at how many of them."""
     of = (("zero", result.zeros), ("pole", result.poles))
-    return sorted((side, limit.kind) for side, limits in of for limit in limits)
+    return sorted((side, kind(limit)) for side, limits in of for limit in limits)
+
+
+def kind(limit: Vanishing) -> str:
+    """Return why a ratio is zero or infinite, without the names of what stands still or moves."""
+    return "dead centre" if isinstance(limit.cause, DeadCentre) else limit.cause
 
 
 def called(items: Mapping[str, object], new: dict[str, str]) -> dict[str, object]:

@@ -108,7 +108,7 @@ def test_dead_centres_are_told_from_loads_across_the_motion(name):
                 (result.poles, above, below),
             ):
                 for limit in limits:
-                    if limit.at is not None and limit.kind != "other":
+                    if limit.at is not None and limit.cause != "other":
                         assert_kind(name, limit, still, moving)
 
 
@@ -119,7 +119,7 @@ def assert_kind(name, limit, still, moving):
     at = {**pose, symbol: evaluate(value, pose) + STEP}
     there, here = (tuple(speeds(name, p, loads[still], loads[moving])) for p in (at, pose))
     stands = there[0] / there[1] < 1e-3 * here[0] / here[1]
-    assert stands == (limit.kind != "perpendicular load"), limit
+    assert stands == (limit.cause != "perpendicular load"), limit
 
 
 def speeds(name, pose, *loads):
