@@ -312,3 +312,45 @@ def test_a_bound_on_a_force_in_compression_is_doubted(tmp_path: Path) -> None:
         sheet = mechc.loads(f"{TONGS}require {condition}\n")
         codes = [d.code for d in sheet.warnings]
         assert ("W265" in codes) == is_doubted, condition
+
+
+def test_texts_of_a_used_mechanism_are_translated(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    lever = """mechanism lever
+param a = 40 mm  # short arm
+param d = 8 mm   # pin
+pivot O at (0 mm, 0 mm)
+link OAB
+A at (40 mm, 0 mm)
+B at (-100 mm, 0 mm)
+force P at B along y
+force F at A along y
+find k = P/F
+let m = k*d as "share"
+translate "pin" uk "палець"
+translate "share" uk "частка"
+"""
+    (tmp_path / "lever.mech").write_text(lever, encoding="utf-8")
+    path = tmp_path / "s.mech"
+    path.write_text('sheet s\nuse "lever.mech" as L (d = 9 mm)\n', encoding="utf-8")
+    assert main(["check", "--lang", "uk", str(path)]) == 0
+    said, warned = capfd.readouterr()
+    assert "палець (lever)" in said
+    assert "частка (lever)" in said
+    assert "W224" not in warned
+
+
+def test_what_is_taken_as_it_is_stands_behind_its_text(tmp_path: Path) -> None:
+    path = tmp_path / "s.mech"
+    path.write_text(
+        "sheet s\nparam F = 2 kN in 0 kN .. 9 kN  # load\nuse pin_joint as pin (F = F)\n", "utf-8"
+    )
+    sheet = mechc.load(path)
+    assert r"force on the pin (pin\_joint): $\mathrm{pin}_F=F=2\,\text{kN}$\par" in (
+        sheet.emit("latex").replace("\\noindent ", "")
+    )
+    shown = sheet._repr_markdown_()
+    assert r"| $F$ | load | $2\,\text{kN}$ | $0\ \ldots\ {9\,\text{kN}}$ |" in shown
+    assert r"force on the pin (pin\_joint): $\mathrm{pin}_F=F=2\,\text{kN}$" in shown
+    assert "\\par" not in shown

@@ -5,7 +5,7 @@ that keeps to its dimension and range; one that follows from others a ``let``, t
 stay parameters. What is expected there stays behind.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..diagnostics import Report
 from ..diagnostics import uses as messages
@@ -91,7 +91,7 @@ def brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Stateme
             case ast.Param(name=name), ast.Param():
                 yield parameter(there, _measured(used, name.text), given.get(name.text), use)
             case _, ast.Translate():
-                yield from translated(there, used)
+                yield from translated(there, used, own)
             case ((ast.Let() | ast.Table() | ast.Sizes() | ast.Require() | ast.Taken()), _):
                 yield there
 
@@ -137,7 +137,7 @@ def _feeds(statement: ast.Statement, used: Used, values: set[str]) -> bool:
             leaves = (leaf for operand in operands for leaf in leaves_of(operand))
             return all(leaf.name in values for leaf in leaves if isinstance(leaf, ast.Symbol))
         case _:
-            return isinstance(statement, ast.Table | ast.Sizes)
+            return isinstance(statement, ast.Table | ast.Sizes | ast.Translate)
 
 
 def without_given(used: Used, use: ast.Use) -> Solved:
@@ -197,10 +197,12 @@ def parameter(
     )
 
 
-def translated(line: ast.Translate, used: Used) -> Iterator[ast.Translate]:
+def translated(
+    line: ast.Translate, used: Used, brought: Sequence[ast.Statement]
+) -> Iterator[ast.Translate]:
     """Yield the translations of those texts of a used sheet that are brought in."""
-    sources = {s.source for s in used.file.statements if isinstance(s, ast.Table | ast.Sizes)}
-    if line.text in labels(used.file.statements):
+    sources = {s.source for s in brought if isinstance(s, ast.Table | ast.Sizes)}
+    if line.text in labels(brought):
         own = {"text": line.text, **spoken(line)}
         yield replace(line, **{k: f"{v} ({used.mechanism.name})" for k, v in own.items()})
     if line.text in sources:
@@ -216,7 +218,7 @@ def labels(statements: Iterable[ast.Statement]) -> set[str]:
                 said.add(label or statement.remark)
             case ast.Link(label=label):
                 said.add(label)
-            case ast.Require():
+            case ast.Require() | ast.Taken():
                 said.add(statement.remark)
     return said
 

@@ -197,7 +197,7 @@ def _coming(
         match statement:
             case ast.Translate(text=text):
                 if text in texts:
-                    yield from translated(statement, joining.used)
+                    yield from translated(statement, joining.used, joining.own)
             case ast.PinFriction(point=None):
                 yield from _each_pin(statement, joining, at_joints, points)
             case _ if not _stays(statement, joining, behind):

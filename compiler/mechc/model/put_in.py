@@ -47,8 +47,8 @@ def taken(result: Result, use: ast.Use, mechanism: Mechanism) -> ast.Taken:
     """Return the statement that stands for a result, by the names of the used mechanism."""
     rests_on = tuple(ast.Symbol(name, use.span) for name in sorted(_open(result)))
     name = ast.Name(result.name, use.used.span)
-    asked = _asked(result, mechanism)
-    return ast.Taken(use.used.span, name, result.dimension, rests_on, asked)
+    asked, text = _asked(result, mechanism), result.label
+    return ast.Taken(use.used.span, name, result.dimension, rests_on, asked, remark=text)
 
 
 def _asked(result: Result, mechanism: Mechanism) -> Span:

@@ -144,8 +144,7 @@ def _lines(
         is_bare = _is_iterated(result) or isinstance(result.formula, Number)  # a number in SI
         formula = None if is_bare else result.formula
         yield from _mentioned(result, literals, shown) if formula else ()
-        has_text = result.target is not None or result.label
-        said = f"{result.label} {known.label}".strip() if has_text else ""
+        said = known.label if result.target or result.label else ""
         line = _plain(known.name, said, formula, given.get(known.name), known.dimension)
         yield line._replace(result=result)
     yield from (_line(let, given, tables) for let in mechanism.lets[done:])

@@ -11,7 +11,7 @@ from ...report.latex.directions import math
 from ...report.latex.display import LINE
 from ...report.latex.given import ParameterRow, parameter_row
 from ...report.latex.notation import Notation, name, relation_sign, spellings, translated
-from ...report.latex.note import in_numbers, measure, remark
+from ...report.latex.note import in_numbers, is_plain, measure, remark
 from ...report.latex.printer import Box, box, latex
 from ...report.latex.quantity import decimal
 from ...report.latex.results import Speller
@@ -35,11 +35,12 @@ class TableBlock(NamedTuple):
 
 
 class LineBlock(NamedTuple):
-    """A formula with its value."""
+    """A formula with its value, as a display or behind its text."""
 
     label: str
     display: str
     remark: str
+    is_plain: bool = False
 
 
 class CheckRow(NamedTuple):
@@ -155,6 +156,7 @@ def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
         label(line, translated(line.label, style), locale, Speller(style)),
         in_numbers(line, locale.where, style),
         remark(line, locale.calculation, style),
+        is_plain(line),
     )
 
 

@@ -166,9 +166,12 @@ def _note(_known: Mapping[str, Any]) -> str:
     _parts += [TEMPLATES['latex/tables.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
     _parts += ['\n\\', str(_known["section"]), '*{', str(_known["words"]['lines']), '}\n']
     for line in _known["lines"]:
-        if line.label:
-            _parts += ['\\noindent ', str(line.label), ':\n']
-        _parts += [str(line.display), '\n']
+        if line.is_plain:
+            _parts += ['\\noindent ', str(line.label), ': ', str(line.display), '\\par\n']
+        else:
+            if line.label:
+                _parts += ['\\noindent ', str(line.label), ':\n']
+            _parts += [str(line.display), '\n']
         if line.remark:
             _parts += ['\\noindent (', str(line.remark), ')\\par\\smallskip\n']
     if _known["checks"]:
@@ -214,10 +217,19 @@ def _notebook(_known: Mapping[str, Any]) -> str:
 
 def _notebook_note(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
+    if _known["parameters"]:
+        _parts += ['| ', str(_known["locale"].symbol), ' | ', str(_known["locale"].quantity), ' | ', str(_known["locale"].value), ' | ', str(_known["locale"].range), ' |\n|---|---|---|---|\n']
+        for row in _known["parameters"]:
+            _parts += ['| ', str(row.symbol), ' | ', str(row.label), ' | ', str(row.value), ' | ', str(row.range), ' |\n']
+        _parts += ['\n']
     for line in _known["lines"]:
-        if line.label:
-            _parts += [str(line.label), ':\n\n']
-        _parts += [str(line.display), '\n\n']
+        if line.is_plain:
+            _parts += [str(line.label), ': ', str(line.display), '\n']
+        else:
+            if line.label:
+                _parts += [str(line.label), ':\n\n']
+            _parts += [str(line.display), '\n']
+        _parts += ['\n']
         if line.remark:
             _parts += ['(', str(line.remark), ')\n\n']
     for check in _known["checks"]:

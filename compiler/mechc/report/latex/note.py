@@ -44,6 +44,8 @@ def remark(line: NoteLine, words: Mapping[str, str], style: Notation) -> str:
 def in_numbers(line: NoteLine, where: str, style: Notation) -> str:
     """Return a formula, the numbers put in and its value, as one display."""
     left = box(Symbol(line.name), style)
+    if is_plain(line):
+        return _in_the_line(line, left, style)
     if line.kind == "list" and line.formula and line.value and line.asked:
         found, asked = measure(line.value, style), measure(line.asked, style)
         needed = box(line.formula, style)
@@ -67,6 +69,21 @@ def _sides(line: NoteLine, style: Notation) -> Iterator[Box]:
         yield box(line.between, style, angle)
     if line.value and not line.is_number:
         yield measure(line.value, style)
+
+
+def is_plain(line: NoteLine) -> bool:
+    """Return whether nothing is calculated in a line that has a text: a number, another name."""
+    named = isinstance(line.formula, Symbol) or line.is_number
+    return bool(line.label and line.formula and line.value and named and not line.kind)
+
+
+def _in_the_line(line: NoteLine, left: Box, style: Notation) -> str:
+    """Return a value that is taken as it is, to stand behind its text."""
+    assert line.formula
+    assert line.value
+    sides = [] if line.is_number else [box(line.formula, style, line.dimension == ANGLE)]
+    sides.append(measure(line.value, style))
+    return math("=".join(side.tex for side in (left, *sides)))
 
 
 def _broken(
