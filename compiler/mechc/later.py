@@ -1,7 +1,7 @@
 """Modules that are imported when something of them is first needed.
 
 A description that is right needs no words for errors, and they are a tenth of what a
-compilation imports. A package whose modules may wait has a ``__getattr__`` of :func:`waiting`,
+compilation imports; one whose directions are given closes no loops. A package whose modules may wait has a ``__getattr__`` of :func:`waiting`,
 which gives them as :class:`Later`; ``from package import module`` then imports nothing.
 """
 
@@ -22,8 +22,6 @@ class Later:
     >>> module.VERSION == import_module("mechc.version").VERSION
     True
     """
-
-    __slots__ = ("__name__",)
 
     def __init__(self, name: str) -> None:
         self.__name__ = name

@@ -17,12 +17,12 @@ from .friction.solution import Solution
 from .frozen import replace
 from .kinematics.from_pose import plan_velocities
 from .kinematics.plan import Plan
-from .model.brought import Used
+from .model import uses
+from .model.composed import Composed, Used, uses_others
 from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
 from .model.sheets import is_sheet
-from .model.uses import Composed, with_used
 from .pose.from_model import solve_pose
 from .pose.pose import Pose
 from .power.balance import Balance
@@ -129,7 +129,9 @@ class Pipeline:
     @Stage
     def _with_used(self) -> Composed:
         """The tree with all that it uses, and the solutions of mechanisms among that."""
-        return with_used(self.tree, self.report, self.users, self._used)
+        if not uses_others(self.tree, self.source.text):
+            return Composed(self.tree)
+        return uses.with_used(self.tree, self.report, self.users, self._used)
 
     def _used(self, source: Source, is_part: bool) -> Used:
         """Return a used description: a sheet, a part, or a mechanism with its solution."""

@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 from mechc.formula.walk import evaluate
-from mechc.pose.loops import choosing, closing
+from mechc.pose.loops import by_groups, choosing
 
 FOUR_BAR = """
 param a = {a} mm
@@ -86,7 +86,7 @@ def refused(monkeypatch):
 
     def run(text):
         seen = []
-        for module in (choosing, closing):
+        for module in (choosing, by_groups):
             words = module.messages.cannot_assemble
 
             def spy(at, loop, drive, stretches, words=words):

@@ -5,3 +5,11 @@
 canonical sums, by way of ``laurent``, ``factoring`` and ``reduction``. ``modular``,
 ``equality``, ``rank``: exact answers at random points of a finite field.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"halving", "reduction"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -14,15 +14,14 @@ from fractions import Fraction
 
 from ..named import NamedTuple
 from ..work import spend
+from . import halving, reduction
 from .constants import is_constant, without_relations
 from .factoring import factor, factored
 from .factors import Trig
 from .fine import is_fine, named, valued
-from .halving import names_in, split_by, turned_by
 from .laurent import Ring, size
 from .multiples import joined, without_parts
 from .product import Product, Sum
-from .reduction import is_searchable, reduced
 
 LIMIT = 96
 """A sum with more terms than this when multiplied out keeps its inner sums whole."""
@@ -71,7 +70,7 @@ def _quotient(upper: Sum, lower: Sum) -> Product | None:
     """Return the quotient of two sums without their common divisor, None if they have none."""
     if sum(map(size, upper.terms)) > LIMIT or sum(map(size, lower.terms)) > LIMIT:
         return None
-    if is_searchable(Ring([*upper.terms, *lower.terms])):
+    if reduction.is_searchable(Ring([*upper.terms, *lower.terms])):
         return _reduced(list(upper.terms), list(lower.terms))
     quotient = _reduced([*map(named, upper.terms)], [*map(named, lower.terms)])
     if quotient is None or not _width(quotient) < _width(Product(1, {upper: 1, lower: -1})):
@@ -81,7 +80,7 @@ def _quotient(upper: Sum, lower: Sum) -> Product | None:
 
 def _reduced(upper: list[Product], lower: list[Product]) -> Product | None:
     ring = Ring([*upper, *lower])
-    cofactors = reduced(ring, ring.expand(upper), ring.expand(lower))
+    cofactors = reduction.reduced(ring, ring.expand(upper), ring.expand(lower))
     if cofactors is None:
         return None
     above, below = (factored([valued(factor(ring, c))]) for c in cofactors)
@@ -124,8 +123,8 @@ def _divided(product: Product) -> Iterator[Product]:
     for whole, e in product.factors.items():
         if isinstance(whole, Sum) and sum(map(size, whole.terms)) <= DIVIDED:
             opposite = [f for f, d in product.factors.items() if isinstance(f, Trig) and e * d < 0]
-            mentioned = names_in(whole) if opposite else set()
-            for trig in (f for f in opposite if turned_by(f) in mentioned):
-                if (split := split_by(whole, trig)) is not None:
+            mentioned = halving.names_in(whole) if opposite else set()
+            for trig in (f for f in opposite if halving.turned_by(f) in mentioned):
+                if (split := halving.split_by(whole, trig)) is not None:
                     above = 1 if e > 0 else -1
                     yield without_parts(product * (split * Product(1, {whole: -1})) ** above)

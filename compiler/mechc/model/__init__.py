@@ -4,3 +4,11 @@ Promises: every name in every formula is declared; definitions have no cycle; ev
 formula has one dimension; every point of a joint, load or guide stands on a body, a
 pivot or a slider; at least one find or let is asked for.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"drawn", "uses"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -10,54 +10,16 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ..diagnostics import Report
 from ..diagnostics import uses as messages
 from ..frozen import replace
-from ..named import NamedTuple
-from ..source import Source, Span
+from ..source import Span
 from ..syntax import ast
 from ..syntax.moved import moved
 from . import put_in
+from .composed import Used
 from .constants import leaves as leaves_of
-from .load_kinds import Load
-from .mechanism import Mechanism, Parameter
+from .mechanism import Parameter
 from .result import Result, Solved
 from .sheets import is_sheet
-from .statements import every
 from .translations import spoken
-
-
-class Used(NamedTuple):
-    """What is used: its tree, what that means, and its text with what it uses itself.
-
-    The text begins at ``start`` in that of the sheet that uses it. ``solved`` is what was found
-    of a mechanism, or of those that a sheet uses itself; ``mechanisms`` are the texts of these,
-    by their prefixes.
-    """
-
-    file: ast.File
-    mechanism: Mechanism
-    source: Source
-    solved: Solved
-    start: int = 0
-    mechanisms: tuple[tuple[str, Source], ...] = ()
-
-    @property
-    def span(self) -> Span:
-        """Where its heading stands."""
-        return self.mechanism.span.moved(self.start)
-
-    @property
-    def parameters(self) -> dict[str, Parameter]:
-        """Its parameters that a line declares, by their names there.
-
-        What a loop gives is none that anything could be given to.
-        """
-        declared = {param.name.text for param in every(self.file, ast.Param)}
-        declared -= {d.name for d in self.solved.definitions if d.name in declared}
-        return {p.name: p for p in self.mechanism.parameters if p.name in declared}
-
-    @property
-    def loads(self) -> dict[str, Load]:
-        """Its loads that may be given a value, by their names there."""
-        return put_in.open_loads(self.mechanism, self.solved)
 
 
 def declared(statement: ast.Statement) -> Iterator[ast.Name]:

@@ -53,8 +53,6 @@ def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     Reports E320 and E323 where a link cannot be driven, E321, E322 and E327 where points
     coincide, are off their lines or have no place, E326 where a range leaves out a value.
     """
-    if not mechanism.drawn and not (mechanism.drive and mechanism.drive.ends):
-        return mechanism
     sketch = Sketch(mechanism, Chain(dependent(mechanism)).complete(defaults(mechanism)))
     for fault in faults(mechanism, sketch):
         report.add(fault)

@@ -13,9 +13,9 @@ from ..frozen import replace
 from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
+from . import drawn
 from .definitions import Definitions, in_file_order, read_definitions, spread_feeding
 from .doubts import doubts
-from .drawn import with_drawn
 from .driven import checked
 from .finds import read_finds
 from .for_readers import for_readers, label_or_remark
@@ -67,7 +67,9 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     check_rods(mechanism, scope)
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
-    mechanism = with_drawn(with_held_links(mechanism, report), report)
+    mechanism = with_held_links(mechanism, report)
+    if mechanism.drawn or (mechanism.drive and mechanism.drive.ends):
+        mechanism = drawn.with_drawn(mechanism, report)
     check_drives(mechanism, report)
     report.stop_on_errors()
     mechanism = with_held(mechanism, report)

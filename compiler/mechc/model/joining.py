@@ -17,8 +17,9 @@ from ..syntax import ast
 from ..syntax.moved import moved
 from ..units import DIMENSIONS
 from .at_joints import AtJoints
-from .brought import Used, declared, given_to, labels, parameter, translated, with_origin
+from .brought import declared, given_to, labels, parameter, translated, with_origin
 from .carriers import is_held
+from .composed import Used
 from .force_pairs import spring_name
 from .forms import COORDINATES, form_of, form_of_pose
 from .framed import Frame, between, literal, same

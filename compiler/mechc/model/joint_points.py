@@ -8,7 +8,7 @@ from ..named import NamedTuple
 from ..source import Span
 from ..syntax import ast
 from ..syntax.vocabulary import of_used
-from .brought import Used
+from .composed import Used
 from .part_names import Lookup
 from .statements import every
 

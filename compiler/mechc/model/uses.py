@@ -6,7 +6,6 @@ of it; they go beside the statements, which name them only. A mechanism uses she
 mechanisms that it is joined to: these become parts of it (:mod:`.joining`).
 """
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
@@ -15,11 +14,11 @@ from ..diagnostics import Diagnostic, MechcError, Report, Severity
 from ..diagnostics import joining as join_messages
 from ..diagnostics import uses as messages
 from ..frozen import replace
-from ..named import NamedTuple
 from ..source import Source
 from ..syntax import ast
 from . import part_names
-from .brought import Used, brought_in, declared, without_given
+from .brought import brought_in, declared, without_given
+from .composed import DOTTED, Composed, Used
 from .forms import FORMS, form_of
 from .joining import part_of
 from .joint_points import Part, Whole, points_of_parts, structural
@@ -43,21 +42,6 @@ Users = tuple[Path, ...]
 Resolve = Callable[[Source, bool], Used]
 """Reads a sheet or a mechanism, or one that becomes a part; MechcError where it is wrong."""
 
-DOTTED = re.compile(r"\w\.[A-Z]")
-"""What a point of a part is written with: T.C."""
-
-
-class Composed(NamedTuple):
-    """A file with what it uses put in, and what was found of the mechanisms among that.
-
-    ``mechanisms`` are the texts of these by their prefixes, ``parts`` those that are joined.
-    """
-
-    file: ast.File
-    solved: Solved = Solved()
-    parts: tuple[Subassembly, ...] = ()
-    mechanisms: tuple[tuple[str, Source], ...] = ()
-
 
 def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) -> Composed:
     """Return a file in which what it uses is put in, under its prefixes.
@@ -66,10 +50,8 @@ def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) ->
     """
     if every(file, ast.Use):
         return _Composing(file, report, users, resolve).composed()
-    if DOTTED.search(report.source.text):
-        named = _without_dots(file.statements, spelled_out(points_of_parts({}, report)))
-        return Composed(replace(file, statements=tuple(named)))
-    return Composed(file)
+    named = _without_dots(file.statements, spelled_out(points_of_parts({}, report)))
+    return Composed(replace(file, statements=tuple(named)))
 
 
 class _Composing:

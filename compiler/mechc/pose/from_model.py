@@ -27,8 +27,8 @@ from .drawn import drawn_elsewhere
 from .driven import driven_to
 from .force_pairs import Pairing, thrust_line
 from .idle import contradictions, remarks
-from .loops.closing import Closed, close
-from .loops.groups import Open
+from .loops.closed import Closed, Open
+from .loops.closing import close
 from .loops.guide_lines import with_lines
 from .loops.vector_graph import chained, mentioned
 from .missing import Missing

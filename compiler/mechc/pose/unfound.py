@@ -13,7 +13,7 @@ from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter, Pivot, S
 from ..model.values import bounds
 from ..source import Span
 from ..units import ANGLE, LENGTH, in_unit
-from .loops.groups import Open
+from .loops.closed import Open
 from .loops.vector_graph import Names, mentioned
 from .vectors import Vectors
 

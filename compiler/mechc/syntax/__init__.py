@@ -4,3 +4,11 @@ Promises: every node has the span of its text; sums and products are flat; nesti
 at most 64; numbers have at most 40 digits; function names are canonical (``tan`` for
 ``tg``); a construct of the language either stands in the tree or was reported.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"slips"}
+    __getattr__ = waiting(__name__, SELDOM)

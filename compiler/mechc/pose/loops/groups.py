@@ -19,6 +19,7 @@ from ...named import NamedTuple
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
 from ..samples import Values
 from ..tolerances import SAME_CLOSURE, SOLVED_GAP
+from .closed import Open
 from .dyads import Closure
 from .state import State
 from .vector_graph import Cycle, mentioned
@@ -65,17 +66,6 @@ class Block(NamedTuple):
                 if first.head == second.tail and len(ends) == 3 and "" not in ends:
                     found.setdefault(first.head, (first.tail, first.head, second.head))
         return list(found.values())
-
-
-class Open(NamedTuple):
-    """What loops leave open: all their unknowns, and how many of these they do not determine."""
-
-    unknown: frozenset[str]
-    missing: int
-
-
-NOTHING = Open(frozenset(), 0)
-"""No loop is left."""
 
 
 def remaining_blocks(state: State) -> Iterator[Block]:

@@ -1,0 +1,217 @@
+"""Closing one group of loops after another.
+
+Group by group, as Assur groups hang on one another: first the triangles inside bodies,
+then loops of two unknowns (dyads, in closed form), and what is left over together, as
+systems that are solved by iteration. Every unknown becomes a definition of the pose, or is
+put in where it is a sum of named angles.
+"""
+
+from ...algebra.angle import Angle
+from ...algebra.from_formula import is_transparent, to_product
+from ...algebra.product import Product, Sum
+from ...algebra.sums import put
+from ...diagnostics import Report
+from ...diagnostics import open_loops as open_words
+from ...diagnostics import pose as messages
+from ...formula.tree import Formula
+from ...frozen import replace
+from ...model.mechanism import Assembly, Link, Mechanism
+from ...model.values import Chain, dependent
+from ...units import LENGTH
+from ..directions import Directions
+from ..pose import Limit
+from ..vectors import Vectors
+from .branches import branches
+from .choosing import Choice
+from .closed import Closed
+from .drawn import start
+from .dyad_closures import dyad
+from .dyad_sides import Sides
+from .dyads import Loop
+from .groups import closures, left_open, remaining_blocks
+from .margins import in_closed_form, iterated
+from .redundant import check_fit
+from .state import State
+from .vector_graph import Cycle, Names, loop_name, mentioned, points_around
+
+
+def closed(state: State, directions: Directions, vectors: Vectors, report: Report) -> Closed:
+    """Close what is sought, and put the directions in."""
+    idle = _Closing(state, report).run()
+    report.stop_on_errors()
+    put_in = _put_in(state, directions, vectors)
+    return Closed(
+        mechanism=_with_solved(state.mechanism, state, report),
+        found=frozenset(state.found),
+        rates=state.rates,
+        limits=tuple(state.limits),
+        loops=tuple(state.loops),
+        left=left_open(state),
+        idle=idle,
+        put_in=put_in,
+        solved=tuple(state.solved),
+    )
+
+
+def _put_in(state: State, directions: Directions, vectors: Vectors) -> Names:
+    """Put what was found into directions and vectors; return the lengths that vanish so."""
+    directions.put(state.directions)
+    vectors.lay(state.laid())
+    short = _in_one_term(state)
+    vectors.put(state.directions, short)
+    vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
+    return frozenset(short)
+
+
+def _in_one_term(state: State) -> dict[str, Product]:
+    """Return the lengths that closing found as one product, such as ``g/cos(phi)``."""
+    found: dict[str, Product] = {}
+    for name, formula in state.definitions:
+        if name in state.found - state.angles - state.named:
+            length = put(to_product(formula), found)
+            if is_transparent(length) and not any(isinstance(f, Sum) for f in length.factors):
+                found[name] = length
+    return found
+
+
+def _with_solved(mechanism: Mechanism, state: State, report: Report) -> Mechanism:
+    """Return the mechanism with the parameters that loops gave; W303 names one with a range."""
+    solved: dict[str, Formula] = {
+        d.name: d.formula for d in state.definitions if d.name in state.named
+    }
+    for parameter in mechanism.parameters:
+        if parameter.name in solved and parameter.range:
+            report.add(open_words.range_of_found(parameter.span, parameter.name))
+    parameters = tuple(
+        replace(p, value=solved[p.name], range=None, dependent=True) if p.name in solved else p
+        for p in mechanism.parameters
+    )
+    return replace(mechanism, parameters=parameters)
+
+
+class _Closing:
+    """Finds one group after another."""
+
+    def __init__(self, state: State, report: Report) -> None:
+        self._state, self._report = state, report
+        self._choice = Choice(state, report)
+        self._fixed = state.mechanism.fixed
+
+    def run(self) -> tuple[Assembly, ...]:
+        """Close all that can be closed; return the assembly lines that decided nothing."""
+        for link in self._state.mechanism.links:
+            self._close_body(link)
+        while self._state.is_open and (self._close_next() or self._close_block()):
+            pass
+        return self._choice.unused
+
+    def _close_block(self) -> bool:
+        """Close a group of class III or higher, as a system; False where none is left."""
+        if not self._state.open_angles:
+            return False
+        block = next(remaining_blocks(self._state), None)
+        if block is None:
+            return False
+        self._check_values(block.cycle)
+        found = closures(block, self._state, start(block, self._state))
+        if not found:
+            self._report.stop_on_errors()
+            span = max((e.span for e in block.cycle), key=lambda s: s.start)
+            loop, drive = loop_name(block.cycle), self._state.mechanism.drive
+            reach = branches(block, self._state)
+            name = drive.parameter if drive else ""
+            raise self._report.fail(messages.cannot_assemble(span, loop, name, reach))
+        chosen = self._choice.choose(found, block)
+        loop = loop_name(block.cycle)
+        self._state.limits.append(Limit(loop, "system", (), ()))
+        self._state.loops.append(iterated(loop, chosen.definitions))
+        self._state.take(chosen, block.unknown, block.sides, "system", points_around(block.cycle))
+        return True
+
+    def _check_values(self, cycle: Cycle) -> None:
+        """Stop at a loop with a length that has no value: how it closes is not known."""
+        mechanism, named = self._state.mechanism, self._state.named
+        open_ = [
+            p
+            for p in mechanism.parameters
+            if p.value is None and p.dimension == LENGTH and p.name not in named
+        ]
+        if not open_:
+            return
+        used = {name for edge in cycle for name in mentioned(edge.arms)}
+        used |= Chain({**dependent(mechanism), **dict(self._state.definitions)}).needed_by(used)
+        missing = [p for p in open_ if p.name in used]
+        for parameter in missing:
+            fault = open_words.length_without_value(parameter.span, parameter.name)
+            self._report.add(fault)
+        if missing:
+            self._report.stop_on_errors()
+
+    def _close_body(self, link: Link) -> None:
+        """Close the triangles of a body whose sides are given, one direction apart."""
+        points, state = frozenset(link.points), self._state
+        inside = {
+            name
+            for edge in state.graph.edges
+            if {edge.tail, edge.head} <= points
+            for name in mentioned(edge.arms) & state.open_angles
+        }
+        if len(inside) < 2:
+            return
+        reference = min(inside, key=self._place)
+        state.graph.sought.discard(reference)
+        for i, values in enumerate(state.values):
+            values[reference] = 0.3 * i
+        while self._close_next(points):
+            pass
+        for values in state.values:
+            del values[reference]
+        state.graph.sought.add(reference)
+
+    def _place(self, name: str) -> tuple[int, str]:
+        """Return where an unknown first stands in the description."""
+        edges = [e for e in self._state.graph.edges if name in mentioned(e.arms)]
+        return min(e.span.start for e in edges), name
+
+    def _close_next(self, within: Names | None = None) -> bool:
+        """Close one cycle; False where none is left that two unknowns close."""
+        pairs = list(self._state.graph.pairs(within))
+        turning = [pair for pair in pairs if not pair[0].isdisjoint(self._state.angles)]
+        return any(self._close(*pair, within) for pair in (*turning, *pairs))
+
+    def _close(self, wanted: Names, cycle: Cycle, within: Names | None) -> bool:
+        if len(wanted) == 1:
+            return self._fit(next(iter(wanted)), cycle)
+        state = self._state
+        name, base, found = state.free_name, state.base, state.definitions
+        sides = Sides(name, state.named, self._fixed, base, state.signed, found)
+        group = dyad(Loop.of(cycle, wanted), sides)
+        if group is None:
+            return False
+        self._check_values(cycle)
+        familiar = self._familiar(cycle)
+        candidates = [state.recognised(c, wanted, familiar) for c in group.closures]
+        chosen = self._choice.choose(candidates, group, within)
+        state.limits += [group.limit] if group.limit else []
+        if group.root is not None and any(chosen is each for each in group.closures):
+            state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
+        points = group.triples()[0] if group.kind == "triangle" else points_around(cycle)
+        side = tuple(arm for edge in cycle for arm in edge.arms)
+        state.take(state.unwound(chosen), wanted, [side], group.kind, points)
+        return True
+
+    def _familiar(self, cycle: Cycle) -> list[Angle]:
+        """Return the directions of the vectors that hang on the points of a loop."""
+        points = {p for edge in cycle for p in (edge.tail, edge.head)}
+        around = (e for e in self._state.graph.edges if not points.isdisjoint((e.tail, e.head)))
+        return list(dict.fromkeys(arm.angle for edge in (*cycle, *around) for arm in edge.arms))
+
+    def _fit(self, name: str, cycle: Cycle) -> bool:
+        """Take a vector between placed points; a loop inside one body turns as a whole."""
+        if all(name in mentioned((arm,)) for edge in cycle for arm in edge.arms):
+            return False
+        fault = check_fit(name, cycle, self._state)
+        if fault:
+            self._report.stop_on_errors()
+            raise self._report.fail(fault)
+        return True
