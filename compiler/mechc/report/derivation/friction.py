@@ -230,6 +230,8 @@ def _passages(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Para
     """Yield the paragraphs of a step; the load that is asked for is left to the result."""
     new = earlier.new(step)
     if new is None:
+        if step.kind == "iterated":
+            yield Paragraph(SentenceKind.ITERATED_AGAIN, formulas=_ITERATED)
         return
     sides = ([geometry_first(side, earlier.turns) for side in pair] for pair in step.equations)
     equations = [Equation(_ordered(left), right) for left, right in sides]

@@ -198,6 +198,8 @@ class SentenceKind(StrEnum):
     """An efficiency that was given."""
     ITERATED = "iterated"
     """Frictions that depend on each other."""
+    ITERATED_AGAIN = "iterated again"
+    """The same for another result."""
     EQUILIBRIUM = "equilibrium"
     """Free bodies are in equilibrium."""
     EQUAL_PARTS = "equal parts"

@@ -220,6 +220,7 @@ LOCALE = Locale(
         "the speed {speed} of the slip, per unit of the drive’s velocity:",
         "efficient": "The efficiency is given: the part of the driving power that reaches the "
         "load.",
+        "iterated again": "The forces {sizes} follow likewise.",
         "iterated": "Here each friction depends on the others. With {sizes} the forces at "
         "the joints, {parts} their components without friction and {changes} what all frictions "
         "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",

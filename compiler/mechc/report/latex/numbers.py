@@ -14,7 +14,7 @@ from .notation import Notation, name
 from .printer import Box, box, latex, plain
 from .quantity import in_unit, measured, usual_unit
 
-LONGEST_DERIVATIVE = 60
+LONGEST_DERIVATIVE = 45
 """A derivative of more operations than this is given by its value."""
 
 

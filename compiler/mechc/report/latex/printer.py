@@ -151,8 +151,12 @@ class _Latex(Typesetter[Box]):
     def factors(self, formulas: Row, pieces: Sequence[Box]) -> Box:
         """Return factors side by side, with a dot where they would run together."""
         boxes = [pieces[0]]
-        for (before, piece), formula in zip(pairwise(pieces), formulas[1:], strict=True):
-            if _runs_together(before, formula, piece):
+        for (before, piece), (lead, formula) in zip(
+            pairwise(pieces), pairwise(formulas), strict=True
+        ):
+            if _runs_together(before, formula, piece) or (
+                _is_figure(lead) and _BRACKET.match(piece.tex)
+            ):
                 boxes.append(plain(r"\cdot "))
             elif _are_words(before, piece):
                 boxes.append(plain(r"\,"))
@@ -253,6 +257,14 @@ def _is_distance(formula: Formula) -> bool:
     """Return whether a factor is a distance between two points, ``AB``, or a power of one."""
     base = formula.base if isinstance(formula, Power) else formula
     return isinstance(base, Symbol) and base.name.startswith("len_")
+
+
+_BRACKET = re.compile(r"\(|\\left\(")
+
+
+def _is_figure(formula: Formula) -> bool:
+    """Return whether a factor is a number that is put in, ``0.3``, not a multiple, ``2``."""
+    return isinstance(formula, Constant) and formula.name[0].isdigit()
 
 
 def _are_words(before: Box, after: Box) -> bool:
