@@ -47,6 +47,7 @@ COMMANDS = {
     "g++": ["g++", "-std=c++17", "-xc++"],
     "clang++": ["clang++", "-std=c++17", "-xc++"],
 }
+LEVELS = {"gcc": "-Os", "gnu": "-O3 -march=native", "clang": "-Os", "clang++": "-O3 -march=native"}
 HEADERS = "errno limits float signal inttypes fenv stdio stdlib math string time"
 BEFORE = "".join(f"#include <{name}.h>\n" for name in HEADERS.split())
 
@@ -60,13 +61,14 @@ def toggle(mechanism="toggle", drive="P", load="F", result="k", names=NAMES):
     return TOGGLE.format(**locals())
 
 
-def compiles(text: str, command: list[str], folder: Path) -> None:
+def compiles(text: str, compiler: str, folder: Path) -> None:
+    command, level = COMMANDS[compiler], LEVELS.get(compiler, "-O1").split()
     mechanism = mechc.loads(text)
     source, header = mechanism.emit_files("c")
     (folder / header.name).write_text(header.text, encoding="utf-8")
     whole = f'{BEFORE}#include "{header.name}"\n{source.text}'
     for code in (source.text, whole, mechanism.emit("c")):
-        run = [*command, *STRICT, "-O1", "-I.", "-c", "-", "-o", "/dev/null"]
+        run = [*command, *STRICT, *level, "-I.", "-c", "-", "-o", "/dev/null"]
         done = subprocess.run(run, input=code, cwd=folder, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr[:2000]
 
@@ -76,7 +78,7 @@ def test_c_compiles_with_any_name_after_any_header(compiler, tmp_path):
     command = COMMANDS[compiler]
     if shutil.which(command[0]) is None:
         pytest.skip(f"no {command[0]}")
-    compiles(toggle(), command, tmp_path)
+    compiles(toggle(), compiler, tmp_path)
 
 
 RESULTS = "M_E M_PI INFINITY NAN I y0 gamma errno n i start numpy np pose main k_n E r q_n"
@@ -88,7 +90,7 @@ def test_c_and_python_stand_a_hostile_result_and_load(name, tmp_path):
     (tmp_path / "m.py").write_text(mechc.loads(text).emit("python"), encoding="utf-8")
     subprocess.run([sys.executable, "m.py"], cwd=tmp_path, check=True, capture_output=True)
     if shutil.which("gcc"):
-        compiles(text, COMMANDS["gcc"], tmp_path)
+        compiles(text, "gcc", tmp_path)
 
 
 MECHANISMS = "math string numpy stdio errno stdint class lambda M strtok lgamma FP si re time"
