@@ -152,6 +152,11 @@ def test_a_couple_that_drives_is_a_moment(language: str, said: list[str]) -> Non
     assert [sentence for sentence in said if sentence not in shown] == []
 
 
+@pytest.mark.parametrize(("language", "said"), [("uk", "Момент:"), ("ru", "Момент:")])
+def test_a_couple_that_is_asked_for_is_headed_as_one(language: str, said: str) -> None:
+    assert rf"\textbf{{{said}}}" in mechc.load("band_brake").emit("latex", language=language)
+
+
 @pytest.mark.parametrize(
     ("loads", "word"),
     [(["P"], "сила"), (["T"], "момент"), (["P", "T"], "навантаження"), ([], "навантаження")],

@@ -73,8 +73,8 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
     match result.target:
         case LoadRatio():
             return locale.force_ratio
-        case LoadForm():
-            return locale.load
+        case LoadForm(load):
+            return locale.load.format(of_load=LoadWords([load], spell.couples))
         case SpeedRatio():
             return locale.speed_ratio
         case Reaction() | Normal():
