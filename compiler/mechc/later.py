@@ -1,8 +1,9 @@
 """Modules that are imported when something of them is first needed.
 
 A description that is right needs no words for errors, and they are a tenth of what a
-compilation imports; one whose directions are given closes no loops. A package whose modules may wait has a ``__getattr__`` of :func:`waiting`,
-which gives them as :class:`Later`; ``from package import module`` then imports nothing.
+compilation imports; one whose directions are given closes no loops. A package whose modules may
+wait has a ``__getattr__`` of :func:`waiting`, which gives them as :class:`Later`;
+``from package import module`` then imports nothing.
 """
 
 from __future__ import annotations

@@ -37,7 +37,8 @@ def built(found, folder, compiler="gcc"):
     subprocess.run(command, cwd=folder, check=True)
     heads = [line.split("(")[0].split()[1] for line in header.splitlines() if line[:5] == "void "]
     others = tuple(f"{found.routine.name}_{n}" for n in (*companions(found), "pose_n", "points_n"))
-    names = [n for n in heads if not n.startswith(others) and "_gradient" not in n]
+    one_by_one = [n for n in heads if "_gradient" not in n and not n.endswith("_of")]
+    names = [n for n in one_by_one if not n.startswith(others)]
     return ctypes.CDLL(str(folder / "code.so")), names
 
 
