@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from typing import Literal
 
 from ..data import data
 from ..diagnostics import MechcError
@@ -47,9 +48,21 @@ def command(name: str, kind: str) -> None:
     say(path)
 
 
+_EXAMPLES: dict[str, dict[str, str]] = {
+    "mech": {"USE": 'use "clamp.mech" as C (F = 2 kN)', "LET": "let F = C_R_O"},
+    "yaml": {
+        "USE": "use: {C: {name: clamp.yaml, with: {F: 2 kN}}}",
+        "LET": "let: {F: C_R_O}",
+    },
+}
+"""What comments of a starter propose, in both notations."""
+
+
 def starter(path: Path, kind: str) -> str:
     """Return an example in the notation that the path's suffix says."""
     text = (data("cli") / "starters" / f"{kind}.mech").read_text("utf-8")
     named = re.sub(r"(?m)^(mechanism|sheet) \w+", rf"\1 {path.stem}", text)
-    source = Source("starter.mech", named.replace("FILE", path.name))
-    return layout(source, "mech" if path.suffix == ".mech" else "yaml")
+    notation: Literal["mech", "yaml"] = "mech" if path.suffix == ".mech" else "yaml"
+    for word, written in {"FILE": path.name, **_EXAMPLES[notation]}.items():
+        named = named.replace(word, written)
+    return layout(Source("starter.mech", named), notation)
