@@ -10,9 +10,10 @@ import random
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import sympy
 
@@ -62,13 +63,18 @@ def main() -> None:
     """Run the comparisons asked for, or every one, and print their tables."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--quick", action="store_true", help="fewer rounds, shorter chains")
+    options.add_argument("--plot", metavar="FILE", help="draw the part contenders, by matplotlib")
     options.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
     chosen = options.parse_args()
     if strangers := set(chosen.parts) - PARTS.keys():
         options.error(f"no such part: {', '.join(sorted(strangers))}")
     for name, run in PARTS.items():
         if name in chosen.parts or not chosen.parts:
-            run(chosen.quick)
+            found = run(chosen.quick)
+            if name == "contenders" and chosen.plot:
+                from contenders import plotted
+
+                plotted(found, chosen.plot)
 
 
 # --------------------------------------------------------------- (a) the whole process
@@ -225,7 +231,14 @@ def iterated(rounds: int) -> None:
     implicit(rounds)
 
 
-PARTS: dict[str, Callable[[bool], None]] = {
+def many_poses(poses: int, rounds: int) -> Mapping[str, Mapping[str, float]]:
+    """Time many poses by what is emitted and by peers that are installed."""
+    from contenders import contenders
+
+    return contenders(poses, rounds)
+
+
+PARTS: dict[str, Callable[[bool], Any]] = {
     "operations": lambda quick: lengths(),
     "start": lambda quick: cold_start(rounds=3 if quick else 15),
     "derivation": lambda quick: derivation(rounds=2 if quick else 9),
@@ -235,6 +248,9 @@ PARTS: dict[str, Callable[[bool], None]] = {
     "strokes": lambda quick: strokes(rounds=2 if quick else 9),
     "scalar": lambda quick: scalar(rounds=15 if quick else 75),
     "batch": lambda quick: batches(rounds=15 if quick else 75),
+    "contenders": lambda quick: many_poses(
+        poses=10**6 if quick else 10**7, rounds=2 if quick else 5
+    ),
     "implicit": lambda quick: iterated(rounds=5 if quick else 25),
     "precision": lambda quick: precision(poses=7 if quick else 51),
 }
