@@ -159,7 +159,9 @@ class Table:
 
 
 DISPLAY = re.compile(
-    r"(?<!\\)\\\[(.*?)(?<!\\)\\\]|\\begin\{(align\*|multline\*)\}(.*?)\\end\{\2\}", re.DOTALL
+    r"(?<!\\)\\\[(.*?)(?<!\\)\\\]|\\begin\{(align\*|multline\*)\}(.*?)\\end\{\2\}"
+    r"|\$([^$=]+=[^$=]+)\$\\par",
+    re.DOTALL,
 )
 PART = re.compile(r"\\(?:sub)?section\*?\{|\\noindent\\textbf\{")
 ACTS = re.compile(
@@ -196,9 +198,9 @@ class Relation:
 
 
 def relations(tex: str) -> Iterator[Relation]:
-    """Yield the equations that are displayed, line by line."""
-    for single, _, several in DISPLAY.findall(tex):
-        text = re.sub(r"\\\\(\[2pt\])?\s*&(\\quad\{\}|(?==))", " ", single or several)
+    """Yield the equations that are displayed, line by line, or stand behind their text."""
+    for single, _, several, alone in DISPLAY.findall(tex):
+        text = re.sub(r"\\\\(\[2pt\])?\s*&(\\quad\{\}|(?==))", " ", single or several or alone)
         text = CASES.sub(lambda found: _branches(found[1]), text)
         for line in re.split(r"\\\\(?:\[2pt\])?\n|&\n", text):
             yield from map(Relation, re.split(r"\\[gl]eq |[<>]", line))
