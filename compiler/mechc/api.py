@@ -271,6 +271,11 @@ class SolvedMechanism(Plotting):
 
         return notebook.results(checked(self._compilation), self._compilation.results)
 
+    def _repr_latex_(self) -> str:
+        from .emit.latex import notebook
+
+        return notebook.results_in_latex(checked(self._compilation), self._compilation.results)
+
     def __repr__(self) -> str:
         """Return name and results in one line."""
         return f"<{self.name}: {', '.join(self.results)}>"

@@ -24,6 +24,9 @@ class ShownResult(Analysis):
     def _repr_markdown_(self) -> str:
         return notebook.results(checked(self.of), (self,))
 
+    def _repr_latex_(self) -> str:
+        return notebook.results_in_latex(checked(self.of), (self,))
+
     def __repr__(self) -> str:
         """Return name and formula in one line."""
         return f"<{self.name} = {text(self.formula)}>"
@@ -37,6 +40,9 @@ class ShownDerivation(Derivation):
 
     def _repr_markdown_(self) -> str:
         return notebook.derivation(checked(self.of))
+
+    def _repr_latex_(self) -> str:
+        return notebook.derivation_in_latex(checked(self.of))
 
     def __repr__(self) -> str:
         """Return the mechanism and the number of steps."""

@@ -1,7 +1,11 @@
 """What notebooks show: Markdown and HTML of mechanism, result, derivation and stroke."""
 
 import re
+import shutil
+import subprocess
+from collections.abc import Callable
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 
@@ -30,6 +34,38 @@ def test_mechanisms_results_and_derivations_show_themselves(name: str) -> None:
         shown = result._repr_markdown_()
         assert balanced(shown)
         assert "=" in shown
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_what_a_printed_notebook_shows_is_latex(name: str, typeset: Callable[[str], str]) -> None:
+    mechanism = mechc.load(name)
+    shown = [mechanism, mechanism.derivation, *mechanism.results.values()]
+    log = typeset("\n\n".join(one._repr_latex_() for one in shown))
+    assert "Overfull" not in log
+
+
+@pytest.fixture
+def typeset(tmp_path: Path) -> Callable[[str], str]:
+    """Return a function that sets LaTeX in a document as notebooks do; it gives the log."""
+    if shutil.which("pdflatex") is None:
+        pytest.skip("no pdflatex")
+
+    def call(body: str) -> str:
+        text = HEAD + body + "\n\\end{document}\n"
+        (tmp_path / "shown.tex").write_text(text, encoding="utf-8")
+        command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "shown.tex"]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout[-2000:]
+        return done.stdout
+
+    return call
+
+
+HEAD = r"""\documentclass[11pt]{article}
+\usepackage[margin=22mm]{geometry}
+\usepackage{amsmath,amssymb,array,booktabs,longtable}
+\begin{document}
+"""
 
 
 def test_a_result_shows_all_that_it_rests_on() -> None:

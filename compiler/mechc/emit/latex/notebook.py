@@ -14,7 +14,7 @@ from ...study.analysis import Analysis
 from ..render import render
 from ..target import Compiled, Options
 from .note import note_report
-from .to_latex import report
+from .to_latex import TARGET, report
 
 _LANGUAGE = "en"
 
@@ -23,7 +23,14 @@ def results(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
     """Return results with all that they rest on, each name defined once; of a sheet its note."""
     if is_sheet(compiled.mechanism):
         return derivation(compiled)
-    return _markdown("\n\n".join(_displays(compiled, tuple(wanted))))
+    return _markdown(results_in_latex(compiled, wanted))
+
+
+def results_in_latex(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
+    """Return the same in LaTeX, for what a notebook is printed by; of a sheet its note."""
+    if is_sheet(compiled.mechanism):
+        return derivation_in_latex(compiled)
+    return "\n\n".join(_displays(compiled, tuple(wanted)))
 
 
 def _displays(compiled: Compiled, wanted: tuple[Analysis, ...]) -> Iterator[str]:
@@ -41,6 +48,12 @@ def derivation(compiled: Compiled) -> str:
     options = Options(compiled.mechanism.name, numbers=False)
     whole = report(compiled, compiled.reported, locale, _style(compiled), options)
     return _markdown(render("latex/notebook.jinja", whole))
+
+
+def derivation_in_latex(compiled: Compiled) -> str:
+    """Return the report without its preamble."""
+    options = Options(compiled.mechanism.name, fragment=True, numbers=False)
+    return TARGET.emit(compiled, options)[0].text
 
 
 def _style(compiled: Compiled) -> Notation:
