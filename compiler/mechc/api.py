@@ -4,7 +4,7 @@ All quantities that go in or come out as numbers are SI and radians; what goes i
 with a unit, ``"20 deg"``, as well.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -139,6 +139,10 @@ class SolvedMechanism(Plotting):
         0.0718
         """
         return self._evaluation.results(values)
+
+    def __reduce__(self) -> "tuple[Callable[..., SolvedMechanism], tuple[Compilation, bool]]":
+        """Return what a copy is made by: it makes functions, which no file can hold, anew."""
+        return _copied, (self._compilation, self._evaluation.has_machine_code)
 
     def compile(self) -> "SolvedMechanism":
         """Return the same mechanism, whose ``evaluate`` has machine code for arrays.
@@ -279,6 +283,11 @@ class SolvedMechanism(Plotting):
     def __repr__(self) -> str:
         """Return name and results in one line."""
         return f"<{self.name}: {', '.join(self.results)}>"
+
+
+def _copied(compilation: Compilation, is_compiled: bool) -> SolvedMechanism:
+    copy = SolvedMechanism(compilation)
+    return copy.compile() if is_compiled else copy
 
 
 def load(path: str | Path) -> SolvedMechanism:

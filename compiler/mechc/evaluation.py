@@ -35,6 +35,11 @@ class Evaluation:
         self._compilation, self._on_arrays = compilation, on_arrays
         self._evaluators: dict[frozenset[str], Evaluator] = {}
 
+    @property
+    def has_machine_code(self) -> bool:
+        """Whether there are functions for arrays."""
+        return self._on_arrays is not None
+
     @cached_property
     def defaults(self) -> Mapping[str, float]:
         """The parameters' values from the description."""

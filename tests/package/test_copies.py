@@ -32,6 +32,26 @@ def test_a_copy_of_a_mechanism_is_as_good(name, way):
 
 
 @pytest.mark.parametrize("way", COPIES)
+def test_a_copy_of_a_mechanism_that_has_been_used_is_as_good(way):
+    """What it has made of itself on the way, functions among that, is made anew."""
+    mechanism = mechc.load("crank_rocker")
+    found = mechanism.evaluate(phi="30 deg")
+    mechanism.points(), mechanism.stroke(3), mechanism.draw(), mechanism.plot()
+    copied = COPIES[way](mechanism)
+    assert copied.evaluate(phi="30 deg") == found
+    assert copied.points() == mechanism.points()
+
+
+@pytest.mark.parametrize("way", COPIES)
+def test_a_copy_of_a_mechanism_with_machine_code_has_it_too(way):
+    compiled = mechc.load("crank_rocker").compile()
+    copied = COPIES[way](compiled)
+    found = compiled.evaluate(phi=[0.5, 0.6])["k"]
+    assert list(copied.evaluate(phi=[0.5, 0.6])["k"]) == list(found)
+    assert copied._evaluation.has_machine_code
+
+
+@pytest.mark.parametrize("way", COPIES)
 def test_every_stage_can_be_copied(way):
     compilation = mechc.load("crank_rocker")._compilation
     for attribute in STAGES.values():
