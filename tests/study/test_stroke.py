@@ -2,15 +2,18 @@
 
 import math
 import re
+import shutil
 
 import pytest
 
 import mechc
 from mechc.cli.main import main
 from mechc.driver import Compilation, checked
+from mechc.formula.to_text import text as written
+from mechc.formula.walk import symbols
 from mechc.source import Source
 from mechc.study.analysis import Acted, DeadCentre
-from paths import LIBRARY
+from paths import EXAMPLES, LIBRARY
 
 CLAW = """
 param l_A = 100 mm
@@ -675,3 +678,33 @@ def rate(rates, drive, acted):
     if acted.is_distance:
         return sum(a * v for a, v in zip(along, speed, strict=True)) / math.hypot(*along)
     return math.hypot(*speed)
+
+
+FOLDED = """
+param r = 39.7557 mm in 38.8584 mm .. 44.2337 mm
+param phi = 63.322 deg in 43.322 deg .. 83.322 deg
+pivot O at (174 mm, 107 mm)
+link OA
+link AB
+OA = r @ phi
+AB = 115 mm
+drive phi from 43.5 deg to 83 deg
+torque M on OA
+use "toggle.mech" as T (l = 101 mm) at (0 mm, 210 mm) joining T.B = B
+assembly ABC1 ccw
+find k = M/T_F
+"""
+"""A toggle of equal links that folds at 60.65 deg; beyond, its ram stands still at its pivot."""
+
+
+def test_equal_links_that_fold_make_no_pole_and_no_jumps_of_rounding(tmp_path):
+    shutil.copy(EXAMPLES / "press" / "toggle.mech", tmp_path)
+    (tmp_path / "press.mech").write_text(FOLDED, encoding="utf-8")
+    mechanism = mechc.load(tmp_path / "press.mech")
+    (pole,) = [p for p in mechanism.results["k"].poles if symbols(p.factor) == {"beta_BK1"}]
+    assert [written(factor) for factor in pole.but] == ["sin(T_alpha + beta_BK1)"]
+    found = mechanism.stroke(3)
+    assert [s.value for s in found.singular] == ["infinite", "undetermined"]
+    places = [math.degrees(s.drive) for s in found.singular]
+    assert places == pytest.approx([44.268, 60.65], abs=1e-3)
+    assert [math.degrees(b.drive) for b in found.branches] == [pytest.approx(60.65, abs=1e-3)]

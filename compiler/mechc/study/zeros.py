@@ -11,8 +11,8 @@ from ..algebra.halving import without
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.sums import canonical
-from ..formula.tree import Formula
-from ..formula.walk import symbols
+from ..formula.tree import Call, Formula
+from ..formula.walk import evaluate, symbols, walk
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.boxes import stroke_box
@@ -23,7 +23,7 @@ from ..power.definitions import resting_on
 from .analysis import Acted, Cause, DeadCentre, Vanishing
 from .breaks import divisors, may_vanish
 from .ranges import moving_first, with_range
-from .tolerances import VANISHED_SUM
+from .tolerances import SAME_RATIO, VANISHED_SUM
 from .trends import is_free_of_zeros
 
 STEPS = (1e-4, 1e-7)
@@ -31,6 +31,10 @@ STEPS = (1e-4, 1e-7)
 
 Far from it rounding does no harm; near it no other root that is close by does.
 """
+
+
+ANYWHERE = 1.0
+"""An angle at which neither sine nor cosine is special, in radians."""
 
 
 def zeros(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Vanishing, ...]:
@@ -148,7 +152,33 @@ def _vanishing(
     mechanism = balance.plan.graph.pose.mechanism
     found = trig.angle.names & {d.name for d in item.result.where}
     at = None if found else solution(trig, near, moving_first(mechanism))
-    return Vanishing(trig.formula(), at, cause, _is_outside(trig, balance))
+    but = tuple(t.formula() for t in _at_folds(trig, item, near))
+    return Vanishing(trig.formula(), at, cause, _is_outside(trig, balance), but)
+
+
+def _at_folds(trig: Trig, item: Solved, near: Mapping[str, float]) -> list[Trig]:
+    """Return the sines across the line that may vanish with one where equal sides fold.
+
+    Of β = arcsin(sin T) the cosine is zero at T = 90°, and there sin(T + β) is zero as well.
+    """
+    assert item.value is not None
+    found = dict(item.result.where)
+    folds = any(_is_fold(found[name], near) for name in trig.angle.names & found.keys())
+    return _across_the_line(trig, item.value) if folds else []
+
+
+def _is_fold(formula: Formula, near: Mapping[str, float]) -> bool:
+    """Return whether an angle is the arcsine of a sine, or of a cosine, for the values given."""
+    if not isinstance(formula, Call) or formula.function not in ("asin", "acos"):
+        return False
+    (argument,) = formula.arguments
+    for turn in walk(argument):
+        if isinstance(turn, Call) and turn.function in ("sin", "cos"):
+            values = {**near, **dict.fromkeys(symbols(turn), ANYWHERE)}
+            if symbols(argument) <= values.keys():
+                sizes = (abs(evaluate(f, values)) for f in (argument, turn))
+                return math.isclose(*sizes, rel_tol=SAME_RATIO)
+    return False
 
 
 def _is_outside(factor: Factor, balance: Balance) -> bool:

@@ -35,6 +35,11 @@ def is_nil(result: Result, along: Along, stretch: Stretch) -> bool:
     return all(_beyond(v, x, result, along) == 0 for v, x in zip(values, grid, strict=True))
 
 
+def is_nothing(number: float, x: float, result: Result, along: Along) -> bool:
+    """Return whether a value of a result next to ``x`` is nothing but rounding."""
+    return _beyond(number, x, result, along) == 0
+
+
 def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:
     """Return a result's value at ``x`` without what is nothing but rounding."""
     rounding = along.rounding(x)

@@ -10,9 +10,9 @@ from ...formula.roots import Function, Jump, Root, jumps, roots
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import evaluate, symbols
 from ..analysis import Analysis, Break, Vanishing
-from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_VALUE, STEADY
+from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_VALUE, SIDE, STEADY
 from .along import Along
-from .rounded import is_nil
+from .rounded import is_nil, is_nothing
 from .run import Run
 from .stroke import Branch, Kind, Singular, Stretch
 
@@ -46,7 +46,12 @@ def singular_along(
 
 def order_of(run: Run, result: Analysis, x: float) -> Order | None:
     """Return the order of a result at a value of the drive: zero, infinite, finite or a jump."""
-    return order_at(run.values(result.formula, result), x, run.range)
+    size = run.values(result.formula, result)
+    found, step = order_at(size, x, run.range), SIDE * run.range
+    sides = (x - step, x + step)
+    if found == "jump" and all(is_nothing(size(s), s, result, run.along) for s in sides):
+        return "finite"
+    return found
 
 
 def singular_poses(
@@ -68,6 +73,8 @@ def singular_poses(
         for root in roots_at(result, broken, along, stretch, grid):
             yield Singular(result.name, "undetermined", "far", *root, None)
     for jump in jumps(size, grid):
+        if is_nothing(max(abs(jump.before), abs(jump.after)), jump.x, result, along):
+            continue
         yield _jumping(result.name, jump, along, grid[-1] - grid[0])
 
 
