@@ -94,7 +94,7 @@ def test_an_interrupted_start_is_quiet(tmp_path):
         "    def find_spec(self, name, *rest):\n"
         "        if name == 'mechc.driver': os.kill(os.getpid(), signal.SIGINT)\n"
         "sys.meta_path.insert(0, Interrupting())\n"
-        "sys.exit(main(['list']))\n"
+        f"sys.exit(main(['check', {CLAMP!r}, '--no-cache']))\n"
     )
     env = {"PYTHONPATH": str(EXAMPLES.parent / "compiler")}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=env)

@@ -97,7 +97,7 @@ def test_a_ratio_may_be_of_a_tied_load():
 
 def test_a_load_with_others_tied_to_it_need_not_stand_still_where_k_is_zero():
     (zero,) = solve(TIED + "find k = P/N").results["k"].zeros
-    assert zero.kind == "other"
+    assert zero.cause == "other"
 
 
 def test_a_second_motion_that_no_load_holds():

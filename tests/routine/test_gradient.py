@@ -89,7 +89,8 @@ def test_targets_agree(name, tmp_path):
     exec(module.text, space)
     own = [value for name, value in space.items() if "_gradient" in name]
     heads = re.findall(r"^void (\w*_gradient\w*)\(\s*size_t", source.text, re.M)
-    batches = [getattr(library, name) for name in dict.fromkeys(heads)]
+    alone = [name for name in dict.fromkeys(heads) if not name.endswith("_of")]
+    batches = [getattr(library, name) for name in alone]
     pairs = gradients(found.routine.functions)
     for (function, program), mine, batch in zip(pairs, own, batches, strict=True):
         values, wanted = list(poses(function).values()), pose(program, poses(function))[0]

@@ -48,7 +48,7 @@ Each loop's rate rests on the one before, so that the formula of the slope nests
 """
 
 
-FRICTION = LIMIT * 6 // 10
+FRICTION = LIMIT * 9 // 10
 """Steps for all that is said of friction along ranges: each place of each is solved anew."""
 
 

@@ -3,10 +3,10 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from ...formula.roots import spaced
+from ...formula.roots import Function, spaced
 from ...formula.rounding import beyond_rounding
 from ...model.result import Result
-from ..tolerances import LOST
+from ..tolerances import LOST, NEGLIGIBLE
 from .along import Along
 from .stroke import Extremum, Stretch
 
@@ -35,9 +35,19 @@ def is_nil(result: Result, along: Along, stretch: Stretch) -> bool:
     return all(_beyond(v, x, result, along) == 0 for v, x in zip(values, grid, strict=True))
 
 
-def is_nothing(number: float, x: float, result: Result, along: Along) -> bool:
-    """Return whether a value of a result next to ``x`` is nothing but rounding."""
-    return _beyond(number, x, result, along) == 0
+def is_nothing(number: float, x: float, largest: float, result: Result, along: Along) -> bool:
+    """Return whether a value next to ``x`` is nothing but rounding, against the largest along.
+
+    Rounding alone does not say so: beside what is infinite it is larger than any value.
+    """
+    is_small = abs(number) < NEGLIGIBLE * largest
+    return is_small and _beyond(number, x, result, along) == 0
+
+
+def largest(function: Function, grid: Sequence[float]) -> float:
+    """Return the largest finite size of a function's values."""
+    sizes = (abs(function(x)) for x in grid)
+    return max((size for size in sizes if math.isfinite(size)), default=0.0)
 
 
 def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:

@@ -6,13 +6,13 @@ from functools import cache, partial
 from itertools import pairwise
 from typing import Literal
 
-from ...formula.roots import Function, Jump, Root, jumps, roots
+from ...formula.roots import Function, Jump, Root, jumps, roots, spaced
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import evaluate, symbols
 from ..analysis import Analysis, Break, Vanishing
 from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_VALUE, SIDE, STEADY
 from .along import Along
-from .rounded import is_nil, is_nothing
+from .rounded import is_nil, is_nothing, largest
 from .run import Run
 from .stroke import Branch, Kind, Singular, Stretch
 
@@ -23,6 +23,9 @@ Order = Literal["0", "infinite", "finite", "jump"]
 
 ALIKE, VARIES = 0.1, 0.3
 """What two exponents of one power may differ by, and which is none of a constant."""
+
+PLACES = 60
+"""At how many values a result is looked at for the largest of them."""
 
 GROWS = 5.0
 """How much larger what is infinite somewhere is ten times nearer to it, at least."""
@@ -48,9 +51,10 @@ def order_of(run: Run, result: Analysis, x: float) -> Order | None:
     """Return the order of a result at a value of the drive: zero, infinite, finite or a jump."""
     size = run.values(result.formula, result)
     found, step = order_at(size, x, run.range), SIDE * run.range
-    sides = (x - step, x + step)
-    if found == "jump" and all(is_nothing(size(s), s, result, run.along) for s in sides):
-        return "finite"
+    if found == "jump":
+        most, sides = largest(size, spaced(run.low, run.high, PLACES)), (x - step, x + step)
+        if all(is_nothing(size(s), s, most, result, run.along) for s in sides):
+            return "finite"
     return found
 
 
@@ -72,10 +76,12 @@ def singular_poses(
     for broken in result.breaks:
         for root in roots_at(result, broken, along, stretch, grid):
             yield Singular(result.name, "undetermined", "far", *root, None)
-    for jump in jumps(size, grid):
-        if is_nothing(max(abs(jump.before), abs(jump.after)), jump.x, result, along):
-            continue
-        yield _jumping(result.name, jump, along, grid[-1] - grid[0])
+    found = jumps(size, grid)
+    most = largest(size, grid) if found else 0.0
+    for jump in found:
+        higher = max(abs(jump.before), abs(jump.after))
+        if not is_nothing(higher, jump.x, most, result, along):
+            yield _jumping(result.name, jump, along, grid[-1] - grid[0])
 
 
 def _other_zeros(size: Function, grid: Sequence[float], known: Sequence[float]) -> Iterator[Root]:
