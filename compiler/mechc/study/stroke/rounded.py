@@ -1,9 +1,9 @@
 """What is nothing but rounding along the stroke: an extremum, or a result all over a stretch."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from ...formula.roots import Function, spaced
+from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding
 from ...model.result import Result
 from ..tolerances import LOST, NEGLIGIBLE
@@ -35,19 +35,23 @@ def is_nil(result: Result, along: Along, stretch: Stretch) -> bool:
     return all(_beyond(v, x, result, along) == 0 for v, x in zip(values, grid, strict=True))
 
 
-def is_nothing(number: float, x: float, largest: float, result: Result, along: Along) -> bool:
-    """Return whether a value next to ``x`` is nothing but rounding, against the largest along.
+def is_nothing(
+    sides: Mapping[float, float], result: Result, along: Along, grid: Sequence[float]
+) -> bool:
+    """Return whether a result's values at some places are nothing but rounding.
 
-    Rounding alone does not say so: beside what is infinite it is larger than any value.
+    They are small against what half of those exceed that are not rounding, too: beside what is
+    infinite rounding alone is larger than any value.
     """
-    is_small = abs(number) < NEGLIGIBLE * largest
-    return is_small and _beyond(number, x, result, along) == 0
-
-
-def largest(function: Function, grid: Sequence[float]) -> float:
-    """Return the largest finite size of a function's values."""
-    sizes = (abs(function(x)) for x in grid)
-    return max((size for size in sizes if math.isfinite(size)), default=0.0)
+    if any(_beyond(value, x, result, along) != 0 for x, value in sides.items()):
+        return False
+    sizes = sorted(
+        abs(value)
+        for value, x in ((along.of(result.formula, result, x), x) for x in grid)
+        if math.isfinite(value) and _beyond(value, x, result, along)
+    )
+    largest = max(map(abs, sides.values()))
+    return not sizes or largest < NEGLIGIBLE * sizes[len(sizes) // 2]
 
 
 def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:

@@ -12,7 +12,7 @@ from ...formula.walk import evaluate, symbols
 from ..analysis import Analysis, Break, Vanishing
 from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_VALUE, SIDE, STEADY
 from .along import Along
-from .rounded import is_nil, is_nothing, largest
+from .rounded import is_nil, is_nothing
 from .run import Run
 from .stroke import Branch, Kind, Singular, Stretch
 
@@ -25,7 +25,7 @@ ALIKE, VARIES = 0.1, 0.3
 """What two exponents of one power may differ by, and which is none of a constant."""
 
 PLACES = 60
-"""At how many values a result is looked at for the largest of them."""
+"""In how many parts a stroke is looked at for the usual size of a result."""
 
 GROWS = 5.0
 """How much larger what is infinite somewhere is ten times nearer to it, at least."""
@@ -52,8 +52,8 @@ def order_of(run: Run, result: Analysis, x: float) -> Order | None:
     size = run.values(result.formula, result)
     found, step = order_at(size, x, run.range), SIDE * run.range
     if found == "jump":
-        most, sides = largest(size, spaced(run.low, run.high, PLACES)), (x - step, x + step)
-        if all(is_nothing(size(s), s, most, result, run.along) for s in sides):
+        sides = {side: size(side) for side in (x - step, x + step)}
+        if is_nothing(sides, result, run.along, spaced(run.low, run.high, PLACES)):
             return "finite"
     return found
 
@@ -76,11 +76,10 @@ def singular_poses(
     for broken in result.breaks:
         for root in roots_at(result, broken, along, stretch, grid):
             yield Singular(result.name, "undetermined", "far", *root, None)
-    found = jumps(size, grid)
-    most = largest(size, grid) if found else 0.0
-    for jump in found:
+    places = spaced(grid[0], grid[-1], PLACES)
+    for jump in jumps(size, grid):
         higher = max(abs(jump.before), abs(jump.after))
-        if not is_nothing(higher, jump.x, most, result, along):
+        if not is_nothing({jump.x: higher}, result, along, places):
             yield _jumping(result.name, jump, along, grid[-1] - grid[0])
 
 
