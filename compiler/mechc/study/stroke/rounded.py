@@ -45,13 +45,9 @@ def is_nothing(
     """
     if any(_beyond(value, x, result, along) != 0 for x, value in sides.items()):
         return False
-    sizes = sorted(
-        abs(value)
-        for value, x in ((along.of(result.formula, result, x), x) for x in grid)
-        if math.isfinite(value) and _beyond(value, x, result, along)
-    )
-    largest = max(map(abs, sides.values()))
-    return not sizes or largest < NEGLIGIBLE * sizes[len(sizes) // 2]
+    certain = [x for x in grid if _beyond(along.of(result.formula, result, x), x, result, along)]
+    usual = _usual(result, along, certain)
+    return not usual or max(map(abs, sides.values())) < NEGLIGIBLE * usual
 
 
 def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:
