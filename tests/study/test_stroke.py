@@ -7,12 +7,15 @@ import shutil
 import pytest
 
 import mechc
+from mechc.algebra.product import Product
+from mechc.cli.inputs import source_of
 from mechc.cli.main import main
 from mechc.driver import Compilation, checked
 from mechc.formula.to_text import text as written
 from mechc.formula.walk import symbols
 from mechc.source import Source
 from mechc.study.analysis import Acted, DeadCentre
+from mechc.study.stroke.along import Along
 from paths import EXAMPLES, LIBRARY
 
 CLAW = """
@@ -658,6 +661,21 @@ def test_what_is_said_to_stand_still_does(name):
             rates, _ = mechanism.points(**{found.drive: at})
             still, moving = (rate(rates, found.drive, a) for a in pose.kind)
             assert abs(still) < 1e-3 * abs(moving), (name, pose)
+
+
+@pytest.mark.parametrize("name", DRIVEN)
+def test_a_column_is_what_the_formulas_call_so(name):
+    """A transmission angle has no symbol of another angle at the same pin."""
+    compilation = Compilation(source_of(name, ""))
+    plan = compilation.solution.plan
+    defined = {d.name for d in (*plan.graph.pose.definitions, *plan.graph.pose.closing)}
+    along, found = Along(plan, {}), compilation.stroke(5)
+    for i, column in enumerate(found.columns):
+        if column.name in defined:
+            for row in found.rows:
+                if not row.trouble:
+                    value = along.inside(Product.symbol(column.name), row.drive)
+                    assert row.values[i] == pytest.approx(value, rel=1e-9), column.name
 
 
 BESIDE = 1e-9

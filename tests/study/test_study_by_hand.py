@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from mechc.algebra.angle import Angle
 from mechc.algebra.intervals import Interval
 from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
@@ -26,7 +27,7 @@ from mechc.study.stroke.grid import ENOUGH, GRADED, graded, looked_at
 from mechc.study.stroke.reached import with_reached
 from mechc.study.stroke.sides import from_both_sides
 from mechc.study.stroke.stroke import Column, Extremum, Stretch
-from mechc.study.stroke.transmission import named, transmissions
+from mechc.study.stroke.transmission import Transmission, named, transmissions
 from mechc.study.trends import trend
 from mechc.study.zeros import poles, zeros
 from mechc.units import LENGTH, NUMBER
@@ -215,12 +216,26 @@ def test_columns_of_one_name_are_told_apart():
 
 def test_a_rod_passes_its_force_by_its_angle_to_the_normal_of_the_guide():
     """At the slider 90° less the angle between rod and guide."""
-    found = dict(named(transmissions(slider_crank(drive=Drive("phi", None, None, HERE)))))
+    found = dict(named(transmissions(slider_crank(drive=Drive("phi", None, None, HERE))), {}))
     assert list(found) == ["mu_B"]
     assert found["mu_B"].at(VALUES) == pytest.approx(math.pi / 2 - abs(PSI))
 
 
 def test_a_crank_that_is_no_drive_has_a_transmission_angle():
-    found = dict(named(transmissions(slider_crank())))
-    assert found["mu_A"].at(VALUES) == pytest.approx(PHI - PSI)
+    found = dict(named(transmissions(slider_crank()), {}))
+    assert found["mu_A"].at(VALUES) == pytest.approx(math.pi - (PHI - PSI))
     assert (found["mu_A"].rod, found["mu_A"].onto) == ("AB", "OA")
+
+
+def test_a_transmission_angle_has_no_name_of_another_angle():
+    """Where the loops call an angle at the same pin mu_A, rod and link stand beside it."""
+    assert "mu_A(AB-OA)" in dict(named(transmissions(slider_crank()), {"mu_A": "AC"}))
+    assert "mu_A" in dict(named(transmissions(slider_crank()), {"mu_A": frozenset("OB")}))
+
+
+@pytest.mark.parametrize("turn", [70, -70, 430])
+def test_a_transmission_angle_between_links_is_that_of_the_triangle(turn):
+    values = {"psi": math.radians(turn)}
+    link = Transmission("B", Angle.of("psi") + Angle.constant(40 if turn > 0 else -40), "AB", "CB")
+    assert math.degrees(link.at(values)) == pytest.approx(110)
+    assert math.degrees(link._replace(onto="").at(values)) == pytest.approx(70)

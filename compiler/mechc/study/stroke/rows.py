@@ -17,7 +17,7 @@ from .run import Run
 from .sides import from_both_sides, is_on_a_side
 from .stretches import beyond, trouble
 from .stroke import Column, Row, Stretch
-from .transmission import Transmission, named, transmissions
+from .transmission import Transmission, angles_at_pins, named, transmissions
 from .velocities import velocities
 
 
@@ -30,7 +30,7 @@ def columns(run: Run, asked: Asked) -> Iterator[Filled]:
         unit = unit_of(velocity.dimension)
         column = Column(velocity.name, velocity.dimension, "velocity", unit)
         yield Filled(column, partial(run.along.inside, velocity.value), velocity.value.formula())
-    for name, angle in named(transmissions(run.pose)):
+    for name, angle in named(transmissions(run.pose), angles_at_pins(run.pose)):
         yield Filled(Column(name, ANGLE, "angle"), partial(_angle, run.along, angle))
     yield from path_columns(asked, run.along, unit_of)
 

@@ -1,12 +1,12 @@
 """Transmission angles: between a coupler and what it drives.
 
-At the pin between a rod and a link on a pivot it is the angle between rod and link, folded
-to 0 … 90°; at a slider it is 90° less the angle between the rod and the guide (Alt 1932).
-Forces pass well near 90° and not at all at 0.
+At the pin between a rod and a link on a pivot it is the angle of the triangle between rod and
+link, 0 … 180°, as the formulas have it; at a slider it is 90° less the angle between the rod and
+the guide (Alt 1932). Forces pass well near 90° and not at all at 0 and 180°.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from ...algebra.angle import Angle
 from ...model.mechanism import Link
@@ -15,19 +15,23 @@ from ...pose.pose import Pose
 
 
 class Transmission(NamedTuple):
-    """A pin, the angle whose sine is that of its transmission angle, the rod and what it drives.
+    """A pin, the angle that its transmission angle is but for sign, the rod and what it drives.
 
-    ``onto`` is the link driven, '' where it is a slider.
+    ``between`` runs from the link to the rod, at a slider from the normal of the guide.
+    ``onto`` is the link driven, '' where it is a slider; ``ends`` the far end of the rod and
+    the pivot of the link.
     """
 
     pin: str
     between: Angle
     rod: str
     onto: str
+    ends: frozenset[str] = frozenset()
 
     def at(self, values: Mapping[str, float]) -> float:
-        """Return the angle in radians, between 0 and π/2."""
-        return abs(math.asin(min(1.0, abs(math.sin(self.between.evaluate(values))))))
+        """Return the angle in radians: between 0 and π, at a slider π/2."""
+        size = abs(math.remainder(self.between.evaluate(values), math.tau))
+        return size if self.onto else min(size, math.pi - size)
 
 
 def transmissions(pose: Pose) -> Iterator[Transmission]:
@@ -44,7 +48,8 @@ def transmissions(pose: Pose) -> Iterator[Transmission]:
                 if link is not rod and centre and pin in link.points and along is not None:
                     arm = _direction(pose, link, centre, pin)
                     if arm is not None and not _drives(pose, arm):
-                        yield Transmission(pin, along - arm, rod.name, link.name)
+                        ends = frozenset((far, centre))
+                        yield Transmission(pin, along - arm, rod.name, link.name, ends)
             if pin in pose.guides and along is not None:
                 across = pose.guides[pin] + Angle.constant(90)
                 yield Transmission(pin, along - across, rod.name, "")
@@ -61,10 +66,33 @@ def _drives(pose: Pose, arm: Angle) -> bool:
     return drive is not None and [n for n, _ in arm.terms] == [drive.parameter]
 
 
-def named(found: Iterable[Transmission]) -> Iterator[tuple[str, Transmission]]:
-    """Yield transmission angles by their pins, by rod and link too where a pin has several."""
+def named(
+    found: Iterable[Transmission], others: Mapping[str, Collection[str]]
+) -> Iterator[tuple[str, Transmission]]:
+    """Yield transmission angles by their pins, by rod and link too where that is ambiguous.
+
+    It is where a pin has several, and where ``others`` has another angle of the name: one
+    that is not seen between the same two points.
+    """
     each = list(dict.fromkeys(found))
     for one in each:
+        name = f"mu_{one.pin}"
         alone = [other.pin for other in each].count(one.pin) == 1
-        pair = "-".join(name for name in (one.rod, one.onto) if name)
-        yield f"mu_{one.pin}" if alone else f"mu_{one.pin}({pair})", one
+        if alone and one.ends == others.get(name, one.ends):
+            yield name, one
+        else:
+            yield f"{name}({'-'.join(filter(None, (one.rod, one.onto)))})", one
+
+
+def angles_at_pins(pose: Pose) -> dict[str, frozenset[str]]:
+    """Return what closing the loops has named, with the two points that each angle is seen between.
+
+    There are none where the name is not that of a triangle's angle.
+    """
+    names = (d.name for d in (*pose.definitions, *pose.closing))
+    ends = dict.fromkeys(names, frozenset[str]())
+    for loop in pose.solved:
+        if loop.kind == "triangle":
+            first, pin, last = loop.points
+            ends[f"mu_{pin}"] = frozenset((first, last))
+    return ends
