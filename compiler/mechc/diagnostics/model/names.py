@@ -12,6 +12,11 @@ MANY = 200
 """Names among which no near miss is looked for: thousands of errors would take minutes."""
 
 
+def near(name: str, known: Collection[str]) -> str:
+    """Return the question whether a name that is spelled alike is meant, '' if there is none."""
+    return near_miss(name, sorted(known)) if len(known) <= MANY else ""
+
+
 def offered(name: str, known: Collection[str], what: str) -> str:
     """Return the near miss, or the names themselves where they are few.
 
@@ -20,9 +25,9 @@ def offered(name: str, known: Collection[str], what: str) -> str:
     >>> offered("alhpa", ["alpha", "beta"], "parameters")
     "did you mean 'alpha'?"
     """
+    if found := near(name, known):
+        return found
     known = sorted(known)
-    if len(known) <= MANY and (near := near_miss(name, known)):
-        return near
     if not known:
         return f"there are no {what}"
     *front, last = known
@@ -48,9 +53,18 @@ def unknown_name(
         AC = b @ AB + 30 deg         # wrong: AB is a direction by itself only
         angle BAC = 30 deg           # right
     """
-    hint = hint or offered(name, known, "names declared")
+    hint = hint or near(name, known) or _declare_it(name, known)
     related = (Related(use, "this brings in the names with its prefix"),) if use else ()
     return Message(span, f"the name '{name}' is not declared", hint, related)
+
+
+def _declare_it(name: str, known: Collection[str]) -> str:
+    """Return the hint at a name that is like none: it is to be declared, or another is meant.
+
+    >>> _declare_it("phi", ["l", "r"])
+    "declare it, 'param phi = …'; the names declared are l and r"
+    """
+    return f"declare it, 'param {name} = …'; {offered(name, known, 'names declared')}"
 
 
 def load_follows(used: str, prefix: str, given: str) -> str:
