@@ -6,13 +6,20 @@ import pytest
 
 from mechc.diagnostics import Report
 from mechc.files import read as text_of
+from mechc.formula.names import GREEK
 from mechc.syntax import ast
 from mechc.syntax.notation import read
 from paths import LIBRARY
 
 FILES = sorted([*LIBRARY.glob("*.mech"), *LIBRARY.glob("*.yaml"), *LIBRARY.glob("sheets/*.mech")])
-STANDARD = re.compile(r"ISO \d+|(Norton|Jansen|Walsh)[^;]*")
+STANDARD = re.compile(r"ISO \d+|(Norton|Walsh)[^;=]*")
 """What is the same in every language: a standard, a book by its author."""
+
+LETTERS = "|".join(sorted(GREEK, key=len, reverse=True))
+AS_TYPED = re.compile(
+    rf"\b({LETTERS})(?![a-z])|\b(tan|cot|atan)\(|\d\*|\^2| deg\b|(?<=[а-яіїєґ])'(?=[а-яіїєґ])"
+)
+"""What a page does not have: letters and functions as they are typed, a straight apostrophe."""
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
@@ -23,6 +30,14 @@ def test_titles_labels_and_sources_are_translated(file) -> None:
     sheet = any(isinstance(s, ast.SheetHeading) for s in statements)
     said = {text for s in statements for text in printed(s, sheet) if text}
     assert not {text for text in said - translated if not STANDARD.fullmatch(text)}
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_translations_are_written_as_books_print_them(file) -> None:
+    source = text_of(file)
+    statements = read(source, Report(source)).statements
+    said = [t for s in statements if isinstance(s, ast.Translate) for t in (s.uk, s.ru) if t]
+    assert not [text for text in said if AS_TYPED.search(text)]
 
 
 def printed(statement: ast.Statement, sheet: bool) -> list[str]:
