@@ -246,6 +246,18 @@ def test_long_formulas_stay_on_the_page(tmp_path: Path) -> None:
     assert "Overfull" not in log
 
 
+def test_the_checks_of_a_note_follow_it_at_once(tmp_path: Path) -> None:
+    r"""Room kept below the heading of the table is no gap above it."""
+    text = mechc.load("groove_size").emit("latex")
+    heading, how_far = r"\section*{Checks}", r"\typeout{page: \the\pagetotal}"
+    text = text.replace(r"\par\vskip", rf"\par{how_far}\vskip").replace(
+        heading, f"{heading}{how_far}"
+    )
+    log = compile_tex("pdflatex", text, tmp_path)
+    above, below = map(float, re.findall(r"page: ([\d.]+)pt", log))
+    assert 10 < below - above < 50
+
+
 def test_fragment_can_be_included(tmp_path: Path) -> None:
     (tmp_path / "clamp.tex").write_text(report(fragment=True), encoding="utf-8")
     host = (

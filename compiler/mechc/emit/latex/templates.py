@@ -175,7 +175,7 @@ def _note(_known: Mapping[str, Any]) -> str:
         if line.remark:
             _parts += ['\\noindent (', str(line.remark), ')\\par\\smallskip\n']
     if _known["checks"]:
-        _parts += ['\n\\par\\vskip 0pt plus 9\\baselineskip \\penalty-100 \\vskip 0pt plus -9\\baselineskip\n\\vskip 9\\baselineskip \\penalty9999 \\vskip -9\\baselineskip\n\\', str(_known["section"]), '*{', str(_known["words"]['checks']), '}\n\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.36\\linewidth}>{\\raggedright\\arraybackslash}p{0.3\\linewidth}>{\\raggedright\\arraybackslash}p{0.1\\linewidth}>{\\raggedright\\arraybackslash}p{0.16\\linewidth}@{}}\n\\toprule\n', str(_known["words"]['condition']), ' & ', str(_known["words"]['numbers']), ' & ', str(_known["words"]['reserve']), ' & ', str(_known["words"]['verdict']), ' \\\\\n\\midrule\n\\endhead\n']
+        _parts += ['\n\\par\\vskip 0pt plus 9\\baselineskip \\penalty-100 \\vskip 0pt plus -9\\baselineskip\n\\vskip 9\\baselineskip \\penalty9999 \\vskip -9\\baselineskip \\vskip 0pt\n\\', str(_known["section"]), '*{', str(_known["words"]['checks']), '}\n\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.36\\linewidth}>{\\raggedright\\arraybackslash}p{0.3\\linewidth}>{\\raggedright\\arraybackslash}p{0.1\\linewidth}>{\\raggedright\\arraybackslash}p{0.16\\linewidth}@{}}\n\\toprule\n', str(_known["words"]['condition']), ' & ', str(_known["words"]['numbers']), ' & ', str(_known["words"]['reserve']), ' & ', str(_known["words"]['verdict']), ' \\\\\n\\midrule\n\\endhead\n']
         for check in _known["checks"]:
             _parts += [str(check.condition), ' & ', str(check.numbers), ' & ', str(check.reserve), ' & ', str(check.verdict), ' \\\\\n']
         _parts += ['\\bottomrule\n\\end{longtable}\n']
