@@ -94,7 +94,8 @@ def shown(name):
 
 def test_a_force_is_stated_under_one_heading_with_its_direction():
     text = shown("knee")
-    assert text.count("Force at a joint") == 4
+    assert text.count("Force at a joint") == 3
+    assert text.count("Normal force") == 1
     assert text.count("Force in a rod") == 2
     assert "φ_R_E = atan2(R_E_y, R_E_x)" in text
     assert "R_E = √(1 + tan² α) · |W|" in text

@@ -7,8 +7,10 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled
+from mechc.driver import Compilation
 from mechc.report.languages.registry import LANGUAGES, locale
 from mechc.report.text.derivation import render
+from mechc.source import Source
 from mechc.syntax import vocabulary
 
 LEVER = """
@@ -117,6 +119,15 @@ def test_subscripts_of_mechc_are_in_the_language_and_those_of_the_user_stay():
         assert r"r_{C,\text{напр}}" in said[language]
         assert r"L_{\mathrm{guide}}" in said[language]
         assert "hold" not in said[language]
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_so_are_those_of_a_derivation_in_the_terminal(language: str) -> None:
+    compilation = Compilation(Source("knee.mech", KNEE))
+    shown = render(compilation.derivation, compilation.mechanism, language=language)
+    assert "r_C_напр" in shown
+    assert "L_guide" in shown
+    assert not re.search("_hold|C_guide", shown)
 
 
 @pytest.mark.parametrize(

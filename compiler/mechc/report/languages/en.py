@@ -241,9 +241,11 @@ LOCALE = Locale(
     force_ratio="Force transmission coefficient",
     load="Load",
     speed_ratio="Velocity ratio",
-    joint_force="Force at a joint",
-    joint_force_with_friction="Force at a joint, with friction",
-    axial={
+    joint_forces={
+        "joint": "Force at a joint",
+        "joint with friction": "Force at a joint, with friction",
+        "normal": "Normal force",
+        "normal with friction": "Normal force, with friction",
         "rod": "Force in a rod",
         "rod with friction": "Force in a rod, with friction",
         "rope": "Tension of a rope",
@@ -257,7 +259,7 @@ LOCALE = Locale(
     efficiency="Efficiency",
     where="where",
     solve="{names}: the solution of the equations (on the branch of the values given)",
-    proportional="Proportionality:",
+    proportional="{result} is proportional to {factor}.",
     independent="{result} does not depend on {names}.",
     swaps="{result} does not change when {first} and {second} change places.",
     trends={

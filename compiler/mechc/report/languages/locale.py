@@ -84,10 +84,8 @@ class Locale(NamedTuple):
     force_ratio: str
     load: str
     speed_ratio: str
-    joint_force: str
-    joint_force_with_friction: str
-    axial: Mapping[str, str]
-    """The headings of forces in rods and ropes, without friction and with it."""
+    joint_forces: Mapping[str, str]
+    """The headings of forces at joints, in rods and in ropes, without friction and with it."""
 
     with_friction: Mapping[str, str]
     efficiency: str

@@ -9,7 +9,7 @@ from ...model.mechanism import Mechanism, WithFriction
 from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..sentences.remarks import called, reaction
-from ..sentences.speller import couples_of
+from ..sentences.speller import couples_of, own_names
 from .notation import Notation, of_first_order, of_force, spellings
 
 
@@ -26,7 +26,7 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
         angles=frozenset(angles),
         couples=couples_of(mechanism),
         texts=texts,
-        own=_own(mechanism),
+        own=own_names(mechanism),
     )
     known.made.take(_names(mechanism, results))
     known.made.take_points(_points(mechanism))
@@ -38,12 +38,6 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
         if isinstance(r.target, WithFriction) and r.target.order == "first"
     }
     return replace(known, spellings={**known.spellings, **forces, **firsts})
-
-
-def _own(mechanism: Mechanism) -> frozenset[str]:
-    """Return the names that the description gives."""
-    listed = (*mechanism.parameters, *mechanism.literals, *mechanism.loads, *mechanism.lets)
-    return frozenset(each.name for each in listed)
 
 
 def _points(mechanism: Mechanism) -> Iterator[str]:

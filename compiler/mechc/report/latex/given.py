@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import assert_never
 
 from ...formula.names import split_points
-from ...formula.tree import Constant, number
+from ...formula.tree import Constant, Symbol, number, product
 from ...model.entries import unit_of_drawing
 from ...model.mechanism import (
     GRAVITY,
@@ -208,9 +208,7 @@ def _end(point: str, link: str, links: Set[str], locale: Locale) -> str:
 
 
 def _load(load: Load, links: Set[str], locale: Locale, style: Notation) -> str:
-    symbol = name(load.name, style)
-    if load.times != 1:
-        symbol = rf"{latex(number(load.times), style)}\,{symbol}"
+    symbol = latex(product([(number(load.times), 1), (Symbol(load.name), 1)]), style)
     tie = _tie(load, locale, style) if load.tie else ""
     match load:
         case Force(_, point, along, spread=Spread() as spread):

@@ -34,7 +34,7 @@ _COMMON = {
 }
 
 
-_RELATIONS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq ", "~": r"\sim "}
+_RELATIONS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq "}
 
 
 def relation_sign(sign: str) -> str:

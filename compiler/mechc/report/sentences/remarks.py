@@ -16,6 +16,7 @@ from ...model.mechanism import (
     Reaction,
     Require,
     SpeedRatio,
+    Target,
     WithFriction,
 )
 from ...model.parts import rope_id
@@ -77,18 +78,14 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
             return locale.load.format(of_load=LoadWords([load], spell.couples))
         case SpeedRatio():
             return locale.speed_ratio
-        case Reaction() | Normal():
-            return locale.joint_force
-        case Axial(link):
-            return locale.axial[_member(link)]
+        case Reaction() | Normal() | Axial():
+            return locale.joint_forces[_carrier(result.target)]
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             said = locale.with_friction["first" if order == "first" else sense]
             of_drive = LoadWords([drive], spell.couples)
             return said.format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
-        case WithFriction(Axial(link)):
-            return locale.axial[f"{_member(link)} with friction"]
-        case WithFriction():
-            return locale.joint_force_with_friction
+        case WithFriction(force):
+            return locale.joint_forces[f"{_carrier(force)} with friction"]
         case Efficiency():
             return locale.efficiency
         case None:
@@ -110,9 +107,15 @@ def headings(firsts: Iterable[Analysis], locale: Locale, spell: Speller) -> list
     return said
 
 
-def _member(link: str) -> str:
-    """Return what a force along a line is in, by its name among links and ropes."""
-    return "rope" if link.startswith(rope_id(())) else "rod"
+def _carrier(force: Target) -> str:
+    """Return what passes a force on, by its name among links and ropes if it has a line."""
+    match force:
+        case Axial(link):
+            return "rope" if link.startswith(rope_id(())) else "rod"
+        case Normal():
+            return "normal"
+        case _:
+            return "joint"
 
 
 def ratio(result: Analysis) -> Formula | None:
@@ -212,7 +215,8 @@ def _proportions(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     if not powers:
         return []
     simple = product((Symbol(n), e) for n, e in powers.items())
-    return [f"{locale.proportional} {spell.relation((asked(result), simple), ('~',), False)}."]
+    shown, factor = _spelled(asked(result), spell), _spelled(simple, spell)
+    return [locale.proportional.format(result=shown, factor=factor)]
 
 
 def _symbols(names: Iterable[str], locale: Locale, spell: Speller) -> str:

@@ -21,7 +21,7 @@ class Speller(Protocol):
         ...
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
-        """Return sides joined by signs (``<``, ``<=``, ``=``, ``!=``, ``~`` …); one side, none.
+        """Return sides joined by signs (``<``, ``<=``, ``=``, ``!=`` …); one side, none.
 
         ``angle`` says that the sides are angles, so that constants are in degrees.
         """
@@ -53,3 +53,9 @@ class LoadWords:
 def couples_of(mechanism: Mechanism) -> frozenset[str]:
     """Return the names of the loads that are couples."""
     return frozenset(load.name for load in mechanism.loads if isinstance(load, Torque))
+
+
+def own_names(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names that the description gives, which are the same in every language."""
+    listed = (*mechanism.parameters, *mechanism.literals, *mechanism.loads, *mechanism.lets)
+    return frozenset(each.name for each in listed)

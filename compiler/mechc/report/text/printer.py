@@ -34,7 +34,8 @@ _POWER = re.compile(r"\^(\d+)")
 class Signs:
     """The signs of one character set; ``fancy`` when it has Greek letters and raised digits.
 
-    ``functions`` are called otherwise in the language: tg, ctg.
+    ``functions`` are called otherwise in the language: tg, ctg. So are the ``subscripts`` that
+    mechc gives; the user's ``own`` names keep theirs.
     """
 
     fancy: bool
@@ -47,9 +48,11 @@ class Signs:
     angles: frozenset[str] = frozenset()
     couples: frozenset[str] = frozenset()
     functions: Mapping[str, str] = MappingProxyType({})
+    subscripts: Mapping[str, str] = MappingProxyType({})
+    own: frozenset[str] = frozenset()
 
 
-UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠", "~": "∼"})
+UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠"})
 ASCII = Signs(False, " * ", "*", "-", " deg", "pi", {})
 
 
@@ -87,7 +90,8 @@ def print_name(name: str, signs: Signs) -> str:
     if indices and indices[0].isdigit():
         letter += indices[0].translate(_LOWERED)
         indices = indices[1:]
-    return "_".join((letter, *(GREEK.get(i, print_point(i, signs)) for i in indices)))
+    words = GREEK if name in signs.own else {**GREEK, **signs.subscripts}
+    return "_".join((letter, *(words.get(i) or print_point(i, signs) for i in indices)))
 
 
 def print_quantity(quantity: str, signs: Signs) -> str:

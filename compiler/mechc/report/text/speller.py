@@ -16,7 +16,7 @@ from ...units import ANGLE, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..put_in import Quantity, in_degrees
-from ..sentences.speller import couples_of
+from ..sentences.speller import couples_of, own_names
 from .printer import ASCII, UNICODE, Signs, print_point, print_quantity, print_side
 
 SHOWN = 6
@@ -155,5 +155,7 @@ def speller(
         angles=frozenset(angles),
         couples=couples_of(mechanism),
         functions=functions if language != "en" else {},
+        subscripts=words.subscripts,
+        own=own_names(mechanism),
     )
     return Speller(signs, words, width, mechanism.translations.get(language, {}))
