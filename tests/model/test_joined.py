@@ -19,7 +19,7 @@ from paths import ROOT
 TOGGLE = """
 mechanism toggle "Toggle"
 param l = 100 mm as "length of both links"
-param alpha = 10 deg in 2 deg .. 40 deg
+param alpha = 10 deg in -20 deg .. 40 deg
 param f = 0.1
 pivot C at (0 mm, 0 mm)
 slider K along y through C
@@ -108,6 +108,7 @@ friction pin K1 T_f diameter 12 mm
 friction slider K1 0.15
 let T_h = 2*T_l
 require T_l < 1 m
+require -20 deg <= T_alpha <= 40 deg
 find k = M/T_F
 find R_C1
 """
@@ -206,6 +207,38 @@ def test_coordinates_that_a_part_asks_for_stay_behind(tmp_path: Path) -> None:
     toggle = f"{TOGGLE}let up = y_B\nlet twice = 2*up\n"
     mechanism = Compilation(files.read(written(tmp_path, JOINED, toggle=toggle))).mechanism
     assert [let.name for let in mechanism.lets] == ["T_h"]
+
+
+@pytest.mark.parametrize(
+    ("alpha", "direction"),
+    [
+        ("1 deg in -10 deg .. 1 deg", "-90 deg + alpha"),
+        ("270 deg in 269 deg .. 280 deg", "180 deg - alpha"),
+        ("180 deg in 170 deg .. 2*90.5 deg", "90 deg + alpha"),
+    ],
+)
+def test_the_range_of_what_a_loop_gives_is_a_condition(
+    tmp_path: Path, alpha: str, direction: str
+) -> None:
+    """However the part counts its angle, what leaves the range is NaN; a whole turn leaves none."""
+    toggle = ideal(TOGGLE).replace("-90 deg + alpha", direction).replace("drive alpha", "# ")
+    path = written(tmp_path, ideal(JOINED).replace("= B\n", "= B without alpha\n"))
+    phi = np.radians(np.linspace(60, 100, 41))
+    bounded, free = (
+        of_alpha(path, toggle, f"param alpha = {text}") for text in (alpha, f"{alpha} + 350 deg")
+    )
+    found, unbounded = (m.evaluate(phi=phi)["k"] for m in (bounded, free))
+    link = np.degrees(free.points(phi=phi)[0]["phi_C1B"]) % 360
+    within = (link >= 260) & (link <= 271)
+    assert 3 < np.count_nonzero(within) < 38
+    np.testing.assert_allclose(found, np.where(within, unbounded, np.nan), rtol=1e-12)
+
+
+def of_alpha(path: Path, toggle: str, alpha: str) -> mechc.SolvedMechanism:
+    """Return a whole whose part declares its angle so."""
+    lines = (alpha if s.startswith("param alpha") else s for s in toggle.splitlines())
+    path.with_name("toggle.mech").write_text("\n".join(lines), "utf-8")
+    return mechc.load(path)
 
 
 def test_a_frame_is_turned(tmp_path: Path) -> None:

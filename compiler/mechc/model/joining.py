@@ -5,7 +5,8 @@ Its points, links, joints, loads and parameters come in under names of their own
 one mechanism. What stays behind: what it finds and expects, formulas and conditions that rest
 on that, forces at the joined points, which stand for the neighbour, and what ``without`` names.
 One drive moves the whole: that of the file, or else of the first part that has one. The
-parameter of a drive that stays behind has no value any more; a loop gives it one.
+parameter of a drive that stays behind has no value any more; a loop gives it one, and its
+range is a condition of use (:mod:`.kept_ranges`).
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -24,6 +25,7 @@ from .force_pairs import spring_name
 from .forms import COORDINATES, form_of, form_of_pose
 from .framed import Frame, between, literal, same
 from .joint_points import Joining, Part, Whole, is_a_part, joints, move_alike
+from .kept_ranges import kept_range
 from .part_names import declared_points, numbered, of_a_part, renamed, symbols_in
 
 BEHIND = (ast.Version, ast.Heading, ast.SourceNote, ast.Find, ast.Expect, ast.Motion, ast.Gravity)
@@ -165,7 +167,7 @@ def _statements(
     for statement in _coming(joining, behind, at_joints, points):
         there = frame.statement(renamed(with_origin(statement, used.mechanism.name), names))
         if isinstance(statement, ast.Param) and isinstance(there, ast.Param):
-            yield _parameter(statement.name.text, there, joining, given)
+            yield from _parameter(statement.name.text, there, joining, given)
         else:
             yield from at_joints.left(statement, there, report)
     for name in filter(used.loads.__contains__, given):
@@ -174,19 +176,21 @@ def _statements(
 
 def _parameter(
     name: str, there: ast.Param, joining: Joining, given: Mapping[str, ast.Expr]
-) -> ast.Statement:
-    """Return the statement of a part's parameter in the whole.
+) -> Iterator[ast.Statement]:
+    """Yield the statements of a part's parameter in the whole.
 
-    One that a loop gives has no value, one that is given a number has that.
+    One that a loop gives has no value and keeps to its range, one that is given a number has that.
     """
     known, value = joining.used.parameters[name], given.get(name)
     word = next((w for w, kind in DIMENSIONS.items() if kind == known.dimension), None)
     measures = ast.Name(word, there.span) if word else None
     if value and word and literal(value):
-        return replace(there, value=value, tolerance=None, dimension=measures)
-    if name not in joining.freed:
-        return parameter(there, known, value, joining.use)
-    return replace(there, value=None, low=None, high=None, tolerance=None, dimension=measures)
+        yield replace(there, value=value, tolerance=None, dimension=measures)
+    elif name not in joining.freed:
+        yield parameter(there, known, value, joining.use)
+    else:
+        yield replace(there, value=None, low=None, high=None, tolerance=None, dimension=measures)
+        yield from kept_range(there, known)
 
 
 def _coming(
