@@ -14,6 +14,7 @@ from mechc.cli.checked import report
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
 from mechc.emit.json.to_json import schema_text
+from mechc.report.note import NoteLine, note
 from run_targets import COMPILER, assert_close, built, by_c_singly, by_interpreter
 
 CLAMP = """
@@ -354,3 +355,19 @@ def test_what_is_taken_as_it_is_stands_behind_its_text(tmp_path: Path) -> None:
     assert r"| $F$ | load | $2\,\text{kN}$ | $0\ \ldots\ {9\,\text{kN}}$ |" in shown
     assert r"force on the pin (pin\_joint): $\mathrm{pin}_F=F=2\,\text{kN}$" in shown
     assert "\\par" not in shown
+
+
+def test_what_a_result_rests_on_has_its_value(tmp_path: Path) -> None:
+    """By hand: rho = f*d/2, b_OBA = OA = 250 mm; every name on the way has a value."""
+    lines = noted(tmp_path, 'use "clamp.mech" as C\n')
+    on_the_way = {line.name: line.value for line in lines if line.is_taken and not line.result}
+    assert all(on_the_way.values())
+    assert on_the_way["C_rho"] == (pytest.approx(0.1 * 0.01, rel=1e-12), "mm")
+
+
+def noted(folder: Path, text: str) -> tuple[NoteLine, ...]:
+    """Return the note of a sheet that uses the clamp."""
+    (folder / "clamp.mech").write_text(CLAMP, "utf-8")
+    (folder / "sheet.mech").write_text(f"sheet s\n{text}", "utf-8")
+    compilation = mechc.load(folder / "sheet.mech")._compilation
+    return note(compilation.mechanism, compilation.results).lines

@@ -9,6 +9,7 @@ import mechc
 from mechc.cli import main
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
+from mechc.report.note import note
 
 PIN = """
 sheet pin "Pin in shear"
@@ -197,3 +198,36 @@ def test_a_mechanism_uses_a_sheet(tmp_path: Path) -> None:
     wide = LEVER.replace("Q = 3 kN", "Q = 22 kN")
     message = refused(joint(tmp_path, user=wide))[0]
     assert "joint.mech:4:34: error[E560]: pin_F = 11000 N, expected at most 10000 N" in message
+
+
+STEEL = """
+sheet steel
+param n = 1.5
+param t = 8 mm
+list sizes = 5 mm, 8 mm
+let E = 210 GPa
+let G = E/2.6
+let tau_a = 205 MPa/n
+let W = next t in sizes
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "aside"),
+    [
+        ("\nlet a = Q/S_tau_a", {"S_t", "S_E", "S_G", "S_W", "S_sizes"}),
+        ("\nlet a = 2*Q\nrequire S_G > 1 MPa", {"S_n", "S_t", "S_tau_a", "S_W", "S_sizes"}),
+        ("(t = h)\nlet a = Q*S_n", {"S_E", "S_G", "S_tau_a"}),
+        ("", set()),
+    ],
+)
+def test_a_note_leaves_out_what_a_calculation_does_not_use(
+    tmp_path: Path, text: str, aside: set[str]
+) -> None:
+    """What rests on the sheet's own stays, and what that rests on; the note names the others."""
+    user = f'sheet joint\nparam Q = 3 kN\nparam h = 5 mm\nuse "steel.mech" as S {text}\n'
+    sheet = mechc.load(written(tmp_path, {"joint.mech": user, "steel.mech": STEEL}))._compilation
+    found = note(sheet.mechanism, sheet.results)
+    brought = {"S_n", "S_t", "S_E", "S_G", "S_tau_a", "S_W", "S_sizes"}
+    shown = {q.name for part in (found.given, found.lines, found.tables) for q in part}
+    assert (set(found.unused), shown & brought) == (aside, brought - aside)

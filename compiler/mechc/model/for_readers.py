@@ -30,7 +30,15 @@ def for_readers(
     lines |= {let.name.text: let for let in every(file, ast.Let)}
     parameters = tuple(_parameter(p, lines.get(p.name), text) for p in mechanism.parameters)
     starts = [start for start, _ in source.parts()]
-    units = _Units(parameters, lines.values(), lambda span: bisect_right(starts, span.start) - 1)
+    named: dict[str, Line | ast.Table | ast.Sizes] = {**lines}
+    named |= {t.name.text: t for t in every(file, ast.Table)}
+    named |= {t.name.text: t for t in every(file, ast.Sizes)}
+
+    def text_of(span: Span) -> int:
+        return bisect_right(starts, span.start) - 1
+
+    units = _Units(parameters, lines.values(), text_of)
+    brought = {n for n, s in named.items() if isinstance(s, ast.Given) or text_of(s.span)}
     taken = tuple(_taken(file, mechanism.lets, units))
     lets = [_let(let, lines[let.name], units, text) for let in mechanism.lets]
     return replace(
@@ -40,6 +48,7 @@ def for_readers(
         taken=taken,
         requires=tuple(_with_sides(mechanism.requires, units, file)),
         tables=written.tables(file.statements),
+        brought=frozenset(brought),
     )
 
 

@@ -307,7 +307,8 @@ class Mechanism:
     not use: formulas have a :class:`~..formula.tree.Constant` for each. ``held`` are the drives
     that stay at their values while ``drive`` moves. ``reported`` is what a report holds, all where
     nothing says so. A calculation sheet may have results ``taken`` from mechanisms that it uses;
-    ``subassemblies`` are mechanisms that are parts of it.
+    ``subassemblies`` are mechanisms that are parts of it. Quantities and tables that used
+    descriptions have are ``brought`` in.
     """
 
     name: str
@@ -341,6 +342,7 @@ class Mechanism:
     """By language, what texts of the description are in it."""
     taken: tuple[Taken, ...] = ()
     subassemblies: tuple[Subassembly, ...] = ()
+    brought: frozenset[str] = frozenset()
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
 

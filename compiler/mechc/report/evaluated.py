@@ -3,10 +3,9 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping
 
-from ..formula.layout import is_angle
 from ..formula.operations import count_operations
-from ..formula.tree import Call, Formula, Implicit, Symbol
-from ..formula.walk import constants, evaluate, substitute, symbols, walk
+from ..formula.tree import Call, Formula, Symbol
+from ..formula.walk import evaluate, symbols, walk
 from ..model.mechanism import GRAVITY, Mechanism, Parameter, Torque
 from ..model.result import Definition
 from ..model.values import Chain, defaults, dependent, usual_length
@@ -14,7 +13,8 @@ from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import ANGLE, NUMBER, UNITS, si_unit, size_of
 from .definitions import FREE_FALL, given_loads, usual_weights
-from .homogeneous import dimension_of, is_homogeneous
+from .found_dimensions import found_dimension, is_solved, names_in, with_symbols
+from .homogeneous import is_homogeneous
 from .note import NoteLine
 from .put_in import Quantity, put_in, usual_unit, without_rounding
 from .sections import Outline, Section
@@ -61,8 +61,8 @@ def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
     results = (r for section in whole.results for r in section.results)
     results = (r for r in results if r.target is not None)
     formulas = [*(d.formula for d in _definitions(whole)), *(r.formula for r in results)]
-    known = (f for f in formulas if _names(f) <= given.keys() and not _is_solved(f))
-    return any(_has_units(formula, {n: given[n] for n in _names(formula)}) for formula in known)
+    known = (f for f in formulas if names_in(f) <= given.keys() and not is_solved(f))
+    return any(_has_units(formula, {n: given[n] for n in names_in(formula)}) for formula in known)
 
 
 def constants_shown(whole: Outline, mechanism: Mechanism) -> frozenset[Formula]:
@@ -181,44 +181,25 @@ def _found_unit(
     units: Mapping[str, str],
 ) -> str | None:
     """Return the unit of what a loop or an account of friction gives; None if it is not known."""
-    if definition.name.startswith("len_"):
-        return usual
-    if is_angle(definition.formula, set(angles)):
-        return "deg"
-    names = _names(definition.formula)
-    if _is_solved(definition.formula) or not names <= units.keys() & values.keys():
-        return None
-    found = dimension_of(
-        _as_symbols(definition.formula),
-        {name: values[name] for name in names},
-        {name: UNITS[units[name]].dimension if units[name] else NUMBER for name in names},
-    )
+    plain = {"": NUMBER} | {unit: UNITS[unit].dimension for unit in units.values() if unit in UNITS}
+    dimensions = {name: plain[unit] for name, unit in units.items() if unit in plain}
+    found = found_dimension(definition, angles, values, dimensions)
     return None if found is None else usual_unit(found, usual)
 
 
 def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> Formula | None:
     """Return a formula with its numbers put in, if it is short and all of them are known."""
-    names = _names(formula)
+    names = names_in(formula)
     if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
         return None
-    if _is_solved(formula) or isinstance(formula, Symbol):  # which would be its value twice
+    if is_solved(formula) or isinstance(formula, Symbol):  # which would be its value twice
         return None
     if _has_units(formula, {name: given[name] for name in names}):
         return None
     units = {given[n].unit for n in names} - {"", "deg"}
     if bare and len(units) == 1:
-        return put_in(_as_symbols(formula), {n: _bare(q) for n, q in given.items()})
-    return put_in(_as_symbols(formula), given)
-
-
-def _is_solved(formula: Formula) -> bool:
-    """Return whether the solution of a system is in a formula."""
-    return any(isinstance(part, Implicit) for part in walk(formula))
-
-
-def _names(formula: Formula) -> frozenset[str]:
-    """Return all names of a formula, those of numbers too."""
-    return symbols(formula) | {c.name for c in constants([formula])}
+        return put_in(with_symbols(formula), {n: _bare(q) for n, q in given.items()})
+    return put_in(with_symbols(formula), given)
 
 
 def _has_units(formula: Formula, given: Mapping[str, Quantity]) -> bool:
@@ -227,7 +208,7 @@ def _has_units(formula: Formula, given: Mapping[str, Quantity]) -> bool:
     dimensions = {name: unit.dimension if unit else NUMBER for name, unit in units.items()}
     known = all(units[name] for name, q in given.items() if q.unit)
     values = {name: q.value for name, q in given.items()}
-    return known and not is_homogeneous(_as_symbols(formula), values, dimensions)
+    return known and not is_homogeneous(with_symbols(formula), values, dimensions)
 
 
 def _bare(quantity: Quantity) -> Quantity:
@@ -235,8 +216,3 @@ def _bare(quantity: Quantity) -> Quantity:
     if quantity.unit == "deg":
         return quantity
     return Quantity(quantity.value / size_of(quantity.unit), "")
-
-
-def _as_symbols(formula: Formula) -> Formula:
-    """Return a formula in which named numbers are symbols, to be put in like all others."""
-    return substitute(formula, {c.name: Symbol(c.name) for c in constants([formula])})

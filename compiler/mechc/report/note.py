@@ -15,12 +15,15 @@ from ..frozen import replace
 from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
 from ..model.values import Chain, defaults, dependent, usual_length
+from ..model.written import WrittenTable
 from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .between import Tables, line_between, tables_of
+from .on_the_way import Found, on_the_way
 from .put_in import Quantity, put_in, usual_unit
+from .unused import unused
 
 COMPUTED = 12
 """Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""
@@ -82,10 +85,13 @@ class NoteCheck(NamedTuple):
 
 
 class Note(NamedTuple):
-    """A calculation sheet as people read it."""
+    """A calculation sheet as people read it, without what is ``unused`` of others."""
 
+    given: tuple[Parameter, ...]
+    tables: tuple[WrittenTable, ...]
     lines: tuple[NoteLine, ...]
     checks: tuple[NoteCheck, ...]
+    unused: tuple[str, ...]
 
 
 def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
@@ -96,10 +102,17 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     values = Chain(dependent(mechanism)).complete(defaults(mechanism))
     values |= {r.name: r.default for r in results if r.default is not None}
     given = {name: Quantity(value, units[name]) for name, value in values.items()}
-    lines = tuple(_lines(mechanism, results, given))
+    aside = unused(mechanism, results)
+    lines = (line for line in _lines(mechanism, results, given) if line.name not in aside)
     lets = {let.name: let.value for let in mechanism.lets}
     checks = [_check(r, given, lets) for r in mechanism.requires if not r.subject]
-    return Note(lines, tuple(_with_the_least(checks)))
+    return Note(
+        tuple(p for p in mechanism.parameters if p.name not in aside),
+        tuple(t for t in mechanism.tables if t.name not in aside),
+        tuple(lines),
+        tuple(_with_the_least(checks)),
+        aside,
+    )
 
 
 def own_lines(mechanism: Mechanism, results: Sequence[Result]) -> Mapping[str, NoteLine]:
@@ -143,7 +156,8 @@ def _lines(
         result = named[known.name]
         is_bare = _is_iterated(result) or isinstance(result.formula, Number)  # a number in SI
         formula = None if is_bare else result.formula
-        yield from _mentioned(result, literals, shown) if formula else ()
+        values = _on_the_way(result, mechanism, given) if formula else {}
+        yield from _mentioned(result, literals, values, shown) if formula else ()
         said = known.label if result.target or result.label else ""
         line = _plain(known.name, said, formula, given.get(known.name), known.dimension)
         yield line._replace(result=result)
@@ -155,18 +169,35 @@ def _is_iterated(result: Result) -> bool:
 
 
 def _mentioned(
-    result: Result, literals: Mapping[str, Parameter], shown: set[str]
+    result: Result,
+    literals: Mapping[str, Parameter],
+    found: Mapping[str, Found],
+    shown: set[str],
 ) -> Iterator[NoteLine]:
     """Yield the numbers and the definitions that a formula mentions, each once in a note."""
     lines = [_number(literals[c.name]) for c in constants(_formulas(result))]
     lines += [
-        _number(literals[name]) if name in literals else _plain(name, "", formula, None, NUMBER)
+        _number(literals[name])
+        if name in literals
+        else _plain(name, "", formula, *found.get(name, (None, NUMBER)))
         for name, formula in result.where
     ]
     for line in lines:
         if line.name not in shown:
             shown.add(line.name)
             yield line
+
+
+def _on_the_way(
+    result: Analysis, mechanism: Mechanism, given: Mapping[str, Quantity]
+) -> Mapping[str, Found]:
+    """Return the values of what a result rests on."""
+    numbers = {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
+    values = {name: quantity.value for name, quantity in given.items()} | numbers
+    dimensions = {p.name: p.dimension for p in (*mechanism.parameters, *mechanism.literals)}
+    dimensions |= {let.name: let.dimension for let in mechanism.lets}
+    dimensions |= {taken.name: taken.dimension for taken in mechanism.taken}
+    return on_the_way(result, values, dimensions, usual_length(mechanism))
 
 
 def _number(known: Parameter) -> NoteLine:

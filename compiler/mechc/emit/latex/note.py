@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from ...frozen import replace
-from ...model.mechanism import Mechanism
+from ...model.written import WrittenTable
 from ...named import NamedTuple
 from ...report.languages.locale import Locale
 from ...report.latex.directions import math
@@ -65,6 +65,7 @@ class NoteReport(NamedTuple):
     tables: tuple[TableBlock, ...]
     lines: tuple[LineBlock, ...]
     checks: tuple[CheckRow, ...]
+    unused: str
 
 
 def note_report(
@@ -85,11 +86,18 @@ def note_report(
         section="subsection" if fragment else "section",
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),
-        parameters=tuple(parameter_row(p, locale, style) for p in mechanism.parameters),
-        tables=tuple(table_blocks(mechanism, style)),
+        parameters=tuple(parameter_row(p, locale, style) for p in found.given),
+        tables=tuple(table_blocks(found.tables, style)),
         lines=tuple(_lines(found.lines, locale, style, is_derived)),
         checks=tuple(_check(check, words, style) for check in found.checks),
+        unused=_unused(found.unused, words, style),
     )
+
+
+def _unused(names: Iterable[str], words: Mapping[str, str], style: Notation) -> str:
+    """Return the sentence about what is not used of other sheets, '' where there is none."""
+    said = ", ".join(math(name(n, style)) for n in names)
+    return words["unused"].format(names=said) if said else ""
 
 
 def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
@@ -103,9 +111,9 @@ def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
     return replace(style, spellings=spellings(names, style))
 
 
-def table_blocks(mechanism: Mechanism, style: Notation) -> Iterator[TableBlock]:
-    """Yield the tables and lists of sizes, in parts that a line holds."""
-    for table in mechanism.tables:
+def table_blocks(tables: Iterable[WrittenTable], style: Notation) -> Iterator[TableBlock]:
+    """Yield tables and lists of sizes, in parts that a line holds."""
+    for table in tables:
         name, source = escape(table.name), translated(table.source, style)
         for part in _parts([tuple(box(c, style) for c in cells) for cells in table.rows]):
             rows = tuple(

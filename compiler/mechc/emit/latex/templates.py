@@ -174,6 +174,8 @@ def _note(_known: Mapping[str, Any]) -> str:
             _parts += [str(line.display), '\n']
         if line.remark:
             _parts += ['\\noindent (', str(line.remark), ')\\par\\smallskip\n']
+    if _known["unused"]:
+        _parts += ['\\medskip\\noindent ', str(_known["unused"]), '\\par\n']
     if _known["checks"]:
         _parts += ['\n\\par\\vskip 0pt plus 9\\baselineskip \\penalty-100 \\vskip 0pt plus -9\\baselineskip\n\\vskip 9\\baselineskip \\penalty9999 \\vskip -9\\baselineskip \\vskip 0pt\n\\', str(_known["section"]), '*{', str(_known["words"]['checks']), '}\n\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.36\\linewidth}>{\\raggedright\\arraybackslash}p{0.3\\linewidth}>{\\raggedright\\arraybackslash}p{0.1\\linewidth}>{\\raggedright\\arraybackslash}p{0.16\\linewidth}@{}}\n\\toprule\n', str(_known["words"]['condition']), ' & ', str(_known["words"]['numbers']), ' & ', str(_known["words"]['reserve']), ' & ', str(_known["words"]['verdict']), ' \\\\\n\\midrule\n\\endhead\n']
         for check in _known["checks"]:
@@ -232,6 +234,8 @@ def _notebook_note(_known: Mapping[str, Any]) -> str:
         _parts += ['\n']
         if line.remark:
             _parts += ['(', str(line.remark), ')\n\n']
+    if _known["unused"]:
+        _parts += [str(_known["unused"]), '\n\n']
     for check in _known["checks"]:
         _parts += ['- ', str(check.condition), ': ', str(check.numbers), ' (', str(check.verdict), ')\n']
     return "".join(_parts)

@@ -157,7 +157,7 @@ def report(
         source=translated(mechanism.source, style),
         parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
         words=locale.calculation,
-        tables=tuple(table_blocks(mechanism, style)),
+        tables=tuple(table_blocks(mechanism.tables, style)),
         scheme=scheme(mechanism, locale, style),
         vectors=tuple(vector_rows(mechanism, locale, style)),
         position=tuple(_position(whole.position, locale, style)),

@@ -335,6 +335,7 @@ LOCALE = Locale(
         "list": "the next size of the list {name}",
         "between": "in proportion between two rows: {source}",
         "unknown": "not known",
+        "unused": "Not used here: {names}.",
         "least of all": "the least",
         "decides": "{formula} decides",
         "otherwise": "otherwise",

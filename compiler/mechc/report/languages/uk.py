@@ -346,6 +346,7 @@ LOCALE = Locale(
         "list": "найближчий не менший розмір ряду {name}",
         "between": "лінійна інтерполяція між двома рядками: {source}",
         "unknown": "невідомо",
+        "unused": "Тут не використано: {names}.",
         "least of all": "найменший",
         "decides": "визначальним є {formula}",
         "otherwise": "в інших випадках",

@@ -40,7 +40,7 @@ def render(
     if is_sheet(mechanism):
         return note.render(mechanism, derivation.results, spell)
     whole = outline(derivation, mechanism)
-    tables = note.tables(mechanism, spell)
+    tables = note.tables(mechanism.tables, spell)
     lines = [
         *_title(mechanism, spell),
         *_given(mechanism, spell),

@@ -38,9 +38,10 @@ def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> s
     title = mechanism.title or mechanism.name, mechanism.source
     parts = [
         [spell.text(part) for part in title if part],
-        given(mechanism.parameters, spell),
-        tables(mechanism, spell),
+        given(found.given, spell),
+        tables(found.tables, spell),
         _headed(words["lines"], [_line(one, signs, spell, True) for one in found.lines], spell),
+        spell.wrapped(_unused(found.unused, signs, words), "  "),
         _headed(words["checks"], [_check(check, signs, words) for check in found.checks], spell),
     ]
     return "\n".join("".join(f"{line}\n" for line in part) for part in parts if part)
@@ -53,6 +54,7 @@ def in_brief(mechanism: Mechanism, results: Sequence[Result], spell: Speller) ->
     said = (_without_the_way(line) for line in found.lines if line.result or not line.is_taken)
     lines = [_line(line, signs, spell, in_numbers=False) for line in said]
     yield from _aligned(_translated(lines, spell))
+    yield from spell.wrapped(_unused(found.unused, signs, words), "  ")
     yield from _aligned(_translated([_check(check, signs, words) for check in found.checks], spell))
 
 
@@ -106,10 +108,6 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
     return Row(f"{print_name(parameter.name, signs)} = {said}", parameter.label)
 
 
-def _tables(mechanism: Mechanism, signs: Signs) -> list[Row]:
-    return [_table(table, signs) for table in mechanism.tables]
-
-
 def _table(table: WrittenTable, signs: Signs) -> Row:
     rows = (": ".join(_set(cell, signs) for cell in row) for row in table.rows)
     return Row(f"{table.name} = {', '.join(rows)}", table.source)
@@ -138,9 +136,16 @@ def in_language(line: NoteLine) -> str:
     return f"{said}  # {line.label}" if line.label else said
 
 
-def tables(mechanism: Mechanism, spell: Speller) -> list[str]:
+def tables(shown: Iterable[WrittenTable], spell: Speller) -> list[str]:
     """Return tables and lists of sizes, under their heading."""
-    return _headed(spell.locale.calculation["tables"], _tables(mechanism, spell.signs), spell)
+    rows = [_table(table, spell.signs) for table in shown]
+    return _headed(spell.locale.calculation["tables"], rows, spell)
+
+
+def _unused(names: Sequence[str], signs: Signs, words: Words) -> str:
+    """Return the sentence about what is not used of other sheets, '' where there is none."""
+    said = ", ".join(print_name(name, signs) for name in names)
+    return words["unused"].format(names=said) if names else ""
 
 
 def _line(line: NoteLine, signs: Signs, spell: Speller, in_numbers: bool) -> Row:

@@ -1,0 +1,56 @@
+"""What a calculation leaves aside of the sheets that it uses: other properties of a material."""
+
+from collections.abc import Iterable, Mapping, Sequence, Set
+
+from ..formula.walk import symbols
+from ..model.mechanism import Mechanism
+from ..model.result import Result
+
+Names = Set[str]
+
+
+def unused(mechanism: Mechanism, results: Sequence[Result]) -> tuple[str, ...]:
+    """Return the quantities and tables of used sheets that have no part in a calculation.
+
+    Nothing of the sheet's own rests on them, no condition and no result of a mechanism, and they
+    rest on nothing of its own. A sheet that calculates nothing itself shows all that it uses.
+    """
+    lets = [let.name for let in mechanism.lets]
+    if not set(lets) - mechanism.brought:
+        return ()
+    rests = _rests_on(mechanism, results)
+    quantities = [*(p.name for p in mechanism.parameters), *lets]
+    own = {*quantities, *(taken.name for taken in mechanism.taken)} - mechanism.brought
+    conditions = (r for r in mechanism.requires if not r.subject)
+    checked = {name for r in conditions for side in (r.left, r.right) for name in symbols(side)}
+    shown = _below(_above(own, rests) | checked, rests)
+    names = (*quantities, *(table.name for table in mechanism.tables))
+    return tuple(name for name in names if name in mechanism.brought - shown)
+
+
+def _rests_on(mechanism: Mechanism, results: Iterable[Result]) -> Mapping[str, Names]:
+    """Return what each quantity rests on: other quantities, and a table that it is looked up in."""
+    rests = {p.name: symbols(p.value) for p in mechanism.parameters if p.value}
+    for let in mechanism.lets:
+        table = {let.written.of} if let.written else frozenset()
+        rests[let.name] = symbols(let.value) | table
+    for result in results:
+        parts = (result.formula, *(d.formula for d in result.where))
+        rests.setdefault(result.name, frozenset().union(*map(symbols, parts)))
+    return rests
+
+
+def _above(names: Names, rests: Mapping[str, Names]) -> Names:
+    """Return names, with all that rest on one of them."""
+    found = set(names)
+    while more := {name for name in rests.keys() - found if rests[name] & found}:
+        found |= more
+    return found
+
+
+def _below(names: Names, rests: Mapping[str, Names]) -> Names:
+    """Return names, with all that they rest on."""
+    found = set(names)
+    while more := {n for name in found & rests.keys() for n in rests[name]} - found:
+        found |= more
+    return found
