@@ -207,7 +207,7 @@ require v <= 1.01 m/s  # what the sheet is for
 
 def test_the_note_has_the_numbers_with_their_units(capsys: pytest.CaptureFixture[str]) -> None:
     pin = sheet(PIN)
-    spell = speller(pin.results, pin.mechanism, unicode=False)
+    spell = speller(pin.results, pin.mechanism, unicode=False, width=120)
     lines = render(pin.mechanism, pin.results, spell).splitlines()
     assert lines[:3] == ["Pin in shear", "", "Given"]
     for line in [
@@ -223,6 +223,23 @@ def test_the_note_has_the_numbers_with_their_units(capsys: pytest.CaptureFixture
         "  v <= 1.01 m/s: 1 m/s <= 1.01 m/s    ",
     ]:
         assert any(found.startswith(line.replace("6.51470", "6.5147")) for found in lines), line
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+@pytest.mark.parametrize("width", [60, 80])
+def test_the_note_keeps_to_the_width_of_the_terminal(language: str, width: int) -> None:
+    pin = sheet(PIN)
+    spell = speller(pin.results, pin.mechanism, True, language, width)
+    shown = render(pin.mechanism, pin.results, spell)
+    assert max(map(len, shown.splitlines())) <= width
+    assert not re.search(r"\d\n\s*(mm|MPa|мм|МПа)\b", shown)
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_the_note_has_no_words_of_the_notation_in_another_language(language: str) -> None:
+    pin = sheet(PIN)
+    shown = render(pin.mechanism, pin.results, speller(pin.results, pin.mechanism, True, language))
+    assert not re.search(r"\b(when|else|next|at|in)\b", shown.removeprefix("Pin in shear"))
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import re
 import shutil
 import stat
 import subprocess
@@ -427,11 +428,20 @@ def test_list(run: Mechc) -> None:
     heading, *rows = run("list").out.splitlines()
     assert heading.split() == ["NAME", "TITLE"]
     assert len(rows) > 20
-    assert max(map(len, rows)) <= 80
+    assert not [row for row in rows if "…" in row]
     assert run("list", "--long").out.split()[:4] == ["NAME", "TITLE", "SOURCE", "RESULT"]
     records = [json.loads(line) for line in run("list", "--json").out.splitlines()]
     assert [r["name"] for r in records] == [row.split()[0] for row in rows]
     assert not [r for r in records if r["k"].startswith("(E")]
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_list_in_a_language(run: Mechc, language: str) -> None:
+    _, *rows = run("list", "--lang", language).out.splitlines()
+    assert [row.split()[0] for row in rows] == sorted(library())
+    assert not [row for row in rows if not re.search("[а-яіїєґ]", row)]
+    records = map(json.loads, run("list", "--json", "--lang", language).out.splitlines())
+    assert [(r["name"], r["title"]) for r in records] == [tuple(r.split(None, 1)) for r in rows]
 
 
 def test_titles_noted_are_those_of_the_library() -> None:

@@ -23,6 +23,7 @@ LINES = [
     "explain E203",
     "fmt a.mech b.mech --to yaml --diff",
     "list --json -l",
+    "list --lang uk",
     "new clamp",
     "new clamp --gripper",
     "new clamp --gripper --toggle",

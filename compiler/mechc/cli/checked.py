@@ -24,8 +24,9 @@ from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
 from ..report.text.note import in_brief, in_language
 from ..report.text.overview import overview
+from ..report.text.printer import WRITTEN
 from ..report.text.speller import Speller, speller
-from ..report.text.verdict import to_text, untried
+from ..report.text.verdict import said, trials, untried
 from ..source import Source
 from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
@@ -85,7 +86,7 @@ def _speller(
 ) -> Speller:
     """Return the speller of sentences; formulas are written as in descriptions."""
     spell = speller(results, compilation.mechanism, False, language, width)
-    return spell._replace(signs=replace(spell.signs, functions={}))
+    return spell._replace(signs=replace(spell.signs, functions={}, choices=WRITTEN))
 
 
 def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
@@ -201,9 +202,12 @@ def _of_finding(finding: Finding, unit: str, source: Source, spell: Speller) -> 
 
 
 def _of_verdict(verdict: Verdict, spell: Speller, verbose: bool) -> Iterator[str]:
+    """Yield the lines on the second opinion; the rows of its table are not broken."""
     words = spell.locale.checked
     if verbose:
-        yield from (f"  {line}" for line in to_text(verdict, words).splitlines())
-        return
-    yield f"  {words['equilibrium'].format(count=len(verdict.trials))}"
-    yield from (f"    {remark}" for remark in untried(verdict.remarks, words))
+        yield from (f"  {spell.decimals(row)}" for row in trials(verdict, words))
+        lines = [f"  {spell.decimals(line)}" for line in said(verdict, words)]
+    else:
+        lines = [f"  {words['equilibrium'].format(count=len(verdict.trials))}"]
+        lines += (f"    {remark}" for remark in untried(verdict.remarks, words))
+    yield from (part for line in lines for part in spell.broken(line, ""))

@@ -1,21 +1,21 @@
 """``mechc list``: the mechanisms of the library."""
 
 import json
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cache, partial
 from pathlib import Path
+from textwrap import wrap
+from typing import Any
 from zlib import crc32
 
 from ..data import data
 from ..diagnostics import MechcError
 from ..files import library, read
 from ..named import NamedTuple
-from ..source import Source
+from ..syntax.vocabulary import LANGUAGES
 from . import compiled, usage
-from .terminal import give, say
-
-TERMINAL = 80
-"""Columns of a terminal, which names and titles share."""
+from .terminal import give, line_width, say
+from .usage import Word
 
 NOTED = "titles.json"
 """The file in the library that ``python -m mechc.cli.make_titles`` makes anew: reading all the
@@ -23,6 +23,9 @@ descriptions for their titles takes longer than any one of them to be compiled."
 
 SOURCE = 34
 """Longest source shown; ``--json`` has all of it."""
+
+TITLE = 20
+"""The narrowest column that titles are broken to."""
 
 
 class Row(NamedTuple):
@@ -37,41 +40,48 @@ class Row(NamedTuple):
 @usage.command("list", repeatable=True)
 @usage.option("-l", "--long", is_flag=True, help="With source and k, wider than a terminal.")
 @usage.option("--json", "as_json", is_flag=True, help="All of it, one object per line, uncut.")
-def command(long: bool, as_json: bool) -> None:
+@usage.option(
+    "--lang", "language", kind=Word(LANGUAGES), default="en", show_default=True,
+    help="The language of titles and sources.",
+)  # fmt: skip
+def command(long: bool, as_json: bool, language: str) -> None:
     """List the mechanisms and sheets of the library by name and title.
 
     \b
     mechc list
+    mechc list --lang uk
     mechc list --long | grep tan
     mechc list --json | jq -r .name
     """
     found = _row if long or as_json else _titled
-    rows = [found(name, path) for name, path in library().items()]
+    rows = [_listed(partial(found, language=language), *each) for each in library().items()]
     if as_json:
         give("".join(f"{_json(row)}\n" for row in rows))
         return
-    for line in table(rows, 4 if long else 2):
+    for line in table(rows, 4) if long else titles(rows, line_width()):
         say(line)
 
 
-def _titled(name: str, path: Path) -> Row:
+def _listed(found: Callable[[str, Path], Row], name: str, path: Path) -> Row:
+    """Return a row; of a description that is wrong, the code that says why."""
+    try:
+        return found(name, path)
+    except MechcError as error:
+        return Row(name, "", "", f"({error.diagnostics[0].code})")
+
+
+def _titled(name: str, path: Path, language: str) -> Row:
     """Return a row with the title alone, the one that was noted if the text is still the same."""
     source = read(path)
-    made_from, title = _noted().get(name, (0, ""))
-    return Row(name, title, "", "") if made_from == checksum(source.text) else titled(name, source)
-
-
-def titled(name: str, source: Source) -> Row:
-    """Return a row with the title that stands in a text."""
-    try:
-        return Row(name, compiled.title(source), "", "")
-    except MechcError as error:
-        return _failed(name, error)
+    made_from, *noted = _noted().get(name, (0,))
+    is_same = made_from == checksum(source.text)
+    in_each = noted if is_same else compiled.titles(source)
+    return Row(name, in_each[LANGUAGES.index(language)], "", "")
 
 
 @cache
-def _noted() -> dict[str, tuple[int, str]]:
-    """Return the titles of the library by name, each with the checksum of its text."""
+def _noted() -> dict[str, Sequence[Any]]:
+    """Return the titles of the library by name, each line beginning with its text's checksum."""
     file = data("library") / NOTED
     return json.loads(file.read_text("utf-8")) if file.is_file() else {}
 
@@ -84,37 +94,29 @@ def checksum(text: str) -> int:
 def noted() -> str:
     """Return the titles of the library as the text of their file, a line for each."""
     sources = {name: read(path) for name, path in library().items()}
-    lines = {n: [checksum(s.text), titled(n, s).title] for n, s in sources.items()}
+    lines = {n: [checksum(s.text), *compiled.titles(s)] for n, s in sources.items()}
     shown = (
         f"{json.dumps(n)}: {json.dumps(line, ensure_ascii=False)}" for n, line in lines.items()
     )
     return "{\n" + ",\n".join(shown) + "\n}\n"
 
 
-def _row(name: str, path: Path) -> Row:
-    try:
-        return Row(name, *compiled.title_source_and_result(read(path)))
-    except MechcError as error:
-        return _failed(name, error)
-
-
-def _failed(name: str, error: MechcError) -> Row:
-    return Row(name, "", "", f"({error.diagnostics[0].code})")
+def _row(name: str, path: Path, language: str) -> Row:
+    return Row(name, *compiled.title_source_and_result(read(path), language))
 
 
 def _json(row: Row) -> str:
     return json.dumps(row._asdict(), ensure_ascii=False)
 
 
-def table(rows: list[Row], columns: int) -> Iterator[str]:
+def table(rows: Iterable[Row], columns: int) -> Iterator[str]:
     r"""Yield a heading and the rows in their first columns.
 
     >>> print(*table([Row("jack", "Scissor jack", "a book", "k = tan(alpha)")], 4), sep="\n")
     NAME  TITLE         SOURCE  RESULT
     jack  Scissor jack  a book  k = tan(alpha)
     """
-    named = max((len(row.name) for row in rows), default=0)
-    short = (_short(row, TERMINAL - named - 2) for row in rows)
+    short = (row._replace(source=_cut(row.source)) for row in rows)
     lines = [Row("NAME", "TITLE", "SOURCE", "RESULT"), *short]
     widths = [max(len(row[i]) for row in lines) for i in range(columns)]
     for row in lines:
@@ -122,9 +124,24 @@ def table(rows: list[Row], columns: int) -> Iterator[str]:
         yield "  ".join(cell.ljust(width) for cell, width in cells).rstrip()
 
 
-def _short(row: Row, title: int) -> Row:
-    return row._replace(title=_cut(row.title, title), source=_cut(row.source, SOURCE))
+def titles(rows: Sequence[Row], width: int) -> Iterator[str]:
+    r"""Yield a heading, names and titles, these in several lines where one is too wide.
+
+    >>> print(*titles([Row("jack", "Scissor jack of two tiers", "", "")], 26), sep="\n")
+    NAME  TITLE
+    jack  Scissor jack of two
+          tiers
+    """
+    named = max((len(row.name) for row in rows), default=0)
+    room = max(width - named - 2, TITLE)
+    yield from table((line for row in rows for line in _lines(row, room)), 2)
 
 
-def _cut(cell: str, width: int) -> str:
-    return cell if len(cell) <= width else cell[: width - 1] + "…"
+def _lines(row: Row, room: int) -> Iterator[Row]:
+    first, *more = wrap(row.title, room) or [row.k]
+    yield row._replace(title=first)
+    yield from (Row("", line, "", "") for line in more)
+
+
+def _cut(source: str) -> str:
+    return source if len(source) <= SOURCE else source[: SOURCE - 1] + "…"

@@ -11,7 +11,7 @@ from . import usage
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
 from .session import session, session_options
-from .terminal import give, say, watched
+from .terminal import give, line_width, say, watched
 from .usage import Whole, Word
 
 MANY = 200
@@ -77,7 +77,7 @@ def command(
     if as_csv or dialect:
         give(to_csv(found, DIALECTS[dialect or "point"]))
     else:
-        say(to_table(found, velocities, language), end="")
+        say(to_table(found, velocities, language, line_width()), end="")
 
 
 def _watched(drives: Sequence[float]) -> Iterator[float]:

@@ -37,7 +37,7 @@ def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> s
     words = spell.locale.calculation
     title = mechanism.title or mechanism.name, mechanism.source
     parts = [
-        [spell.text(part) for part in title if part],
+        [line for part in title if part for line in spell.wrapped(spell.text(part), "")],
         given(found.given, spell),
         tables(found.tables, spell),
         _headed(words["lines"], [_line(one, signs, spell, True) for one in found.lines], spell),
@@ -53,9 +53,9 @@ def in_brief(mechanism: Mechanism, results: Sequence[Result], spell: Speller) ->
     words = spell.locale.calculation
     said = (_without_the_way(line) for line in found.lines if line.result or not line.is_taken)
     lines = [_line(line, signs, spell, in_numbers=False) for line in said]
-    yield from _aligned(_translated(lines, spell))
+    yield from _aligned(lines, spell)
     yield from spell.wrapped(_unused(found.unused, signs, words), "  ")
-    yield from _aligned(_translated([_check(check, signs, words) for check in found.checks], spell))
+    yield from _aligned([_check(check, signs, words) for check in found.checks], spell)
 
 
 def _without_the_way(line: NoteLine) -> NoteLine:
@@ -72,7 +72,7 @@ def _signs(mechanism: Mechanism, signs: Signs) -> Signs:
 
 def _headed(heading: str, rows: Sequence[Row], spell: Speller) -> list[str]:
     """Return rows under a heading, in the language of the note."""
-    return [heading, *_aligned(_translated(rows, spell))] if rows else []
+    return [heading, *_aligned(rows, spell)] if rows else []
 
 
 def _translated(rows: Iterable[Row], spell: Speller) -> list[Row]:
@@ -80,11 +80,19 @@ def _translated(rows: Iterable[Row], spell: Speller) -> list[Row]:
     return [Row(spell.units(row.said), spell.text(row.label)) for row in rows]
 
 
-def _aligned(rows: Sequence[Row]) -> Iterator[str]:
-    """Yield rows with their texts behind them, those of short rows in one column."""
-    width = max((len(row.said) for row in rows if len(row.said) <= 48), default=0)
-    for row in rows:
-        yield f"  {row.said:{width}}  {row.label}".rstrip()
+def _aligned(rows: Iterable[Row], spell: Speller) -> Iterator[str]:
+    """Yield rows with their texts behind them, those of short rows in one column.
+
+    Where a line has no room for both, the text stands below.
+    """
+    shown = _translated(rows, spell)
+    width = max((len(row.said) for row in shown if len(row.said) <= 48), default=0)
+    for row in shown:
+        lines = (f"  {row.said:{room}}  {row.label}".rstrip() for room in (width, 0))
+        if line := next((line for line in lines if len(line) <= spell.width), ""):
+            yield line
+        else:
+            yield from (*spell.broken(row.said, "  "), *spell.wrapped(row.label, " " * 6))
 
 
 def given(parameters: Iterable[Parameter], spell: Speller) -> list[str]:
@@ -104,7 +112,8 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
         said = print_quantity(in_unit(evaluate(parameter.value, {}), unit, SHOWN), signs)
     if parameter.range:
         ends = (in_unit(evaluate(end, {}), unit, SHOWN) for end in parameter.range)
-        said += f", {spell.locale.range.lower()} {print_quantity(' .. '.join(ends), signs)}"
+        between = " … " if signs.fancy else " .. "
+        said += f", {spell.locale.range.lower()} {print_quantity(between.join(ends), signs)}"
     return Row(f"{print_name(parameter.name, signs)} = {said}", parameter.label)
 
 
@@ -170,10 +179,8 @@ def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool
     """Return a formula, or what is asked of a table or list."""
     inner = print_formula(formula, signs, angle and not line.of)
     match line.kind:
-        case "table":
-            return f"{line.of} at {inner}"
-        case "list":
-            return f"next {inner} in {line.of}"
+        case "table" | "list":
+            return signs.choices[f"of {line.kind}"].format(name=line.of, asked=inner)
         case "":
             return f"({inner})" if is_choice(formula) else inner
 

@@ -30,11 +30,23 @@ _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _POWER = re.compile(r"\^(\d+)")
 
 
+WRITTEN: Mapping[str, str] = MappingProxyType(
+    {
+        "case": "{value} when {condition}",
+        "other": "else {value}",
+        "of table": "{name} at {asked}",
+        "of list": "next {asked} in {name}",
+    }
+)
+"""The words of choices, tables and lists as a description has them."""
+
+
 @frozen
 class Signs:
     """The signs of one character set; ``fancy`` when it has Greek letters and raised digits.
 
-    ``functions`` are called otherwise in the language: tg, ctg. So are the ``subscripts`` that
+    ``functions`` are called otherwise in the language: tg, ctg; ``choices`` are the words of cases,
+    tables and lists. So are the ``subscripts`` that
     mechc gives; the user's ``own`` names keep theirs.
     """
 
@@ -48,6 +60,7 @@ class Signs:
     angles: frozenset[str] = frozenset()
     couples: frozenset[str] = frozenset()
     functions: Mapping[str, str] = MappingProxyType({})
+    choices: Mapping[str, str] = WRITTEN
     subscripts: Mapping[str, str] = MappingProxyType({})
     own: frozenset[str] = frozenset()
 
@@ -177,7 +190,9 @@ class _Terminal(Typesetter[str]):
         return call.endswith((")", "|"))
 
     def root(self, inner: str) -> str:
-        return f"√({inner})" if self.signs.fancy else f"sqrt({inner})"
+        if not self.signs.fancy:
+            return f"sqrt({inner})"
+        return f"√{inner}" if inner.isdigit() else f"√({inner})"
 
     def absolute(self, inner: str) -> str:
         return f"|{inner}|" if self.signs.fancy else f"abs({inner})"
@@ -186,7 +201,7 @@ class _Terminal(Typesetter[str]):
         """Return a function of one argument, ``cos α`` without parentheses."""
         word = self._word(function) + exponent.translate(_RAISED)
         is_trigonometric = self.signs.fancy and function in TRIGONOMETRIC
-        bare = is_trigonometric and inner.replace("°", "").isalnum()
+        bare = is_trigonometric and inner.replace("°", "").replace("_", "").isalnum()
         return f"{word} {inner}" if bare else f"{word}({inner})"
 
     def called(self, function: str, arguments: Sequence[str]) -> str:
@@ -198,8 +213,10 @@ class _Terminal(Typesetter[str]):
 
     def cases(self, rows: Sequence[tuple[str, str]], other: str | None) -> str:
         """Return the cases on one line; after those before it each is meant where none of them."""
-        last = [f"else {other}"] if other else []
-        return "; ".join([*(f"{value} when {condition}" for value, condition in rows), *last])
+        case = self.signs.choices["case"]
+        shown = [case.format(value=value, condition=condition) for value, condition in rows]
+        last = [self.signs.choices["other"].format(value=other)] if other else []
+        return "; ".join([*shown, *last])
 
     def solution(self, unknown: str, zeros: Sequence[str]) -> str:
         equal = ", ".join(f"{zero} = 0" for zero in zeros)

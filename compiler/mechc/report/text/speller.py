@@ -28,7 +28,7 @@ WIDTH = 80
 DEEP = " " * 8
 """What stands before a formula."""
 
-_INNERMOST = re.compile(r"\([^()]*\)")
+_TIED = re.compile(r"\([^()]{,40}\)|(?<=\d) (?=[^\W\d_])")
 _OPERATOR = re.compile(r"\\operatorname\{(\w+)\}")
 _UNIT = re.compile(r"(?<=\d )(?!in\b)(?:1/)?[A-Za-z][\w^*/·]*")
 """A unit behind its number; ``in`` is the word of a range, too, and stays as it is."""
@@ -113,9 +113,12 @@ class Speller(NamedTuple):
         )
 
     def broken(self, equation: str, deep: str = DEEP) -> list[str]:
-        """Break a long equation at the spaces around its signs, not within ``sin(α + β)``."""
+        """Break a long equation at the spaces around its signs.
+
+        What is short and in brackets stays together, ``sin(α + β)``, and so does ``5 mm``.
+        """
         indent = deep + " " * (len(equation) - len(equation.lstrip()))
-        tied = _INNERMOST.sub(lambda m: m[0].replace(" ", "\u00a0"), equation.lstrip())
+        tied = _TIED.sub(lambda m: m[0].replace(" ", "\u00a0"), equation.lstrip())
         lines = wrap(
             tied,
             self.width,
@@ -155,6 +158,7 @@ def speller(
         angles=frozenset(angles),
         couples=couples_of(mechanism),
         functions=functions if language != "en" else {},
+        choices=words.calculation,
         subscripts=words.subscripts,
         own=own_names(mechanism),
     )

@@ -1,7 +1,9 @@
 """The stroke as a table for people."""
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+import sys
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from textwrap import wrap
 
 from ...drawing.letters import Letters, lettered, of_unit
 from ...formula.to_text import text
@@ -74,18 +76,22 @@ def _is_in(x: float, found: JammedInterval, near: float) -> bool:
     return found.low - below <= x <= found.high + above
 
 
-def to_table(stroke: Stroke, velocities: bool = False, language: str = "en") -> str:
+def to_table(
+    stroke: Stroke, velocities: bool = False, language: str = "en", width: int = sys.maxsize
+) -> str:
     """Return the rows as a table, then stretches, singular poses and extrema, in users' units.
 
-    With ``velocities`` the table has slopes and velocity ratios, too.
+    With ``velocities`` the table has slopes and velocity ratios, too. Sentences below it are
+    broken to ``width`` columns.
     """
     hidden: set[Content] = set() if velocities else {"slope", "velocity"}
-    return "\n".join(_lines(written(stroke, language), hidden)) + "\n"
+    shown = written(stroke, language)
+    return "\n".join((*_aligned(table(shown, hidden)), *_broken(said(shown), width))) + "\n"
 
 
-def _lines(shown: Written, hidden: Collection[Content]) -> Iterator[str]:
-    yield from _aligned(table(shown, hidden))
-    yield from said(shown)
+def _broken(lines: Iterable[str], width: int) -> Iterator[str]:
+    for line in lines:
+        yield from wrap(line, width, subsequent_indent="    ", break_long_words=False)
 
 
 def table(shown: Written, hidden: Collection[Content]) -> list[list[str]]:

@@ -12,17 +12,30 @@ HEAD = ("result", "pose", "power", "statics", "error", "condition")
 
 
 def to_text(verdict: Verdict, words: Words = EN) -> str:
-    """Return a table of all trials, each result's default pose first, then the remarks.
+    """Return the table of all trials, and what is said of them."""
+    return "\n".join((*trials(verdict, words), *said(verdict, words)))
+
+
+def trials(verdict: Verdict, words: Words) -> list[str]:
+    r"""Return a table of all trials, each result's default pose first; none where there are none.
 
     >>> trial = Trial("k", {"alpha": 0.5}, 2.0, 2.0, 0.0, 3.1)
-    >>> print(to_text(Verdict((trial,))))
+    >>> print(*trials(Verdict((trial,)), EN), sep="\n")
     result  pose  virtual power  equilibrium  error  condition
     k       1     2              2            0      3.1
-    The two methods agree: worst relative error 0 in 1 trial.
     """
     head = tuple(words[each] for each in HEAD)
-    lines = _table([head, *_rows(verdict.trials, words)]) if verdict.trials else []
-    return "\n".join([*lines, *untried(verdict.remarks, words), _summary(verdict, words)])
+    return _table([head, *_rows(verdict.trials, words)]) if verdict.trials else []
+
+
+def said(verdict: Verdict, words: Words) -> Iterator[str]:
+    """Yield the sentences below the table.
+
+    >>> print(*said(Verdict((Trial("k", {}, 2.0, 2.0, 0.0, 3.1),)), EN))
+    The two methods agree: worst relative error 0 in 1 trial.
+    """
+    yield from untried(verdict.remarks, words)
+    yield _summary(verdict, words)
 
 
 def untried(remarks: Sequence[Untried], words: Words) -> Iterator[str]:
