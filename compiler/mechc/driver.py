@@ -190,10 +190,13 @@ class Compilation(Pipeline):
     def _pictured(
         self, language: str, figure: "Figure | None"
     ) -> "tuple[Figure | None, Mapping[str, str]]":
-        """Return a figure with its title in a language, and the words of its pictures."""
+        """Return a figure with its texts in a language, and the words of its pictures."""
+        from .figure.figure import with_links_called
         from .report.languages.registry import locale
 
-        titled = figure and replace(figure, title=self.titled(language))
+        texts = self.mechanism.translations.get(language, {})
+        called = figure and with_links_called(figure, texts)
+        titled = called and replace(called, title=self.titled(language))
         return titled, locale(language).pictures
 
     @Stage

@@ -68,6 +68,18 @@ HEAD = r"""\documentclass[11pt]{article}
 """
 
 
+def test_texts_of_the_user_are_text_in_a_notebook() -> None:
+    said = "тиск σ² — «так», 50 % of a·b ‘q’ Ẑ - x"
+    sheet = f'mechanism p "{said}"\nparam a = 5 mm\nlet b = a^2  # {said}\n'
+    rod = "pivot O\nlink AOB\nOA = a @ 180 deg\nOB = 2*a @ 0 deg\nfind k = P/F\n"
+    loads = "force P at A along -y\nforce F at B along -y\n"
+    mechanism = mechc.loads(sheet + rod + loads)
+    for shown in (mechanism._repr_markdown_(), mechanism.derivation._repr_markdown_()):
+        assert f"\n{said.replace('%', chr(92) + '%')}:\n" in shown
+        assert balanced(shown)
+    assert "\n- $k$" in mechanism.derivation._repr_markdown_()
+
+
 def test_a_result_shows_all_that_it_rests_on() -> None:
     shown = mechc.load("crank_rocker").results["k"]._repr_markdown_()
     assert r"\boxed{k=\frac{M}{F}=" in shown

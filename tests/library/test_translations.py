@@ -12,8 +12,8 @@ from mechc.syntax.notation import read
 from paths import LIBRARY
 
 FILES = sorted([*LIBRARY.glob("*.mech"), *LIBRARY.glob("*.yaml"), *LIBRARY.glob("sheets/*.mech")])
-STANDARD = re.compile(r"ISO \d+|(Norton|Walsh)[^;=]*")
-"""What is the same in every language: a standard, a book by its author."""
+STANDARD = re.compile(r"ISO \d+|(Norton|Walsh)[^;=]*|[a-z]|[A-Z]{2}")
+"""What is the same in every language: a standard, a book by its author, a letter, a line."""
 
 LETTERS = "|".join(sorted(GREEK, key=len, reverse=True))
 AS_TYPED = re.compile(
@@ -27,8 +27,7 @@ def test_titles_labels_and_sources_are_translated(file) -> None:
     source = text_of(file)
     statements = read(source, Report(source)).statements
     translated = {s.text for s in statements if isinstance(s, ast.Translate) and s.uk and s.ru}
-    sheet = any(isinstance(s, ast.SheetHeading) for s in statements)
-    said = {text for s in statements for text in printed(s, sheet) if text}
+    said = {text for s in statements for text in printed(s) if text}
     assert not {text for text in said - translated if not STANDARD.fullmatch(text)}
 
 
@@ -40,7 +39,7 @@ def test_translations_are_written_as_books_print_them(file) -> None:
     assert not [text for text in said if AS_TYPED.search(text)]
 
 
-def printed(statement: ast.Statement, sheet: bool) -> list[str]:
+def printed(statement: ast.Statement) -> list[str]:
     """Return what reports print of a statement's own words."""
     match statement:
         case ast.Heading(title=title):
@@ -50,7 +49,8 @@ def printed(statement: ast.Statement, sheet: bool) -> list[str]:
         case ast.Table(source=source) | ast.Sizes(source=source):
             return [source]
         case ast.Param() | ast.Let():
-            about = getattr(statement, "about", "")
-            return [statement.label or (statement.remark if sheet else ""), about]
+            return [statement.label or statement.remark, getattr(statement, "about", "")]
+        case ast.Link(label=label):
+            return [label]
         case _:
             return []

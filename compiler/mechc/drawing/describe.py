@@ -15,8 +15,8 @@ def describe(figure: Figure, words: Words) -> str:
 def _sentences(figure: Figure, words: Words) -> Iterator[str]:
     parts = figure.parts
     yield words["scheme_of"].format(name=figure.title or figure.name)
-    yield from _listed(words["links"], _bodies(parts, Link))
-    yield from _listed(words["slides"], _bodies(parts, Slide))
+    yield from _listed(words["links"], (_link(p) for p in parts if isinstance(p, Link)))
+    yield from _listed(words["slides"], ("".join(p.points) for p in parts if isinstance(p, Slide)))
     yield from _listed(words["pivots"], (p.point for p in parts if isinstance(p, Pivot)))
     yield from _listed(words["sliders"], (p.point for p in parts if isinstance(p, Slider)))
     yield from _listed(words["loads"], _loads(parts, words))
@@ -29,8 +29,9 @@ def _sentences(figure: Figure, words: Words) -> Iterator[str]:
         yield words["open_scale"].format(names=", ".join(lengths))
 
 
-def _bodies(parts: Iterable[Part], kind: type[Link] | type[Slide]) -> Iterator[str]:
-    return ("".join(part.points) for part in parts if isinstance(part, kind))
+def _link(link: Link) -> str:
+    """Return a link by its points, and what it is called."""
+    return "".join(link.points) + (f" ({link.label})" if link.label else "")
 
 
 def _listed(what: str, names: Iterable[str]) -> Iterator[str]:

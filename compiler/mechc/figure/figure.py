@@ -7,7 +7,7 @@ counter-clockwise from +x.
 
 from collections.abc import Mapping
 
-from ..frozen import frozen
+from ..frozen import frozen, replace
 from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 
@@ -315,3 +315,12 @@ class Figure:
     size: float
     values: Mapping[str, float]
     chosen: tuple[str, ...]
+
+
+def with_links_called(figure: Figure, texts: Mapping[str, str]) -> Figure:
+    """Return a figure in which links are called by what their labels are in ``texts``."""
+    parts = (
+        replace(part, label=texts.get(part.label, part.label)) if isinstance(part, Link) else part
+        for part in figure.parts
+    )
+    return replace(figure, parts=tuple(parts))

@@ -18,17 +18,17 @@ Line = ast.Param | ast.Let
 """A line that says what a quantity is."""
 
 
-def for_readers(
-    mechanism: Mechanism, file: ast.File, source: Source, text: Callable[[Line], str]
-) -> Mechanism:
-    """Return a mechanism, or a sheet, whose quantities have their units, and their ``text``.
+def for_readers(mechanism: Mechanism, file: ast.File, source: Source) -> Mechanism:
+    """Return a mechanism, or a sheet, whose quantities have their units and texts.
+
+    The text of a quantity is its label, or else the remark behind its line.
 
     A formula that names no unit is given in one of those that are written: in it, in what it
     uses, or anywhere; those of the user's own lines come before those of what is used.
     """
     lines: dict[str, Line] = {p.name.text: p for p in every(file, ast.Param)}
     lines |= {let.name.text: let for let in every(file, ast.Let)}
-    parameters = tuple(_parameter(p, lines.get(p.name), text) for p in mechanism.parameters)
+    parameters = tuple(_parameter(p, lines.get(p.name)) for p in mechanism.parameters)
     starts = [start for start, _ in source.parts()]
     named: dict[str, Line | ast.Table | ast.Sizes] = {**lines}
     named |= {t.name.text: t for t in every(file, ast.Table)}
@@ -40,7 +40,7 @@ def for_readers(
     units = _Units(parameters, lines.values(), text_of)
     brought = {n for n, s in named.items() if isinstance(s, ast.Given) or text_of(s.span)}
     taken = tuple(_taken(file, mechanism.lets, units))
-    lets = [_let(let, lines[let.name], units, text) for let in mechanism.lets]
+    lets = [_let(let, lines[let.name], units) for let in mechanism.lets]
     return replace(
         mechanism,
         parameters=parameters,
@@ -50,11 +50,6 @@ def for_readers(
         tables=written.tables(file.statements),
         brought=frozenset(brought),
     )
-
-
-def label_or_remark(line: Line) -> str:
-    """Return the text of a quantity of a sheet: its label, or the remark behind its line."""
-    return line.label or line.remark
 
 
 class _Units:
@@ -115,17 +110,18 @@ class _Units:
         return sorted(chain.from_iterable(self._in_text.values()), key=lambda unit: unit != usual)
 
 
-def _parameter(parameter: Parameter, line: Line | None, text: Callable[[Line], str]) -> Parameter:
+def _parameter(parameter: Parameter, line: Line | None) -> Parameter:
     if line is None:
         return parameter
     shown = written.let_value(line.value) if parameter.dependent and line.value else None
-    return replace(parameter, label=text(line), written=shown)
+    return replace(parameter, label=line.label or line.remark, written=shown)
 
 
-def _let(let: Let, line: Line, units: _Units, text: Callable[[Line], str]) -> Let:
+def _let(let: Let, line: Line, units: _Units) -> Let:
     assert isinstance(line, ast.Let)
     unit = units.given(let.name, let.unit, let.dimension, _units(line), symbols(let.value))
-    return replace(let, unit=unit, label=text(line), written=written.let_value(line.value))
+    shown = written.let_value(line.value)
+    return replace(let, unit=unit, label=line.label or line.remark, written=shown)
 
 
 def _taken(file: ast.File, lets: Iterable[Let], units: _Units) -> Iterator[Taken]:

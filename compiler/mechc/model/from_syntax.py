@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Sequence
-from operator import attrgetter
 from pathlib import PurePath
 
 from ..diagnostics import Report
@@ -18,7 +17,7 @@ from .definitions import Definitions, in_file_order, read_definitions, spread_fe
 from .doubts import doubts
 from .driven import checked
 from .finds import read_finds
-from .for_readers import for_readers, label_or_remark
+from .for_readers import for_readers
 from .force_pairs import inside_telescopes, spring_name
 from .friction import read_friction
 from .geometry import read_geometry
@@ -78,9 +77,9 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     warn_unused(found.parameters, scope)
     warn_idle(mechanism.joints, points)
     _warn_lonely(points)
+    mechanism = for_readers(mechanism, file, report.source)
     if sheet:
-        return for_readers(mechanism, file, report.source, label_or_remark)
-    mechanism = for_readers(mechanism, file, report.source, attrgetter("label"))
+        return mechanism
     for doubt in doubts(mechanism):
         report.add(doubt)
     return with_names(checked(mechanism, report), file, scope.constants.values())

@@ -147,7 +147,7 @@ def _parameter(parameter: Parameter) -> Input:
         _constant(parameter.value),
         _constant(low),
         _constant(high),
-        parameter.label,
+        "; ".join(text for text in (parameter.label, parameter.about) if text),
         _constant(parameter.tolerance),
     )
 

@@ -9,6 +9,7 @@ from ...report.languages import registry
 from ...report.latex.document_style import style_of
 from ...report.latex.notation import Notation, notation
 from ...report.latex.results import section_block
+from ...report.latex.text import plain
 from ...report.sections import outline
 from ...study.analysis import Analysis
 from ..render import render
@@ -17,6 +18,10 @@ from .note import note_report
 from .to_latex import TARGET, report
 
 _LANGUAGE = "en"
+
+_MATHEMATICS = re.compile(r"(\$\$.*?\$\$|\$[^$]*\$)", re.DOTALL)
+_PAPER = re.compile(r"\\noindent |\\par\b")
+"""What text has for a page alone."""
 
 
 def results(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
@@ -61,9 +66,11 @@ def _style(compiled: Compiled) -> Notation:
 
 
 def _markdown(text: str) -> str:
-    r"""Return LaTeX with the signs around displays that Markdown leaves to MathJax.
+    r"""Return LaTeX as Markdown: text as it was, displays with the signs that MathJax looks for.
 
     >>> print(_markdown(r"\[ k=1 \] and a line that ends in \\[2pt]"))
     $$ k=1 $$ and a line that ends in \\[2pt]
     """
-    return re.sub(r"\n{3,}", "\n\n", re.sub(r"(?<!\\)\\[\[\]]", "$$", text))
+    parts = _MATHEMATICS.split(re.sub(r"(?<!\\)\\[\[\]]", "$$", text))
+    parts[::2] = (_PAPER.sub("", plain(part)) for part in parts[::2])
+    return re.sub(r"\n{3,}", "\n\n", "".join(parts))

@@ -12,6 +12,7 @@ from ...model.mechanism import (
     Force,
     ForcePair,
     Geometry,
+    Link,
     Load,
     Mechanism,
     Offset,
@@ -159,7 +160,7 @@ def _vector(tail: str, head: str) -> str:
 def scheme(mechanism: Mechanism, locale: Locale, style: Notation) -> tuple[str, ...]:
     """Return the mechanism in sentences: joints, links, loads, symmetry."""
     sentences = [*_parts(mechanism, locale, style), *_joints(mechanism, locale, style)]
-    sentences += _links(mechanism, locale)
+    sentences += _links(mechanism, locale, style)
     sentences += joint_sentences(mechanism, locale, style)
     links = {link.name for link in mechanism.links}
     sentences += (_load(load, links, locale, style) for load in mechanism.loads)
@@ -187,12 +188,20 @@ def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
     return sentences
 
 
-def _links(mechanism: Mechanism, locale: Locale) -> list[str]:
-    links = mechanism.rigid_links
-    rods = _listed((link.name for link in links if len(link.points) == 2), locale)
-    bodies = _listed((link.name for link in links if len(link.points) > 2), locale)
-    said = ((locale.rods, rods), (locale.bodies, bodies))
-    return [template.format(links=links) for template, links in said if links]
+def _links(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
+    rods = [link for link in mechanism.rigid_links if len(link.points) == 2]
+    bodies = [link for link in mechanism.rigid_links if len(link.points) > 2]
+    return [
+        template.format(links=enumeration([_link(link, style) for link in links], locale))
+        for template, links in ((locale.rods, rods), (locale.bodies, bodies))
+        if links
+    ]
+
+
+def _link(link: Link, style: Notation) -> str:
+    """Return a link by its points, and what it is called."""
+    called = f" ({translated(link.label, style)})" if link.label else ""
+    return math(points(link.name)) + called
 
 
 def _listed(names: Iterable[str], locale: Locale) -> str:

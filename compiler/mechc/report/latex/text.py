@@ -93,6 +93,13 @@ _SPECIAL = {
     if name != "omicron"
 }
 
+_PLAIN = {tex: letter for letter, tex in reversed(_SPECIAL.items()) if len(tex) > 2}
+_ESCAPED = re.compile(
+    rf"{'|'.join(map(re.escape, sorted(_PLAIN, key=len, reverse=True)))}|\\mechccyr\{{([^{{}}]*)\}}"
+    r"|\\mechcchar\{[0-9A-F]+\}\{(.)\}\{(?:[^{}]|\{[^{}]*\})*\}"
+)
+"""What stands for a letter, Cyrillic, or a letter that not every font has."""
+
 _LATIN = re.compile("[ -~¡-ſȘ-ț](?<![ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ])")
 """Latin letters of the font encodings T1 and T2A, either by themselves or as accents."""
 
@@ -120,6 +127,17 @@ def escape(text: str) -> str:
     broken = _LIGATURE.sub("\\1\u200c", broken)
     clusters = _CLUSTER.findall(broken)
     return "".join(_run(kind, "".join(run)) for kind, run in groupby(clusters, _kind))
+
+
+def plain(tex: str) -> str:
+    r"""Return text that :func:`escape` has made safe as it was; punctuation keeps its backslash.
+
+    Markdown leaves such a backslash out, and has all letters.
+
+    >>> plain(escape("Кран λ — 50% of Ẑ"))
+    'Кран λ — 50\\% of Ẑ'
+    """
+    return _ESCAPED.sub(lambda found: _PLAIN.get(found[0]) or found[1] or found[2], tex)
 
 
 def has_cyrillic(text: str) -> bool:

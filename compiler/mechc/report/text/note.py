@@ -114,7 +114,8 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
         ends = (in_unit(evaluate(end, {}), unit, SHOWN) for end in parameter.range)
         between = " … " if signs.fancy else " .. "
         said += f", {spell.locale.range.lower()} {print_quantity(between.join(ends), signs)}"
-    return Row(f"{print_name(parameter.name, signs)} = {said}", parameter.label)
+    texts = (spell.text(text) for text in (parameter.label, parameter.about) if text)
+    return Row(f"{print_name(parameter.name, signs)} = {said}", "; ".join(texts))
 
 
 def _table(table: WrittenTable, signs: Signs) -> Row:
