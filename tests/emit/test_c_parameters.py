@@ -157,6 +157,6 @@ def test_what_a_pose_fills_has_its_unit() -> None:
 def test_slopes_have_their_units() -> None:
     text = header(solved("crank_rocker"))
     assert " *   k_out: k, in m\n" in text
-    assert " *   dk_da_out: the slope of k by a\n" in text
+    assert " *   dk_da_out: the slope of k by a, a number\n" in text
     assert " *   dk_dphi_out: the slope of k by phi, in m\n" in text
     assert " *   di_da_out: the slope of i by a, in 1/m\n" in text

@@ -81,8 +81,7 @@ def quantity_words(quantity: Quantity) -> str:
             words = f"the angular {kind} of link {point}"
         case kind, axis:
             words = f"the {kind} of point {point} along {axis}"
-    unit = si_unit(quantity.dimension)
-    return f"{words}, in {unit}" if unit else words
+    return measured_words(words, quantity.dimension)
 
 
 def quantity_lines(quantities: Iterable[Quantity]) -> list[str]:
@@ -93,7 +92,16 @@ def quantity_lines(quantities: Iterable[Quantity]) -> list[str]:
 def measured_words(name: str, dimension: Dimension) -> str:
     """Return the name of what a function fills, or words on it, with its SI unit."""
     unit = si_unit(dimension)
-    return f"{name}, in {unit}" if unit else name
+    return f"{name}, in {unit}" if unit else f"{name}, a number"
+
+
+def counted(operations: int) -> str:
+    """Return how many operations there are.
+
+    >>> counted(0), counted(1)
+    ('0 operations', '1 operation')
+    """
+    return f"{operations} operation{'' if operations == 1 else 's'}"
 
 
 def _default_words(item: Input) -> str:
@@ -112,7 +120,7 @@ def _range_words(item: Input) -> str:
 
 def formula_lines(function: Function) -> list[str]:
     """Return the result as a reader writes it: ``k = …`` and the intermediates it mentions."""
-    pairs = ((step.name, step.formula) for step in function.where)
+    pairs = ((step.name, step.formula) for step in function.where if step.name != function.name)
     where = (line for group in grouped(pairs) for line in _group_lines(group))
     others = [f"where {', '.join(function.others)} are results, too"] if function.others else []
     first = f"{function.name} = {text(function.formula)}"
@@ -185,7 +193,7 @@ def numbered(sentences: Iterable[str]) -> Iterator[str]:
 
 
 def _condition(guard: Guard) -> str:
-    return f"{text(guard.left)} {guard.operator} {text(guard.right)}"
+    return f"{_value(guard.left)} {guard.operator} {_value(guard.right)}"
 
 
 def unchecked(mechanism: Mechanism, routine: Routine) -> list[str]:

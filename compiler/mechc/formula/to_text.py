@@ -5,7 +5,7 @@ from functools import reduce
 from typing import assert_never
 
 from . import choices
-from .layout import is_long
+from .layout import decimal, is_long
 from .operations import split_fraction
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
 from .walk import equations
@@ -44,7 +44,7 @@ def _text(formula: Formula, level: int) -> str:
             raised = f"{_text(base, 3)}^{_text(exponent, 3)}"
             return f"({raised})" if level > 2 else raised
         case Call(function, arguments) if function in choices.FUNCTIONS:
-            chosen = _choice(function, [_text(a, 0) for a in arguments])
+            chosen = _choice(function, [_figures(a) for a in arguments])
             return f"({chosen})" if level else chosen
         case Call(function, arguments):
             return f"{function}({', '.join(_text(a, 0) for a in arguments)})"
@@ -52,6 +52,17 @@ def _text(formula: Formula, level: int) -> str:
             return f"({_solution(formula)})"
         case _:
             assert_never(formula)
+
+
+def _figures(formula: Formula) -> str:
+    """Print a part of a choice, table or list; a number alone as a decimal.
+
+    >>> from .tree import number
+    >>> text(Call("next", (Symbol("d"), number(Fraction(63, 1000)), number(2))))
+    'next d in list(0.063, 2)'
+    """
+    shown = decimal(formula.value) if isinstance(formula, Number) else None
+    return shown or _text(formula, 0)
 
 
 def _solution(formula: Implicit) -> str:

@@ -80,7 +80,7 @@ void class_k_n_2(
  *
  *   I_: m; I in the formula, 40 mm, in 20 mm .. 40 mm
  *   np: m; 70 mm, in 35 mm .. 70 mm
- * 1 operations. The second form computes k_n[0 .. n - 1];
+ * 1 operation. The second form computes k_n[0 .. n - 1];
  * its arrays must not overlap.
  */
 double class_k_n(double I_, double np);
@@ -114,7 +114,7 @@ void class_int_n(
  *
  *   int_: m; int in the formula, 30 mm, in 15 mm .. 30 mm
  *   double_: m; double in the formula, 110 mm, in 55 mm .. 110 mm
- * 1 operations. The second form computes int_2[0 .. n - 1];
+ * 1 operation. The second form computes int_2[0 .. n - 1];
  * its arrays must not overlap.
  */
 double class_int_(double int_, double double_);

@@ -79,7 +79,7 @@ void chained_P_n(
  *   F = 10*m
  *
  *   m: kg; 3 kg, in 1.5 kg .. 3 kg
- * 1 operations. The second form computes F[0 .. n - 1];
+ * 1 operation. The second form computes F[0 .. n - 1];
  * its arrays must not overlap.
  */
 double chained_F(double m);

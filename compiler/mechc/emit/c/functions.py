@@ -209,6 +209,7 @@ def _remarks(
     unit = si_unit(function.dimension)
     inputs = [f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in function.inputs]
     conditions = [f"  {line}" for line in describe.condition_lines(function)]
+    cost = describe.counted(function.operations)
     return [
         f"The {describe.one_line(function.title)}{f', in {unit}' if unit else ''}:",
         "",
@@ -217,7 +218,7 @@ def _remarks(
         *inputs,
         *(["NaN unless", *conditions] if conditions else []),
         *describe.remarks(function, names),
-        f"{function.operations} operations. The second form computes {result}[0 .. {number} - 1];",
+        f"{cost}. The second form computes {result}[0 .. {number} - 1];",
         "its arrays must not overlap.",
     ]
 

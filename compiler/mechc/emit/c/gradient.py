@@ -120,5 +120,5 @@ def _remarks(
         words, unit = f"the slope of {function.name} by {item.name}", function.dimension
         yield f"  {slope}: {describe.measured_words(words, unit.over(item.dimension))}"
     yield from describe.slope_remarks(function)
-    yield f"{operations(program.steps)} operations. The second form computes the elements"
+    yield f"{describe.counted(operations(program.steps))}. The second form computes the elements"
     yield f"0 .. {number} - 1; its arrays must not overlap."
