@@ -27,7 +27,8 @@ def test_the_tree_shows_what_was_written() -> None:
 
 def test_a_mechanism_shows_quantities_joints_and_what_is_asked_for() -> None:
     lines = show("model", "slider_crank_claw")
-    assert "    Parameter(name=h, dimension=length in m, value=3/25, unit=mm)" in lines
+    height = "name=h, dimension=length in m, value=3/25, unit=mm, label=contact C below the pivot"
+    assert f"    Parameter({height})" in lines
     assert "    Link(name=OAC, points=(O, A, C))" in lines
     assert "  finds: (Find(name=k, target=LoadRatio(above=P, below=R)))" in lines
 

@@ -112,7 +112,7 @@ def test_a_stroke_is_a_table() -> None:
     stroke = mechc.load("crank_rocker").stroke(5)
     cells = Cells()
     cells.feed(stroke._repr_html_())
-    assert cells.rows == [5] * 6
+    assert cells.rows == [4] * 6
     table = stroke.table()
     assert list(table)[:3] == ["phi", "k", "i"]
     assert table["k"] == [row.values[0] for row in stroke.rows]

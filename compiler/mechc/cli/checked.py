@@ -86,7 +86,7 @@ def _speller(
 ) -> Speller:
     """Return the speller of sentences; formulas are written as in descriptions."""
     spell = speller(results, compilation.mechanism, False, language, width)
-    return spell._replace(signs=replace(spell.signs, functions={}, choices=WRITTEN))
+    return spell._replace(signs=replace(spell.signs, functions={}, choices=WRITTEN, between=", "))
 
 
 def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:

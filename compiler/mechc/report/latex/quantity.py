@@ -17,6 +17,7 @@ from ...formula.tree import ZERO, Formula, Number
 from ...formula.walk import evaluate
 from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units, size_of
 from ..languages.locale import Locale
+from ..put_in import in_degrees as rounded
 from .notation import Notation
 from .printer import latex
 from .unit_symbols import Words, unit_symbol
@@ -45,7 +46,10 @@ def measured(value: float, dimension: Dimension, locale: Locale, style: Notation
 
 
 def in_unit(value: float, unit: str, words: Words, style: Notation) -> str:
-    """Return a computed value, given in SI, in a unit."""
+    """Return a computed value, given in SI, in a unit; degrees as :func:`rounded` has them."""
+    if unit == "deg":
+        turn = in_degrees(rounded(value, _DIGITS))
+        return decimal(turn or 0, style, _DIGITS + 1) + unit_symbol(unit, words)
     return decimal(value / size_of(unit), style) + unit_symbol(unit, words)
 
 
@@ -67,13 +71,13 @@ def _in_unit(value: Formula, unit: str) -> Fraction | float:
     return evaluate(value, {}) / size_of(unit)
 
 
-def decimal(value: Fraction | float, style: Notation) -> str:
-    r"""Return a number to six significant digits, with the language's decimal sign.
+def decimal(value: Fraction | float, style: Notation, figures: int = _DIGITS) -> str:
+    r"""Return a number to so many significant digits, with the language's decimal sign.
 
     >>> from .notation import notation
     >>> decimal(2.5e-16, notation("uk"))
     '2{,}5\\cdot 10^{-16}'
     """
-    mantissa, _, exponent = f"{float(value):.{_DIGITS}g}".partition("e")
+    mantissa, _, exponent = f"{float(value):.{figures}g}".partition("e")
     digits = mantissa.replace(".", style.decimal)
     return rf"{digits}\cdot 10^{{{int(exponent)}}}" if exponent else digits

@@ -29,6 +29,9 @@ _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 _POWER = re.compile(r"\^(\d+)")
 
+_WORD = re.compile(r"[\w.°₀-₉]+")
+"""An argument that needs no parentheses: a letter with its indices, a multiple, a number."""
+
 
 WRITTEN: Mapping[str, str] = MappingProxyType(
     {
@@ -46,7 +49,7 @@ class Signs:
     """The signs of one character set; ``fancy`` when it has Greek letters and raised digits.
 
     ``functions`` are called otherwise in the language: tg, ctg; ``choices`` are the words of cases,
-    tables and lists. So are the ``subscripts`` that
+    tables and lists, and ``between`` stands between arguments. So are the ``subscripts`` that
     mechc gives; the user's ``own`` names keep theirs.
     """
 
@@ -61,6 +64,7 @@ class Signs:
     couples: frozenset[str] = frozenset()
     functions: Mapping[str, str] = MappingProxyType({})
     choices: Mapping[str, str] = WRITTEN
+    between: str = ", "
     subscripts: Mapping[str, str] = MappingProxyType({})
     own: frozenset[str] = frozenset()
 
@@ -201,11 +205,11 @@ class _Terminal(Typesetter[str]):
         """Return a function of one argument, ``cos α`` without parentheses."""
         word = self._word(function) + exponent.translate(_RAISED)
         is_trigonometric = self.signs.fancy and function in TRIGONOMETRIC
-        bare = is_trigonometric and inner.replace("°", "").replace("_", "").isalnum()
+        bare = is_trigonometric and _WORD.fullmatch(inner) is not None
         return f"{word} {inner}" if bare else f"{word}({inner})"
 
     def called(self, function: str, arguments: Sequence[str]) -> str:
-        return f"{self._word(function)}({', '.join(arguments)})"
+        return f"{self._word(function)}({self.signs.between.join(arguments)})"
 
     def joined_by(self, sign: str, pieces: Sequence[str]) -> str:
         spaced = ", " if sign == "," else f" {self.signs.relations.get(sign, sign)} "

@@ -28,7 +28,9 @@ WIDTH = 80
 DEEP = " " * 8
 """What stands before a formula."""
 
-_TIED = re.compile(r"\([^()]{,40}\)|(?<=\d) (?=[^\W\d_])")
+_TIED = re.compile(
+    r"\([^()]{,40}\)|(?<=\d) (?=[^\W\d_])|\b(?:sin|cos|tan|cot|tg|ctg)[⁰¹²³⁴-⁹]* (?=[^\s·+−=])"
+)
 _OPERATOR = re.compile(r"\\operatorname\{(\w+)\}")
 _UNIT = re.compile(r"(?<=\d )(?!in\b)(?:1/)?[A-Za-z][\w^*/·]*")
 """A unit behind its number; ``in`` is the word of a range, too, and stays as it is."""
@@ -115,7 +117,7 @@ class Speller(NamedTuple):
     def broken(self, equation: str, deep: str = DEEP) -> list[str]:
         """Break a long equation at the spaces around its signs.
 
-        What is short and in brackets stays together, ``sin(α + β)``, and so does ``5 mm``.
+        What is short and in brackets stays together, ``sin(α + β)``, and so do ``5 mm``, ``cos α``.
         """
         indent = deep + " " * (len(equation) - len(equation.lstrip()))
         tied = _TIED.sub(lambda m: m[0].replace(" ", "\u00a0"), equation.lstrip())
@@ -159,6 +161,7 @@ def speller(
         couples=couples_of(mechanism),
         functions=functions if language != "en" else {},
         choices=words.calculation,
+        between=", " if words.decimal == "." else "; ",
         subscripts=words.subscripts,
         own=own_names(mechanism),
     )
