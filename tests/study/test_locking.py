@@ -8,6 +8,7 @@ import pytest
 
 import mechc
 from friction_chains import COUPLED
+from friction_statements import refuted
 from mechc.api import SolvedMechanism
 from mechc.cli.main import main
 from mechc.driver import Compilation
@@ -793,3 +794,107 @@ def test_a_stretch_ends_at_the_place_of_which_nothing_is_known():
     assert before.high.x == beyond.low.x == 0
     assert before.high.left_out
     assert beyond.low.left_out
+
+
+def sampled(text_: str) -> dict[str, Analysis]:
+    """Return the results of a description of which nothing is refuted by sampling of code."""
+    compilation = Compilation(Source("m.mech", text_))
+    assert list(refuted(compilation)) == []
+    return {r.name: r for r in compilation.results}
+
+
+def within(result: Analysis, parameter: str) -> list[tuple[str, float, float]]:
+    """Return states and ends, those within the range, in degrees."""
+    assert result.locking is not None
+    (reach,) = (r for r in result.locking.reaches if r.parameter == parameter)
+    known = [(s.state, s.within) for s in reach.stretches if s.within]
+    return [(state, math.degrees(a), math.degrees(b)) for state, (a, b) in known]
+
+
+SHORT_ROD = """
+param phi = -151.828 deg in -303.808 deg .. 180 deg
+pivot O at (0 mm, 0 mm)
+slider B along x through O
+link OA
+link AB
+OA = 31.7 mm @ phi
+AB = 21.1 mm
+assembly B back
+drive phi
+torque M on OA
+force F at B on AB along x
+weight W mass 2 kg at A on OA
+friction pins 0.151 diameter 11.9 mm coulomb
+friction slider B 0.255
+find M
+"""
+
+
+def test_where_iteration_finds_nothing_between_places_that_are_stuck_it_is_stuck():
+    """A whole turn later the same is stated: 4 degrees beyond the end of the loop."""
+    found = within(sampled(SHORT_ROD)["M_f"], "phi")
+    before, after = (
+        [(a, b) for s, a, b in found if s == "locked" and way * a > 0] for way in (-1, 1)
+    )
+    assert before[0] == pytest.approx([end - 360 for end in after[-1]], abs=1e-3)
+
+
+FOLDED = """
+param phi = 124.883 deg in 0 deg .. 169.224 deg
+param r = 75.9 mm
+param e = 0 mm
+pivot O at (0 mm, 0 mm)
+pivot Q at (0 mm, e)
+slider B along x through Q
+link OA
+link AB
+OA = r @ phi
+AB = r
+assembly B back
+drive phi
+torque M on OA
+force F at B on AB along -x
+friction pins 0.132 diameter 14.3 mm
+find k = M/F
+"""
+
+
+def test_where_equal_links_lie_on_one_another_nothing_is_stated_of_rounding():
+    """Up to 90 degrees B stands still in O, and k is 0 but for rounding."""
+    ((state, low, high),) = within(results(FOLDED)["k_hold"], "phi")
+    assert state == "jammed"
+    assert low == pytest.approx(90, abs=1e-5)
+    assert high > 91
+
+
+def test_ends_that_are_two_are_shown_as_two(tmp_path, capsys):
+    (path := tmp_path / "m.mech").write_text(FOLDED, encoding="utf-8")
+    assert main(["check", str(path)]) == 0
+    assert "90 deg < phi <= 90.0001 deg" in capsys.readouterr().out
+
+
+WINGED = """
+param alpha = -135.3 deg in -180 deg .. 180 deg
+param beta = 3.4 deg
+param l = 8 in
+param m = 1.3 in
+pivot O
+slider K along beta
+link OB
+link BK
+OB = l @ alpha
+BK = m @ 3*alpha
+force P at B on OB along -y
+force F at K on BK along beta
+friction pins 0.116 diameter 0.59 in
+friction slider K 0.272
+find k = P/F
+"""
+
+
+def test_beside_a_place_at_which_a_slip_is_infinite_and_k_is_not_friction_is_looked_at():
+    """At -90 degrees P is perpendicular to the path of B, and cos(alpha) cancels in k."""
+    found = within(sampled(WINGED)["k_f"], "alpha")
+    assert any(
+        s == "locked" and a == pytest.approx(-91.53, abs=0.01) and b > -89 for s, a, b in found
+    )

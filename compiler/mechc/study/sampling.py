@@ -64,9 +64,11 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     chosen = even[::SELDOM] if moving.is_slow else even
     grid = sorted({x for x in (*chosen, *beside, *solved, *also) if low <= x <= high})
     far = nearest(high - low) / 2
-    jumps = _in_cells(_jumps, moving, grid)
-    jumps = (x for x in jumps if all(abs(x - c) > far for c in centres))
-    grid = _with(grid, (x for x in jumps if moving.at(x).state))
+    jumps = [x for x in _in_cells(_jumps, moving, grid) if all(abs(x - c) > far for c in centres)]
+    unknown = _alone(moving, _with(grid, jumps))
+    around = chain.from_iterable(_solved_beside(moving, x, step) for x in unknown)
+    known = (x for x in (*jumps, *around) if low <= x <= high and moving.at(x).state)
+    grid = _with(grid, known)
     grid = _with(grid, _in_cells(_edge, moving, grid))
     grid = _with(
         grid, _bulging(moving, grid), _turning_beside_jumps(moving, grid), _loose(moving, grid)
@@ -109,6 +111,18 @@ def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float
             yield centre + away * near
 
 
+def _alone(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+    """Yield values of a motion at which alone nothing is found.
+
+    There a slip may be infinite though the ratio without friction is not, and on both sides
+    of it something may stand.
+    """
+    for a, x, b in _triples(grid):
+        before, here, after = (moving.at(v).state for v in (a, x, b))
+        if here is None and (before or after) and moving.driven(x) is not None:
+            yield x
+
+
 # -------------------------------------------------------------------- dead centres
 
 
@@ -118,6 +132,8 @@ def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> I
         yield dead_centre(moving, a, b)
         return
     middle = (a + b) / 2
+    if moving.driven(a) is None and moving.driven(middle) is None:
+        return  # the ratio is zero throughout, but for rounding, or there is no pose
     first, here, final = (moving.without(x) for x in (a, middle, b))
     size = abs(first) + 2 * abs(here) + abs(final)
     if not abs(first + final - 2 * here) > BENT * size:

@@ -1,6 +1,6 @@
 """Where a mechanism is locked by friction, and how its efficiency runs, in sentences."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from ...formula.layout import in_degrees
@@ -15,8 +15,11 @@ from .wording import enumeration, positive_first
 Along = LockingIntervals | EfficiencyRange | Extent
 """What is stated along a parameter."""
 
-DIGITS = 4
-"""Significant digits of a value; two are enough for an efficiency."""
+DIGITS, MOST = 4, 10
+"""Significant digits of a value; so many at most where fewer make one of the ends of an interval.
+
+Two are enough for an efficiency.
+"""
 
 HALF_CIRCLE = 180 / 3.141592653589793
 
@@ -78,8 +81,11 @@ def _condition(stretch: Stretch, reach: LockingIntervals, spell: Speller, locale
     low, high = _shown_ends(stretch, reach)
     sides: tuple[Formula, ...]
     signs: tuple[str, ...]
+    bounds = [b for b in (low, high) if b]
+    digits = _apart([b.x for b in bounds], reach, spell)
     if low and high:
-        sides = _side(low, reach, spell), Symbol(reach.parameter), _side(high, reach, spell)
+        below, above = (_side(b, reach, spell, digits) for b in (low, high))
+        sides = below, Symbol(reach.parameter), above
         signs = _sign("<", low), _sign("<", high)
     elif low:
         sides, signs = (Symbol(reach.parameter), _side(low, reach, spell)), (_sign(">", low),)
@@ -88,7 +94,6 @@ def _condition(stretch: Stretch, reach: LockingIntervals, spell: Speller, locale
     else:
         return locale.any_of.format(name=_name(reach, spell))
     said = spell.relation(sides, signs, reach.parameter in spell.angles)
-    bounds = [b for b in (low, high) if b]
     known = [b.x for b in bounds if b.exact and not _is_figure(b.exact)]
     figures = [_figure(x, reach, locale, spell) for x in known]
     unit = _unit(reach, locale) if any(not b.exact for b in bounds) else ""
@@ -119,9 +124,9 @@ def _shown_ends(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None
     return low, high
 
 
-def _side(bound: Bound, reach: Along, spell: Speller) -> Formula:
+def _side(bound: Bound, reach: Along, spell: Speller, digits: int = DIGITS) -> Formula:
     if bound.exact is None:
-        return rounded_value(bound.x, reach, spell)
+        return rounded_value(bound.x, reach, spell, digits)
     terms = getattr(bound.exact, "terms", (bound.exact,))
     return total(positive_first(terms))
 
@@ -161,7 +166,8 @@ def _usual(course: EfficiencyRange, locale: Locale, spell: Speller) -> str:
 
 def span(part: Range, reach: Along, locale: Locale, spell: Speller) -> str:
     """Return ``1° ≤ α ≤ 45°``."""
-    low, high = (rounded_value(end, reach, spell) for end in part)
+    digits = _apart(part, reach, spell)
+    low, high = (rounded_value(end, reach, spell, digits) for end in part)
     sides, angle = (low, Symbol(reach.parameter), high), reach.parameter in spell.angles
     return spell.relation(sides, ("<=", "<="), angle) + _unit(reach, locale)
 
@@ -171,11 +177,19 @@ def _figure(at: float, reach: LockingIntervals, locale: Locale, spell: Speller) 
     return shown + _unit(reach, locale)
 
 
-def rounded_value(at: float, reach: Along, spell: Speller) -> Formula:
+def rounded_value(at: float, reach: Along, spell: Speller, digits: int = DIGITS) -> Formula:
     """Return a value with few digits, an angle in degrees."""
     if reach.parameter in spell.angles:
-        return degrees(Fraction(f"{at * HALF_CIRCLE:.{DIGITS}g}"))
-    return number(Fraction(f"{at / size_of(reach.unit):.{DIGITS}g}"))
+        return degrees(Fraction(f"{at * HALF_CIRCLE:.{digits}g}"))
+    return number(Fraction(f"{at / size_of(reach.unit):.{digits}g}"))
+
+
+def _apart(ends: Sequence[float], reach: Along, spell: Speller) -> int:
+    """Return how many digits show the ends of an interval to be two."""
+    for digits in range(DIGITS, MOST):
+        if len({rounded_value(end, reach, spell, digits) for end in ends}) == len(ends):
+            return digits
+    return MOST
 
 
 def _share(value: float, locale: Locale, spell: Speller) -> str:
