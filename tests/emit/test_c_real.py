@@ -77,25 +77,6 @@ def test_the_whole_library_is_close_to_double(compiler, tmp_path):
         agree(name, tmp_path / name, compiler)
 
 
-@pytest.mark.skipif("gcc" not in COMPILERS, reason="no gcc")
-def test_sines_of_float_are_within_two_units_of_the_last_place(tmp_path):
-    source, _ = sources(solved("crank_rocker"))
-    helper = source[source.index("static inline float mechc_circular") :]
-    helper = helper[: helper.index("\n}\n") + 3].replace("static inline", "", 1)
-    code = "#include <stdint.h>\n#include <string.h>\n" + helper
-    (tmp_path / "code.c").write_text(code, encoding="utf-8")
-    command = ["gcc", "-O2", "-fPIC", "-shared", "code.c", "-o", "code.so"]
-    subprocess.run(command, cwd=tmp_path, check=True)
-    call = ctypes.CDLL(str(tmp_path / "code.so")).mechc_circular
-    call.restype, call.argtypes = ctypes.c_float, [ctypes.c_float, ctypes.c_uint32]
-    angles = np.random.default_rng(3).uniform(-100, 100, 4000).astype(np.float32)
-    for quarter, exact in ((0, np.sin), (1, np.cos)):
-        wanted = exact(angles.astype(float))
-        found = np.array([call(x, quarter) for x in angles])
-        assert np.max(np.abs(found - wanted)) < 2 * 2.0**-24
-    assert np.isnan(call(9000.0, 0))
-
-
 def test_a_number_beyond_float_is_an_error():
     sheet = mechc.loads('sheet s "S"\nparam c = 2\nlet d = c*10^45\n')
     with pytest.raises(mechc.MechcError, match=r"E705.*beyond single precision"):

@@ -183,10 +183,7 @@ def _computed(statements: Iterable[Statement]) -> Iterator[Formula]:
     for statement in statements:
         yield from formulas_of(statement)
         if isinstance(statement, Solve):
-            solver = statement.solver
-            yield from (step.formula for step in solver.steps)
-            yield from solver.residuals
-            yield from (entry for row in solver.jacobian for entry in row)
+            yield from statement.solver.computed
 
 
 class Read(NamedTuple):

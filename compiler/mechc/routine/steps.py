@@ -62,6 +62,12 @@ class Solver:
     residuals: tuple[Formula, ...]
     jacobian: tuple[tuple[Formula, ...], ...]
 
+    @property
+    def computed(self) -> tuple[Formula, ...]:
+        """Return the formulas that one correction computes."""
+        slopes = (entry for row in self.jacobian for entry in row)
+        return (*(step.formula for step in self.steps), *self.residuals, *slopes)
+
 
 @frozen
 class Solve:

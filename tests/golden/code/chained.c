@@ -28,8 +28,9 @@ extern "C" double sqrt(double) __THROW __attribute__((const));
 
 /*
  * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:
- * Cody and Waite's reduction in four parts and the polynomials of fdlibm (Sun
+ * Cody and Waite's reduction in three parts and the polynomials of fdlibm (Sun
  * Microsystems, 1993), within 2.5 ulp. NaN beyond 2^20 rad, where the caller asks libm.
+ * Sine and cosine of one angle share all but the last lines.
  */
 static inline double mechc_circular(double x, uint64_t quarter)
 {
@@ -38,7 +39,7 @@ static inline double mechc_circular(double x, uint64_t quarter)
     const double turns = shifted - shifter;
     const double beyond = x*1.71e302; /* infinite beyond 2^20, and infinity less itself is NaN */
     const double r = x - turns*1.57079632673412561417e+00 - turns*6.07710050630396597660e-11
-        - (turns*2.02226624871116645580e-21 + (turns*8.47842766036889956997e-32 + (beyond - beyond)));
+        - (turns*2.02226624879595063154e-21 + (beyond - beyond));
     const double z = r*r, zz = z*z;
     const double s = r + z*r*(-1.66666666666666324348e-01 + z*8.33333333332248946124e-03
         + zz*(-1.98412698298579493134e-04 + z*2.75573137070700676789e-06
@@ -59,12 +60,12 @@ static inline double mechc_circular(double x, uint64_t quarter)
     return result;
 }
 
-static inline double mechc_sin(double x)
+static inline double mechc_sin_of_pair(double x)
 {
     return mechc_circular(x, 0u);
 }
 
-static inline double mechc_cos(double x)
+static inline double mechc_cos_of_pair(double x)
 {
     return mechc_circular(x, 1u);
 }
@@ -117,10 +118,10 @@ double chained_k(double a, double b, double phi)
 
 static inline double chained_k_quick(double a, double b, double phi)
 {
-    const double sin_phi = mechc_sin(phi);
+    const double sin_phi = mechc_sin_of_pair(phi);
     const double p1 = a*sin_phi/b;
     const double theta = asin(p1);
-    const double cos_phi = mechc_cos(phi);
+    const double cos_phi = mechc_cos_of_pair(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
     return mechc_if_no_more(0.0, theta, (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi);
@@ -167,10 +168,10 @@ double chained_P(double a, double b, double phi, double m, double M)
 
 static inline double chained_P_quick(double a, double b, double phi, double m, double M)
 {
-    const double sin_phi = mechc_sin(phi);
+    const double sin_phi = mechc_sin_of_pair(phi);
     const double p1 = a*sin_phi/b;
     const double theta = asin(p1);
-    const double cos_phi = mechc_cos(phi);
+    const double cos_phi = mechc_cos_of_pair(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
     const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
@@ -234,10 +235,10 @@ double chained_twice(double a, double b, double phi, double m, double M)
 
 static inline double chained_twice_quick(double a, double b, double phi, double m, double M)
 {
-    const double sin_phi = mechc_sin(phi);
+    const double sin_phi = mechc_sin_of_pair(phi);
     const double p1 = a*sin_phi/b;
     const double theta = asin(p1);
-    const double cos_phi = mechc_cos(phi);
+    const double cos_phi = mechc_cos_of_pair(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
     const double t1 = sqrt((1.0 - p1)*(1.0 + p1));

@@ -18,46 +18,40 @@
 #define MECHC_PI 3.14159265358979323846
 
 /*
- * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:
- * Cody and Waite's reduction in four parts and the polynomials of fdlibm (Sun
- * Microsystems, 1993), within 2.5 ulp. NaN beyond 2^20 rad, where the caller asks libm.
+ * sin(x + half*pi) for a half of 0.0 or 0.5, where the sine or the cosine of an angle is asked
+ * for alone: the angle is reduced by half turns, and one polynomial serves. Its coefficients are
+ * the best ones up to pi/2 (Remez's exchange, 2^-61); within 2.5 ulp, and NaN beyond 2^20 rad.
  */
-static inline double mechc_circular(double x, uint64_t quarter)
+static inline double mechc_sine(double x, double half)
 {
-    const double shifter = 6755399441055744.0; /* 1.5*2^52: the sum's last bits count quarters */
-    const double shifted = x*6.36619772367581382433e-01 + shifter;
-    const double turns = shifted - shifter;
+    const double shifter = 6755399441055744.0; /* 1.5*2^52: the sum's last bit counts half turns */
+    const double shifted = (half > 0.0 ? x*3.18309886183790671538e-01 + half : x*3.18309886183790671538e-01) + shifter;
+    const double turns = shifted - shifter - half;
     const double beyond = x*1.71e302; /* infinite beyond 2^20, and infinity less itself is NaN */
-    const double r = x - turns*1.57079632673412561417e+00 - turns*6.07710050630396597660e-11
-        - (turns*2.02226624871116645580e-21 + (turns*8.47842766036889956997e-32 + (beyond - beyond)));
+    const double r = x - turns*3.14159265346825122834e+00 - turns*1.21542010126079319572e-10
+        - (turns*4.04453249759190126308e-21 + (beyond - beyond));
     const double z = r*r, zz = z*z;
-    const double s = r + z*r*(-1.66666666666666324348e-01 + z*8.33333333332248946124e-03
-        + zz*(-1.98412698298579493134e-04 + z*2.75573137070700676789e-06
-        + zz*(-2.50507602534068634195e-08 + z*1.58969099521155010221e-10)));
-    const double c = 1.0 - 0.5*z + zz*(4.16666666666666019037e-02
-        - z*1.38888888888741095749e-03 + zz*(2.48015872894767294178e-05
-        - z*2.75573143513906633035e-07 + zz*(2.08757232129817482790e-09
-        - z*1.13596475577881948265e-11)));
-    uint64_t count, sine, cosine, chosen;
+    const double s = r + z*r*(-1.66666666666666655691e-01 + z*8.33333333333319424042e-03
+        + zz*(-1.98412698412091939515e-04 + z*2.75573192111328434194e-06
+        + zz*(-2.50521068723907040075e-08 + z*1.60589396849816868426e-10
+        + zz*(-7.64299093942738370811e-13 + z*2.72116911226383240937e-15))));
+    uint64_t count, bits;
     double result;
     memcpy(&count, &shifted, sizeof count);
-    memcpy(&sine, &s, sizeof sine);
-    memcpy(&cosine, &c, sizeof cosine);
-    chosen = quarter ? cosine : sine; /* the other one in odd quarters */
-    chosen ^= (sine ^ cosine) & (0u - (count & 1u));
-    chosen ^= ((count + quarter) & 2u) << 62;
-    memcpy(&result, &chosen, sizeof result);
+    memcpy(&bits, &s, sizeof bits);
+    bits ^= count << 63; /* each half turn changes the sign */
+    memcpy(&result, &bits, sizeof result);
     return result;
 }
 
 static inline double mechc_sin(double x)
 {
-    return mechc_circular(x, 0u);
+    return mechc_sine(x, 0.0);
 }
 
 static inline double mechc_cos(double x)
 {
-    return mechc_circular(x, 1u);
+    return mechc_sine(x, 0.5);
 }
 
 /* A number whose first bit is 1 where the value is NaN: without a comparison, for vector code. */

@@ -146,7 +146,9 @@ def _computed(
     """Return the body of a function, and the same without branches where it pays."""
     names = {**own, **mangle((n for s in function.steps for n in names_of(s)), inner)}
     plain = _plain(function, function.steps, CPrinter(names), solvers, inner)
-    return plain, _quick(function, QuickPrinter(names)) if _is_circular(function) else None
+    return plain, _quick(function, QuickPrinter(names, _formulas(function))) if _is_circular(
+        function
+    ) else None
 
 
 def _taken(

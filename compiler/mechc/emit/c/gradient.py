@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ...formula.tree import Call
+from ...formula.tree import Call, Formula
 from ...formula.walk import walk
 from ...named import NamedTuple
 from ...routine.functions import operations
@@ -63,7 +63,7 @@ def _context(
     given = ", ".join([*(f"{a}[{loop}]" for a in inputs), *(f"{o} + {loop}" for o in slots)])
     plain, quick = (
         _body(program, printer, outputs, inner)
-        for printer in (CPrinter(names), QuickPrinter(names))
+        for printer in (CPrinter(names), QuickPrinter(names, _formulas(program)))
     )
     return GradientContext(
         name=single,
@@ -99,8 +99,12 @@ def _body(program: Pose, printer: Printer, outputs: Mapping[str, str], inner: Na
     return [*statements, *(f"*{slot} = {printer.names[n]};" for n, slot in outputs.items())]
 
 
+def _formulas(program: Pose) -> list[Formula]:
+    return [f for s in program.steps for f in formulas_of(s)]
+
+
 def _is_circular(program: Pose) -> bool:
-    calls = (part for s in program.steps for f in formulas_of(s) for part in walk(f))
+    calls = (part for f in _formulas(program) for part in walk(f))
     return any(isinstance(part, Call) and part.function in CIRCULAR for part in calls)
 
 

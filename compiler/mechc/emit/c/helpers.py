@@ -3,8 +3,14 @@
 import re
 
 _CALL = re.compile(r"\bmechc_(\w+)\(")
-_NEEDS = {"sin": "circular", "cos": "circular", "tan": "circular"}
-BITS = frozenset({"circular", "nan", "if_less", "if_no_more"})
+_NEEDS = {
+    "sin": "sine",
+    "cos": "sine",
+    "sin_of_pair": "circular",
+    "cos_of_pair": "circular",
+    "tan": "circular",
+}
+BITS = frozenset({"sine", "circular", "nan", "if_less", "if_no_more"})
 """Those that look at the bits of numbers, for which they need ``stdint.h`` and ``string.h``."""
 
 
@@ -14,7 +20,7 @@ def helpers(code: str) -> set[str]:
     Only helpers have names that begin with ``mechc_``: nothing else is given such a name.
 
     >>> sorted(helpers("return mechc_sin(x)*y;"))
-    ['circular', 'sin']
+    ['sin', 'sine']
     """
     called = set(_CALL.findall(code))
     return called | {_NEEDS[name] for name in called if name in _NEEDS}

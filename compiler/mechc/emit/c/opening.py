@@ -28,7 +28,8 @@ def opening(solver: Solver, names: Mapping[str, str]) -> Opening | None:
         return None
     if any(symbols(f) & mixed for f in solver.residuals):
         return None
-    printer = QuickPrinter({**names, **{name: f"({value!r})" for name, value in values.items()}})
+    known = {name: f"({value!r})" for name, value in values.items()}
+    printer = QuickPrinter({**names, **known}, solver.residuals)
     inverse = _inverse([[evaluate(entry, values) for entry in row] for row in solver.jacobian])
     return Opening(
         [printer.print(f) for f in solver.residuals],

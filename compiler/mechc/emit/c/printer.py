@@ -1,10 +1,13 @@
 """How C writes formulas and conditions, plainly or for loops that a compiler can vectorise."""
 
+from collections.abc import Iterable, Mapping
 from typing import assert_never
 
 from ...formula.choices import SIGNS
+from ...formula.sharing import each_part
+from ...formula.tree import Call, Formula
 from ...routine.steps import Guard
-from ..printer import Printer
+from ..printer import Level, Printer
 
 _FUNCTIONS = {"abs": "fabs", "sign": "mechc_sign", "min": "mechc_min", "max": "mechc_max"} | {
     name: f"mechc_{name}" for name in (*SIGNS, "choose")
@@ -30,13 +33,26 @@ class CPrinter(Printer):
 
 
 class QuickPrinter(CPrinter):
-    """Prints for loops: sine and cosine are polynomials that a compiler can vectorise."""
+    """Prints for loops: sine and cosine are polynomials that a compiler can vectorise.
 
-    def call(self, function: str, arguments: list[str]) -> str:
-        """Return a call, of the inlined function where there is one."""
-        if function in CIRCULAR:
-            return f"mechc_{function}({arguments[0]})"
-        return super().call(function, arguments)
+    Of an angle whose sine and cosine are both asked for in ``formulas``, they share the
+    reduction of the angle, which is by quarters; one that stands alone needs one polynomial.
+    """
+
+    def __init__(self, names: Mapping[str, str], formulas: Iterable[Formula]) -> None:
+        """Take the names of symbols, and all that is to be printed."""
+        super().__init__(names)
+        called = {p for p in each_part(formulas) if isinstance(p, Call)}
+        sines, cosines = (
+            {c.arguments for c in called if c.function == name} for name in ("sin", "cos")
+        )
+        self.paired = sines & cosines
+
+    def _call(self, function: str, arguments: tuple[Formula, ...], level: Level) -> str:
+        if function not in CIRCULAR:
+            return super()._call(function, arguments, level)
+        pair = "_of_pair" if arguments in self.paired else ""
+        return f"mechc_{function}{pair}({self.print(arguments[0])})"
 
 
 def guarded(guard: Guard, printer: Printer, output: str) -> str:

@@ -65,7 +65,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     start = (names[s] if isinstance(s, str) else repr(s) for s in solver.start)
     gaps = (_square(_gap(ends[outer], a), newton.scale(a)) for outer, a in anchored)
     changes = (_square(f"change[{i}]", newton.scale(s)) for i, s in enumerate(solver.start))
-    printer = QuickPrinter(names)
+    printer = QuickPrinter(names, solver.computed)
     fixed, body = _steps(solver, printer)
     left = reduced(solver.jacobian)
     return SolverContext(

@@ -20,9 +20,13 @@ def _checks(_known: Mapping[str, Any]) -> str:
 def _circular(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
     if ('sin' in _known["helpers"]):
-        _parts += ['\nstatic inline double mechc_sin(double x)\n{\n    return mechc_circular(x, 0u);\n}\n']
+        _parts += ['\nstatic inline double mechc_sin(double x)\n{\n    return mechc_sine(x, 0.0);\n}\n']
     if ('cos' in _known["helpers"]):
-        _parts += ['\nstatic inline double mechc_cos(double x)\n{\n    return mechc_circular(x, 1u);\n}\n']
+        _parts += ['\nstatic inline double mechc_cos(double x)\n{\n    return mechc_sine(x, 0.5);\n}\n']
+    if ('sin_of_pair' in _known["helpers"]):
+        _parts += ['\nstatic inline double mechc_sin_of_pair(double x)\n{\n    return mechc_circular(x, 0u);\n}\n']
+    if ('cos_of_pair' in _known["helpers"]):
+        _parts += ['\nstatic inline double mechc_cos_of_pair(double x)\n{\n    return mechc_circular(x, 1u);\n}\n']
     if ('tan' in _known["helpers"]):
         _parts += ['\nstatic inline double mechc_tan(double x)\n{\n    return mechc_circular(x, 0u)/mechc_circular(x, 1u);\n}\n']
     return "".join(_parts)
@@ -30,13 +34,13 @@ def _circular(_known: Mapping[str, Any]) -> str:
 
 def _circular_double(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
-    _parts += ["\n/*\n * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:\n * Cody and Waite's reduction in four parts and the polynomials of fdlibm (Sun\n * Microsystems, 1993), within 2.5 ulp. NaN beyond 2^20 rad, where the caller asks libm.\n */\nstatic inline double mechc_circular(double x, uint64_t quarter)\n{\n    const double shifter = 6755399441055744.0; /* 1.5*2^52: the sum's last bits count quarters */\n    const double shifted = x*6.36619772367581382433e-01 + shifter;\n    const double turns = shifted - shifter;\n    const double beyond = x*1.71e302; /* infinite beyond 2^20, and infinity less itself is NaN */\n    const double r = x - turns*1.57079632673412561417e+00 - turns*6.07710050630396597660e-11\n        - (turns*2.02226624871116645580e-21 + (turns*8.47842766036889956997e-32 + (beyond - beyond)));\n    const double z = r*r, zz = z*z;\n    const double s = r + z*r*(-1.66666666666666324348e-01 + z*8.33333333332248946124e-03\n        + zz*(-1.98412698298579493134e-04 + z*2.75573137070700676789e-06\n        + zz*(-2.50507602534068634195e-08 + z*1.58969099521155010221e-10)));\n    const double c = 1.0 - 0.5*z + zz*(4.16666666666666019037e-02\n        - z*1.38888888888741095749e-03 + zz*(2.48015872894767294178e-05\n        - z*2.75573143513906633035e-07 + zz*(2.08757232129817482790e-09\n        - z*1.13596475577881948265e-11)));\n    uint64_t count, sine, cosine, chosen;\n    double result;\n    memcpy(&count, &shifted, sizeof count);\n    memcpy(&sine, &s, sizeof sine);\n    memcpy(&cosine, &c, sizeof cosine);\n    chosen = quarter ? cosine : sine; /* the other one in odd quarters */\n    chosen ^= (sine ^ cosine) & (0u - (count & 1u));\n    chosen ^= ((count + quarter) & 2u) << 62;\n    memcpy(&result, &chosen, sizeof result);\n    return result;\n}\n"]
+    _parts += ["\n/*\n * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:\n * Cody and Waite's reduction in three parts and the polynomials of fdlibm (Sun\n * Microsystems, 1993), within 2.5 ulp. NaN beyond 2^20 rad, where the caller asks libm.\n * Sine and cosine of one angle share all but the last lines.\n */\nstatic inline double mechc_circular(double x, uint64_t quarter)\n{\n    const double shifter = 6755399441055744.0; /* 1.5*2^52: the sum's last bits count quarters */\n    const double shifted = x*6.36619772367581382433e-01 + shifter;\n    const double turns = shifted - shifter;\n    const double beyond = x*1.71e302; /* infinite beyond 2^20, and infinity less itself is NaN */\n    const double r = x - turns*1.57079632673412561417e+00 - turns*6.07710050630396597660e-11\n        - (turns*2.02226624879595063154e-21 + (beyond - beyond));\n    const double z = r*r, zz = z*z;\n    const double s = r + z*r*(-1.66666666666666324348e-01 + z*8.33333333332248946124e-03\n        + zz*(-1.98412698298579493134e-04 + z*2.75573137070700676789e-06\n        + zz*(-2.50507602534068634195e-08 + z*1.58969099521155010221e-10)));\n    const double c = 1.0 - 0.5*z + zz*(4.16666666666666019037e-02\n        - z*1.38888888888741095749e-03 + zz*(2.48015872894767294178e-05\n        - z*2.75573143513906633035e-07 + zz*(2.08757232129817482790e-09\n        - z*1.13596475577881948265e-11)));\n    uint64_t count, sine, cosine, chosen;\n    double result;\n    memcpy(&count, &shifted, sizeof count);\n    memcpy(&sine, &s, sizeof sine);\n    memcpy(&cosine, &c, sizeof cosine);\n    chosen = quarter ? cosine : sine; /* the other one in odd quarters */\n    chosen ^= (sine ^ cosine) & (0u - (count & 1u));\n    chosen ^= ((count + quarter) & 2u) << 62;\n    memcpy(&result, &chosen, sizeof result);\n    return result;\n}\n"]
     return "".join(_parts)
 
 
 def _circular_float(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
-    _parts += ["\n/*\n * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:\n * Cody and Waite's reduction in three parts and the polynomials of Cephes (S. Moshier,\n * 1989). NaN beyond 2^13 rad, where the caller asks libm.\n */\nstatic inline double mechc_circular(double x, uint32_t quarter)\n{\n    const double shifter = 12582912.0; /* 1.5*2^23: the sum's last bits count quarters */\n    const double shifted = x*0.636619772 + shifter;\n    const double turns = shifted - shifter;\n    const double beyond = x*4.15e34; /* infinite beyond 2^13, and infinity less itself is NaN */\n    const double r = x - turns*1.5703125 - turns*4.837512969970703125e-4\n        - (turns*7.54978995489188216e-8 + (beyond - beyond));\n    const double z = r*r;\n    const double s = r + z*r*(-1.6666654611e-1 + z*(8.3321608736e-3 - z*1.9515295891e-4));\n    const double c = 1.0 - 0.5*z + z*z*(4.166664568298827e-2\n        - z*(1.388731625493765e-3 - z*2.443315711809948e-5));\n    uint32_t count, sine, cosine, chosen;\n    double result;\n    memcpy(&count, &shifted, sizeof count);\n    memcpy(&sine, &s, sizeof sine);\n    memcpy(&cosine, &c, sizeof cosine);\n    chosen = quarter ? cosine : sine; /* the other one in odd quarters */\n    chosen ^= (sine ^ cosine) & (0u - (count & 1u));\n    chosen ^= ((count + quarter) & 2u) << 30;\n    memcpy(&result, &chosen, sizeof result);\n    return result;\n}\n"]
+    _parts += ["\n/*\n * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:\n * Cody and Waite's reduction in three parts and the polynomials of Cephes (S. Moshier,\n * 1989). NaN beyond 2^13 rad, where the caller asks libm. Sine and cosine of one angle\n * share all but the last lines.\n */\nstatic inline double mechc_circular(double x, uint32_t quarter)\n{\n    const double shifter = 12582912.0; /* 1.5*2^23: the sum's last bits count quarters */\n    const double shifted = x*0.636619772 + shifter;\n    const double turns = shifted - shifter;\n    const double beyond = x*4.15e34; /* infinite beyond 2^13, and infinity less itself is NaN */\n    const double r = x - turns*1.5703125 - turns*4.837512969970703125e-4\n        - (turns*7.54978995489188216e-8 + (beyond - beyond));\n    const double z = r*r;\n    const double s = r + z*r*(-1.6666654611e-1 + z*(8.3321608736e-3 - z*1.9515295891e-4));\n    const double c = 1.0 - 0.5*z + z*z*(4.166664568298827e-2\n        - z*(1.388731625493765e-3 - z*2.443315711809948e-5));\n    uint32_t count, sine, cosine, chosen;\n    double result;\n    memcpy(&count, &shifted, sizeof count);\n    memcpy(&sine, &s, sizeof sine);\n    memcpy(&cosine, &c, sizeof cosine);\n    chosen = quarter ? cosine : sine; /* the other one in odd quarters */\n    chosen ^= (sine ^ cosine) & (0u - (count & 1u));\n    chosen ^= ((count + quarter) & 2u) << 30;\n    memcpy(&result, &chosen, sizeof result);\n    return result;\n}\n"]
     return "".join(_parts)
 
 
@@ -207,6 +211,18 @@ def _pose(_known: Mapping[str, Any]) -> str:
     return "".join(_parts)
 
 
+def _sine_double(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ["\n/*\n * sin(x + half*pi) for a half of 0.0 or 0.5, where the sine or the cosine of an angle is asked\n * for alone: the angle is reduced by half turns, and one polynomial serves. Its coefficients are\n * the best ones up to pi/2 (Remez's exchange, 2^-61); within 2.5 ulp, and NaN beyond 2^20 rad.\n */\nstatic inline double mechc_sine(double x, double half)\n{\n    const double shifter = 6755399441055744.0; /* 1.5*2^52: the sum's last bit counts half turns */\n    const double shifted = (half > 0.0 ? x*3.18309886183790671538e-01 + half : x*3.18309886183790671538e-01) + shifter;\n    const double turns = shifted - shifter - half;\n    const double beyond = x*1.71e302; /* infinite beyond 2^20, and infinity less itself is NaN */\n    const double r = x - turns*3.14159265346825122834e+00 - turns*1.21542010126079319572e-10\n        - (turns*4.04453249759190126308e-21 + (beyond - beyond));\n    const double z = r*r, zz = z*z;\n    const double s = r + z*r*(-1.66666666666666655691e-01 + z*8.33333333333319424042e-03\n        + zz*(-1.98412698412091939515e-04 + z*2.75573192111328434194e-06\n        + zz*(-2.50521068723907040075e-08 + z*1.60589396849816868426e-10\n        + zz*(-7.64299093942738370811e-13 + z*2.72116911226383240937e-15))));\n    uint64_t count, bits;\n    double result;\n    memcpy(&count, &shifted, sizeof count);\n    memcpy(&bits, &s, sizeof bits);\n    bits ^= count << 63; /* each half turn changes the sign */\n    memcpy(&result, &bits, sizeof result);\n    return result;\n}\n"]
+    return "".join(_parts)
+
+
+def _sine_float(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ["\n/*\n * sin(x + half*pi) for a half of 0.0 or 0.5, where the sine or the cosine of an angle is asked\n * for alone: the angle is reduced by half turns, and one polynomial serves. Its coefficients are\n * the best ones up to pi/2 (Remez's exchange, 2^-27). NaN beyond 2^13 rad.\n */\nstatic inline double mechc_sine(double x, double half)\n{\n    const double shifter = 12582912.0; /* 1.5*2^23: the sum's last bit counts half turns */\n    const double shifted = (half > 0.0 ? x*0.318309886 + half : x*0.318309886) + shifter;\n    const double turns = shifted - shifter - half;\n    const double beyond = x*4.15e34; /* infinite beyond 2^13, and infinity less itself is NaN */\n    const double r = x - turns*3.140625 - turns*9.67502593994140625e-4\n        - (turns*1.509957990978376432e-7 + (beyond - beyond));\n    const double z = r*r;\n    const double s = r + z*r*(-1.666665949e-1 + z*(8.333064644e-3\n        + z*(-1.980947751e-4 + z*2.605487704e-6)));\n    uint32_t count, bits;\n    double result;\n    memcpy(&count, &shifted, sizeof count);\n    memcpy(&bits, &s, sizeof bits);\n    bits ^= count << 31; /* each half turn changes the sign */\n    memcpy(&result, &bits, sizeof result);\n    return result;\n}\n"]
+    return "".join(_parts)
+
+
 def _solver(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
     _parts += ['\n/*\n * ', str(_known["s"].title), ':\n']
@@ -274,6 +290,10 @@ def _source(_known: Mapping[str, Any]) -> str:
         _parts += [TEMPLATES['c/circular_float.jinja'](_known)]
     elif ('circular' in _known["helpers"]):
         _parts += [TEMPLATES['c/circular_double.jinja'](_known)]
+    if (('sine' in _known["helpers"]) and (_known["real"].name == 'float')):
+        _parts += [TEMPLATES['c/sine_float.jinja'](_known)]
+    elif ('sine' in _known["helpers"]):
+        _parts += [TEMPLATES['c/sine_double.jinja'](_known)]
     _parts += [TEMPLATES['c/circular.jinja'](_known)]
     _parts += [TEMPLATES['c/guards.jinja'](_known)]
     if ('eliminate' in _known["helpers"]):
@@ -314,6 +334,8 @@ TEMPLATES = {
     "c/header.jinja": _header,
     "c/parameters.jinja": _parameters,
     "c/pose.jinja": _pose,
+    "c/sine_double.jinja": _sine_double,
+    "c/sine_float.jinja": _sine_float,
     "c/solver.jinja": _solver,
     "c/source.jinja": _source,
     "c/status.jinja": _status,
