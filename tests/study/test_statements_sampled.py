@@ -192,3 +192,26 @@ def test_angles_of_which_nothing_small_is_a_multiple_take_no_time(turn):
     text = TREBLED.format(value=20, low=5, high=80, more="", load=f"C along {turn}")
     mechanism, (k,) = results(text.replace("@ -al", f"@ {turn}"))
     assert list(refuted(mechanism, k)) == []
+
+
+BY_CHANCE = """
+param alpha = 73.1 deg in 0 deg .. 90 deg
+param beta = 0 deg in -20 deg .. 30 deg
+pivot O
+slider K along x
+link OB
+link BK
+OB = 6 mm @ alpha - beta
+BK = 11 mm @ 2*alpha
+force P at B on OB along x
+force F at K on BK along beta
+find k = P/F
+"""
+
+
+def test_a_pole_that_a_zero_meets_at_the_default_values_only_is_stated_with_it():
+    """With beta = 0 both sin(alpha + beta) and sin(alpha - beta) are sin(alpha)."""
+    mechanism, (k,) = results(BY_CHANCE)
+    assert {text(f) for v in k.poles for f in v.but} == {"sin(alpha + beta)"}
+    assert {text(f) for v in k.zeros for f in v.but} == {"sin(alpha - beta)"}
+    assert list(refuted(mechanism, k)) == list(missing(mechanism, k)) == []

@@ -135,14 +135,17 @@ def _at_roots(
 def _but_by_chance(
     root: Root, item: Solved, balance: Balance, near: Mapping[str, float], side: int
 ) -> Iterator[Vanishing]:
-    """Yield a root at which a sum across the line is zero, too, for the lengths given only."""
+    """Yield a root at which something across the line is zero, too, for the values given only.
+
+    With β = 0 it is sin(α + β) where sin(α - β) is, and k = sin(α + β)/sin(α - β) is 1.
+    """
     assert item.value is not None
     known = order(item.value, root.name, root.value)
     across = [f for f, e in item.value.factors.items() if e * side < 0]
-    sums = tuple(f.formula() for f in across if _is_nil(f, root, near))
-    if sums and known is not None and known * side > 0:
+    nil = tuple(f.formula() for f in across if _is_nil(f, root, near))
+    if nil and known is not None and known * side > 0:
         cause = _cause(root.factor, (root,), item, balance, side)
-        yield Vanishing(root.factor.formula(), None, cause, _is_outside(root.factor, balance), sums)
+        yield Vanishing(root.factor.formula(), None, cause, _is_outside(root.factor, balance), nil)
 
 
 def _vanishing(
@@ -246,7 +249,7 @@ def _without_shared(
     left = [f for f, e in rest.factors.items() if e > 0] if shared and rest else [factor]
     sums = [f for f in left if isinstance(f, Sum)] if shared else left
     known = all(order(Product.of(f), r.name, r.value) == 0 for f in sums for r in shared)
-    by_chance = any(_is_nil(f, r, near) for f in left for r in across)
+    by_chance = any(_is_nil(f, r, near) for f in left if isinstance(f, Sum) for r in across)
     return left if known and not by_chance else []
 
 
@@ -267,8 +270,8 @@ def _across_the_line(factor: Factor, value: Product) -> list[Trig]:
 
 
 def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
-    """Return whether a sum is zero at a root for the values given, against its size elsewhere."""
-    if not isinstance(factor, Sum) or not {root.name, *root.value.names} <= near.keys():
+    """Return whether a factor is zero at a root for the values given, against its usual size."""
+    if not isinstance(factor, Sum | Trig) or not {root.name, *root.value.names} <= near.keys():
         return False
     if not symbols(factor.formula()) <= near.keys():
         return False
