@@ -9,11 +9,8 @@ from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
 from mechc.model.targets import Efficiency, WithFriction
 from mechc.source import Source
-from other_kinds import KINDS, other
-from paths import TESTS
+from other_kinds import KINDS, other, put_toggle
 from statements import missing, refuted
-
-PRESS = TESTS.parent / "examples" / "press"
 
 
 def compiled(text: str, folder: Path) -> Compilation | None:
@@ -27,11 +24,12 @@ def compiled(text: str, folder: Path) -> Compilation | None:
         return None
 
 
-def hold(kind: str, seeds: range) -> int:
+def hold(kind: str, seeds: range, folder: Path) -> int:
     """Try what is said of some mechanisms of a kind; return how many had a result."""
+    put_toggle(folder)
     number = 0
     for seed in seeds:
-        compilation = compiled(other(kind, seed), PRESS)
+        compilation = compiled(other(kind, seed), folder)
         if compilation is None:
             continue
         assert not {"W601", "W602"} & {d.code for d in compilation.report.diagnostics}, seed
@@ -46,11 +44,11 @@ def hold(kind: str, seeds: range) -> int:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_what_is_said_of_other_kinds_holds(kind):
-    assert hold(kind, range(1)) == 1
+def test_what_is_said_of_other_kinds_holds(kind, tmp_path):
+    assert hold(kind, range(1), tmp_path) == 1
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-def test_what_is_said_of_many_of_other_kinds_holds(kind):
-    assert hold(kind, range(100, 115)) > 5
+def test_what_is_said_of_many_of_other_kinds_holds(kind, tmp_path):
+    assert hold(kind, range(100, 115), tmp_path) > 5

@@ -2,7 +2,6 @@
 
 import math
 import re
-import shutil
 
 import pytest
 
@@ -16,7 +15,8 @@ from mechc.formula.walk import symbols
 from mechc.source import Source
 from mechc.study.analysis import Acted, DeadCentre
 from mechc.study.stroke.along import Along
-from paths import EXAMPLES, LIBRARY
+from other_kinds import put_toggle
+from paths import LIBRARY
 
 CLAW = """
 param l_A = 100 mm
@@ -716,7 +716,7 @@ find k = M/T_F
 
 
 def test_equal_links_that_fold_make_no_pole_and_no_jumps_of_rounding(tmp_path):
-    shutil.copy(EXAMPLES / "press" / "toggle.mech", tmp_path)
+    put_toggle(tmp_path)
     (tmp_path / "press.mech").write_text(FOLDED, encoding="utf-8")
     mechanism = mechc.load(tmp_path / "press.mech")
     (pole,) = [p for p in mechanism.results["k"].poles if symbols(p.factor) == {"beta_BK1"}]

@@ -4,7 +4,10 @@ Each function returns the text of one; numbers have ranges, over which statement
 """
 
 from collections.abc import Callable
+from pathlib import Path
 from random import Random
+
+from paths import EXAMPLES
 
 PRESS = """
 pivot O at ({x} mm, {y} mm)
@@ -18,7 +21,14 @@ use "toggle.mech" as T (l = {l} mm) at (0 mm, 210 mm) joining T.B = B
 assembly ABC1 {side}
 find k = M/T_F
 """
-"""Joined with the toggle of the examples, in whose folder it lies."""
+"""Joined with the toggle of the examples."""
+
+
+def put_toggle(folder: Path) -> None:
+    """Write the toggle of the examples, free to turn all the way, beside what joins it."""
+    toggle = (EXAMPLES / "press" / "toggle.mech").read_text("utf-8")
+    free = toggle.replace("in 2 deg .. 40 deg", "in -180 deg .. 180 deg")
+    (folder / "toggle.mech").write_text(free, "utf-8")
 
 
 def ranged(name: str, dice: Random, low: float, high: float, unit: str = "") -> str:
