@@ -17,12 +17,12 @@ from .friction.solution import Solution
 from .frozen import replace
 from .kinematics.from_pose import plan_velocities
 from .kinematics.plan import Plan
-from .model import uses
-from .model.composed import Composed, Used, uses_others
 from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
 from .model.sheets import is_sheet
+from .model.uses import composing as uses
+from .model.uses.composed import Composed, Used, uses_others
 from .pose.from_model import solve_pose
 from .pose.pose import Pose
 from .power.balance import Balance

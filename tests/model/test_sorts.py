@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from mechc.diagnostics import MechcError, Report
 from mechc.formula.walk import evaluate
+from mechc.model.formulas.sorts import Nature, Sort, agreed, multiplied, raised
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import Let
-from mechc.model.sorts import Nature, Sort, agreed, multiplied, raised
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.units import (

@@ -109,7 +109,9 @@ def hidden() -> frozenset[tuple[str, str]]:
 
 
 def imports_by_module() -> dict[str, frozenset[str]]:
-    return {name_of(p)[:-3].replace("/", "."): own(p) for p in modules()}
+    """Return what each module imports; a package is the module of its name."""
+    names = ((name_of(p)[:-3].replace("/", "."), own(p)) for p in modules())
+    return {name.removesuffix(".__init__"): needs for name, needs in names}
 
 
 def stage(name: str) -> str:

@@ -9,9 +9,9 @@ from ..formula.rounding import Rounding
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
-from ..model.failures import failure
 from ..model.mechanism import Mechanism, Require
 from ..model.result import ClosedLoop, Result, Solved
+from ..model.results import failures
 from ..model.values import Chain, Values, compare, defaults, dependent
 from ..pose.pose import Definition, Pose
 from ..power.definitions import let_results
@@ -115,7 +115,7 @@ def _refuse_broken(checks: tuple[Check, ...], report: Report) -> set[str]:
         if math.isnan(check.left) or math.isnan(check.right):
             continue  # what has no value is reported by itself
         if not holds(check):
-            report.add(failure(check.condition, (check.left, check.right), report.source))
+            report.add(failures.failure(check.condition, (check.left, check.right), report.source))
             if check.condition.subject:
                 failed.add(check.condition.subject.let)
     return failed

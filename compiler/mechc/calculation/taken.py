@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
+from ..model.formulas.order import ordered
 from ..model.mechanism import Mechanism, Require
-from ..model.order import ordered
 from ..model.result import Definition, FrictionResult, Result, Solved
 from ..model.values import Values, completed, holds, standing
 from ..named import NamedTuple

@@ -21,7 +21,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Result
-from ..model.results import refuse_failing
+from ..model.results.conditions import refuse_failing
 from ..model.targets import SIGNS
 from ..power.balance import Balance, Solved
 from ..power.definitions import let_results, open_lengths

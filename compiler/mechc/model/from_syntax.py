@@ -13,33 +13,33 @@ from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
 from . import drawn
-from .definitions import Definitions, in_file_order, read_definitions, spread_feeding
 from .doubts import doubts
 from .driven import checked
-from .finds import read_finds
-from .for_readers import for_readers
-from .force_pairs import inside_telescopes, spring_name
-from .friction import read_friction
-from .geometry import read_geometry
-from .held import with_held, with_held_links
-from .joints import declare_points, read_drawn, read_pivots, read_sliders, warn_idle
-from .literals import with_names
-from .loads import read_loads
+from .forces.force_pairs import inside_telescopes, spring_name
+from .forces.friction import read_friction
+from .forces.loads import read_loads
+from .formulas.definitions import Definitions, in_file_order, read_definitions, spread_feeding
+from .formulas.for_readers import for_readers
+from .formulas.parameters import warn_unused
+from .linkage import held
+from .linkage.geometry import read_geometry
+from .linkage.joints import declare_points, read_drawn, read_pivots, read_sliders, warn_idle
+from .linkage.motion import check_drives, read_assemblies, read_drives
+from .linkage.symmetry import check_shared_vectors, read_copies, read_mirror
+from .linkage.transmissions import read_arcs, read_joints, read_slides, read_telescopes
+from .linkage.wheels import check_belts
 from .lower import with_arcs, with_loaded_points
 from .mechanism import Find, LoadForm, Mechanism, Offset, Slider
-from .motion import check_drives, read_assemblies, read_drives
-from .parameters import warn_unused
-from .points import Points
-from .reactions import check_rods
-from .reported import read_reported
-from .results import implied, read_expects, read_requires
-from .scope import Scope
+from .names.literals import with_names
+from .names.points import Points
+from .names.scope import Scope
+from .results.conditions import implied, read_expects, read_requires
+from .results.finds import read_finds
+from .results.reactions import check_rods
+from .results.reported import read_reported
 from .sheets import refuse_links_in_a_sheet, written_as_sheet
 from .statements import check_doubled, every, only
-from .symmetry import check_shared_vectors, read_copies, read_mirror
 from .translations import read_translations
-from .transmissions import read_arcs, read_joints, read_slides, read_telescopes
-from .wheels import check_belts
 
 
 def resolve(file: ast.File, report: Report) -> Mechanism:
@@ -66,12 +66,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     check_rods(mechanism, scope)
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
-    mechanism = with_held_links(mechanism, report)
-    if mechanism.drawn or (mechanism.drive and mechanism.drive.ends):
-        mechanism = drawn.with_drawn(mechanism, report)
-    check_drives(mechanism, report)
-    report.stop_on_errors()
-    mechanism = with_held(mechanism, report)
+    mechanism = _laid_out(mechanism, report)
     mechanism = replace(mechanism, reported=read_reported(file, mechanism, scope))
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
@@ -150,6 +145,17 @@ def _asked(mechanism: Mechanism, file: ast.File, found: Definitions, scope: Scop
         implied=() if scope.sheet else tuple(implied(found)),
         expects=tuple(expects),
     )
+
+
+def _laid_out(mechanism: Mechanism, report: Report) -> Mechanism:
+    """Return the mechanism with what its drawing gives, and fast what held drives would move."""
+    if mechanism.held:
+        mechanism = held.with_held_links(mechanism, report)
+    if mechanism.drawn or (mechanism.drive and mechanism.drive.ends):
+        mechanism = drawn.with_drawn(mechanism, report)
+    check_drives(mechanism, report)
+    report.stop_on_errors()
+    return held.with_held(mechanism, report) if mechanism.held else mechanism
 
 
 def name_of(source: str) -> str:

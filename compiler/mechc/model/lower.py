@@ -12,7 +12,7 @@ from ..formula.tree import negative, product, total
 from ..frozen import replace
 from .entries import drawn_places, unit_of_drawing, vector_between
 from .mechanism import Along, ArcSlot, Arrow, Drawn, Force, Geometry, Link, Load, Mechanism, Spread
-from .scope import Scope
+from .names.scope import Scope
 
 MIDDLE = "M"
 """The letter of a point at which the resultant of a spread load acts."""

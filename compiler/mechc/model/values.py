@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterable, Mapping
 from ..formula.tree import Formula, Number, Symbol
 from ..formula.walk import Evaluation, evaluate, straight_line, symbols
 from ..units import ANGLE, LENGTH
+from .formulas.order import ordered
 from .mechanism import Mechanism, Parameter, Require
-from .order import ordered
 from .result import Result
 from .tolerances import SAME_VALUE, VANISHED
 

@@ -16,8 +16,8 @@ from ..formula.layout import TRIGONOMETRIC
 from ..formula.tree import Call, Formula
 from ..formula.walk import children, rebuild, substitute, symbols
 from ..frozen import replace
-from ..model.forms import COORDINATES, Form, form_of_pose
 from ..model.mechanism import ForcePair, Mechanism
+from ..model.names.forms import COORDINATES, Form, form_of_pose
 from ..source import Span
 from .loops.triangle import principal
 from .vectors import Vectors, start_of

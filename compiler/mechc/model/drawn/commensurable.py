@@ -1,0 +1,47 @@
+"""Lengths of vectors with numbers for components, so that their ratios are exact.
+
+Where AD is drawn twice as long as AE, both have a decimal for a root, and the digits of the
+one need not be twice those of the other. What moves only since they are in this ratio, as a
+pair of scissors whose guides hold it twice, must be seen to move: the later length is
+the ratio times the earlier one.
+"""
+
+from fractions import Fraction
+from math import isqrt, sqrt
+
+from ..constants import decimal
+
+
+class Lengths:
+    """The lengths so far: of those in a rational ratio the first decides the digits."""
+
+    def __init__(self) -> None:
+        self._known = [(Fraction(1), Fraction(1))]
+
+    def of(self, x: Fraction, y: Fraction) -> Fraction:
+        """Return the length of a vector: exact where it is rational, else a decimal of it.
+
+        >>> lengths = Lengths()
+        >>> lengths.of(Fraction(3), Fraction(4))
+        Fraction(5, 1)
+        >>> once, thrice = (lengths.of(Fraction(n, 10), Fraction(n, 10)) for n in (7, 21))
+        >>> float(once), thrice / once
+        (0.9899494936611666, Fraction(3, 1))
+        """
+        square = x * x + y * y
+        for known, length in self._known:
+            if ratio := rational_root(square / known):
+                return ratio * length
+        length = decimal(sqrt(square)).value
+        self._known.append((square, length))
+        return length
+
+
+def rational_root(square: Fraction) -> Fraction | None:
+    """Return the square root of a positive number where it is rational.
+
+    >>> rational_root(Fraction(9, 4)), rational_root(Fraction(2))
+    (Fraction(3, 2), None)
+    """
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return root if root * root == square else None

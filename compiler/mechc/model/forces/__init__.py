@@ -1,0 +1,12 @@
+"""Loads, and friction where bodies touch.
+
+Promises: every load acts on a body that is there; every coefficient has a value that makes sense.
+"""
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ...later import waiting
+
+    SELDOM = {"pulleys"}
+    __getattr__ = waiting(__name__, SELDOM)

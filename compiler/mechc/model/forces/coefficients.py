@@ -1,0 +1,82 @@
+"""Coefficients and lengths of friction, checked for values that make sense."""
+
+from collections.abc import Callable
+
+from ...diagnostics.model import doubts
+from ...diagnostics.model import friction as messages
+from ...formula.tree import Formula
+from ...formula.walk import evaluate, symbols
+from ...source import Span
+from ...syntax import ast
+from ...units import LENGTH, NUMBER
+from ..formulas.expressions import Reader
+from ..names.scope import DESCRIPTION, Scope
+
+HAIR = 1e-9
+"""How far within a range is looked at, as a part of it."""
+
+
+def coefficient(expression: ast.Expr, of: str, scope: Scope) -> Formula | None:
+    """Return a coefficient of friction, by a name where it is a number; None after an error.
+
+    It is that of a point, or of all pins: then ``of`` is empty.
+    """
+    what = "a coefficient of friction"
+    formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, what)
+    value = value_of(formula, scope) if formula else None
+    if value is not None and value > 1:
+        scope.report.add(doubts.coefficient_above_one(expression.span, what, value))
+    found = checked(formula, expression.span, what, lambda v: v >= 0, scope)
+    return found and scope.named("f", of, found, NUMBER, expression.span)
+
+
+def positive_length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:
+    """Return a length above zero; None where an error was reported."""
+    formula = Reader(scope, DESCRIPTION).wanted(expression, LENGTH, what)
+    return checked(formula, expression.span, what, lambda v: v > 0, scope, _in_mm)
+
+
+def _in_mm(length: float) -> str:
+    return f"{length * 1000:g} mm"
+
+
+def checked(
+    formula: Formula | None,
+    span: Span,
+    what: str,
+    fits: Callable[[float], bool],
+    scope: Scope,
+    show: Callable[[float], str] = "{:g}".format,
+) -> Formula | None:
+    """Return a quantity whose default value makes sense; report one that makes none."""
+    value = None if formula is None else value_of(formula, scope)
+    if value is not None and not fits(value):
+        scope.report.add(messages.senseless(span, what, show(value)))
+        return None
+    if formula is not None and (far := _out_of_sense(formula, fits, scope)):
+        scope.report.add(messages.range_makes_no_sense(span, what, far[0], show(far[1])))
+    return formula
+
+
+def _out_of_sense(
+    formula: Formula, fits: Callable[[float], bool], scope: Scope
+) -> tuple[str, float] | None:
+    """Return a parameter whose range takes a quantity to where it makes no sense, and to what.
+
+    The end itself may make none: a diameter may shrink to nothing.
+    """
+    for name in sorted(symbols(formula) & scope.ranges.keys()):
+        low, high = scope.ranges[name]
+        for end, other in ((low, high), (high, low)):
+            at_end = {**scope.values, name: end}
+            inside = {**scope.values, name: end + (other - end) * HAIR}
+            if symbols(formula) <= inside.keys() and not fits(evaluate(formula, inside)):
+                return name, evaluate(formula, at_end)
+    return None
+
+
+def value_of(formula: Formula, scope: Scope) -> float | None:
+    """Return the default value of a formula; None where a parameter of it has none."""
+    if not symbols(formula) <= scope.values.keys():
+        return None
+    return evaluate(formula, scope.values)

@@ -1,0 +1,321 @@
+"""Friction: ``friction …``, ``motion …``, ``efficiency …``."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from typing import assert_never
+
+from ...diagnostics.model import friction as messages
+from ...diagnostics.model import reactions as reactions_messages
+from ...formula.tree import Call, Formula, number, product, total
+from ...syntax import ast
+from ...units import LENGTH, NUMBER
+from ..formulas.expressions import Reader
+from ..joint_friction import (
+    CollarFriction,
+    FaceFriction,
+    Friction,
+    GuideFriction,
+    JointFriction,
+    ThreadFriction,
+    WheelFriction,
+)
+from ..mechanism import (
+    Force,
+    ForcePair,
+    Load,
+    Mechanism,
+    Mesh,
+    Rack,
+    Screw,
+    Slot,
+    Torque,
+    WheelPair,
+)
+from ..names.scope import DESCRIPTION, Scope
+from ..statements import every, only
+from . import pulleys
+from .coefficients import checked, coefficient, positive_length, value_of
+from .collars import collar_radius, read_collar
+from .pins import Pins, remark_on_pairs
+
+TransmissionFriction = (
+    ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction | ast.CollarFriction
+)
+
+
+def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
+    """Return the friction of all joints; report what names no joint, or names one twice."""
+    points = [s.point for s in every(file, ast.PinFriction) if s.point]
+    named = {point.text for point in points if scope.points.acting(point)}
+    pins = Pins(named, built, scope)
+    found: dict[object, JointFriction] = {}
+    for statement in file.statements:
+        for joint in _read(statement, file, pins, built, scope):
+            key = (type(joint), getattr(joint, "kind", "")), joint.point
+            if key in found:
+                first = found[key].span
+                scope.report.add(messages.friction_again(joint.span, joint.point, first))
+            found.setdefault(key, joint)
+    _check_halves(found.values(), built, scope)
+    _remark_on_blocks(found.values(), built, scope)
+    motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)
+    sense = motion.sense if motion else "tightening"
+    everywhere = any(s.point is None for s in every(file, ast.PinFriction))
+    friction = Friction(tuple(found.values()), sense, efficiency, everywhere)
+    if everywhere:
+        remark_on_pairs(built, scope)
+        _remark_on_slots(friction, built, scope)
+    if motion and friction.is_ideal:
+        scope.report.add(messages.motion_for_nothing(motion.span))
+    return friction
+
+
+def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None:
+    """Say which pins slide in slots without friction, though every pin is said to have it."""
+    rough = {joint.point for joint in friction.joints if isinstance(joint, FaceFriction)}
+    slots = [(slot.point, slot.span) for slot in built.each(Slot)]
+    slots += [(link.points[1], link.arc.span) for link in built.links if link.arc]
+    for point, span in slots:
+        if point not in rough:
+            scope.report.add(messages.slot_without_friction(span, point))
+
+
+def _remark_on_blocks(joints: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
+    """Say that the couple which a block passes on gives no friction of its own."""
+    guiding = {slot.point: slot.guided for slot in built.each(Slot) if slot.guided}
+    for joint in joints:
+        if isinstance(joint, FaceFriction) and joint.point in guiding:
+            scope.report.add(messages.couple_without_friction(joint.span, guiding[joint.point]))
+
+
+def _check_halves(joints: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
+    """Remark on guides whose side forces cancel, or would in a whole that is drawn by half."""
+    for joint in joints:
+        if isinstance(joint, GuideFriction) and joint.point in built.shared:
+            scope.report.add(messages.halves_cancel(joint.span, joint.point))
+        elif isinstance(joint, GuideFriction) and not built.shared:
+            _check_half(joint, built, scope)
+
+
+def _check_half(joint: GuideFriction, built: Mechanism, scope: Scope) -> None:
+    """Refuse a guide that halves would share: what acts on it counts less often than the rest.
+
+    A guide with the load that counts most is the half's own. One without a load is open.
+    """
+    body = next((slide.points for slide in built.slides_at(joint.point)), (joint.point,))
+    own = [k for k in built.loads if isinstance(k, Force) and k.point in body]
+    counted = [k for k in built.loads if k.times != 1]
+    if not own and counted:
+        scope.report.add(messages.perhaps_a_half(joint.span, joint.point, counted[0].name))
+    if own:
+        here, most = min(own, key=_times), max(built.loads, key=_times)
+        if most.times > here.times:
+            share = most.times / here.times
+            found = messages.half_of_a_whole(joint.span, joint.point, here.name, most.name, share)
+            scope.report.add(found)
+
+
+def _times(load: Load) -> Fraction:
+    return load.times
+
+
+def _read(
+    statement: ast.Statement, file: ast.File, pins: Pins, built: Mechanism, scope: Scope
+) -> Iterator[JointFriction]:
+    match statement:
+        case ast.PinFriction():
+            yield from pins.read(statement)
+        case ast.GuideFriction():
+            yield from _guide(statement, built, scope)
+        case ast.RollerFriction():
+            yield from _roller(statement, built, scope)
+        case ast.ContactFriction():
+            yield from _face(statement, scope)
+        case ast.CollarFriction(point=point) if point.text in scope.points.fixed:
+            if collar := read_collar(statement, built, scope):
+                yield collar
+        case ast.RopeFriction():
+            if rope := pulleys.read_rope_friction(statement, built, scope):
+                yield rope
+        case (
+            ast.GearFriction()
+            | ast.BeltFriction()
+            | ast.RackFriction()
+            | ast.ScrewFriction()
+            | ast.CollarFriction()
+        ):
+            yield from _transmission(statement, file, built, scope)
+        case _:
+            return
+
+
+# ------------------------------------------------------------ guides, rollers, faces
+
+
+def _guide(statement: ast.GuideFriction, built: Mechanism, scope: Scope) -> Iterator[JointFriction]:
+    f = coefficient(statement.coefficient, statement.point.text, scope)
+    if not _is_guided(statement.point, built, scope) or f is None:
+        return
+    tilt: Formula | None = number(1)
+    if statement.length and statement.overhang:
+        tilt = _tilt(statement, (statement.overhang, statement.length), scope)
+    if tilt is not None:
+        factor = product([(f, 1), (tilt, 1)])
+        yield GuideFriction(statement.point.text, factor, statement.span)
+
+
+def _tilt(
+    statement: ast.GuideFriction, lengths: tuple[ast.Expr, ast.Expr], scope: Scope
+) -> Formula | None:
+    """Return by what a plunger that tilts in its guide presses harder than its side force.
+
+    With x the overhang over the length of the guide, taken from its middle: ``couple`` is
+    the couple part of a linear pressure, 3x; ``linear`` all of it, 3x + 1/(12x) once the
+    pressure reaches both sides (x > 1/6); ``edges`` contact at both ends, 2x once x > 1/2.
+    """
+    overhang = positive_length(lengths[0], "the overhang of a plunger", scope)
+    length = positive_length(lengths[1], "the length of a guide", scope)
+    if length is None or overhang is None:
+        return None
+    point = statement.point.text
+    overhang = scope.named("l", point, overhang, LENGTH, lengths[0].span)
+    length = scope.named("L", point, length, LENGTH, lengths[1].span)
+    x = product([(overhang, 1), (length, -1)])
+    share = value_of(x, scope)
+    match statement.law:
+        case "linear":
+            wide = x if share and share > 1 / 6 else Call("max", (x, number(Fraction(1, 6))))
+            couple = product([(number(3), 1), (wide, 1)])
+            return total([couple, product([(number(12), -1), (wide, -1)])])
+        case "edges":
+            twice = product([(number(2), 1), (x, 1)])
+            return twice if share and share > 1 / 2 else Call("max", (twice, number(1)))
+        case _:
+            if share is not None and share < 1 / 3:
+                scope.report.add(messages.less_than_plain(statement.span, share))
+            return product([(number(3), 1), (x, 1)])
+
+
+def _roller(
+    statement: ast.RollerFriction, built: Mechanism, scope: Scope
+) -> Iterator[JointFriction]:
+    f = coefficient(statement.coefficient, statement.point.text, scope)
+    axle = positive_length(statement.axle, "the diameter of an axle", scope)
+    wheel = positive_length(statement.wheel, "the diameter of a roller", scope)
+    point = statement.point.text
+    if not _is_guided(statement.point, built, scope) or f is None or axle is None or wheel is None:
+        return
+    axle = scope.named("d", point, axle, LENGTH, statement.axle.span)
+    wheel = scope.named("D", point, wheel, LENGTH, statement.wheel.span)
+    factor = product([(f, 1), (axle, 1), (wheel, -1)])
+    yield GuideFriction(statement.point.text, factor, statement.span)
+
+
+def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[JointFriction]:
+    f = coefficient(statement.coefficient, statement.point.text, scope)
+    if not scope.points.acting(statement.point) or f is None:
+        return
+    point = statement.point
+    touching = scope.points.touching[point.text]
+    if touching == 1:
+        yield FaceFriction(point.text, f, statement.span)
+    elif touching:
+        scope.report.add(reactions_messages.several_touch(point.span, point.text))
+    else:
+        scope.report.add(messages.nothing_touches(point.span, point.text))
+
+
+def _transmission(
+    statement: TransmissionFriction,
+    file: ast.File,
+    built: Mechanism,
+    scope: Scope,
+) -> Iterator[JointFriction]:
+    """Return the friction of a pair by its first wheel, of a rack or screw by its slider."""
+    f = coefficient(statement.coefficient, statement.point.text, scope)
+    point, span = statement.point, statement.span
+    if not scope.points.acting(point) or f is None:
+        return
+    word, begun, joints = _transmissions(statement, file, built)
+    here = [joint for joint in joints if joint.points[0] == point.text]
+    if not here and point.text in begun:
+        return  # what is wrong with that line was reported
+    if not here:
+        there = sorted(joint.points[0] for joint in joints)
+        what = "collar" if isinstance(statement, ast.CollarFriction) else word
+        scope.report.add(messages.no_transmission(point.span, word, what, point.text, there))
+    elif len(here) > 1:
+        scope.report.add(messages.several_transmissions(point.span, word, point.text))
+    elif not isinstance(here[0], Screw):
+        kind = here[0].kind if isinstance(here[0], WheelPair) else "rack"
+        yield WheelFriction(here[0].id, kind, point.text, f, span)
+    elif isinstance(statement, ast.ScrewFriction):
+        thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
+        if thread is not None:
+            thread = scope.named("d", point.text, thread, LENGTH, span)
+            yield ThreadFriction(here[0].id, point.text, f, thread, span)
+    elif isinstance(statement, ast.CollarFriction):
+        radius = collar_radius(statement, scope)
+        if statement.thrust is not None:
+            scope.report.add(messages.thrust_of_a_screw(statement.thrust.span, point.text))
+        elif radius is not None:
+            yield CollarFriction(here[0].id, point.text, f, radius, span)
+
+
+def _transmissions(
+    statement: TransmissionFriction,
+    file: ast.File,
+    built: Mechanism,
+) -> tuple[str, set[str], Sequence[Mesh]]:
+    """Return the word for a kind, the points at which its lines begin, and the sound ones."""
+    pairs = built.each(WheelPair)
+    match statement:
+        case ast.GearFriction():
+            begun = {s.first.text for s in every(file, ast.Gear)}
+            return "gear", begun, [pair for pair in pairs if pair.kind == "gear"]
+        case ast.BeltFriction():
+            begun = {s.first.text for s in every(file, ast.Belt)}
+            return "belt", begun, [pair for pair in pairs if pair.kind == "belt"]
+        case ast.RackFriction():
+            return "rack", {s.point.text for s in every(file, ast.Rack)}, built.each(Rack)
+        case ast.ScrewFriction() | ast.CollarFriction():
+            return "screw", {s.point.text for s in every(file, ast.Screw)}, built.each(Screw)
+        case _:
+            assert_never(statement)
+
+
+def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
+    if not scope.points.acting(point):
+        return False
+    if any(point.text in slide for slide in scope.points.slides):
+        return True
+    if point.text in scope.points.guided:
+        held = scope.points.carried.keys() | scope.points.touching.keys()
+        pressed = point.text in held or any(_acts_at(point.text, k) for k in built.loads)
+        if not pressed:
+            scope.report.add(messages.nothing_presses(point.span, point.text))
+        return pressed
+    scope.report.add(messages.not_guided(point.span, point.text))
+    return False
+
+
+def _acts_at(point: str, load: Load) -> bool:
+    """Return whether a load acts at a point."""
+    match load:
+        case Force():
+            return load.point == point
+        case ForcePair():
+            return point in (load.first, load.second)
+        case Torque():
+            return False
+        case _:
+            assert_never(load)
+
+
+def _efficiency(file: ast.File, scope: Scope) -> Formula | None:
+    statement = only(file, ast.Efficiency)
+    if statement is None:
+        return None
+    what, value = "an efficiency", statement.value
+    formula = Reader(scope, DESCRIPTION).wanted(value, NUMBER, what)
+    return checked(formula, value.span, what, lambda v: 0 < v <= 1, scope)

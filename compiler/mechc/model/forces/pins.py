@@ -1,0 +1,108 @@
+"""Friction at pins: which of them have it, what turns on each, and what the pin is fast in."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from ...diagnostics.model import doubts
+from ...diagnostics.model import friction as messages
+from ...formula.tree import Formula, number, product
+from ...source import Span
+from ...syntax import ast
+from ...units import LENGTH
+from ..formulas.expressions import Reader
+from ..joint_friction import PinFriction, coulomb
+from ..linkage.carriers import Carriers, is_held
+from ..mechanism import Arrow, Link, Mechanism, Telescope
+from ..names.scope import DESCRIPTION, Scope
+from .coefficients import coefficient, positive_length, value_of
+
+HALF = number(Fraction(1, 2))
+
+
+class Pins:
+    """Reads the friction of pins; ``named`` are those that have a line of their own."""
+
+    def __init__(self, named: set[str], built: Mechanism, scope: Scope) -> None:
+        self._named, self._built, self._scope = named, built, scope
+        self._carriers = Carriers(built, scope.values)
+
+    def read(self, statement: ast.PinFriction) -> Iterator[PinFriction]:
+        """Yield the pins that a line speaks of; report one at which nothing turns."""
+        radius = _radius(statement, self._scope)
+        if radius is None:
+            return
+        if statement.point is None:
+            self._remark_on_overlap(statement)
+            for point in dict.fromkeys(p for body in self._bodies() for p in body.points):
+                if point not in self._named and self._is_pin(point):
+                    yield self._pin(point, radius, statement.span)
+            return
+        point = statement.point.text
+        if point not in self._scope.points.places:
+            return
+        if not self._is_pin(point):
+            self._scope.report.add(messages.nothing_turns(statement.point.span, point))
+            return
+        if statement.link is None:
+            yield self._pin(point, radius, statement.span)
+            return
+        link = self._scope.points.link(statement.link)
+        if link and point not in link.points:
+            found = messages.pin_of_another(statement.link.span, point, link.name)
+            self._scope.report.add(found)
+        elif link:
+            yield PinFriction(point, link.name, radius, statement.span)
+
+    def _remark_on_overlap(self, statement: ast.PinFriction) -> None:
+        """Say which pins would be thicker than they are apart on one body."""
+        wanted = Reader(self._scope, DESCRIPTION).wanted(statement.diameter, LENGTH, "")
+        diameter = value_of(wanted, self._scope) if wanted else None
+        for arrow in self._built.geometry:
+            if diameter is None or not isinstance(arrow, Arrow) or arrow.length is None:
+                continue
+            ends, apart = (arrow.tail, arrow.head), value_of(arrow.length, self._scope)
+            if apart is None or apart >= diameter:
+                continue
+            together = any(set(ends) <= set(body.points) for body in self._bodies())
+            free = self._named.isdisjoint(ends) and all(map(self._is_pin, ends))
+            if together and free:
+                place = statement.diameter.span
+                self._scope.report.add(doubts.pins_overlap(place, diameter, ends, apart))
+                return
+
+    def _is_pin(self, point: str) -> bool:
+        """Return whether bodies turn on one another at a point."""
+        bodies = len(self._at(point))
+        return bodies > 1 or (bodies == 1 and is_held(point, self._built))
+
+    def _at(self, point: str) -> list[str]:
+        """Return the bodies that turn on a pin."""
+        return [body.name for body in self._bodies() if point in body.points]
+
+    def _bodies(self) -> tuple[Link | Telescope, ...]:
+        return (*self._built.rigid_links, *self._built.telescopes)
+
+    def _pin(self, point: str, radius: Formula, span: Span) -> PinFriction:
+        """Return a pin with what it is taken to be fast in."""
+        carrier = self._carriers.of(point)
+        return PinFriction(point, carrier, radius, span, assumed=bool(carrier))
+
+
+def remark_on_pairs(built: Mechanism, scope: Scope) -> None:
+    """Say which pairs of forces act at points, so that their ends are no pins with friction."""
+    for load in built.pairs_at_pins():
+        ends, loose = (load.first, load.second), built.loose_ends(load)
+        found = messages.pair_without_pins(load.span, load.name, ends, loose)
+        scope.report.add(found)
+
+
+def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
+    of = statement.point.text if statement.point else ""
+    f = coefficient(statement.coefficient, of, scope)
+    diameter = positive_length(statement.diameter, "the diameter of a pin", scope)
+    if f is None or diameter is None:
+        return None
+    if statement.law == "coulomb":
+        f = coulomb(f)
+    diameter = scope.named("d", of, diameter, LENGTH, statement.diameter.span)
+    return product([(HALF, 1), (f, 1), (diameter, 1)])

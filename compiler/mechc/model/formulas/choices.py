@@ -1,0 +1,242 @@
+"""User-defined formulas that are more than an expression: choices, tables, sizes of a list."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+
+from ...diagnostics.model import sheets as messages
+from ...formula.choices import CONDITIONS
+from ...formula.tree import Call, Formula, number
+from ...formula.walk import evaluate
+from ...named import NamedTuple
+from ...syntax import ast
+from ..mechanism import Require, Subject
+from ..names.scope import FORMULA, Scope
+from ..statements import every
+from .expressions import Quantity, Reader
+from .parameters import constant
+
+
+class Tables(NamedTuple):
+    """The tables and lists of a description by their names, each value a constant in SI.
+
+    A table has its rows from the smallest argument on, a list its sizes.
+    """
+
+    tables: dict[str, list[tuple[Quantity, Quantity]]]
+    sizes: dict[str, list[Quantity]]
+
+
+class Chosen(NamedTuple):
+    """A user-defined formula, and the conditions under which it has a value."""
+
+    quantity: Quantity
+    requires: tuple[Require, ...] = ()
+
+
+MOST = 200
+"""Rows of a table, or sizes of a list: more are a file of data."""
+
+
+def read_tables(file: ast.File, scope: Scope) -> Tables:
+    """Read the tables and lists of a description, whose names the scope knows."""
+    found = Tables({}, {})
+    lengths = [(table.name, len(table.rows)) for table in every(file, ast.Table)]
+    lengths += [(listed.name, len(listed.sizes)) for listed in every(file, ast.Sizes)]
+    for name, length in lengths:
+        if length > MOST:
+            scope.report.add(messages.too_long(name.span, name.text, MOST))
+            return found
+    for table in every(file, ast.Table):
+        if rows := _rows(table, scope):
+            found.tables[table.name.text] = rows
+    for listed in every(file, ast.Sizes):
+        if sizes := _alike([constant(s, scope, "a size of a list") for s in listed.sizes], scope):
+            _check_order(sizes, listed.name.text, scope)
+            found.sizes[listed.name.text] = sizes
+    return found
+
+
+def _rows(table: ast.Table, scope: Scope) -> list[tuple[Quantity, Quantity]]:
+    """Return the rows of a table from the smallest argument on; none where one is wrong."""
+    columns = zip(*table.rows, strict=True)
+    read = ([constant(e, scope, "a value of a table") for e in column] for column in columns)
+    arguments, values = (_alike(column, scope) for column in read)
+    if not (arguments and values):
+        return []
+    if len(arguments) == 1:
+        scope.report.add(messages.table_of_one_row(table.name.span, table.name.text))
+        return []
+    rows = list(zip(arguments, values, strict=True))
+    rows = rows if _value(arguments[0]) < _value(arguments[-1]) else rows[::-1]
+    _check_order([argument for argument, _ in rows], table.name.text, scope)
+    return rows
+
+
+def _alike(read: Sequence[Quantity | None], scope: Scope) -> list[Quantity]:
+    """Return quantities of one dimension; none where one is wrong, which is reported."""
+    found = [quantity for quantity in read if quantity]
+    sound = len(found) == len(read) and Reader(scope, FORMULA).alike(found, "compare")
+    return found if sound else []
+
+
+def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:
+    """Report the first number that is not larger than the one before it."""
+    for before, after in pairwise(column):
+        if not _value(before) < _value(after):
+            scope.report.add(messages.not_in_order(after.span, name, before.span))
+            return
+
+
+def _value(quantity: Quantity) -> float:
+    return evaluate(quantity.formula, {})
+
+
+# ------------------------------------------------------------------------ formulas
+
+
+def read_let_value(let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
+    """Read what a ``let`` stands for; None where an error in it was reported."""
+    match let.value:
+        case ast.Choice() as choice:
+            return _choice(choice, let, scope)
+        case ast.Lookup() as lookup:
+            return _lookup(lookup, let, tables, scope)
+        case ast.NextSize() as wanted:
+            return _next_size(wanted, let, tables, scope)
+        case expression:
+            found = Reader(scope, FORMULA).read(expression)
+            return Chosen(found) if found else None
+
+
+def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
+    name = lookup.table.text
+    if not _known(lookup.table, tables.tables, "table", scope):
+        return None
+    rows = tables.tables.get(name)
+    at = Reader(scope, FORMULA).read(lookup.at)
+    if not rows or not at or not _fits(at, rows[0][0], f"the argument of table '{name}'", scope):
+        return None
+    parts = [part.formula for row in rows for part in row]
+    formula = Call("interpolate", (at.formula, *parts))
+    first, last = (
+        Subject("first row", name, let.name.text),
+        Subject("last row", name, let.name.text),
+    )
+    low, high = rows[0][0].formula, rows[-1][0].formula
+    return Chosen(
+        Quantity(formula, rows[0][1].sort, lookup.span),
+        (
+            Require(low, "<=", at.formula, lookup.span, first, dimension=at.dimension),
+            Require(at.formula, "<=", high, lookup.span, last, dimension=at.dimension),
+        ),
+    )
+
+
+def _next_size(wanted: ast.NextSize, let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
+    name = wanted.sizes.text
+    if not _known(wanted.sizes, tables.sizes, "list", scope):
+        return None
+    sizes = tables.sizes.get(name)
+    least = Reader(scope, FORMULA).read(wanted.least)
+    if not sizes or not least or not _fits(least, sizes[0], f"a size of list '{name}'", scope):
+        return None
+    formula = Call("next", (least.formula, *(size.formula for size in sizes)))
+    last, subject = sizes[-1].formula, Subject("list", name, let.name.text)
+    dimension = sizes[0].dimension
+    largest = Require(least.formula, "<=", last, wanted.span, subject, dimension=dimension)
+    return Chosen(Quantity(formula, sizes[0].sort, wanted.span), (largest,))
+
+
+def _fits(found: Quantity, like: Quantity, what: str, scope: Scope) -> bool:
+    return Reader(scope, FORMULA).fits(found, like.dimension, what)
+
+
+def _known(name: ast.Name, known: Mapping[str, object], kind: str, scope: Scope) -> bool:
+    """Return whether a table or list was declared; one that was wrong has been reported."""
+    entry = scope.entries.get(name.text)
+    scope.used.add(name.text)
+    if entry is not None and entry.kind == kind:
+        return True
+    scope.report.add(messages.no_such_table(name.span, name.text, kind, list(known)))
+    return False
+
+
+# ------------------------------------------------------------------------- choices
+
+
+def _choice(choice: ast.Choice, let: ast.Let, scope: Scope) -> Chosen | None:
+    """Read a choice: its value is that of the first branch whose conditions hold.
+
+    More than one may not hold, and one must unless something is said otherwise.
+    """
+    read = list(_branches(choice, scope))
+    branches = [branch for branch in read if branch]
+    values = [value for _, value in branches]
+    requires: tuple[Require, ...] = ()
+    if choice.otherwise:
+        other = _otherwise(choice.otherwise, let, scope)
+        if other is None:
+            return None
+        requires = other.requires
+        values.append(other.quantity)
+    sort = Reader(scope, FORMULA).alike(values, "choose between")
+    if len(branches) < len(read) or sort is None:
+        return None
+    conditions = [condition for condition, _ in branches]
+    formula = Call("choose", tuple(_flat(conditions, values)))
+    own = _exclusive(conditions, choice, let)
+    return Chosen(Quantity(formula, sort, choice.span), (*own, *requires))
+
+
+def _otherwise(otherwise: ast.Expr | ast.Choice, let: ast.Let, scope: Scope) -> Chosen | None:
+    if isinstance(otherwise, ast.Choice):
+        return _choice(otherwise, let, scope)
+    found = Reader(scope, FORMULA).read(otherwise)
+    return Chosen(found) if found else None
+
+
+def _flat(conditions: Sequence[Formula], values: Sequence[Quantity]) -> Iterator[Formula]:
+    for condition, value in zip(conditions, values, strict=False):
+        yield from (condition, value.formula)
+    yield from (value.formula for value in values[len(conditions) :])
+
+
+def _exclusive(
+    conditions: Sequence[Formula], choice: ast.Choice, let: ast.Let
+) -> tuple[Require, ...]:
+    """Return that one branch holds, or that no two do where something is said otherwise.
+
+    A choice in an ``else`` is asked only where no branch before it holds: nothing is
+    required of it there.
+    """
+    nested = let.value != choice
+    if nested or (choice.otherwise and len(conditions) == 1):
+        return ()
+    subject = Subject("choice", let.name.text, let.name.text)
+    count = Call("count", tuple(conditions))
+    if choice.otherwise:
+        return (Require(count, "<=", number(1), choice.span, subject),)
+    return (Require(count, "=", number(1), choice.span, subject),)
+
+
+def _branches(choice: ast.Choice, scope: Scope) -> Iterator[tuple[Formula, Quantity] | None]:
+    """Yield the condition and the value of each branch; None where there is an error in it."""
+    reader = Reader(scope, FORMULA)
+    for branch in choice.branches:
+        value = reader.read(branch.value)
+        pairs = [pair for c in branch.conditions for pair in _links(c, reader)]
+        found = [pair for pair in pairs if pair]
+        sound = value is not None and found and len(found) == len(pairs)
+        condition = Call("both", tuple(found)) if len(found) > 1 else found[0] if found else None
+        yield (condition, value) if sound and condition and value else None
+
+
+def _links(condition: ast.Condition, reader: Reader) -> list[Formula | None]:
+    """Return the links of a chain of comparisons; None where there is an error in it."""
+    operands = [reader.read(operand) for operand in condition.operands]
+    known = [operand for operand in operands if operand]
+    if len(known) < len(operands) or reader.alike(known, "compare") is None:
+        return [None]
+    signs = (CONDITIONS[operator] for operator in condition.operators)
+    triples = zip(known, signs, known[1:], strict=False)
+    return [Call(sign, (left.formula, right.formula)) for left, sign, right in triples]

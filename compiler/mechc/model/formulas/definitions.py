@@ -1,0 +1,207 @@
+"""Parameters and lets: read in the order in which they need one another.
+
+A let that uses parameters only, and that the description itself uses, is a dependent
+parameter by another word; it is handed on as one.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Literal
+
+from ...diagnostics import uses as uses_messages
+from ...diagnostics.model import names
+from ...diagnostics.model import sheets as messages
+from ...formula.tree import Formula, Symbol
+from ...formula.walk import substitute, symbols, walk
+from ...named import NamedTuple
+from ...syntax import ast
+from ...units import UNITS, Dimension
+from ..constants import names_in_let_value
+from ..mechanism import Let, Parameter, Require, Subject
+from ..names.scope import FORMULA, Scope
+from ..statements import every
+from ..written import WrittenSides, expression
+from .choices import read_let_value, read_tables
+from .expressions import Quantity, Reader
+from .order import ordered
+from .parameters import constant, note_unitless, read_parameter
+
+LONGEST = 200
+"""Parts of a let that is written out: lets of lets can double in length with each."""
+
+Definition = ast.Param | ast.Let | ast.Taken
+
+_ENDS: tuple[Literal[">=", "<="], ...] = (">=", "<=")
+"""How a quantity stands to the ends of its range."""
+
+
+class Definitions(NamedTuple):
+    """What was defined, by name, each after those it needs; when lets have values."""
+
+    parameters: dict[str, Parameter]
+    lets: dict[str, Let]
+    requires: list[Require]
+
+
+def read_definitions(file: ast.File, scope: Scope) -> Definitions:
+    """Read parameters and lets whose names the scope knows."""
+    statements, tables = _by_name(file, scope), read_tables(file, scope)
+    found = Definitions({}, {}, [])
+    for name in _ordered(statements, scope):
+        match statements[name]:
+            case ast.Param() as statement:
+                if parameter := read_parameter(statement, scope, found.parameters):
+                    found.parameters[name] = parameter
+            case ast.Taken(measures=dimension, rests_on=used):
+                scope.define(name, dimension)
+                scope.used.update(symbol.name for symbol in used)
+            case ast.Let() as statement:
+                if chosen := read_let_value(statement, tables, scope):
+                    found.requires.extend(chosen.requires)
+                    if let := _let(statement, chosen.quantity, scope):
+                        found.lets[name] = let
+                        found.requires.extend(_within_range(statement, let, scope))
+    return found
+
+
+def _by_name(file: ast.File, scope: Scope) -> dict[str, Definition]:
+    """Return the statements that own their names, and the lets that give loads a value."""
+    owned: dict[str, Definition] = {}
+    definitions: list[Definition] = [*every(file, ast.Param), *every(file, ast.Let)]
+    definitions += every(file, ast.Taken)
+    for statement in definitions:
+        entry = scope.entries.get(statement.name.text)
+        gives = entry is not None and entry.kind == "load" and isinstance(statement, ast.Let)
+        if entry and (gives or entry.span == statement.name.span):
+            owned.setdefault(statement.name.text, statement)
+    return owned
+
+
+def _ordered(statements: Mapping[str, Definition], scope: Scope) -> list[str]:
+    """Return the names so that each follows those it needs; report circles."""
+    order, circles = ordered({name: _needs(s, statements) for name, s in statements.items()})
+    for circle in circles:
+        places = [statements[name].span for name in circle[:-1]]
+        scope.used.update(circle)
+        scope.report.add(names.circular_definition(places[0], circle, places[1:]))
+    return order
+
+
+def _needs(statement: Definition, known: Mapping[str, Definition]) -> set[str]:
+    if isinstance(statement, ast.Taken):
+        return {symbol.name for symbol in statement.rests_on if symbol.name in known}
+    if statement.value is None:
+        return set()
+    return {s.name for s in names_in_let_value(statement.value) if s.name in known}
+
+
+def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
+    name = statement.name.text
+    entry = scope.entries[name]
+    if isinstance(statement, ast.Given) and not found.sort.fits(statement.measures):
+        kinds = (found.dimension, statement.measures)
+        parameter = statement.parameter.span
+        scope.report.add(uses_messages.given_another_kind(found.span, name, *kinds, parameter))
+        return None
+    if entry.kind == "load" and entry.dimension is not None:
+        if not Reader(scope, FORMULA).fits(found, entry.dimension, f"load '{name}'"):
+            return None
+        return Let(name, found.formula, entry.dimension, statement.span)
+    plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
+    dimension = _asked_for(statement, found, scope)
+    scope.define(name, dimension, plain, posed, _solved(found.formula, scope))
+    note_unitless(name, found, scope)
+    unit = statement.unit.text if statement.unit else ""
+    return Let(name, found.formula, dimension, statement.span, unit, statement.label)
+
+
+def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Require]:
+    """Yield that what is given to a parameter of a used sheet is in the range of that."""
+    if not isinstance(statement, ast.Given):
+        return
+    parameter, place = statement.parameter, statement.value.span
+    for written, operator in zip((parameter.low, parameter.high), _ENDS, strict=True):
+        end = constant(written, scope, "an end of a range") if written else None
+        if written and end:
+            subject = Subject("range", parameter.name.text, let.name, end.span)
+            sides = (Symbol(let.name), operator, end.formula)
+            shown = WrittenSides(Symbol(let.name), expression(written))
+            yield Require(*sides, place, subject, shown, let.dimension)
+
+
+def _asked_for(statement: ast.Let, found: Quantity, scope: Scope) -> Dimension:
+    """Return the dimension of a formula, that of the unit to show it in, if any; refuse another.
+
+    What rests on it is read as if it were of that unit: one mistake, one message.
+    """
+    unit = statement.unit
+    if unit is None or found.sort.fits(UNITS[unit.text].dimension):
+        return found.dimension
+    asked, name = UNITS[unit.text].dimension, statement.name.text
+    scope.report.add(messages.other_unit(unit.span, name, unit.text, found.dimension, asked))
+    return asked
+
+
+def _plain(formula: Formula, scope: Scope) -> bool:
+    entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
+    return all(e.kind == "parameter" or (e.kind == "let" and e.plain) for e in entries)
+
+
+def _solved(formula: Formula, scope: Scope) -> bool:
+    entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
+    return any(e.kind == "result" or e.solved for e in entries)
+
+
+def _posed(formula: Formula, scope: Scope) -> bool:
+    """Return whether a formula mentions ``phi_AB`` or ``len_AB``, itself or through lets."""
+    names = symbols(formula)
+    return any(n not in scope.entries or scope.entries[n].posed for n in names)
+
+
+# --------------------------------------------------------------- lets as parameters
+
+
+def spread_feeding(found: Definitions, scope: Scope) -> None:
+    """Count the lets that feeding lets are made of as feeding the description too."""
+    waiting = list(scope.feeding)
+    while waiting:
+        let = found.lets.get(waiting.pop())
+        fresh = symbols(let.value) & found.lets.keys() - scope.feeding if let else frozenset()
+        scope.feeding |= fresh
+        waiting.extend(fresh)
+
+
+def in_file_order(
+    found: Definitions, file: ast.File, scope: Scope
+) -> tuple[tuple[Parameter, ...], tuple[Let, ...]]:
+    """Return parameters and lets in the order of the file; feeding lets are parameters."""
+    parameters: list[Parameter] = []
+    lets: list[Let] = []
+    for statement in file.statements:
+        match statement:
+            case ast.Param(name=name) if name.text in found.parameters:
+                parameters.append(found.parameters[name.text])
+            case ast.Let(name=name) if name.text in scope.feeding and name.text in found.lets:
+                parameters.append(_as_parameter(found.lets[name.text]))
+            case ast.Let(name=name) if name.text in found.lets:
+                lets.append(found.lets[name.text])
+    return tuple(parameters), tuple(lets)
+
+
+def _as_parameter(let: Let) -> Parameter:
+    dependent = bool(symbols(let.value))
+    return Parameter(let.name, let.dimension, let.span, let.value, dependent=dependent)
+
+
+def written_out(found: Definitions, scope: Scope) -> dict[str, Formula]:
+    """Return lets as formulas of parameters and loads; those too long for that are left out."""
+    formulas: dict[str, Formula] = {}
+    lengths: dict[str, int] = {}
+    for name, let in found.lets.items():
+        entry = scope.entries[name]
+        if entry.kind != "let" or entry.solved or name in scope.feeding:
+            continue
+        parts = [part.name if isinstance(part, Symbol) else "" for part in walk(let.value)]
+        lengths[name] = sum(lengths.get(part, 1) for part in parts)
+        if lengths[name] <= LONGEST:
+            formulas[name] = substitute(let.value, formulas)
+    return formulas

@@ -1,0 +1,83 @@
+"""Directions and places."""
+
+import math
+
+from ...diagnostics.model import quantities
+from ...formula.tree import Formula, degrees
+from ...formula.walk import evaluate, symbols
+from ...source import Span
+from ...syntax import ast
+from ...units import ANGLE, LENGTH, Dimension
+from ..constants import out_of_reach
+from ..mechanism import Absolute, Along, Direction, Offset
+from ..names.scope import DESCRIPTION, Scope
+from ..tolerances import SAME_DIRECTION
+from .expressions import Reader
+
+QUARTERS = {("x", 1): 0, ("y", 1): 90, ("x", -1): 180, ("y", -1): -90}
+"""The axes as angles in degrees, by their name and sign."""
+
+
+def read_direction(direction: ast.Direction, scope: Scope) -> Direction | None:
+    """Return a direction; a point that one is aimed by counts as used."""
+    match direction:
+        case ast.Axis(axis, sign, span):
+            return Absolute(degrees(QUARTERS[axis, sign]), span)
+        case ast.Toward(name, sign, perp, span):
+            ends = scope.points.acting(name)
+            quarter = (1 if perp else 0) + (2 if sign < 0 else 0)
+            return Along(ends[0], ends[1], quarter, span) if ends else None
+        case _:
+            angle = Reader(scope, DESCRIPTION).wanted(direction, ANGLE, "the direction")
+            check_reach(angle, ANGLE, direction.span, scope)
+            return Absolute(angle, direction.span) if angle else None
+
+
+def read_place(tail: str, head: str, place: ast.Cartesian, scope: Scope) -> Offset | None:
+    """Return a vector by its components."""
+    reader = Reader(scope, DESCRIPTION)
+    x = reader.wanted(place.x, LENGTH, "the place")
+    y = reader.wanted(place.y, LENGTH, "the place")
+    for part, written in ((x, place.x), (y, place.y)):
+        check_reach(part, LENGTH, written.span, scope)
+    return Offset(tail, head, x, y, place.span) if x and y else None
+
+
+def value_of(formula: Formula, scope: Scope) -> float | None:
+    """Return the value at the given parameters; None where one of them has none."""
+    if not symbols(formula) <= scope.values.keys():
+        return None
+    return evaluate(formula, scope.values)
+
+
+def check_sign(formula: Formula | None, span: Span, what: str, scope: Scope) -> None:
+    """Report a quantity that cannot be negative and is; ``what`` names it in messages."""
+    value = value_of(formula, scope) if formula else None
+    if formula and value is not None and value < 0:
+        cause = scope.cause(formula, span)
+        written = scope.report.source.written(cause)
+        scope.report.add(quantities.negative_quantity(span, what, written, cause))
+
+
+def check_reach(formula: Formula | None, dimension: Dimension, span: Span, scope: Scope) -> None:
+    """Report a value that is no real number, or none to compute with.
+
+    Parameters without a value count as 1: multiples of them must be in reach, too.
+    """
+    if formula is None:
+        return
+    value = scope.size(formula)
+    if not math.isfinite(value) and symbols(formula) <= scope.values.keys():
+        scope.report.add(quantities.no_value(span))
+    elif out_of_reach(value, dimension):
+        scope.report.add(quantities.out_of_reach(span, dimension))
+
+
+def parallel(a: Direction, b: Direction, scope: Scope) -> bool:
+    """Return whether two directions may lie along one line: False only where surely not."""
+    if not isinstance(a, Absolute) or not isinstance(b, Absolute):
+        return True
+    first, second = value_of(a.angle, scope), value_of(b.angle, scope)
+    if first is None or second is None:
+        return True
+    return not abs(math.sin(first - second)) > SAME_DIRECTION

@@ -1,0 +1,172 @@
+"""Quantities with the texts and units that people read them with, and formulas as written."""
+
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Iterator
+from itertools import chain
+
+from ...formula.walk import symbols
+from ...frozen import replace
+from ...source import Source, Span
+from ...syntax import ast
+from ...units import ANGLE, LENGTH, UNITS, USUAL_UNITS, Dimension, si_unit
+from .. import written
+from ..constants import expressions_in, leaves
+from ..mechanism import Let, Mechanism, Parameter, Require, Taken
+from ..statements import every
+
+Line = ast.Param | ast.Let
+"""A line that says what a quantity is."""
+
+
+def for_readers(mechanism: Mechanism, file: ast.File, source: Source) -> Mechanism:
+    """Return a mechanism, or a sheet, whose quantities have their units and texts.
+
+    The text of a quantity is its label, or else the remark behind its line.
+
+    A formula that names no unit is given in one of those that are written: in it, in what it
+    uses, or anywhere; those of the user's own lines come before those of what is used.
+    """
+    lines: dict[str, Line] = {p.name.text: p for p in every(file, ast.Param)}
+    lines |= {let.name.text: let for let in every(file, ast.Let)}
+    parameters = tuple(_parameter(p, lines.get(p.name)) for p in mechanism.parameters)
+    starts = [start for start, _ in source.parts()]
+    named: dict[str, Line | ast.Table | ast.Sizes] = {**lines}
+    named |= {t.name.text: t for t in every(file, ast.Table)}
+    named |= {t.name.text: t for t in every(file, ast.Sizes)}
+
+    def text_of(span: Span) -> int:
+        return bisect_right(starts, span.start) - 1
+
+    units = _Units(parameters, lines.values(), text_of)
+    brought = {n for n, s in named.items() if isinstance(s, ast.Given) or text_of(s.span)}
+    taken = tuple(_taken(file, mechanism.lets, units))
+    lets = [_let(let, lines[let.name], units) for let in mechanism.lets]
+    return replace(
+        mechanism,
+        parameters=parameters,
+        lets=tuple(lets),
+        taken=taken,
+        requires=tuple(_with_sides(mechanism.requires, units, file)),
+        tables=written.tables(file.statements),
+        brought=frozenset(brought),
+    )
+
+
+class _Units:
+    """The units that quantities are given in, as far as they are known.
+
+    ``text`` says which text a line stands in: the user's own is 0, others are used.
+    """
+
+    def __init__(
+        self, parameters: Iterable[Parameter], lines: Iterable[Line], text: Callable[[Span], int]
+    ) -> None:
+        self._known = {p.name: p.unit for p in parameters}
+        self._text_of = {line.name.text: text(line.span) for line in lines}
+        self._in_text: dict[int, list[str]] = {}
+        for line in lines:
+            self._in_text.setdefault(text(line.span), []).extend(_units(line))
+
+    def given(
+        self,
+        name: str,
+        asked: str,
+        dimension: Dimension,
+        line: Iterable[str],
+        rests_on: Iterable[str],
+    ) -> str:
+        """Return, and note, the unit of a quantity: the one ``asked`` for, if any.
+
+        Else that of what its line has units of, and mentions, comes first.
+
+        Degrees for an angle where there is none, a power of a unit of length for an area or the
+        like, else ''.
+        """
+        text = self._text_of.get(name, 0)
+        unit = asked or self.first(dimension, line, rests_on, text)
+        self._known[name] = unit or si_unit(dimension)
+        return unit
+
+    def first(
+        self, dimension: Dimension, line: Iterable[str], rests_on: Iterable[str], text: int = 0
+    ) -> str:
+        """Return the first unit of a dimension: of a line, of what it mentions, of the text.
+
+        What stands in the user's own text comes before what is mentioned of others.
+        """
+        names = sorted(rests_on)
+        near = [self._known.get(n, "") for n in names if self._text_of.get(n, 0) == text]
+        far = [self._known.get(n, "") for n in names if self._text_of.get(n, 0) != text]
+        own, around = self._in_text.get(0, ()), self._in_text.get(text, ())
+        units = [*line, *near, *own, *far, *around, *self._elsewhere(dimension)]
+        usual = ["deg"] if dimension == ANGLE else _powers(units, dimension)
+        return next((u for u in chain(units, usual) if _measures(u, dimension)), "")
+
+    def _elsewhere(self, dimension: Dimension) -> list[str]:
+        """Return the units of all texts, the usual one first; none where that is of the SI."""
+        usual = USUAL_UNITS.get(dimension, "")
+        if usual == si_unit(dimension):
+            return []
+        return sorted(chain.from_iterable(self._in_text.values()), key=lambda unit: unit != usual)
+
+
+def _parameter(parameter: Parameter, line: Line | None) -> Parameter:
+    if line is None:
+        return parameter
+    shown = written.let_value(line.value) if parameter.dependent and line.value else None
+    return replace(parameter, label=line.label or line.remark, written=shown)
+
+
+def _let(let: Let, line: Line, units: _Units) -> Let:
+    assert isinstance(line, ast.Let)
+    unit = units.given(let.name, let.unit, let.dimension, _units(line), symbols(let.value))
+    shown = written.let_value(line.value)
+    return replace(let, unit=unit, label=line.label or line.remark, written=shown)
+
+
+def _taken(file: ast.File, lets: Iterable[Let], units: _Units) -> Iterator[Taken]:
+    """Yield the results of used mechanisms."""
+    known, before = {let.name for let in lets}, 0
+    for statement in file.statements:
+        match statement:
+            case ast.Let(name=name):
+                before += name.text in known
+            case ast.Taken(
+                name=name, measures=dimension, rests_on=used, asked=asked, remark=remark
+            ):
+                rests_on = [symbol.name for symbol in used]
+                unit = units.given(name.text, "", dimension, (), rests_on)
+                yield Taken(name.text, dimension, name.span, asked, before, unit, remark)
+
+
+def _with_sides(requires: Iterable[Require], units: _Units, file: ast.File) -> Iterator[Require]:
+    """Yield conditions with their unit and with what was written, if anybody wrote them."""
+    sides = (link for statement in every(file, ast.Require) for link in written.sides(statement))
+    for require in requires:
+        has_own = require.written or require.subject
+        shown = require.written if has_own else next(sides)
+        line = written.units(shown.left, shown.right) if shown else []
+        names = symbols(require.left) | symbols(require.right)
+        yield replace(require, written=shown, unit=units.first(require.dimension, line, names))
+
+
+def _units(line: Line) -> Iterator[str]:
+    """Yield the units written in a line: that of its result, those of its numbers."""
+    if isinstance(line, ast.Let) and line.unit:
+        yield line.unit.text
+    if line.value is not None:
+        yield from (unit for e in expressions_in(line.value) for unit in _in_numbers(e))
+
+
+def _in_numbers(expression: ast.Expr) -> Iterator[str]:
+    return (leaf.unit for leaf in leaves(expression) if isinstance(leaf, ast.Number))
+
+
+def _powers(units: Iterable[str], dimension: Dimension) -> Iterator[str]:
+    """Yield units of length raised to what an area, a volume or the like is."""
+    return (f"{unit}^{dimension.length}" for unit in units if _measures(unit, LENGTH))
+
+
+def _measures(unit: str, dimension: Dimension) -> bool:
+    """Return whether a unit is one to give a quantity in: ``N*m/rad`` measures no torque."""
+    return unit in UNITS and UNITS[unit].dimension == dimension and not unit.endswith("/rad")

@@ -1,0 +1,220 @@
+"""One parameter: its dimension, value, range and unit."""
+
+import math
+from collections.abc import Iterator, Mapping
+from itertools import chain
+
+from ...diagnostics.model import names, quantities
+from ...formula.tree import Formula
+from ...formula.walk import evaluate, symbols
+from ...frozen import replace
+from ...syntax import ast
+from ...units import DIMENSIONS, MASS, NUMBER, STIFFNESS, UNITS, Dimension
+from ..constants import leaves, names_in, out_of_reach
+from ..mechanism import Interval, Parameter
+from ..names.scope import DESCRIPTION, Bare, Scope
+from .expressions import Quantity, Reader, shown
+from .sorts import Nature
+
+Ends = tuple[Quantity, Quantity]
+
+
+def read_parameter(
+    statement: ast.Param, scope: Scope, known: Mapping[str, Parameter]
+) -> Parameter | None:
+    """Read a ``param`` line; ``known`` are the parameters that it may depend on."""
+    value = Reader(scope, DESCRIPTION).read(statement.value) if statement.value else None
+    ends = _range(statement, scope)
+    dimension = _dimension(statement, value, ends, scope)
+    if dimension is None or not _consistent(statement, dimension, value, ends, scope):
+        return None
+    name = statement.name.text
+    scope.define(name, dimension)
+    given = value or (ends and ends[1])
+    if given and statement.dimension is None:
+        note_unitless(name, given, scope)
+    parameter = Parameter(
+        name=name,
+        dimension=dimension,
+        span=statement.span,
+        value=value.formula if value else None,
+        range=Interval(ends[0].formula, ends[1].formula) if ends else None,
+        unit=_unit(statement, dimension, known),
+        label=statement.label,
+        about=statement.about,
+        dependent=bool(value and symbols(value.formula)),
+    )
+    parameter = replace(parameter, tolerance=_tolerance(parameter, statement, scope))
+    _note_value(parameter, statement, scope)
+    _check_range(parameter, statement, scope)
+    return parameter
+
+
+def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:
+    """Read an expression that may mention no name; ``what`` names it in messages."""
+    for symbol in names_in(expression):
+        if symbol.name != "pi":
+            scope.report.add(quantities.not_constant(symbol.span, symbol.name, what))
+            return None
+    return Reader(scope, DESCRIPTION).read(expression)
+
+
+def note_unitless(name: str, given: Quantity, scope: Scope) -> None:
+    """State of a number without unit that it is one: 30 could be radians, but who means them?"""
+    if given.sort.nature is Nature.BARE:
+        scope.without_unit(name, Bare(shown(given.formula), given.span))
+    elif given.sort.nature is Nature.UNITLESS:
+        scope.without_unit(name, scope.bare(given.formula))
+
+
+def read_tolerance(
+    expression: ast.Expr, dimension: Dimension | None, what: str, scope: Scope
+) -> Formula | None:
+    """Read how far a quantity may be off: a positive constant of its dimension."""
+    found = constant(expression, scope, "a tolerance")
+    if found is None:
+        return None
+    if dimension and not Reader(scope, DESCRIPTION).fits(found, dimension, f"the tolerance {what}"):
+        return None
+    size = evaluate(found.formula, {})
+    if not size > 0 or out_of_reach(max(size, 1.0), found.dimension):
+        scope.report.add(quantities.tolerance_not_positive(expression.span, what))
+        return None
+    return found.formula
+
+
+def _tolerance(parameter: Parameter, statement: ast.Param, scope: Scope) -> Formula | None:
+    if statement.tolerance is None:
+        return None
+    if parameter.dependent:
+        place = statement.tolerance.span
+        scope.report.add(quantities.tolerance_of_dependent(place, parameter.name))
+        return None
+    return read_tolerance(statement.tolerance, parameter.dimension, f"of '{parameter.name}'", scope)
+
+
+def _range(statement: ast.Param, scope: Scope) -> Ends | None:
+    if statement.low is None or statement.high is None:
+        return None
+    low = constant(statement.low, scope, "an end of a range")
+    high = constant(statement.high, scope, "an end of a range")
+    return (low, high) if low and high else None
+
+
+def _dimension(
+    statement: ast.Param, value: Quantity | None, ends: Ends | None, scope: Scope
+) -> Dimension | None:
+    """Return the dimension: the one declared, else the value's, else the range's.
+
+    The parsers see to it that there is one of the three.
+    """
+    name = statement.dimension
+    if name:
+        if name.text not in DIMENSIONS:
+            scope.report.add(quantities.unknown_dimension(name.span, name.text, DIMENSIONS))
+        return DIMENSIONS.get(name.text)
+    if statement.value:
+        return value.dimension if value else None
+    if ends:
+        low, high = ends
+        return low.dimension if high.sort.nature is Nature.ZERO else high.dimension
+    assert statement.low, f"nothing is said of '{statement.name.text}'"
+    return None
+
+
+def _consistent(
+    statement: ast.Param,
+    dimension: Dimension,
+    value: Quantity | None,
+    ends: Ends | None,
+    scope: Scope,
+) -> bool:
+    """Report a value or an end of the range that measures something else."""
+    reader = Reader(scope, DESCRIPTION)
+    name = statement.name.text
+    if value and ends and value.sort.nature is Nature.BARE and dimension == NUMBER:
+        # A range with a unit says what the value means, not the other way round.
+        dimension = next((e.dimension for e in ends if e.sort.nature is not Nature.ZERO), NUMBER)
+    sound = value is None or reader.fits(value, dimension, f"'{name}'")
+    for end in _different(ends or ()):
+        sound = reader.fits(end, dimension, f"the range of '{name}'") and sound
+    return sound and (value is not None or statement.value is None)
+
+
+def _different(ends: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
+    """Return the ends of a range, one of them where both are the same sort of quantity."""
+    first, *others = ends or (None,)
+    alike = first is not None and all(first.sort == other.sort for other in others)
+    return ends[:1] if alike else ends
+
+
+def _unit(statement: ast.Param, dimension: Dimension, known: Mapping[str, Parameter]) -> str:
+    """Return the first unit of this dimension that the user wrote, here or in what it uses."""
+    parts = [part for part in (statement.value, statement.high) if part]
+    for unit in chain.from_iterable(_units(part, known) for part in parts):
+        if unit and UNITS[unit].dimension == dimension:
+            return unit
+    return ""
+
+
+def _units(expression: ast.Expr, known: Mapping[str, Parameter]) -> Iterator[str]:
+    for leaf in leaves(expression):
+        match leaf:
+            case ast.Number(unit=unit):
+                yield unit
+            case ast.Symbol(name=name) if name in known:
+                yield known[name].unit
+
+
+def _note_value(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
+    """Keep the default value for later checks; report a formula that has none."""
+    formula, name = parameter.value, parameter.name
+    scope.sizes[name] = 1.0
+    if not formula or not statement.value:
+        return
+    if scope.report.source.is_setting(statement.value.span):
+        scope.settings[name] = statement.value.span
+    size = scope.size(formula)
+    if out_of_reach(size, parameter.dimension):
+        scope.report.add(quantities.out_of_reach(statement.value.span, parameter.dimension))
+        return
+    known = symbols(formula) <= scope.values.keys()
+    if math.isfinite(size):
+        scope.sizes[name] = size
+    elif known:
+        scope.report.add(quantities.no_value(statement.value.span))
+    if known and math.isfinite(size):
+        scope.values[name] = size
+
+
+def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
+    if parameter.range is None or statement.low is None or statement.high is None:
+        return
+    edge = statement.low.span.to(statement.high.span)
+    low, high = (evaluate(end, {}) for end in parameter.range)
+    if any(out_of_reach(end, parameter.dimension) for end in (low, high)):
+        scope.report.add(quantities.out_of_reach(edge, parameter.dimension))
+        return
+    if low < 0 and parameter.dimension in (MASS, STIFFNESS):
+        what = "a mass" if parameter.dimension == MASS else "a stiffness"
+        written = scope.report.source.written(statement.low.span)
+        scope.report.add(
+            quantities.negative_quantity(statement.low.span, what, written, statement.low.span)
+        )
+    scope.ranges[parameter.name] = low, high
+    value = scope.values.get(parameter.name)
+    if parameter.dependent:
+        scope.report.add(quantities.range_of_dependent(edge, parameter.name))
+    elif not low < high:
+        scope.report.add(quantities.range_backwards(edge, parameter.name, low == high))
+    elif value is not None and statement.value and not low <= value <= high:
+        span = statement.value.span
+        scope.report.add(quantities.value_outside_range(span, parameter.name, edge))
+
+
+def warn_unused(parameters: Mapping[str, Parameter], scope: Scope) -> None:
+    """Warn of parameters that no formula mentions, those of what is used left out."""
+    own = len(scope.report.source.text)
+    for name, parameter in parameters.items():
+        if name not in scope.used and parameter.span.start < own:
+            scope.report.add(names.unused_parameter(parameter.span, name))

@@ -1,0 +1,174 @@
+"""Drives that are held at their values while another one moves.
+
+What a held drive would move is made fast: a link on a pivot is pinned to the ground at a second
+point, links are joined by a rod between points of both, a telescope becomes a rod.
+"""
+
+from collections.abc import Iterator
+
+from ...diagnostics import Report
+from ...diagnostics.model import held as messages
+from ...formula.tree import Formula
+from ...formula.walk import symbols
+from ...frozen import replace
+from ...named import NamedTuple
+from ..mechanism import (
+    Absolute,
+    Arrow,
+    Drive,
+    Geometry,
+    Link,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Offset,
+    Pivot,
+    Slider,
+    SpeedRatio,
+    Turn,
+)
+
+
+class Pinned(NamedTuple):
+    """A point that is at rest while a drive is held."""
+
+    point: str
+
+
+class Joined(NamedTuple):
+    """Two points whose distance stays while a drive is held."""
+
+    first: str
+    second: str
+
+
+Hold = Pinned | Joined
+
+OUTSIDE = (LoadRatio, LoadForm, SpeedRatio)
+"""What is asked for and does not rest on the forces by which something is held."""
+
+
+def with_held_links(mechanism: Mechanism, report: Report) -> Mechanism:
+    """Return the mechanism in which links that a held drive names by their points are fast.
+
+    The drawing says where they stand.
+    """
+    for drive in mechanism.held:
+        if drive.ends:
+            hold = next(_of_link(drive.ends, mechanism), None)
+            mechanism = _held(mechanism, hold, drive, report)
+            if isinstance(hold, Pinned):
+                mechanism = _placed(mechanism, hold.point)
+    return mechanism
+
+
+def _placed(mechanism: Mechanism, point: str) -> Mechanism:
+    """Return the mechanism in which a point is at the place in which it is drawn."""
+    own = [d for d in mechanism.drawn if d.point == point]
+    places = [Offset("", d.point, d.x, d.y, d.span) for d in own]
+    others = tuple(d for d in mechanism.drawn if d not in own)
+    return replace(mechanism, drawn=others, geometry=(*places, *mechanism.geometry))
+
+
+def with_held(mechanism: Mechanism, report: Report) -> Mechanism:
+    """Return the mechanism in which what parameters of held drives would move is fast.
+
+    Reports E525 where that is undetermined, E527 where forces are asked for that are
+    not known unless it is known what holds.
+    """
+    drives = [drive.parameter for drive in mechanism.drives]
+    for drive in mechanism.held:
+        if not drive.ends:
+            others = frozenset(drives) - {drive.parameter}
+            entries = mechanism.geometry
+            found = (h for entry in entries for h in _holds(entry, drive, others, mechanism))
+            mechanism = _held(mechanism, next(found, None), drive, report)
+    return mechanism
+
+
+def _held(mechanism: Mechanism, hold: Hold | None, drive: Drive, report: Report) -> Mechanism:
+    if hold is None:
+        report.add(messages.cannot_hold(drive.span, drive.parameter))
+        return mechanism
+    inside = [f for f in mechanism.finds if not isinstance(f.target, OUTSIDE)]
+    if inside and not _is_itself(hold, mechanism):
+        report.add(messages.held_by_what(inside[0].span, drive.parameter, drive.span))
+    return _fastened(mechanism, hold, drive)
+
+
+def _is_itself(hold: Hold, mechanism: Mechanism) -> bool:
+    """Return whether a telescope or a slider is held, not links, which a couple would hold."""
+    if isinstance(hold, Pinned):
+        return any(slider.point == hold.point for slider in mechanism.each(Slider))
+    return any(set(t.points) == set(hold) for t in mechanism.telescopes)
+
+
+def _fastened(mechanism: Mechanism, hold: Hold, drive: Drive) -> Mechanism:
+    if isinstance(hold, Pinned):
+        return replace(mechanism, joints=(*mechanism.joints, Pivot(hold.point, drive.span)))
+    rod = Link("".join(hold), hold, drive.span)
+    telescopes = tuple(t for t in mechanism.telescopes if set(t.points) != set(hold))
+    return replace(mechanism, telescopes=telescopes, links=(*mechanism.links, rod))
+
+
+def _holds(
+    entry: Geometry, drive: Drive, others: frozenset[str], mechanism: Mechanism
+) -> Iterator[Hold]:
+    """Yield the holds that an entry gives which mentions a drive, while that is held."""
+
+    def moves(formula: Formula | None) -> bool:
+        return formula is not None and drive.parameter in symbols(formula)
+
+    match entry:
+        case Arrow(tail, head, length, _) if moves(length):
+            yield from _of_length(tail, head, mechanism)
+        case Arrow(tail, head, _, Absolute(angle)) if moves(angle):
+            yield from _of_direction((tail, head), symbols(angle) & others, others, mechanism)
+        case Turn(first, vertex, second, angle) if moves(angle):
+            yield _of_turn(first, vertex, second, mechanism)
+
+
+def _of_link(ends: tuple[str, str], mechanism: Mechanism) -> Iterator[Hold]:
+    """Yield the holds where a link, or a telescope, stays as it is drawn."""
+    if any(set(t.points) == set(ends) for t in mechanism.telescopes):
+        yield Joined(*ends)
+    else:
+        yield from _of_direction(ends, frozenset(), frozenset(), mechanism)
+
+
+def _of_length(tail: str, head: str, mechanism: Mechanism) -> Iterator[Hold]:
+    """Yield a slider that a length from the ground places, or the ends of a telescope."""
+    fixed, guided = {"", *mechanism.fixed}, {s.point for s in mechanism.each(Slider)}
+    for end, other in ((tail, head), (head, tail)):
+        if end in fixed and other in guided:
+            yield Pinned(other)
+    if any(set(t.points) == {tail, head} for t in mechanism.telescopes):
+        yield Joined(tail, head)
+
+
+def _of_direction(
+    ends: tuple[str, str], added: frozenset[str], others: frozenset[str], mechanism: Mechanism
+) -> Iterator[Hold]:
+    """Yield the holds where the direction of a link stays: against the ground, or a link.
+
+    The other link has that part of the direction which other drives move.
+    """
+    loose = [point for point in ends if point not in mechanism.fixed]
+    if not added and len(loose) == 1:
+        yield Pinned(loose[0])
+    for entry in mechanism.geometry if added else ():
+        match entry:
+            case Arrow(tail, head, _, Absolute(angle)) if symbols(angle) & others == added:
+                shared = {tail, head} & set(ends)
+                if len(shared) == 1:
+                    first, second = (next(iter({*pair} - shared)) for pair in ((tail, head), ends))
+                    yield Joined(first, second)
+
+
+def _of_turn(first: str, vertex: str, second: str, mechanism: Mechanism) -> Hold:
+    """Return the hold of a constant angle between two links, or a link and the ground."""
+    fixed = mechanism.fixed
+    for end, other in ((first, second), (second, first)):
+        if {vertex, end} <= fixed:
+            return Pinned(other)
+    return Joined(first, second)

@@ -1,0 +1,165 @@
+"""What drives a mechanism, and which closure of a loop is meant."""
+
+import math
+
+from ...diagnostics import Report, drawn, stroke
+from ...diagnostics.model import held
+from ...diagnostics.model import joints as messages
+from ...formula.tree import Formula
+from ...formula.walk import evaluate
+from ...syntax import ast
+from ...syntax.vocabulary import points_of
+from ...units import ANGLE, LENGTH, TIME, in_unit
+from ..formulas.expressions import Reader
+from ..formulas.parameters import constant
+from ..mechanism import Assembly, Drive, Mechanism, Parameter
+from ..names.scope import DESCRIPTION, Entry, Scope
+from ..statements import every
+from ..tolerances import VANISHED
+
+MOST_TURNS = 100
+"""Full turns of a drive that are still a stroke: each is looked at in seven places or more."""
+
+STRAY = 0.01
+"""The part of a stroke by which the default pose is off it before that is remarked upon."""
+
+
+def read_drives(file: ast.File, scope: Scope) -> list[Drive]:
+    """Return the driving coordinates with their strokes: the first one moves.
+
+    No other parameter may enter a stroke.
+    """
+    found: dict[str, Drive] = {}
+    for statement in every(file, ast.Drive):
+        drive = _drive(statement, file, scope)
+        if drive and drive.parameter in found:
+            first = found[drive.parameter].span
+            scope.report.add(held.driven_twice(drive.span, drive.parameter, first))
+        elif drive:
+            found[drive.parameter] = drive
+    return list(found.values())
+
+
+def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
+    ends = _link_ends(statement.name, scope)
+    name = _of_a_link(statement.name, file, scope) if ends else statement.name
+    entry = scope.entries.get(name.text)
+    if entry is None or entry.kind != "parameter":
+        if not ends:
+            hint = messages.driven_by_points(name.text) if points_of(name.text) else ""
+            scope.unknown(name.span, name.text, scope.names({"parameter"}), hint)
+        return None
+    scope.used.add(name.text)
+    low = _end(statement.low, name, scope)
+    is_reported = statement.low is not None and low is None
+    high = None if is_reported else _end(statement.high, name, scope)
+    speed = _speed(statement.speed, name, scope)
+    start = _end(statement.start, name, scope)
+    turns = entry.dimension == ANGLE
+    return Drive(
+        name.text, low, high, statement.span, ends=ends, speed=speed, start=start, turns=turns
+    )
+
+
+def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
+    """Return the rate of the coordinate in time, which may rest on parameters."""
+    dimension = scope.entries[name.text].dimension
+    if speed is None or dimension is None:
+        return None
+    return Reader(scope, DESCRIPTION).wanted(speed, dimension.over(TIME), "the speed")
+
+
+def _link_ends(name: ast.Name, scope: Scope) -> tuple[str, str] | None:
+    """Return the two points that a drive names, where it names no parameter."""
+    match points_of(name.text):
+        case (tail, head) if name.text not in scope.entries:
+            return tail, head
+        case _:
+            return None
+
+
+def _of_a_link(vector: ast.Name, file: ast.File, scope: Scope) -> ast.Name:
+    """Return the name of what a driven link changes, and enter it: its direction or length."""
+    name = ast.Name(f"phi_{vector.text}", vector.span)
+    ends = set(scope.points.known(vector) or ())
+    if any(ends == set(points_of(t.points.text)) for t in every(file, ast.Telescope)):
+        name = ast.Name(f"len_{vector.text}", vector.span)
+        scope.enter(name.text, Entry("parameter", vector.span, LENGTH))
+    elif ends and any(ends <= set(link.points) for link in scope.points.links.values()):
+        scope.enter(name.text, Entry("parameter", vector.span, ANGLE))
+    elif ends:
+        scope.report.add(drawn.driven_between_bodies(vector.span, vector.text))
+    return name
+
+
+def check_drives(mechanism: Mechanism, report: Report) -> None:
+    """Report drives that follow from other parameters, and strokes that make no sense."""
+    for drive in mechanism.drives:
+        for parameter in mechanism.parameters:
+            if parameter.name == drive.parameter:
+                _check(drive, parameter, report)
+
+
+def _check(drive: Drive, moved: Parameter, report: Report) -> None:
+    if moved.dependent:
+        report.add(messages.drive_depends(drive.span, drive.parameter))
+    elif drive.low is not None and drive.high is not None:
+        _check_stroke(drive, moved, (evaluate(drive.low, {}), evaluate(drive.high, {})), report)
+
+
+def _check_stroke(
+    drive: Drive, parameter: Parameter, ends: tuple[float, float], report: Report
+) -> None:
+    """Report a stroke that is empty, or far too long; remark on what it leaves out or passes."""
+    low, high = sorted(ends)
+    slack = VANISHED * max(abs(low), abs(high))
+    turns = (high - low) / (2 * math.pi)
+    if high - low <= slack:
+        report.add(stroke.empty(drive.span, drive.parameter))
+    elif parameter.dimension == ANGLE and turns > MOST_TURNS:
+        report.add(stroke.too_many_turns(drive.span, drive.parameter, turns, MOST_TURNS))
+    elif parameter.range is not None:
+        least, most = (evaluate(end, {}) for end in (parameter.range.low, parameter.range.high))
+        if low < least - slack or high > most + slack:
+            report.add(stroke.beyond_range(drive.span, drive.parameter, parameter.span))
+    if parameter.value is not None and _strays(parameter, low, high):
+        shown = in_unit(evaluate(parameter.value, {}), parameter.unit, 6)
+        report.add(stroke.pose_left_out(drive.span, drive.parameter, shown))
+
+
+def _strays(parameter: Parameter, low: float, high: float) -> bool:
+    """Return whether the value at the default pose is outside a stroke, full turns apart."""
+    assert parameter.value is not None
+    gap = evaluate(parameter.value, {}) - (low + high) / 2
+    if parameter.dimension == ANGLE:
+        gap = math.remainder(gap, 2 * math.pi)
+    return low < high and abs(gap) > (0.5 + STRAY) * (high - low)
+
+
+def _end(end: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
+    """Return one end of the stroke, a constant of the coordinate's dimension."""
+    found = constant(end, scope, "an end of a stroke") if end else None
+    dimension = scope.entries[name.text].dimension
+    if found is None or dimension is None:
+        return None
+    fits = Reader(scope, DESCRIPTION).fits(found, dimension, "the stroke")
+    return found.formula if fits else None
+
+
+def read_assemblies(file: ast.File, scope: Scope) -> list[Assembly]:
+    """Return the closures that are meant: the turn of three points, or a place on a guide."""
+    guided = scope.points.guided | {s.point.text for s in every(file, ast.Slot)}
+    found: list[Assembly] = []
+    for statement in every(file, ast.Assembly):
+        points = scope.points.acting(statement.points)
+        if points is None:
+            continue
+        turns = statement.mode in ("cw", "ccw")
+        if (len(points) == 3) != turns or (len(points) == 1) == turns:
+            text, mode = statement.points.text, statement.mode
+            scope.report.add(messages.assembly_of_wrong_points(statement.span, text, mode))
+        elif not turns and points[0] not in guided:
+            scope.report.add(messages.assembly_without_guide(statement.span, points[0]))
+        else:
+            found.append(Assembly(points, statement.mode, statement.span))
+    return found

@@ -1,0 +1,136 @@
+"""Mirror and copies: what of the mechanism is described, and what follows from it."""
+
+from collections.abc import Iterator, Sequence
+
+from ...diagnostics.model import joints as messages
+from ...diagnostics.model import loads as load_words
+from ...diagnostics.model import symmetry as apart_words
+from ...source import Span
+from ...syntax import ast
+from ...units import NUMBER
+from ..constants import rational
+from ..formulas.directions import parallel, read_direction
+from ..formulas.expressions import Reader
+from ..formulas.parameters import constant
+from ..mechanism import (
+    Arrow,
+    Copies,
+    Direction,
+    Force,
+    ForcePair,
+    Geometry,
+    Load,
+    Mirror,
+    Slide,
+    Slider,
+)
+from ..names.scope import DESCRIPTION, Scope
+from ..statements import every, only
+
+
+def read_mirror(
+    file: ast.File, guided: Sequence[Slider | Slide], loads: Sequence[Load], scope: Scope
+) -> Mirror | None:
+    """Return the mirror.
+
+    Twins must not be declared; gravity and the guides of shared points lie along its line.
+    """
+    statement = only(file, ast.Mirror)
+    if statement is None:
+        return None
+    across = read_direction(statement.across, scope)
+    shared = _shared(statement.sharing, scope)
+    _check_twins(shared, statement.span, scope)
+    if across is None:
+        return None
+    if off := next(_off_the_line(guided, loads, across, shared, scope), None):
+        scope.report.add(load_words.off_the_mirror(off[0], off[1], statement.span))
+    if not any(isinstance(load, ForcePair) for load in loads):
+        along = next(_guided_apart(file, guided, across, shared, scope), "")
+        if along or not statement.sharing:
+            scope.report.add(apart_words.halves_apart(statement.span, along))
+    return Mirror(across, shared, statement.span)
+
+
+def _guided_apart(
+    file: ast.File,
+    guided: Sequence[Slider | Slide],
+    across: Direction,
+    shared: Sequence[str],
+    scope: Scope,
+) -> Iterator[str]:
+    """Yield the points that slide along the mirror line where the halves share no moving point."""
+    pivots = {statement.point.text for statement in every(file, ast.Pivot)}
+    if pivots >= set(shared):
+        for body in guided:
+            if isinstance(body, Slider) and parallel(body.along, across, scope):
+                yield body.point
+
+
+def _off_the_line(
+    guided: Sequence[Slider | Slide],
+    loads: Sequence[Load],
+    across: Direction,
+    shared: Sequence[str],
+    scope: Scope,
+) -> Iterator[tuple[Span, str]]:
+    """Yield the parts off the mirror line that both halves share, and where they are."""
+    for load in loads:
+        if isinstance(load, Force) and not _symmetric(load, across, shared, scope):
+            what = "gravity" if load.weight else f"force {load.name} on the shared {load.point}"
+            yield load.along.span, what
+    for body in guided:
+        points = body.points if isinstance(body, Slide) else (body.point,)
+        common = next((p for p in points if p in shared), None)
+        if common and not parallel(body.along, across, scope):
+            yield body.along.span, f"the guide of the shared {common}"
+
+
+def check_shared_vectors(mirror: Mirror | None, geometry: Sequence[Geometry], scope: Scope) -> None:
+    """Report vectors between points that both lie on the mirror line, and that do not."""
+    for entry in geometry if mirror else ():
+        if not mirror or not isinstance(entry, Arrow) or entry.direction is None:
+            continue
+        on_the_line = {entry.tail, entry.head} <= set(mirror.sharing)
+        if on_the_line and not parallel(entry.direction, mirror.across, scope):
+            what = f"the vector {entry.tail}{entry.head} between shared points"
+            scope.report.add(load_words.off_the_mirror(entry.span, what, mirror.span))
+
+
+def _symmetric(load: Force, across: Direction, shared: Sequence[str], scope: Scope) -> bool:
+    """Return whether a force acts on both halves alike: gravity and forces on shared points."""
+    bound = load.weight or load.point in shared
+    return not bound or parallel(load.along, across, scope)
+
+
+def _shared(sharing: Sequence[ast.Name], scope: Scope) -> tuple[str, ...]:
+    found = [scope.points.acting(name) for name in sharing]
+    return tuple(dict.fromkeys(points[0] for points in found if points))
+
+
+def _check_twins(shared: Sequence[str], mirror: Span, scope: Scope) -> None:
+    places = scope.points.places
+    for point in places:
+        if point not in shared and f"{point}'" in places:
+            twin = f"{point}'"
+            scope.report.add(messages.twin_declared(places[twin], twin, point, mirror))
+
+
+def read_copies(file: ast.File, scope: Scope) -> Copies | None:
+    """Return how many identical branches the description stands for."""
+    statement = only(file, ast.Copies)
+    if statement is None:
+        return None
+    shared = _shared(statement.sharing, scope)
+    found = constant(statement.number, scope, "the number of copies")
+    if not found or not Reader(scope, DESCRIPTION).fits(found, NUMBER, "the number of copies"):
+        return None
+    value = rational(found.formula)
+    if value is None or value < 2 or value.denominator != 1:
+        span = statement.number.span
+        shown = scope.report.source.written(span)
+        scope.report.add(messages.copies_not_whole(span, shown))
+        return None
+    if not statement.sharing:
+        scope.report.add(apart_words.copies_apart(statement.span))
+    return Copies(value, shared, statement.span)

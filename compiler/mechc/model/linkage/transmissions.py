@@ -1,0 +1,180 @@
+"""Bodies and joints beyond links, pins and guides: slides, telescopes, slots, gears, screws."""
+
+from collections.abc import Collection, Iterable, Sequence
+from typing import TypeVar
+
+from ...diagnostics.model import joints as messages
+from ...diagnostics.model import lowering as lowering_messages
+from ...diagnostics.model import wheels
+from ...frozen import replace
+from ...syntax import ast
+from ..formulas.directions import read_direction
+from ..mechanism import ArcSlot, Contact, Joint, Link, Rack, Screw, Slide, Slot, Telescope
+from ..names.scope import Scope
+from ..statements import every
+from .ropes import read_ropes
+from .wheels import radius_of, read_wheels, wheel_on
+
+
+def read_slides(file: ast.File, scope: Scope) -> tuple[Slide, ...]:
+    """Return the bodies that only translate."""
+    loose = {s.point.text for s in every(file, ast.Slider) if s.through is None}
+    return tuple(found(_slide(s, loose, scope) for s in every(file, ast.Slide)))
+
+
+def read_telescopes(file: ast.File, scope: Scope) -> tuple[Telescope, ...]:
+    """Return the links of variable length."""
+    return tuple(found(_telescope(s, scope) for s in every(file, ast.Telescope)))
+
+
+def read_joints(file: ast.File, slides: Sequence[Slide], scope: Scope) -> tuple[Joint, ...]:
+    """Return every joint of the description that is neither pin nor guide, kind by kind."""
+    return (
+        *found(_slot(s, slides, scope) for s in every(file, ast.Slot) if s.about is None),
+        *found(_contact(s, slides, scope) for s in every(file, ast.Contact)),
+        *read_wheels(file, scope),
+        *found(_rack(s, slides, scope) for s in every(file, ast.Rack)),
+        *found(_screw(s, slides, scope) for s in every(file, ast.Screw)),
+        *read_ropes(file, scope),
+    )
+
+
+T = TypeVar("T")
+
+
+def found(items: Iterable[T | None]) -> Iterable[T]:
+    """Yield the parts that were read without an error."""
+    return (item for item in items if item is not None)
+
+
+def _slide(statement: ast.Slide, loose: Collection[str], scope: Scope) -> Slide | None:
+    """Return a slide; a slider of its own that says where its guide lies is no repetition.
+
+    ``loose`` are the sliders that do not.
+    """
+    points = scope.points.known(statement.points)
+    along = read_direction(statement.along, scope)
+    if not points or not along:
+        return None
+    for point in (p for p in points if p in loose):
+        scope.report.add(messages.guided_twice(statement.span, statement.points.text, point))
+    return Slide(statement.points.text, points, along, statement.span)
+
+
+def _telescope(statement: ast.Telescope, scope: Scope) -> Telescope | None:
+    points = scope.points.known(statement.points)
+    if not points:
+        return None
+    if link := scope.points.bodies.get(frozenset(points)):
+        scope.report.add(messages.link_again(statement.span, statement.points.text, link.span))
+    return Telescope(statement.points.text, (points[0], points[1]), statement.span)
+
+
+def _body(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> Link | Slide | None:
+    """Return the link or slide that points name."""
+    points = scope.points.known(name)
+    if not points:
+        return None
+    slide = next((s for s in slides if set(points) <= set(s.points)), None)
+    return slide or scope.points.link(name)
+
+
+def _on_line(
+    point: ast.Name, line: ast.Name, slides: Iterable[Slide], scope: Scope
+) -> tuple[str, Link | Slide, str, str] | None:
+    """Return a pin, the body on whose line it slides, and the two points of the line."""
+    acting = scope.points.acting(point)
+    body = _body(line, slides, scope)
+    ends = scope.points.acting(line) if body else None
+    if not acting or body is None or not ends:
+        return None
+    if acting[0] in body.points:
+        scope.report.add(messages.slides_in_itself(point.span, acting[0], body.name))
+        return None
+    return acting[0], body, ends[0], ends[1]
+
+
+def _slot(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> Slot | None:
+    held = _on_line(statement.point, statement.line, slides, scope)
+    if held is None:
+        return None
+    point, body, tail, head = held
+    slot = Slot(point, body.name, tail, head, statement.span)
+    return _guiding(slot, statement.guided, scope) if statement.guided else slot
+
+
+def _guiding(slot: Slot, name: ast.Name, scope: Scope) -> Slot | None:
+    """Return a slot whose block is fast in a link, which has to have the pin."""
+    guided = scope.points.link(name)
+    if guided is None:
+        return None
+    if slot.point not in guided.points:
+        scope.report.add(wheels.joint_of_another(name.span, slot.point, guided.name, "slides"))
+        return None
+    scope.points.used.update(guided.points)
+    return replace(slot, guided=guided.name)
+
+
+def read_arcs(file: ast.File, slides: Sequence[Slide], scope: Scope) -> list[tuple[str, ArcSlot]]:
+    """Return the circular slots with the pins in them."""
+    return list(found(_arc(s, slides, scope) for s in every(file, ast.Slot)))
+
+
+def _arc(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> tuple[str, ArcSlot] | None:
+    if statement.about is None or statement.radius is None:
+        return None
+    held = _on_line(statement.point, statement.line, slides, scope)
+    centre, radius = scope.points.acting(statement.about), radius_of(statement.radius, scope)
+    if held is None or not centre or radius is None:
+        return None
+    point, body = held[:2]
+    if centre[0] not in body.points:
+        at = statement.about.span
+        scope.report.add(lowering_messages.centre_of_another(at, centre[0], body.name))
+        return None
+    return point, ArcSlot(body.name, centre[0], radius, statement.span)
+
+
+def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: Scope) -> Contact | None:
+    held = _on_line(statement.point, statement.line, slides, scope)
+    normal = read_direction(statement.normal, scope)
+    if held is None or normal is None:
+        return None
+    point, body, tail, head = held
+    return Contact(point, body.name, tail, head, normal, statement.span)
+
+
+# ------------------------------------------------------------------- racks, screws
+
+
+def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: Scope) -> Rack | None:
+    point = _guided(statement.point, slides, scope)
+    link = wheel_on(statement.pivot, scope)
+    radius = radius_of(statement.radius, scope, signed=True)
+    if not point or not link or not radius:
+        return None
+    return Rack(point, statement.pivot.text, link.name, radius, statement.span)
+
+
+def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: Scope) -> Screw | None:
+    point = _guided(statement.point, slides, scope)
+    link = scope.points.link(statement.link)
+    pitch = radius_of(statement.pitch, scope, signed=True, what="a pitch")
+    if not point or not link or not pitch:
+        return None
+    if scope.points.fixed.isdisjoint(link.points):
+        scope.report.add(wheels.wheel_without_pivot(statement.link.span, link.name))
+        return None
+    scope.points.used.update(link.points)
+    return Screw(point, pitch, link.name, statement.span)
+
+
+def _guided(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> str | None:
+    """Return a slider, or a point of a body that only translates."""
+    points = scope.points.acting(name)
+    if not points:
+        return None
+    if points[0] not in scope.points.guided.union(*(s.points for s in slides)):
+        scope.report.add(wheels.rack_without_guide(name.span, points[0]))
+        return None
+    return points[0]

@@ -1,0 +1,279 @@
+"""Names for lengths that a description gives by numbers: ``AB = 250 mm``, ``pivot O at (1 m, 0)``.
+
+After this every later stage sees a symbol, ``len_AB`` or ``x_O``, so that formulas keep their
+dimensions. The symbol carries its number: forms show the name, and whatever is decided (does
+this vanish, are these relations independent?) is decided by the number. Each has a name of its
+own: of two links that are as long as each other a formula names the one that is meant.
+"""
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from typing import assert_never
+
+from ...formula.names import another
+from ...formula.tree import ZERO, Constant, Formula, Sum, negative, number
+from ...formula.walk import substitute, symbols
+from ...frozen import fields, replace
+from ...named import NamedTuple
+from ...source import Span
+from ...syntax import ast
+from ...units import LENGTH, UNITS, Dimension, si_unit
+from ..mechanism import (
+    Arrow,
+    Contact,
+    Force,
+    ForcePair,
+    Geometry,
+    Joint,
+    Link,
+    Load,
+    Mechanism,
+    Offset,
+    Parameter,
+    Pivot,
+    Rack,
+    Rope,
+    Screw,
+    Slider,
+    Slot,
+    WheelPair,
+)
+from .scope import Named
+
+Key = tuple[str, str, Formula]
+"""A number of metres: the kind of length, whose it is, and the number."""
+
+Known = Mapping[Key, Formula]
+"""What stands for a number of metres."""
+
+
+Lengths = Mapping[tuple[str, str], Formula]
+"""The lengths of vectors, by their ends."""
+
+
+class Quantity(NamedTuple):
+    """A length of the description under the name that it gets where it is a number."""
+
+    kind: str
+    of: str
+    formula: Formula
+    span: Span
+
+    @property
+    def name(self) -> str:
+        """Return the name, as it is printed too."""
+        return f"{self.kind}_{self.of}"
+
+    @property
+    def key(self) -> Key:
+        """Return the key by which it is one: a wheel of two pairs is one wheel."""
+        return self.kind, self.of, self.formula
+
+
+def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -> Mechanism:
+    """Return the mechanism with a named quantity for each length that is a number.
+
+    ``named`` are the numbers that have names already, with their places.
+    """
+    found = [*_lengths(mechanism), *_coordinates(mechanism), *_of_joints(mechanism)]
+    literals = list({item.key: item for q in found for item in _numbers(q)}.values())
+    if not literals and not named:
+        return mechanism
+    taken, written = _names(mechanism) | {n.symbol.name for n in named}, tuple(_written(file))
+    known: dict[Key, Formula] = {}
+    parameters = [_parameter(*one, written) for one in named]
+    for literal in literals:
+        symbol = Constant(_free(literal.name, taken), literal.formula)
+        known[literal.key] = symbol
+        parameters.append(_parameter(symbol, LENGTH, literal.span, written))
+    return _put(replace(mechanism, literals=tuple(parameters)), known)
+
+
+# ----------------------------------------------------------------------- what is a number
+
+
+def _lengths(mechanism: Mechanism) -> Iterator[Quantity]:
+    made = _reaches(mechanism.loads).keys()
+    for entry in mechanism.geometry:
+        if (
+            isinstance(entry, Arrow)
+            and entry.length is not None
+            and (entry.tail, entry.head) not in made
+        ):
+            yield Quantity("len", f"{entry.tail}{entry.head}", entry.length, entry.span)
+
+
+def _coordinates(mechanism: Mechanism) -> Iterator[Quantity]:
+    for entry in mechanism.geometry:
+        if isinstance(entry, Offset):
+            vector = _vector(entry.tail, entry.head)
+            yield Quantity("x", vector, entry.x, entry.span)
+            yield Quantity("y", vector, entry.y, entry.span)
+
+
+def _vector(tail: str, head: str) -> str:
+    """Return a vector's name; that of a place is its point's."""
+    return f"{tail}{head}".replace("_", "")
+
+
+def _of_joints(mechanism: Mechanism) -> Iterator[Quantity]:
+    for joint in mechanism.joints:
+        match joint:
+            case WheelPair(first=first, second=second, span=span):
+                yield Quantity("r", first, joint.first_radius, span)
+                yield Quantity("r", second, joint.second_radius, span)
+            case Rack(pivot=pivot, radius=radius, span=span):
+                yield Quantity("r", pivot, radius, span)
+            case Screw(point, pitch, span=span):
+                yield Quantity("p", point, pitch, span)
+            case Pivot() | Slider() | Slot() | Contact() | Rope():
+                pass
+            case _:
+                assert_never(joint)
+
+
+def _numbers(quantity: Quantity) -> Iterator[Quantity]:
+    """Yield a length that is a number, or those that are terms of it: ``d + 15 mm``."""
+    formula = quantity.formula
+    if _is_number(formula):
+        yield quantity
+    elif isinstance(formula, Sum):
+        numbers = [term for term in formula.terms if _is_number(term)]
+        yield from (quantity._replace(of=f"{quantity.of}_0", formula=n) for n in numbers)
+
+
+def _is_number(formula: Formula) -> bool:
+    return formula != ZERO and not symbols(formula)
+
+
+# ------------------------------------------------------------------------- what it becomes
+
+
+def _names(mechanism: Mechanism) -> set[str]:
+    """Return the names that the description uses."""
+    parts = (mechanism.parameters, mechanism.loads, mechanism.finds, mechanism.lets)
+    return {part.name for group in parts for part in group}
+
+
+def _free(name: str, taken: set[str]) -> str:
+    """Return a name like this one that is not taken, and take it."""
+    while name in taken:
+        name = another(name)
+    taken.add(name)
+    return name
+
+
+def _parameter(
+    symbol: Constant, dimension: Dimension, place: Span, written: Sequence[ast.Number]
+) -> Parameter:
+    """Return a number as a quantity, with the unit that it was written in."""
+    fitting = [n for n in written if UNITS[n.unit].dimension == dimension]
+    inside = (n for n in fitting if place.start <= n.span.start and n.span.end <= place.end)
+    units = {n.unit: number(n.value * UNITS[n.unit].factor) for n in inside}
+    exact = (unit for unit, value in units.items() if symbol.value in (value, negative(value)))
+    anywhere = next((n.unit for n in fitting), si_unit(dimension))
+    unit = next(exact, next(iter(units), anywhere))
+    return Parameter(symbol.name, dimension, place, symbol.value, unit=unit)
+
+
+def _written(node: object) -> Iterator[ast.Number]:
+    """Yield the numbers with a unit in a syntax tree."""
+    if isinstance(node, ast.Number):
+        if node.unit:
+            yield node
+        return
+    parts = node if isinstance(node, tuple) else (getattr(node, f.name) for f in fields(node))
+    for part in parts:
+        yield from _written(part)
+
+
+def _put(mechanism: Mechanism, known: Known) -> Mechanism:
+    """Return the mechanism with numbers replaced by what stands for them."""
+    lengths = {
+        (e.tail, e.head): length
+        for e in mechanism.geometry
+        if isinstance(e, Arrow) and e.length is not None
+        if (length := _named("len", f"{e.tail}{e.head}", e.length, known)) != e.length
+    }
+    loads = tuple(_load(load, lengths) for load in mechanism.loads)
+    reach = {**lengths, **_reaches(loads)}
+    return replace(
+        mechanism,
+        loads=loads,
+        geometry=tuple(_entry(entry, known, reach) for entry in mechanism.geometry),
+        joints=tuple(_joint(joint, known) for joint in mechanism.joints),
+        links=tuple(_link(link, lengths) for link in mechanism.links),
+    )
+
+
+def _between(tail: str, head: str, lengths: Lengths) -> Formula | None:
+    """Return the named length that is given of a vector or of its opposite."""
+    return lengths.get((tail, head), lengths.get((head, tail)))
+
+
+def _link(link: Link, lengths: Lengths) -> Link:
+    if link.arc is None:
+        return link
+    centre, pin = link.points
+    radius = _between(centre, pin, lengths) or link.arc.radius
+    return replace(link, arc=replace(link.arc, radius=radius))
+
+
+def _joint(joint: Joint, known: Known) -> Joint:
+    match joint:
+        case WheelPair(first=first, second=second):
+            return replace(
+                joint,
+                first_radius=_named("r", first, joint.first_radius, known),
+                second_radius=_named("r", second, joint.second_radius, known),
+            )
+        case Rack(pivot=pivot):
+            return replace(joint, radius=_named("r", pivot, joint.radius, known))
+        case Screw(point=point):
+            return replace(joint, pitch=_named("p", point, joint.pitch, known))
+        case Pivot() | Slider() | Slot() | Contact() | Rope():
+            return joint
+        case _:
+            assert_never(joint)
+
+
+def _reaches(loads: Iterable[Load]) -> Lengths:
+    """Return how far along its stretch each spread load acts, by the vector to its point."""
+    spread = [(k.point, k.spread) for k in loads if isinstance(k, Force) and k.spread]
+    return {(found.tail, point): found.reach for point, found in spread}
+
+
+def _load(load: Load, lengths: Lengths) -> Load:
+    """Return a load; one that is spread out over a length that is a number, by its name.
+
+    So is a spring between points at a distance that is one.
+    """
+    if isinstance(load, ForcePair) and load.tie:
+        length = _between(load.first, load.second, lengths)
+        if length is None:
+            return load
+        apart = {f"len_{load.first}{load.second}": length}
+        return replace(load, tie=substitute(load.tie, apart))
+    if not isinstance(load, Force) or load.spread is None:
+        return load
+    length = _between(load.spread.tail, load.spread.head, lengths)
+    spread = replace(load.spread, length=length or load.spread.length)
+    return replace(load, spread=spread, tie=spread.resultant)
+
+
+def _entry(entry: Geometry, known: Known, lengths: Lengths) -> Geometry:
+    match entry:
+        case Arrow(tail, head) if (tail, head) in lengths:
+            return replace(entry, length=lengths[tail, head])
+        case Offset(tail, head, x, y):
+            vector = _vector(tail, head)
+            x, y = (_named(*each, known) for each in (("x", vector, x), ("y", vector, y)))
+            return replace(entry, x=x, y=y)
+        case _:
+            return entry
+
+
+def _named(kind: str, of: str, length: Formula, known: Known) -> Formula:
+    """Return a length with names for the numbers that it is, or that are terms of it."""
+    if isinstance(length, Sum) and (kind, of, length) not in known:
+        return Sum(tuple(known.get((kind, f"{of}_0", term), term) for term in length.terms))
+    return known.get((kind, of, length), length)

@@ -1,0 +1,268 @@
+"""The world of names: parameters, loads, results and lets, and what formulas may use."""
+
+from collections.abc import Iterable
+from itertools import permutations
+from typing import Literal
+
+from ...diagnostics import Report
+from ...diagnostics.model import names as messages
+from ...formula.names import Name, another, split_name
+from ...formula.tree import ZERO, Constant, Formula, Number
+from ...formula.walk import evaluate, symbols
+from ...named import NamedTuple
+from ...source import Span
+from ...syntax import ast
+from ...syntax.vocabulary import points_of
+from ...units import Dimension
+from . import not_brought
+from .forms import FORMS, form_of
+from .points import Points
+
+Kind = Literal["parameter", "let", "load", "result", "table", "list"]
+
+
+class Entry(NamedTuple):
+    """What a name stands for. ``dimension`` is None where an error hid it.
+
+    ``plain`` states of a ``let`` that it depends on no loads and results, ``solved`` that it
+    depends on results, ``posed`` that it depends on directions and lengths that the pose has,
+    so that the pose cannot rest on it. ``unitless`` states of a quantity that is made of
+    numbers without unit only; where it is one such number, that is ``bare``.
+    """
+
+    kind: Kind
+    span: Span
+    dimension: Dimension | None = None
+    plain: bool = True
+    posed: bool = False
+    solved: bool = False
+    unitless: bool = False
+    bare: "Bare | None" = None
+
+
+class Bare(NamedTuple):
+    """A number without unit that a parameter was given, and where it stands."""
+
+    digits: str
+    span: Span
+
+
+class Named(NamedTuple):
+    """A number under a name that it was given, and where it stands."""
+
+    symbol: Constant
+    dimension: Dimension
+    span: Span
+
+
+class Usage(NamedTuple):
+    """Which kinds of names a formula may mention, and how to say so.
+
+    With ``plain`` a let must depend on no loads and results, without ``solved`` on no results;
+    with ``feeds`` it thereby becomes
+    a dependent parameter, since the description itself is made of it. With ``posed`` it may
+    mention ``phi_AB`` and ``len_AB``.
+    """
+
+    kinds: frozenset[Kind]
+    wanted: str
+    plain: bool = True
+    feeds: bool = True
+    posed: bool = True
+    solved: bool = True
+
+
+DESCRIPTION = Usage(
+    frozenset({"parameter", "let"}), "parameters and what follows from them", posed=False
+)
+TIE = Usage(frozenset({"parameter", "let", "load"}), "parameters and one load")
+CONDITION = DESCRIPTION._replace(feeds=False, posed=True)
+EXPECTED = TIE._replace(wanted="parameters and loads", plain=False, feeds=False, solved=False)
+FORMULA = Usage(frozenset({"parameter", "let", "load", "result"}), "a quantity", False, False)
+
+
+AXES = {
+    **dict.fromkeys(("down", "downwards", "downward", "bottom"), "-y"),
+    **dict.fromkeys(("up", "upwards", "upward", "vertical", "vertically"), "y"),
+    **dict.fromkeys(("left", "leftwards"), "-x"),
+    **dict.fromkeys(("right", "rightwards", "horizontal", "horizontally"), "x"),
+}
+"""What people call the directions of the axes."""
+
+
+class Scope:
+    """The names of one description, filled while it is read.
+
+    ``lets`` holds the names of all lets, which are entered behind what is asked for, and
+    ``feeding`` those that the description itself (geometry, parameters, loads) uses; ``values``
+    the numbers of the parameters that have one, in SI, and ``sizes`` those of all parameters, 1
+    for an open one, which reveal multiples that are out of reach; ``ranges`` has the ends of
+    those that run over one, ``settings`` the places where the command line gives a value.
+    ``constants`` are the numbers that have got a name, by what they are and their value, with
+    their places, ``brought`` what is used, by its prefix. Of a calculation ``sheet`` a condition
+    keeps the names of lets.
+    """
+
+    def __init__(self, report: Report, points: Points, sheet: bool = False) -> None:
+        self.report = report
+        self.sheet = sheet
+        self.points = points
+        self.entries: dict[str, Entry] = {}
+        self.used: set[str] = set()
+        self.feeding: set[str] = set()
+        self.lets: set[str] = set()
+        self.values: dict[str, float] = {}
+        self.settings: dict[str, Span] = {}
+        self.sizes: dict[str, float] = {}
+        self.ranges: dict[str, tuple[float, float]] = {}
+        self.constants: dict[tuple[str, Formula], Named] = {}
+        self.brought: dict[str, ast.Brought] = {}
+        self._on_paper: dict[Name, str] = {}
+        self._misfits: set[tuple[str, Dimension]] = set()
+        self._unknowns: set[tuple[str, str]] = set()
+
+    def declare(self, name: ast.Name, kind: Kind, dimension: Dimension | None = None) -> bool:
+        """Enter a name; False where it is taken or reserved, which is reported."""
+        if form := form_of(name.text):
+            meaning = f"{FORMS[form.prefix]} {''.join(form.points)}"
+            self.report.add(messages.reserved_form(name.span, name.text, meaning))
+            return False
+        return self.enter(name.text, Entry(kind, name.span, dimension))
+
+    def enter(self, name: str, entry: Entry) -> bool:
+        """Enter a name made up by the compiler or vetted before; False where it is taken."""
+        first = self.entries.get(name)
+        if first and first.span == entry.span:
+            self.report.add(messages.list_of_values(entry.span, name, entry.kind))
+            return False
+        if first:
+            self.report.add(
+                messages.name_taken(entry.span, name, entry.kind, first.span, first.kind)
+            )
+            return False
+        self.entries[name] = entry
+        alike = self._on_paper.setdefault(split_name(name), name)
+        if alike != name:
+            self.report.add(messages.look_alike(entry.span, name, alike, self.entries[alike].span))
+        return True
+
+    def define(
+        self,
+        name: str,
+        dimension: Dimension,
+        plain: bool = True,
+        posed: bool = False,
+        solved: bool = False,
+    ) -> None:
+        """State what a declared name measures, once its formula is read."""
+        self.entries[name] = self.entries[name]._replace(
+            dimension=dimension, plain=plain, posed=posed, solved=solved
+        )
+
+    def without_unit(self, name: str, bare: Bare | None = None) -> None:
+        """State that a declared name is a number without unit, which is no angle."""
+        self.entries[name] = self.entries[name]._replace(unitless=True, bare=bare)
+
+    def declared(self, name: str) -> Span | None:
+        """Return where a name is declared."""
+        entry = self.entries.get(name)
+        return entry.span if entry else None
+
+    def cause(self, formula: Formula, span: Span) -> Span:
+        """Return what a wrong value comes from: the setting of a name in it, else its own place."""
+        return next((self.settings[n] for n in symbols(formula) if n in self.settings), span)
+
+    def named(
+        self, kind: str, of: str, formula: Formula, dimension: Dimension, span: Span
+    ) -> Formula:
+        """Return a number under a name such as ``c_AB``, one for each value; else the formula."""
+        if not isinstance(formula, Number) or formula == ZERO:
+            return formula
+        if (kind, formula) not in self.constants:
+            name = f"{kind}_{of}" if of else kind
+            taken = {*self.entries, *(known.symbol.name for known in self.constants.values())}
+            while name in taken:
+                name = another(name)
+            self.constants[kind, formula] = Named(Constant(name, formula), dimension, span)
+        return self.constants[kind, formula].symbol
+
+    def first_misfit(self, name: str, wanted: Dimension) -> bool:
+        """Whether it is the first time that a name measures something else than is wanted."""
+        first = (name, wanted) not in self._misfits
+        self._misfits.add((name, wanted))
+        return first
+
+    def bare(self, formula: Formula) -> Bare | None:
+        """Return the number without unit that a formula is made of, where it is one."""
+        found = {self.entries[name].bare for name in symbols(formula) if name in self.entries}
+        return found.pop() if len(found) == 1 else None
+
+    def _unknown(self, symbol: ast.Symbol, usage: Usage) -> None:
+        vector = len(points_of(symbol.name)) > 1
+        hint = messages.vector_as_quantity(symbol.name, usage.posed) if vector else ""
+        if symbol.name.lower() in ("inf", "infinity", "nan"):
+            hint = "a value is a number, and finite"
+        if symbol.name == "radius":
+            hint = messages.NEGATIVE_RADIUS
+        if symbol.name.lower() in AXES:
+            hint = messages.axis_in_words(symbol.name, AXES[symbol.name.lower()])
+        use = not_brought.of_a_use(symbol.name, self.brought)
+        hint = hint or (not_brought.reason(symbol.name, use, self.entries) if use else "")
+        near = f"{use.prefix}_" if use else ""
+        offered = [name for name in self._offered(usage) if name.startswith(near)]
+        self.unknown(symbol.span, symbol.name, offered, hint, use)
+
+    def unknown(
+        self,
+        span: Span,
+        name: str,
+        offered: list[str],
+        hint: str = "",
+        use: ast.Brought | None = None,
+    ) -> None:
+        """Report a name that nothing declares, where it is first met."""
+        if (name, hint) not in self._unknowns:
+            self._unknowns.add((name, hint))
+            place = use.span if use else None
+            self.report.add(messages.unknown_name(span, name, offered, hint, place))
+
+    def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
+        """Return the entry of a name in a formula; None where that is an error."""
+        entry = self.entries.get(symbol.name)
+        if entry is None:
+            self._unknown(symbol, usage)
+            return None
+        self.used.add(symbol.name)
+        too_late = (usage.plain and not entry.plain) or (entry.solved and not usage.solved)
+        if entry.kind not in usage.kinds or too_late:
+            kind = f"a {entry.kind}" if entry.plain else "a formula of loads or results"
+            self.report.add(
+                messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted)
+            )
+            return None
+        if entry.posed and usage.feeds:
+            kind = "a formula of directions and lengths that follow from the description"
+            self.report.add(
+                messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted)
+            )
+            return None
+        if entry.kind == "let" and usage.feeds:
+            self.feeding.add(symbol.name)
+        return entry if entry.dimension is not None else None
+
+    def _offered(self, usage: Usage) -> list[str]:
+        """Return the names that may stand in a formula, as far as they are few enough to list."""
+        if len(self.entries) > messages.MANY:
+            return []
+        pairs = [permutations(k.points, 2) for k in self.points.links.values()]
+        vectors = [f"{form}_{a}{b}" for pair in pairs for a, b in pair for form in ("phi", "len")]
+        posed = vectors if usage.posed and len(vectors) <= messages.MANY else []
+        return [*self.names(usage.kinds), *posed]
+
+    def size(self, formula: Formula) -> float:
+        """Return the value of a formula of the description, what is open being 1."""
+        return evaluate(formula, dict.fromkeys(symbols(formula), 1.0) | self.sizes)
+
+    def names(self, kinds: Iterable[Kind]) -> list[str]:
+        """Return the names of some kinds, in order of declaration."""
+        return [name for name, entry in self.entries.items() if entry.kind in kinds]

@@ -1,0 +1,73 @@
+"""What is said of a condition that fails, with the values of its sides."""
+
+import re
+from collections.abc import Iterator
+
+from ...diagnostics import Diagnostic
+from ...diagnostics import sheets as messages
+from ...diagnostics import uses as uses_messages
+from ...formula.to_text import text
+from ...formula.tree import Formula
+from ...formula.walk import symbols
+from ...source import Source
+from ...units import ANGLE, in_unit, si_unit
+from ..mechanism import Require, Subject
+from ..names.forms import form_of_pose
+
+
+def failure(condition: Require, sides: tuple[float, float], source: Source) -> Diagnostic:
+    """Return the diagnostic of a condition that fails at these values of its sides, in SI."""
+    span, subject = condition.span, condition.subject
+    left, right = _with_values(condition, sides, source)
+    match subject:
+        case None | Subject("pose"):
+            return messages.requirement_fails(span, left, condition.operator, right)
+        case Subject("first row", name, _):
+            return messages.beyond_the_table(span, name, f"begins at {left}", right)
+        case Subject("last row", name, _):
+            return messages.beyond_the_table(span, name, f"ends at {right}", left)
+        case Subject("list", name, _):
+            return messages.beyond_the_list(span, name, left, right)
+        case Subject("range", _, _, place):
+            return uses_messages.outside_used_range(span, left, condition.operator, right, place)
+        case Subject(_, name, _):
+            return messages.no_single_case(span, name, round(sides[0]))
+
+
+def _with_values(condition: Require, sides: tuple[float, float], source: Source) -> Iterator[str]:
+    """Yield the sides of a condition with their values: ``sigma = 182 MPa``."""
+    usual = "deg" if condition.dimension == ANGLE else si_unit(condition.dimension)
+    unit = condition.unit or usual
+    formulas, spelled = (condition.left, condition.right), _as_written(condition, source)
+    for formula, value, words in zip(formulas, sides, spelled, strict=True):
+        shown = in_unit(value, unit, 6)
+        yield f"{words} = {shown}" if symbols(formula) else shown
+
+
+def _as_written(condition: Require, source: Source) -> tuple[str, str]:
+    """Return the sides of a condition as they stand in the text, else as formulas.
+
+    A condition of a used sheet has names with a prefix, that of a chain has neighbours.
+    """
+    written = " ".join(source.written(condition.span).split()).removeprefix("require ")
+    formulas = condition.left, condition.right
+    if found := _ASKED.fullmatch(written):
+        asked = found[1] or found[2]
+        left, right = (asked if symbols(f) and _mentions(asked, f) else text(f) for f in formulas)
+        return left, right
+    sides = [part.strip(" '\"") for part in _OPERATOR.split(written)]
+    if len(sides) == len(formulas) and all(map(_mentions, sides, formulas)):
+        return sides[0], sides[1]
+    return text(condition.left), text(condition.right)
+
+
+def _mentions(written: str, formula: Formula) -> bool:
+    """Return whether the names of a formula are written, or what of the pose it came from."""
+    names = _NAME.findall(written)
+    return symbols(formula) <= {*names} or any(map(form_of_pose, names))
+
+
+_OPERATOR, _NAME = re.compile("[<>=!≤≥≠]+"), re.compile(r"[^\W\d]\w*")
+
+_ASKED = re.compile(r"\w+ at (.+)|(?:next )?(.+) in \w+")
+"""How a table is asked, and a list."""

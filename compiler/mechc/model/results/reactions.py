@@ -1,0 +1,133 @@
+"""Forces at joints that are asked for: ``R_O``, ``R_B on AB``, ``N_AB``, ``N_A``."""
+
+from collections.abc import Iterator
+
+from ...diagnostics.model import lowering as lowering_messages
+from ...diagnostics.model import reactions as messages
+from ...syntax import ast
+from ...units import ANGLE, FORCE, Dimension
+from ..joint_friction import RopeFriction
+from ..mechanism import Axial, Force, ForcePair, Link, Mechanism, Normal, Part, Reaction, Target
+from ..names.forms import Form
+from ..names.scope import Scope
+
+Asked = tuple[str, Target, Dimension]
+"""The end of a result's name, what it is and what it measures."""
+
+PARTS: tuple[tuple[str, Part, Dimension], ...] = (
+    ("_x", "x", FORCE),
+    ("_y", "y", FORCE),
+    ("", "size", FORCE),
+    ("_direction", "direction", ANGLE),
+)
+
+
+def read_reaction(
+    symbol: ast.Symbol, form: Form, on: ast.Name | None, scope: Scope
+) -> tuple[Asked, ...]:
+    """Return the results that one such ``find`` asks for; none where an error was reported.
+
+    A force on a pin is four: its components, its size, and its direction.
+    """
+    name = ast.Name("".join(form.points), symbol.span)
+    if not scope.points.acting(name):
+        return ()
+    if form.prefix == "R":
+        return tuple(_force(symbol, form.points[0], on, scope))
+    if on:
+        scope.report.add(messages.link_named_for_nothing(on.span))
+        return ()
+    normal = len(form.points) == 1
+    target = _normal(symbol, form.points[0], scope) if normal else _axial(symbol, name, scope)
+    return (("", target, FORCE),) if target else ()
+
+
+def _force(symbol: ast.Symbol, point: str, on: ast.Name | None, scope: Scope) -> Iterator[Asked]:
+    held = scope.points
+    if on is None and point not in held.fixed | held.guided:
+        links = [link.name for link in held.carried.get(point, [])]
+        scope.report.add(messages.on_which_link(symbol.span, point, links))
+        return
+    link = held.link(on) if on else None
+    if on and (link is None or not _meets_something(symbol, point, link, scope)):
+        return
+    for suffix, part, dimension in PARTS:
+        yield suffix, Reaction(point, link.name if link else "", part), dimension
+
+
+def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -> bool:
+    """Return whether a link has the point, and anything else there to press on it."""
+    points = scope.points
+    if point not in link.points:
+        scope.report.add(messages.point_of_another(symbol.span, point, link.name))
+        return False
+    joined = len(points.carried[point]) > 1 or any(point in s for s in points.slides)
+    if not joined and point not in points.fixed | points.guided | points.touching.keys():
+        scope.report.add(messages.no_joint(symbol.span, point, link.name))
+        return False
+    return True
+
+
+def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
+    ends = scope.points.split(name) or ()
+    rods = [link for link in scope.points.links.values() if {*link.points} == {*ends}]
+    pin = next((p for p in ends if p in scope.points.arcs), None)
+    if pin and not rods:
+        return _in_arc(symbol, pin, ends, scope)
+    ropes = scope.points.falls.get(frozenset(ends), [])
+    if len(ropes) == 1 and not rods:
+        return Axial(ropes[0], ends[0], ends[1])
+    link = scope.points.link(name)
+    if link is None:
+        return None
+    tail, head, *more = scope.points.split(name) or ()
+    if more or len(link.points) > 2:
+        scope.report.add(messages.not_a_rod(symbol.span, link.name, len(link.points), tail))
+        return None
+    return Axial(link.name, tail, head)
+
+
+def _in_arc(symbol: ast.Symbol, pin: str, ends: tuple[str, ...], scope: Scope) -> Target | None:
+    """Return the force between a pin and the centre of its circular slot."""
+    centre = scope.points.centre(pin)
+    if centre is None:
+        return None  # what is wrong is reported at the slot
+    if set(ends) != {pin, centre}:
+        scope.report.add(lowering_messages.normal_of_arc(symbol.span, pin, centre))
+        return None
+    return Axial(f"{centre}{pin}", ends[0], ends[1])
+
+
+def check_rods(mechanism: Mechanism, scope: Scope) -> None:
+    """Report rods that loads act on at both ends: the force along them is not that of a pin."""
+    on = {(load.link, load.point) for load in mechanism.loads if isinstance(load, Force)} | {
+        end
+        for load in mechanism.loads
+        if isinstance(load, ForcePair)
+        for end in ((load.first_link, load.first), (load.second_link, load.second))
+    }
+    sliding = {j.joint for j in mechanism.friction.joints if isinstance(j, RopeFriction)}
+    spread = {k.spread.link for k in mechanism.loads if isinstance(k, Force) and k.spread}
+    for find in mechanism.finds:
+        match find.target:
+            case Axial(link) if link in spread:
+                scope.report.add(lowering_messages.spread_along_rod(find.span, link))
+            case Axial(rope, tail, head) if rope in sliding:
+                scope.report.add(messages.tension_of_sliding_rope(find.span, f"{tail}{head}"))
+            case Axial(link, tail, head) if {(link, tail), (link, head)} <= on:
+                scope.report.add(messages.loaded_at_both_ends(find.span, link))
+
+
+def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
+    if scope.points.touching[point] > 1:
+        scope.report.add(messages.several_touch(symbol.span, point))
+        return None
+    if point in scope.points.arcs:
+        if centre := scope.points.centre(point):
+            scope.report.add(lowering_messages.normal_of_arc(symbol.span, point, centre))
+        return None
+    sliding = {p for points in scope.points.slides for p in points}
+    if point not in scope.points.guided | scope.points.touching.keys() | sliding:
+        scope.report.add(messages.nothing_normal(symbol.span, point))
+        return None
+    return Normal(point)
