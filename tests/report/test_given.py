@@ -84,3 +84,11 @@ def test_a_force_in_a_rod_has_a_heading_of_its_own():
     assert r"\textbf{Force in a rod:}" in text
     assert text.count(r"\textbf{Force at a joint:}") == 1
     assert "in one pose (" in text
+
+
+def test_a_rod_has_two_pins_and_a_screw_has_one():
+    given = mechc.load("screw_jack_with_collar").emit("latex").split(r"\section*{Velocities}")[0]
+    assert r"Rigid links: $OE$." in given
+    assert "Rods with two pins" not in given
+    crank = mechc.load("crank_slider").emit("latex")
+    assert r"Rods with two pins: $OA$ and $AB$." in crank

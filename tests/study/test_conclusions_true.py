@@ -148,3 +148,13 @@ def test_proportions_swaps_and_what_does_not_matter(name):
             swapped = evaluate(result.formula, {**pose, a: pose[b], b: pose[a]})
             assert swapped == pytest.approx(k, rel=1e-9), result.name
         assert symbols(result.formula).isdisjoint(result.independent), result.name
+
+
+def test_of_the_roots_of_a_sine_the_one_within_the_ranges_is_stated():
+    """sin(phi + beta), with phi = 60 deg in 5 deg .. 175 deg, is zero at 180 deg - beta."""
+    (k, _) = results("crank_slider")
+    (zero,) = k.zeros
+    assert zero.at is not None
+    name, value = zero.at
+    assert name == "phi"
+    assert evaluate(value, {"beta": math.radians(15)}) == pytest.approx(math.radians(165))

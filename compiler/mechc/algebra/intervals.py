@@ -66,7 +66,7 @@ def factor_bounds(factor: Factor, box: Box) -> Interval:
         case Length(name):
             return box.get(name, Interval(-math.inf, math.inf))
         case Trig(function, angle):
-            low, high = _angle_bounds(angle, box)
+            low, high = angle_bounds(angle, box)
             return _sine(low, high) if function == "sin" else _sine(*_quarter(low, high))
         case Sum():
             parts = [bounds(t, box) for t in factor.terms]
@@ -79,7 +79,7 @@ def factor_bounds(factor: Factor, box: Box) -> Interval:
             return Interval(-math.inf, math.inf)
 
 
-def _angle_bounds(angle: Angle, box: Box) -> Interval:
+def angle_bounds(angle: Angle, box: Box) -> Interval:
     constant = math.radians(angle.degrees)
     result = widened(constant, constant)
     for name, c in angle.terms:

@@ -8,6 +8,7 @@ from typing import assert_never
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.factors import Factor, Trig
 from ..algebra.halving import without
+from ..algebra.intervals import Box, angle_bounds
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.sums import canonical
@@ -154,7 +155,8 @@ def _vanishing(
     """Return a condition solved for what moves; not for, nor by, what loops find."""
     mechanism = balance.plan.graph.pose.mechanism
     found = trig.angle.names & {d.name for d in item.result.where}
-    at = None if found else solution(trig, near, moving_first(mechanism))
+    box = stroke_box(mechanism)
+    at = None if found else solution(trig, near, box, moving_first(mechanism))
     but = tuple(t.formula() for t in _at_folds(trig, item, near))
     return Vanishing(trig.formula(), at, cause, _is_outside(trig, balance), but)
 
@@ -324,12 +326,12 @@ def _across(plan: Plan, term: Term) -> Product:
 
 
 def solution(
-    factor: Factor, near: Mapping[str, float], order: Sequence[str] = ()
+    factor: Factor, near: Mapping[str, float], box: Box, order: Sequence[str] = ()
 ) -> tuple[str, Formula] | None:
-    """Return (symbol, value) at which a sine or cosine vanishes, the one nearest by.
+    """Return (symbol, value) at which a sine or cosine vanishes, of its roots the one in reach.
 
-    ``near`` are default values; the symbol is the first of the angle's in an ``order``, else by
-    name, whose coefficient is ±1, or its only one.
+    ``near`` are default values, a ``box`` is the ranges; the symbol is the first of the angle's in
+    an ``order``, else by name, whose coefficient is ±1, or its only one.
     """
     if not isinstance(factor, Trig):
         return None
@@ -341,15 +343,23 @@ def solution(
     name, c = unit
     rest = factor.angle - Angle(((name, c),))
     first = Angle.constant(0 if factor.function == "sin" else 90)
-    turns = _nearest(factor, first, near)
+    turns = _half_turns(factor.angle, first.evaluate({}), near, box)
     value = (first + Angle.constant(180 * turns) - rest) * (1 / Fraction(c))
     return name, value.formula()
 
 
-def _nearest(factor: Trig, first: Angle, near: Mapping[str, float]) -> int:
-    """Return the half turns to add so that the angle is as near as can be to its default."""
-    try:
-        now = factor.angle.evaluate(near)
-    except KeyError:
+def _half_turns(angle: Angle, first: float, near: Mapping[str, float], box: Box) -> int:
+    """Return the half turns to add to a first root: within the ranges, else nearest by.
+
+    Of sin(φ + β), with φ = 60° in 5° … 175°, that is 180° - β and not -β.
+    """
+    if not angle.names <= near.keys():
         return 0
-    return round((now - first.evaluate({})) / math.pi)
+    nearest = round((angle.evaluate(near) - first) / math.pi)
+    within = angle_bounds(angle, box)
+    if not math.isfinite(within.high - within.low):
+        return nearest
+    inside = range(
+        math.ceil((within.low - first) / math.pi), math.floor((within.high - first) / math.pi) + 1
+    )
+    return min(inside, key=lambda turns: abs(turns - nearest), default=nearest)

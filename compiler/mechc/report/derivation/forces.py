@@ -173,7 +173,7 @@ class _Writer:
             _BONDS.get(release.kind) or self._on_ground(release.point),
             (*speeds, power, *found),
             names,
-            {"direction": direction_formula(direction), "speed": parting},
+            {"direction": direction_formula(direction), "speed": parting, "force": symbol},
         )
 
     def _on_ground(self, point: str) -> SentenceKind:

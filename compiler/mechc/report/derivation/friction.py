@@ -214,7 +214,8 @@ def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
     sides = (side for step in steps for pair in step.equations for side in pair)
     used = frozenset[str]().union(*map(symbols, sides))
     if any(f"S_{link.name}" in used for link in mechanism.links):
-        yield Paragraph(SentenceKind.ROD_FORCES, formulas={"force": Symbol("S")})
+        sizes = {"force": Symbol("S"), "whole": Symbol("N")}
+        yield Paragraph(SentenceKind.ROD_FORCES, formulas=sizes)
     if mechanism.symmetries:
         yield Paragraph(SentenceKind.PART)
 

@@ -13,6 +13,7 @@ from ...power.balance import Term
 from ..sentences.wording import positive_first
 from .notation import linear, times
 from .outputs import acting_on
+from .rules import rule_of_component
 from .speed_steps import SpeedSteps
 from .steps import Equation, PowerTerm, Rule, Step
 
@@ -45,8 +46,8 @@ def _speed_along(term: Term, speeds: SpeedSteps) -> AlongLoad | None:
                 return None
             form = projection(graph.velocities[point], term.line)
             said = linear(form, speeds.names_at(form, point))
-            subject: tuple[str, ...] = point, name
-            symbol, rule = Symbol(f"V_{point}_{name}"), Rule.COMPONENT
+            rule, subject = rule_of_component(point, name, graph)
+            symbol = Symbol(f"V_{point}_{name}")
         case ForcePair(_, first, second):
             form = parting(graph, term.load, term.line)
             if len(form) < 2:

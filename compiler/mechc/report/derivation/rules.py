@@ -1,8 +1,9 @@
 """The textbook's rule for each relation of the plan, and what it is applied to."""
 
+from collections.abc import Iterator
 from typing import assert_never
 
-from ...kinematics.graph import Graph, Relation
+from ...kinematics.graph import Graph, Kind, Relation
 from ...kinematics.graph import Rule as Law
 from ...model.mechanism import Joint, WheelPair
 from .steps import Rule
@@ -38,6 +39,29 @@ def rule_of(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
             raise ValueError("only a released joint is held, and no step of a motion")
         case _:
             assert_never(relation.rule)
+
+
+def rule_of_component(point: str, load: str, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
+    """Return what gives the component of a point's velocity along a load, and from what."""
+    velocity = graph.velocities[point]
+    if all(graph.unknowns[flow.unknown].kind is Kind.COMPONENT for flow in velocity):
+        return Rule.COMPONENT_OF_TWO, (point, load)
+    for link, pole in _poles(point, graph):
+        if pole in graph.pose.mechanism.fixed:
+            return Rule.COMPONENT_OF_ROTATION, (pole, point, load)
+        return Rule.COMPONENT_OF_BODY, (link, pole, point, load)
+    return Rule.COMPONENT, (point, load)
+
+
+def _poles(point: str, graph: Graph) -> Iterator[tuple[str, str]]:
+    """Yield each link and point of it whose velocity, with the link's rotation, is a point's."""
+    velocity = graph.velocities[point]
+    for link, frame in graph.pose.frames.items():
+        for pole in frame if point in frame else ():
+            known = graph.velocities[pole]
+            turning = {flow.unknown for flow in velocity[len(known) :]}
+            if velocity[: len(known)] == known and turning == {graph.spins.get(link)}:
+                yield link, pole
 
 
 def involved(relation: Relation, graph: Graph) -> tuple[str, ...]:

@@ -61,6 +61,12 @@ class Rule(StrEnum):
     """The rate at which the distance of two points grows."""
     COMPONENT = "component"
     """The component of a point's velocity along the load that acts on it."""
+    COMPONENT_OF_ROTATION = "component_of_rotation"
+    """The same where the point turns about a pivot: as the arm of the load."""
+    COMPONENT_OF_BODY = "component_of_body"
+    """The same from another point's velocity and the rotation of their link."""
+    COMPONENT_OF_TWO = "component_of_two"
+    """The same from the projections of the velocity on two lines."""
 
 
 @frozen
@@ -92,8 +98,9 @@ class Step:
     for PROJECTION the two ends of the rod; for TURNING both links; for SLOT and CONTACT the pin
     and the body, for GEAR
     and BELT the two pivots, for ON_ARM the arm and the two centres, for RACK the pivot and the
-    rack, for PARTING the two points; for TOGETHER the links involved; for COMPONENT the point
-    and the load, ``V_A_P`` being the speed of A along P; for HELD the coordinates.
+    rack, for PARTING the two points; for TOGETHER the links involved; for COMPONENT and its
+    kinds the point and the load last, ``V_A_P`` being the speed of A along P, the pivot, or the
+    link and its other point, first; for HELD the coordinates.
     ``relations`` is what the rule says; ``results`` the same solved for the new speeds.
     """
 

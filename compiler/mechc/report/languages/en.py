@@ -148,21 +148,29 @@ LOCALE = Locale(
         "parting": "Rate of the distance between {all}: the difference of their velocities"
         " along the line through them.",
         "component": "Component of the velocity of {first} in the direction of the load {rest}.",
+        "component_of_rotation": "Rotation about the pivot {first}: velocities are proportional to "
+        "their arms, the component of the velocity of {point} in the direction of the load {last} "
+        "to the arm of this load.",
+        "component_of_body": "Plane motion of the link {first}: in the direction of the load "
+        "{last} the component of the velocity of {point} is that of the velocity of {second} "
+        "together with that of the rotation about {second}.",
+        "component_of_two": "The projections of the velocity of {first} on two lines are known; "
+        "they give its component in the direction of the load {last}.",
     },
     sayings={
         **ENGLISH,
         "released": "Release of constraints: a constraint is taken away, its reaction becomes a "
         "load, and the powers of all loads add up to zero in the motion that is left.{held}",
         "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "
-        "{speed}.",
+        "{speed}; {force} is its reaction in this direction.",
         "guide": "Let {point} leave its guide in the direction {direction} with the velocity "
-        "{speed}.",
+        "{speed}; {force} is the reaction of the guide.",
         "pin": "Let the link {link} part from the pin {point} in the direction {direction} with "
-        "the velocity {speed}.",
+        "the velocity {speed}; {force} is the force between them.",
         "touch": "Let {point} part from the surface that it touches in the direction {direction} "
-        "with the velocity {speed}.",
+        "with the velocity {speed}; {force} is the force between them.",
         "rope released": "Let the rope that begins at {point} grow shorter with the velocity "
-        "{speed}.",
+        "{speed}; {force} is its tension.",
         "idle": "Let the constraint at {point} be released in the direction {direction}: no load "
         "does work then, and this component is zero.",
         "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
@@ -175,8 +183,8 @@ LOCALE = Locale(
         "pin friction": "The friction of a pin is a couple: the force on the pin times the radius "
         "{radius} of the friction circle.",
         "guide friction": "The friction of a guide is its coefficient times the force across it.",
-        "rod forces": "{force} is the size of the force in a rod (N without its sign), whether in "
-        "compression or in tension.",
+        "rod forces": "{force} is the size of the force in a rod ({whole} without its sign), "
+        "whether in compression or in tension.",
         "part": "By symmetry one of the equal parts is considered.",
         "unit": "Forces are given per unit of {load}.",
         "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",
@@ -229,6 +237,10 @@ LOCALE = Locale(
         "triangle": "Likewise triangle {loop}, its vertices in {turn} order.",
         "projection": "Likewise on the line {joined} the velocities of {all} have equal "
         "projections.",
+        "component_of_rotation": "Likewise about {first} the component of the velocity of {point} "
+        "in the direction of the load {last}.",
+        "component_of_body": "Likewise, by the plane motion of {first} with the velocity of "
+        "{second}, the component of the velocity of {point} in the direction of the load {last}.",
     },
     held="The drive ({loads}) is held still.",
     hence="hence",
@@ -258,7 +270,7 @@ LOCALE = Locale(
     },
     efficiency="Efficiency",
     where="where",
-    solve="{names}: the solution of the equations (on the branch of the values given)",
+    solve="{names}: the solution of the equations (on the branch of the values given):",
     proportional="{result} is proportional to {factor}.",
     independent="{result} does not depend on {names}.",
     swaps="{result} does not change when {first} and {second} change places.",

@@ -189,13 +189,20 @@ def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
 
 
 def _links(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
-    rods = [link for link in mechanism.rigid_links if len(link.points) == 2]
-    bodies = [link for link in mechanism.rigid_links if len(link.points) > 2]
+    rods = [link for link in mechanism.rigid_links if _is_rod(link, mechanism)]
+    bodies = [link for link in mechanism.rigid_links if link not in rods]
     return [
         template.format(links=enumeration([_link(link, style) for link in links], locale))
         for template, links in ((locale.rods, rods), (locale.bodies, bodies))
         if links
     ]
+
+
+def _is_rod(link: Link, mechanism: Mechanism) -> bool:
+    """Return whether a link is its two pins: the free end of a screw or of a wheel is none."""
+    held = {point for joint in mechanism.joints for point in joint.points} | {*mechanism.fixed}
+    others = {point for other in mechanism.links if other is not link for point in other.points}
+    return len(link.points) == 2 and {*link.points} <= held | others
 
 
 def _link(link: Link, style: Notation) -> str:

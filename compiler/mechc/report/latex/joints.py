@@ -20,7 +20,7 @@ from ...model.mechanism import (
     WheelPair,
 )
 from ..languages.locale import Locale
-from .directions import direction, math
+from .directions import math, spoken
 from .notation import Notation, points
 from .quantity import length_of
 
@@ -29,7 +29,7 @@ def joint_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> It
     """Yield a sentence for each slide, slot, contact, pair of wheels, rack and screw."""
     say = locale.joints
     for slide in mechanism.slides:
-        along = math(direction(slide.along, style))
+        along = spoken(slide.along, locale, style)
         yield say["slide"].format(body=math(points(slide.name)), direction=along)
     if mechanism.telescopes:
         named = ", ".join(math(points(t.name)) for t in mechanism.telescopes)
@@ -62,7 +62,7 @@ def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
                 yield say["guided"].format(guided=guided, point=on, body=body)
         case Contact(point, link, normal=normal):
             on, body = math(points(point)), math(points(link))
-            across = math(direction(normal, style))
+            across = spoken(normal, locale, style)
             yield say["contact"].format(point=on, body=body, normal=across)
         case WheelPair():
             yield _wheels(joint, locale, style)

@@ -48,10 +48,14 @@ def _in_full_once(
 
 def _sentence(step: Step, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
     first, *rest = step.subject or ("",)
+    *before, last = rest or (first,)
     together = first if len(first.rstrip("'0123456789")) > 1 else "".join(step.subject)
     return template.format(
         first=spell(first),
         rest=enumeration((spell(s) for s in rest or (first,)), locale),
+        second=spell((*before, last)[0]),
+        point=spell((first, *before)[-1]),
+        last=spell(last),
         all=enumeration((spell(s) for s in step.subject), locale),
         joined=spell(together),
     )

@@ -1,0 +1,43 @@
+"""The component of a point's velocity along a load has its reason, and is true to it."""
+
+import pytest
+
+from good_mechanisms import ALL, compiled
+from mechc.report.derivation.steps import Rule
+from mechc.report.languages.registry import LANGUAGES, locale
+from mechc.report.sentences.wording import sentences
+
+KINDS = {
+    "claw_closed": (Rule.COMPONENT_OF_ROTATION, ("O", "C", "R")),
+    "bolt_cutter": (Rule.COMPONENT_OF_BODY, ("HGE", "H", "E", "P")),
+    "peaucellier": (Rule.COMPONENT_OF_TWO, ("Q", "F")),
+}
+
+
+def steps(name):
+    return compiled(name).derivation.steps
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_component_follows_from_what_its_velocity_is_made_of(name):
+    rule, subject = KINDS[name]
+    assert [s.subject for s in steps(name) if s.rule is rule][:1] == [subject]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", KINDS)
+def test_the_reason_names_all_that_it_rests_on(name, language):
+    rule, subject = KINDS[name]
+    said = sentences(steps(name), locale(language), lambda name: f"<{name}>")
+    found = next(s for step, s in zip(steps(name), said, strict=True) if step.rule is rule)
+    assert {part for part in subject if f"<{part}>" in found} == {*subject}
+
+
+@pytest.mark.parametrize("name", ["scissor_2", "cabinet_on_casters", "roberval_balance"])
+def test_other_bodies_have_theirs(name):
+    assert not [s for s in steps(name) if s.rule is Rule.COMPONENT]
+
+
+@pytest.mark.slow
+def test_no_component_of_the_library_is_without_a_reason():
+    assert not [name for name in ALL for s in steps(name) if s.rule is Rule.COMPONENT]
