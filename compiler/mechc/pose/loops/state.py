@@ -6,10 +6,10 @@ from fractions import Fraction
 
 from ...algebra.angle import Angle
 from ...algebra.factors import Length
-from ...algebra.from_formula import to_product
+from ...algebra.from_formula import to_angle, to_product
 from ...algebra.sums import add
 from ...formula.names import another
-from ...formula.tree import Call, Formula, Symbol, degrees, negative, total
+from ...formula.tree import Call, Formula, Sum, Symbol, degrees, negative, total
 from ...formula.walk import evaluate, substitute, symbols
 from ...model.mechanism import Mechanism
 from ...model.values import completed
@@ -201,8 +201,7 @@ class State:
 
     def _unwound(self, name: str, formula: Formula, value: float) -> Formula:
         if all(_turns_whole(name, arm) for edge in self.graph.edges for arm in edge.arms):
-            full = degrees(-360 * round(value / math.tau))
-            return total([formula, full])
+            return turned_back(formula, round(value / math.tau))
         middle = degrees(90 * round(math.remainder(value, math.tau) / (math.pi / 2)))
         apart = total([formula, negative(middle)])
         return total([middle, Call("atan2", (Call("sin", (apart,)), Call("cos", (apart,))))])
@@ -270,3 +269,19 @@ def _rewritten(closure: Closure, name: str, angle: Angle, keep: bool) -> Closure
         return Closure((*others, Definition(name, angle.formula())), directions)
     put: Callable[[Angle], Angle] = lambda a: a.put({name: angle})  # noqa: E731
     return Closure(others, {**{n: put(a) for n, a in directions.items()}, name: angle})
+
+
+def turned_back(formula: Formula, turns: int) -> Formula:
+    """Return an angle less full turns, which are gathered with its own constants.
+
+    >>> from ...formula.to_text import text
+    >>> text(turned_back(total([Symbol("mu_B"), degrees(90)]), 1))
+    'mu_B - 3*pi/2'
+    """
+    if not turns:
+        return formula
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    known = [(term, to_angle(term)) for term in terms]
+    rest = [term for term, angle in known if angle is None or angle.terms]
+    constant = sum(angle.degrees for _, angle in known if angle and not angle.terms)
+    return total([*rest, degrees(constant - 360 * turns)])
