@@ -86,12 +86,14 @@ def unknown_function(span: Span, name: str, known: Iterable[str]) -> Message:
         let k = sin(alpha)       # right
         let s = a(1 + e)         # wrong
         let s = a*(1 + e)        # right
+        let q = m(2*r)           # wrong: m is a table
+        let q = m at 2*r         # right
     """
     known = list(known)
     hint = (
         near_miss(name, known)
         or near_miss(name.lower(), known)
-        or f"for a product write {name}*(…)"
+        or f"for a product write {name}*(…), for a table {name} at …"
     )
     return Message(span, f"'{name}' is not a function", hint)
 

@@ -137,9 +137,12 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
         return syntax.unclosed_bracket(span, ")")
     if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
         return syntax.missing_equals(span, described(token))
-    if start != "statement" and (hint := slips.in_scalar(token, allowed)):
-        return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
-    hint = example(line, allowed) if lacks_name else slips.hint_for(line, position, allowed)
+    hint = example(line, allowed) if lacks_name else ""
+    if start in ("let_value", "condition"):
+        hint = slips.of_asking(line, position, allowed)
+    if start != "statement":
+        hint = hint or slips.in_scalar(token, allowed)
+    hint = hint or slips.hint_for(line, position, allowed)
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
 
 

@@ -42,6 +42,9 @@ PARTED = "a ',' stands between two values"
 ONE_EACH = frozenset({"PIVOT", "SLIDER", "LINK", "SLIDE", "TELESCOPE", "PARAM", "LET"})
 """A statement with one of these words is about one thing, and has no comma outside brackets."""
 
+FORMULAS = frozenset({"PARAM", "LET", "REQUIRE"})
+"""Words of the statements that give or compare what formulas come to."""
+
 CHOICES = {
     "ASSEMBLY": "ccw is counter-clockwise, cw clockwise; along a guide it is forward or back",
 }
@@ -60,6 +63,13 @@ SCALARS = {
 
 COORDINATES = "coordinates are a list: [0 mm, 0 mm]"
 
+ASKED = {
+    "at": "what a table gives is a let of its own: {}; a formula takes q by its name",
+    "next": "what a list gives is a let of its own: {}; a formula takes D by its name",
+    "when": "a choice is a let of its own: {}; a formula takes K by its name",
+}
+"""What is said of a table, a list or a choice that is asked within a formula."""
+
 
 def in_scalar(token: Token, allowed: set[str]) -> str:
     """Return a hint at what only lines have, in a value of YAML."""
@@ -74,6 +84,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     return (
         _of_comment(line, position)
         or _of_decimals(line, position)
+        or (line[0].type in FORMULAS and of_asking(line, position, allowed))
         or _of_list(token, line[0])
         or STATED.get((line[0].type, str(token)), "")
         or _of_radius(line, position)
@@ -102,6 +113,17 @@ def unfinished(line: Sequence[Token], allowed: set[str]) -> str:
     if ".." in {spelling().get(name) for name in allowed}:
         return RANGE
     return example(line, allowed)
+
+
+def of_asking(line: Sequence[Token], position: int, allowed: set[str]) -> str:
+    """Return a hint where a table, a list or a choice is asked within a formula.
+
+    The words ``at`` and ``when`` end the formula before them; ``next`` is taken for a name.
+    """
+    words = [str(token) for token in line[: position + 1]]
+    word = "next" if "next" in words[-4:-1] else words[-1]
+    is_behind = word in ASKED and "TIMES_SIGN" in allowed
+    return ASKED[word].format(WRITTEN[f"let {word}"]) if is_behind else ""
 
 
 def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
