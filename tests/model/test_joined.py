@@ -11,6 +11,8 @@ from mechc import files
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
 from mechc.driver import Compilation
+from mechc.formula.walk import evaluate
+from mechc.model.joint_friction import PinFriction
 from mechc.report.languages.registry import locale
 from mechc.report.latex.given import scheme
 from mechc.report.latex.notation import notation
@@ -194,6 +196,30 @@ def test_friction_is_that_written_by_hand(tmp_path: Path) -> None:
     joined, hand = mechc.load(written(tmp_path, JOINED)), mechc.loads(BY_HAND)
     assert np.isfinite(hand.evaluate()["k_f"])
     assert_same(joined, hand)
+
+
+@pytest.mark.parametrize("point", ["T.K", "K1"])
+def test_the_whole_gives_a_point_of_a_part_its_friction(tmp_path: Path, point: str) -> None:
+    """By either name of the point: the line of the part about all its pins leaves it out."""
+    thick = f"{JOINED}friction pin {point} 0.1 diameter 20 mm\n"
+    joints = Compilation(files.read(written(tmp_path, thick))).mechanism.friction.joints
+    pins = (pin for pin in joints if isinstance(pin, PinFriction))
+    radii = {pin.point: evaluate(pin.radius, {"T_f": 0.1}) for pin in pins}
+    assert (radii["K1"], radii["C1"]) == pytest.approx((1e-3, 6e-4))
+
+
+def test_it_is_said_once_where_the_range_of_a_part_is_left(tmp_path: Path) -> None:
+    """With the value that the loop gives, then that nothing was checked, at the same place."""
+    toggle = ideal(TOGGLE).replace("10 deg in -20 deg .. 40 deg", "85 deg in 85 deg .. 89 deg")
+    toggle = toggle.replace("drive alpha from 5 deg to 40 deg", "")
+    text = ideal(JOINED).replace("= B\n", "= B without alpha\n")
+    compilation = Compilation(files.read(written(tmp_path, text, toggle=toggle)))
+    assert compilation.verdict
+    first, second = compilation.report.sorted()
+    assert (first.code, second.code, first.span) == ("W221", "W601", second.span)
+    assert "T_alpha = " in first.message
+    assert "expected at least 85 deg" in first.message
+    assert "no pose was found that meets the conditions of use" in second.message
 
 
 def test_what_rests_on_its_own_results_stays_behind(tmp_path: Path) -> None:

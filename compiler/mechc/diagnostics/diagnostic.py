@@ -193,9 +193,13 @@ def near_miss(name: str, known: Iterable[str]) -> str:
     ''
     >>> near_miss("R_A", ["R_A_on_AB_x", "R_A_on_AB", "R_Q"])
     "did you mean 'R_A_on_AB'?"
+    >>> near_miss("R_A_f_y", ["R_A_y", "R_A_y_f"])
+    "did you mean 'R_A_y_f'?"
     """
     known = list(known)
     twin = [k for k in known if k.lower() == name.lower()]
     longer = sorted((k for k in known if k.startswith(f"{name}_")), key=len)
-    close = twin or longer or difflib.get_close_matches(name, known, n=1, cutoff=0.7)
+    ordered = sorted(name.split("_"))
+    shuffled = [k for k in known if sorted(k.split("_")) == ordered]
+    close = twin or longer or shuffled or difflib.get_close_matches(name, known, n=1, cutoff=0.7)
     return f"did you mean {close[0]!r}?" if close else ""

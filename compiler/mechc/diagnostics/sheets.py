@@ -15,8 +15,17 @@ def requirement_fails(span: Span, left: str, operator: str, right: str) -> Messa
         let tau = 4*F/(pi*d^2) in MPa
         require tau <= tau_allowed
     """
-    wanted = f"{left}, expected {_WORDS[operator]} {right}"
+    wanted = held_against(left, operator, right)
     return Message(span, f"the requirement fails: {wanted}", "change what is given")
+
+
+def held_against(left: str, operator: str, right: str) -> str:
+    """Return what is found and what is expected of it.
+
+    >>> held_against("d = 8 mm", ">=", "10 mm")
+    'd = 8 mm, expected at least 10 mm'
+    """
+    return f"{left}, expected {_WORDS[operator]} {right}"
 
 
 _WORDS = {

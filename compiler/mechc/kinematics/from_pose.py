@@ -32,9 +32,10 @@ def plan_velocities(pose: Pose, report: Report) -> Plan:
 
 
 def _check_frame(mechanism: Mechanism, report: Report) -> None:
-    """Report E402 for what only a motion could give, and E403 for friction, of a frame."""
+    """Report E402 for what only a motion could give of a frame, else E403 for friction."""
     for find in mechanism.finds:
         if isinstance(find.target, LoadRatio | LoadForm | SpeedRatio):
             report.add(messages.asked_of_a_frame(find.span, find.name))
+            return
     for joint in mechanism.friction.joints[:1]:
         report.add(messages.friction_in_a_frame(joint.span))

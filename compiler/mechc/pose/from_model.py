@@ -5,7 +5,6 @@ from collections.abc import Mapping
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
-from ..diagnostics.model import quantities as quantities_messages
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import (
@@ -19,6 +18,7 @@ from ..model.mechanism import (
     Slider,
     Telescope,
 )
+from ..model.results import failures
 from ..model.values import holds
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
@@ -84,7 +84,7 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
     for condition in pose.mechanism.requires:
         is_given = symbols(condition.left) | symbols(condition.right) <= given
         if not is_given and not holds(condition, default):
-            report.add(quantities_messages.condition_broken(condition.span))
+            report.add(failures.broken(condition, default, report.source))
     for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
         report.add(fault)
     for misfit in misfits(pose, vectors, default):

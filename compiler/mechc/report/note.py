@@ -5,7 +5,7 @@ the units in which they are given.
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Literal
 
 from ..formula.choices import chosen, is_choice
@@ -105,7 +105,8 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     aside = unused(mechanism, results)
     lines = (line for line in _lines(mechanism, results, given) if line.name not in aside)
     lets = {let.name: let.value for let in mechanism.lets}
-    checks = [_check(r, given, lets) for r in mechanism.requires if not r.subject]
+    inputs = {p.name for p in mechanism.parameters}
+    checks = [_check(r, given, lets, inputs) for r in mechanism.requires if not r.subject]
     return Note(
         tuple(p for p in mechanism.parameters if p.name not in aside),
         tuple(t for t in mechanism.tables if t.name not in aside),
@@ -278,17 +279,20 @@ def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None
 
 
 def _check(
-    require: Require, given: Mapping[str, Quantity], lets: Mapping[str, Formula]
+    require: Require,
+    given: Mapping[str, Quantity],
+    lets: Mapping[str, Formula],
+    inputs: Container[str],
 ) -> NoteCheck:
     assert require.written
     left, right, label = require.written.left, require.written.right, require.written.label
     values = _sides(require, given)
-    compared = values if not _is_range(require, lets) else None
+    compared = values if not _is_range(require, lets, inputs) else None
     reserve = _reserve(compared[0].value, compared[1].value, require.operator) if compared else None
     return NoteCheck(label, left, require.operator, right, values, reserve, decides=False)
 
 
-def _is_range(require: Require, lets: Mapping[str, Formula]) -> bool:
+def _is_range(require: Require, lets: Mapping[str, Formula], inputs: Container[str]) -> bool:
     """Return whether a given quantity is held against a number: for what a formula is meant.
 
     A reserve is that of what was calculated.
@@ -297,7 +301,7 @@ def _is_range(require: Require, lets: Mapping[str, Formula]) -> bool:
     for i, side in enumerate(sides):
         while isinstance(side, Symbol) and side.name in lets:
             side = sides[i] = lets[side.name]
-    bare = [s for s in sides if isinstance(s, Symbol)]
+    bare = [s for s in sides if isinstance(s, Symbol) and s.name in inputs]
     return len(bare) == 1 and any(not symbols(s) for s in sides)
 
 

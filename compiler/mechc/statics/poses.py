@@ -6,8 +6,8 @@ from random import Random
 from typing import Generic, TypeVar
 
 from ..formula.walk import evaluate
-from ..model.mechanism import Mechanism, Parameter
-from ..model.values import Chain, allowed, bounds, dependent
+from ..model.mechanism import Mechanism, Parameter, Require
+from ..model.values import Chain, allowed, bounds, dependent, holds
 from ..pose.pose import Pose
 from ..units import Dimension
 
@@ -42,6 +42,13 @@ def candidates(pose: Pose, number: int) -> Iterator[Values]:
         values = feasible_pose(pose, parameters, dice)
         if values is not None:
             yield values
+
+
+def broken_at_default(pose: Pose) -> Require | None:
+    """Return the first condition of use that the default pose breaks."""
+    given = {p.name: evaluate(p.value, {}) for p in _free(pose) if p.value is not None}
+    values = Chain(dict(pose.definitions)).complete(given)
+    return next((r for r in pose.mechanism.requires if not holds(r, values)), None)
 
 
 def feasible_pose(pose: Pose, parameters: Mapping[str, float], dice: Random) -> Values | None:

@@ -38,7 +38,7 @@ from .balanced import Balanced
 from .closure import worst_gap
 from .contacts import pulling, slack
 from .counted import uncounted
-from .poses import Replay, Values, candidates, free_values
+from .poses import Replay, Values, broken_at_default, candidates, free_values
 from .speeds import speed_ratio
 from .tolerances import SMALLEST
 from .verdict import (
@@ -116,8 +116,10 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
             report.add(_one_of_several(one, pose))
         if len(found) < POSES:
             remarks.append(_untried(question.name, found, troubles))
-        if not found:
+        if troubles and not found:
             report.add(_unchecked(question.name, troubles, pose.mechanism.span))
+    if remarks and next(iter(poses), None) is None:
+        report.add(_nothing_checked(pose))
     verdict = Verdict(tuple(trials), tuple(remarks))
     _stop_on_disagreement(verdict, pose.mechanism.span, report)
     return verdict
@@ -319,7 +321,15 @@ def _unchecked(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
     """Return a warning, or an error where only equilibrium failed, and at every pose."""
     if troubles and not {NO_VALUE, NEAR_SINGULAR, STANDS, UNSETTLED} & set(troubles):
         return messages.no_equilibrium(span, name, troubles[-1])
-    return messages.not_checked(span, name, troubles[-1] if troubles else "no pose was found")
+    return messages.not_checked(span, name, troubles[-1])
+
+
+def _nothing_checked(pose: Pose) -> Diagnostic:
+    """Return the warning that no pose was found, at a condition that the default one breaks."""
+    if broken := broken_at_default(pose):
+        why = "no pose was found that meets the conditions of use"
+        return messages.not_checked(broken.span, "what is asked for", why)
+    return messages.not_checked(pose.mechanism.span, "what is asked for", "no pose was found")
 
 
 def _stop_on_disagreement(verdict: Verdict, span: Span, report: Report) -> None:

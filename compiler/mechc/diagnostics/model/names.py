@@ -1,6 +1,6 @@
 """Messages for names: unknown, taken twice, out of place, in a cycle (E20x)."""
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 
 from ...source import Span
 from ..diagnostic import Message, Related, coded, near_miss
@@ -73,9 +73,15 @@ def load_follows(used: str, prefix: str, given: str) -> str:
     return f"it follows once a load is given: use {written} as {prefix} ({given} = …)"
 
 
-def found_if_asked(used: str, result: str) -> str:
-    """Return the hint at a result that a used mechanism does not ask for."""
-    return f"{used} gives it once it has a line `find {result}`"
+def meant(name: str) -> str:
+    """Return the question whether a name is meant that is known to be close."""
+    return f"did you mean {name!r}?"
+
+
+def found_if_asked(used: str, result: str, alike: Sequence[str]) -> str:
+    """Return the hint at a result that a used mechanism does not ask for, or by another name."""
+    has = f"; as it is, it gives {', '.join(alike)}" if 0 < len(alike) <= FEW else ""
+    return f"{used} gives it once it has a line `find {result}`{has}"
 
 
 def without_friction(used: str) -> str:

@@ -242,15 +242,18 @@ def value_outside_range(span: Span, name: str, edge: Span) -> Message:
 
 
 @coded("W221")
-def condition_broken(span: Span) -> Message:
+def condition_broken(span: Span, compared: str) -> Message:
     """A ``require`` does not hold for the given values.
 
     The description is compiled, but at its own default pose the results do not apply.
 
         param alpha = 100 deg
         require alpha < 90 deg     # warned of
+
+    The range of a part's parameter whose value a loop gives is such a condition, too.
     """
-    return Message(span, "the given values break this condition", "give values that meet it")
+    message = f"the given values break this condition: {compared}"
+    return Message(span, message, "give values that meet it, or change the condition")
 
 
 @coded("E232")

@@ -1,10 +1,10 @@
 """Names under the prefix of a used sheet or mechanism that this does not bring in."""
 
-from collections.abc import Container, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from ...diagnostics.model import names as messages
 from ...syntax import ast
-from .forms import form_of
+from .forms import Form, form_of
 
 ENDINGS = ("_f1", "_hold", "_f")
 """What the names of loads and results with friction end with."""
@@ -16,7 +16,7 @@ def of_a_use(name: str, brought: Mapping[str, ast.Brought]) -> ast.Brought | Non
     return brought[max(prefixes, key=len)] if prefixes else None
 
 
-def reason(name: str, use: ast.Brought, known: Container[str]) -> str:
+def reason(name: str, use: ast.Brought, known: Collection[str]) -> str:
     """Return why a use does not bring in a name, '' where that is not known."""
     own = name.removeprefix(f"{use.prefix}_")
     ending = next((e for e in ENDINGS if own.endswith(e)), "")
@@ -26,4 +26,16 @@ def reason(name: str, use: ast.Brought, known: Container[str]) -> str:
         return messages.load_follows(use.used, use.prefix, given)
     if ending and f"{use.prefix}_{ideal}" in known:
         return messages.without_friction(use.used)
-    return messages.found_if_asked(use.used, ideal) if form_of(ideal) else ""
+    begins = f"{use.prefix}_{ideal}_on_"
+    at_links = [each for each in known if each.startswith(begins) and each.endswith(ending)]
+    if at_links:
+        return messages.meant(min(at_links, key=len))
+    form = form_of(ideal)
+    return messages.found_if_asked(use.used, ideal, _alike(form, use, known)) if form else ""
+
+
+def _alike(form: Form, use: ast.Brought, known: Iterable[str]) -> list[str]:
+    """Return what a use has of a kind, as ``M_R_C`` of forces: it may go by a name of its own."""
+    begins = f"{use.prefix}_"
+    own = ((name, form_of(name.removeprefix(begins))) for name in known if name.startswith(begins))
+    return sorted(name for name, other in own if other and other.prefix == form.prefix)

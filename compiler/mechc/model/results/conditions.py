@@ -58,8 +58,9 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         pairs = zip(formulas, statement.operators, formulas[1:], strict=False)
         place, dimension = statement.span, sort.dimension
         conditions = [Require(*pair, place, dimension=dimension) for pair in pairs]
-        if not scope.sheet and not all(holds(condition, values) for condition in conditions):
-            scope.report.add(quantities.condition_broken(statement.span))
+        for condition in conditions if not scope.sheet else ():
+            if not holds(condition, values):
+                scope.report.add(failures.broken(condition, values, scope.report.source))
         requires += conditions
     if not scope.sheet:
         _refuse_without(found.requires, values, scope)

@@ -6,13 +6,15 @@ from collections.abc import Iterator
 from ...diagnostics import Diagnostic
 from ...diagnostics import sheets as messages
 from ...diagnostics import uses as uses_messages
+from ...diagnostics.model import quantities
 from ...formula.to_text import text
 from ...formula.tree import Formula
-from ...formula.walk import symbols
+from ...formula.walk import evaluate, symbols
 from ...source import Source
-from ...units import ANGLE, in_unit, si_unit
+from ...units import ANGLE, LENGTH, in_unit, si_unit
 from ..mechanism import Require, Subject
 from ..names.forms import form_of_pose
+from ..values import Values
 
 
 def failure(condition: Require, sides: tuple[float, float], source: Source) -> Diagnostic:
@@ -21,7 +23,7 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
     left, right = _with_values(condition, sides, source)
     match subject:
         case None | Subject("pose"):
-            return messages.requirement_fails(span, left, condition.operator, right)
+            return messages.requirement_fails(span, *_found_first(condition, left, right))
         case Subject("first row", name, _):
             return messages.beyond_the_table(span, name, f"begins at {left}", right)
         case Subject("last row", name, _):
@@ -34,10 +36,25 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
             return messages.no_single_case(span, name, round(sides[0]))
 
 
+def broken(condition: Require, values: Values, source: Source) -> Diagnostic:
+    """Return the warning at a condition of use of a mechanism that fails at these values."""
+    sides = evaluate(condition.left, values), evaluate(condition.right, values)
+    left, right = _with_values(condition, sides, source)
+    compared = messages.held_against(*_found_first(condition, left, right))
+    return quantities.condition_broken(condition.span, compared)
+
+
+def _found_first(condition: Require, left: str, right: str) -> tuple[str, str, str]:
+    """Return the sides about the operator, a number behind what is held against it."""
+    if symbols(condition.left) or not symbols(condition.right):
+        return left, condition.operator, right
+    return right, condition.operator.translate(_TURNED), left
+
+
 def _with_values(condition: Require, sides: tuple[float, float], source: Source) -> Iterator[str]:
     """Yield the sides of a condition with their values: ``sigma = 182 MPa``."""
-    usual = "deg" if condition.dimension == ANGLE else si_unit(condition.dimension)
-    unit = condition.unit or usual
+    dimension = condition.dimension
+    unit = condition.unit or _USUAL.get(dimension) or si_unit(dimension)
     formulas, spelled = (condition.left, condition.right), _as_written(condition, source)
     for formula, value, words in zip(formulas, sides, spelled, strict=True):
         shown = in_unit(value, unit, 6)
@@ -66,6 +83,12 @@ def _mentions(written: str, formula: Formula) -> bool:
     names = _NAME.findall(written)
     return symbols(formula) <= {*names} or any(map(form_of_pose, names))
 
+
+_USUAL = {ANGLE: "deg", LENGTH: "mm"}
+"""Units of values where the text names none."""
+
+_TURNED = str.maketrans("<>", "><")
+"""What becomes of a comparison whose sides change places."""
 
 _OPERATOR, _NAME = re.compile("[<>=!≤≥≠]+"), re.compile(r"[^\W\d]\w*")
 

@@ -12,9 +12,17 @@ FRICTIONS = (ast.PinFriction, ast.GuideFriction, ast.RollerFriction)
 
 
 class AtJoints:
-    """What the whole says of points; ``joined`` are those of a part, by their names in it."""
+    """What the whole says of points; ``joined`` are those of a part, by their names in it.
 
-    def __init__(self, whole: Iterable[ast.Statement], joined: Mapping[str, str]) -> None:
+    The whole may speak of ``T.E`` by the name ``E2``, too: ``called`` has the one of the other.
+    """
+
+    def __init__(
+        self,
+        whole: Iterable[ast.Statement],
+        joined: Mapping[str, str],
+        called: Mapping[str, str],
+    ) -> None:
         whole = tuple(whole)
         self._joined = joined
         self._placed = {
@@ -22,7 +30,8 @@ class AtJoints:
         }
         self._guides = {s.point.text: s for s in whole if isinstance(s, ast.Slider)}
         frictions = [s for s in whole if isinstance(s, FRICTIONS)]
-        self._rubbing = {(type(s), s.point.text) for s in frictions if s.point}
+        named = [(type(s), s.point.text) for s in frictions if s.point]
+        self._rubbing = {(kind, called.get(point, point)) for kind, point in named}
         self._has_pins = any(s.point is None for s in frictions)
 
     def has_friction(self, point: str) -> bool:

@@ -163,7 +163,8 @@ def _statements(
     names = of_a_part(points, quantities, frame.seen)
     springs = [s for s in joining.own if isinstance(s, ast.Spring)]
     quantities |= {spring_name(s): spring_name(renamed(s, names)) for s in springs}
-    at_joints = AtJoints(joining.whole.statements, joining.joined)
+    called = {f"{prefix}.{own}": name for own, name in points.items()}
+    at_joints = AtJoints(joining.whole.statements, joining.joined, called)
     for statement in _coming(joining, behind, at_joints, points):
         there = frame.statement(renamed(with_origin(statement, used.mechanism.name), names))
         if isinstance(statement, ast.Param) and isinstance(there, ast.Param):
