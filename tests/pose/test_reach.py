@@ -6,8 +6,11 @@ import mpmath
 import pytest
 
 import mechc
+from mechc.diagnostics.pose import Stretch
 from mechc.formula.walk import evaluate
 from mechc.pose.loops import by_groups, choosing
+from mechc.source import Span
+from mechc.units import ANGLE
 
 FOUR_BAR = """
 param a = {a} mm
@@ -269,3 +272,10 @@ def test_a_group_of_class_three_that_closes_nowhere(refused):
     ends, stated = refused(TRIAD.format(rod=20).replace("QC        = 90", "QC = 20"))
     assert not ends
     assert "nor anywhere along phi" in stated.message
+
+
+def test_a_loop_that_closes_at_one_value_alone_is_said_to_be_held():
+    stretch = Stretch(math.radians(44.907), math.radians(44.907) + 1e-12, ANGLE)
+    stated = choosing.messages.cannot_assemble(Span(0, 1), "O-A-B", "phi", [stretch])
+    assert stated.message.endswith("it closes for phi at 44.907 deg alone")
+    assert stated.hint == "phi cannot move the loop: leave a length or an angle of it open"

@@ -86,3 +86,28 @@ find k = M/W"""
     assert (found.code, source.part(found.span)[0].name) == (code, "-D")
     (related,) = found.related
     assert source.position(related.span.start).line == used
+
+
+@pytest.mark.parametrize(
+    ("setting", "code"), [("a=100m", "W247"), ("phi=400deg", "W245"), ("phi=2*phi", "E208")]
+)
+def test_a_doubted_value_is_shown_at_the_setting(setting, code):
+    text = """param a = 40 mm
+param b = 60 mm
+param phi = 30 deg
+pivot O
+link OAB
+OA = a @ phi
+OB = b @ phi + 20 deg
+force P at A along x
+force F at B along y
+find k = P/F"""
+    name, value = parse(setting)
+    compilation = Compilation(Source("m.mech", text), {name: value})
+    try:
+        said = compilation.balance and compilation.report.diagnostics
+    except MechcError as error:
+        said = list(error.diagnostics)
+    (place,) = (d.span for d in said if d.code == code)
+    assert place is not None
+    assert place.start > len(text)

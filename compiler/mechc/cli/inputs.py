@@ -73,7 +73,8 @@ def _settings(given: tuple[str, ...]) -> Settings:
     try:
         return dict(map(parse, given))
     except MechcError as error:
-        raise usage.BadParameter(str(error)) from None
+        said = (f"{d.code}: {d.message}; {d.hint}" for d in error.diagnostics)
+        raise usage.BadParameter("\n".join(said)) from None
 
 
 description_argument = usage.argument("file", metavar="FILE|NAME|-", complete=descriptions)

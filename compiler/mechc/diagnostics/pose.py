@@ -181,12 +181,14 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch
 
     With a ``drive`` the message says over which part of its stroke the loop closes; where
     one side of a triangle turns with it, the ends are arc cosines of lengths, which the
-    hint gives.
+    hint gives. A loop that closes at one value alone has a condition too many.
     """
     known = list(stretches)
-    where = f"; it closes for {drive} from " + " and from ".join(map(_stretch, known))
+    where = f"; it closes for {drive} {' and '.join(map(_stretch, known))}"
     never = f", nor anywhere along {drive}" if drive else ""
     move = f"move the default of {drive} there{_limits(drive, known)}"
+    if known and not any(map(_is_long, known)):
+        move = f"{drive} cannot move the loop: leave a length or an angle of it open"
     return Message(
         at,
         f"the loop {loop} cannot be assembled at the default pose{where if known else never}",
@@ -332,9 +334,16 @@ def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Message:
     )
 
 
+def _is_long(stretch: Stretch) -> bool:
+    """Return whether a stretch is more than one pose, by more than rounding."""
+    return stretch.high - stretch.low > 1e-7 * max(abs(stretch.low), abs(stretch.high))
+
+
 def _stretch(stretch: Stretch) -> str:
     unit, size = ("deg", math.pi / 180) if stretch.dimension == ANGLE else ("mm", 1e-3)
-    return f"{stretch.low / size:.10g} to {stretch.high / size:.10g} {unit}"
+    if not _is_long(stretch):
+        return f"at {stretch.low / size:.6g} {unit} alone"
+    return f"from {stretch.low / size:.10g} to {stretch.high / size:.10g} {unit}"
 
 
 def _limits(drive: str, stretches: Iterable[Stretch]) -> str:

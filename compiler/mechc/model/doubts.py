@@ -33,11 +33,8 @@ from .values import Chain, Values, defaults, dependent
 
 TURN = 2 * math.pi * (1 + SAME_VALUE)
 
-FAR = 200.0
-"""How many times a length in another unit is the largest, or the smallest, of the others."""
-
-FARTHER = 500.0
-"""How many times one in the same unit is: it has a digit too many, or lacks some."""
+FAR = 100.0
+"""How many times a length is the largest, or the smallest, of the others: 35 is met in books."""
 
 SOME = 0.731
 """A value for what is open, at which no formula vanishes by chance."""
@@ -106,7 +103,7 @@ def _turns_written(mechanism: Mechanism, ranged: set[str]) -> Iterator[Diagnosti
 
 
 def _turn_of(parameter: Parameter) -> Iterator[Diagnostic]:
-    value = list(_beyond(parameter.span, f"the value of '{parameter.name}'", (parameter.value,)))
+    value = list(_beyond(parameter.given, f"the value of '{parameter.name}'", (parameter.value,)))
     ends = (parameter.range.low, parameter.range.high) if parameter.range else ()
     yield from value or _beyond(parameter.span, f"an end of the range of '{parameter.name}'", ends)
 
@@ -193,7 +190,7 @@ def _reach(
 
 
 def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
-    """Yield the largest length that is far from the rest, and the more so in another unit.
+    """Yield the largest length that is far from the rest.
 
     Those written in place, as in ``OA = 100 mm @ x``, give the size of a mechanism, too.
     """
@@ -205,7 +202,6 @@ def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     units = Counter(p.unit for p in given)
     if len(units) not in (1, 2):
         return
-    far = FAR if len(units) == 2 else FARTHER
     sizes = {p.name: abs(values[p.name]) for p in given}
     alone = [p for p in given if len(units) == 1 or units[p.unit] == 1]
     for parameter in sorted(alone, key=lambda p: -sizes[p.name]):
@@ -213,9 +209,9 @@ def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
         others = [*plain, *(s for name, s in sizes.items() if name != parameter.name)]
         if len(others) < 3 - len(units):
             continue
-        if size > far * max(others) or size * far < min(others):
+        if size > FAR * max(others) or size * FAR < min(others):
             other = next(iter(units.keys() - {parameter.unit}), "")
-            yield messages.length_far_off(parameter.span, parameter.name, parameter.unit, other)
+            yield messages.length_far_off(parameter.given, parameter.name, parameter.unit, other)
             return
 
 
@@ -294,7 +290,7 @@ def _asked_twice(finds: Sequence[Find]) -> Iterator[Diagnostic]:
 
 def _without_value(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     """Yield the formulas of parameters alone that have no finite value."""
-    named = ((p.name, p.value, p.span) for p in mechanism.parameters if p.dependent)
+    named = ((p.name, p.value, p.given) for p in mechanism.parameters if p.dependent)
     for name, formula, span in (*named, *((k.name, k.value, k.span) for k in mechanism.lets)):
         if formula is None or not symbols(formula) <= values.keys():
             continue

@@ -89,7 +89,7 @@ class Parameter:
     other parameters (a *dependent* parameter). ``unit`` is what the user wrote, for
     output ('' when bare). ``low`` … ``high`` is the range of a free parameter, and
     ``tolerance`` how far its value may be off, a constant in SI. A formula is there as it was
-    ``written``, too.
+    ``written``, too. ``setting`` is where the command line gives its value, if it does.
     """
 
     name: str
@@ -103,6 +103,12 @@ class Parameter:
     dependent: bool = False
     tolerance: Formula | None = None
     written: Written | None = None
+    setting: Span | None = None
+
+    @property
+    def given(self) -> Span:
+        """Return where its value is given."""
+        return self.setting or self.span
 
 
 # ------------------------------------------------------------------------ geometry

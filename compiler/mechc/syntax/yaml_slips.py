@@ -14,6 +14,9 @@ GLUED: Final = re.compile(
 ASSIGNED: Final = re.compile(r"^\s*(?:- )?([A-Za-z][\w']*)\s*=\s*([^:\n#]*?)\s*(?:#.*)?$")
 """A line of the other notation, ``a = 40 mm``, where YAML has a key and a colon."""
 
+ENTRY: Final = re.compile(r"^( *)([A-Za-z][\w']*): +[^#\s]")
+"""A line with a key and its value."""
+
 MEANT: Final[Mapping[str, Collection[str]]] = {
     **dict.fromkeys(("result", "results", "output", "outputs", "asked"), ("find",)),
     **dict.fromkeys(("bars", "rods", "bodies", "members", "levers"), ("links",)),
@@ -61,12 +64,25 @@ def of_text(text: str, at: int, problem: str, opened: int | None) -> Slip:
         is_open = "\n" in text[opened:at]
         bracket = f"this '{text[opened : opened + 1]}' is not closed"
         return Slip(opened, bracket) if is_open else Slip(at, "entries are parted by commas")
+    if "mapping" in problem and (hint := _indented(text, at, "values" not in problem)):
+        return Slip(at, hint)
     if "mapping values" in problem or "expected ':'" in problem:
         quotes = "a text with ': ' inside needs quotes" if "mapping values" in problem else ""
         return _assigned(text, at) or Slip(at, quotes or "a key of YAML ends in ':'")
     if "<block end>" in problem:
         return Slip(at, "entries of one list all begin with '-', those of a mapping never do")
     return Slip(at, "")
+
+
+def _indented(text: str, at: int, either: bool) -> str:
+    """Return the hint at an entry that is indented more than the one above, or ``either`` way."""
+    above, _, line = text[:at].rpartition("\n")
+    entry = ENTRY.match(above.rpartition("\n")[2])
+    by = len(line) - len(line.lstrip()) - len(entry[1]) if entry else 0
+    if not entry or not (by > 0 or (by and either)):
+        return ""
+    how = "more" if by > 0 else "less"
+    return f"it is indented {how} than '{entry[2]}': entries of one mapping are in one column"
 
 
 def _assigned(text: str, at: int) -> Slip | None:

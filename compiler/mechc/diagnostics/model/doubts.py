@@ -43,17 +43,17 @@ def length_vanishes(span: Span, points: str, length: str, name: str, where: str)
 
 @coded("W247")
 def length_far_off(span: Span, name: str, unit: str, others: str) -> Message:
-    """A length is hundreds of times the others, or less than a hundredth of them.
+    """A length is more than a hundred times the others, or less than a hundredth of them.
 
-    Where all lengths are in one unit it takes more of them, and two others at least.
+    Where all lengths are in one unit it takes two others at least.
 
         param a = 40 mm
         param b = 120 m      # warned of
         param b = 120 mm     # right
     """
     if not others:
-        message = f"'{name}' is hundreds of times larger or smaller than every other length"
-        return Message(span, message, "has it a digit too many or too few?")
+        message = f"'{name}' is over a hundred times larger or smaller than every other length"
+        return Message(span, message, "has it digits too many or too few?")
     message = f"'{name}' is in {unit}, and far from the other lengths, which are in {others}"
     return Message(span, message, "is its unit right?")
 

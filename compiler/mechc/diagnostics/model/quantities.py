@@ -21,7 +21,12 @@ from ..diagnostic import Message, Related, coded, near_miss, used_at
 
 @coded("E220")
 def mixed_dimensions(
-    span: Span, dimension: Dimension, first: Span, first_dimension: Dimension, act: str
+    span: Span,
+    dimension: Dimension,
+    first: Span,
+    first_dimension: Dimension,
+    act: str,
+    declared: Iterable[tuple[str, Span]] = (),
 ) -> Message:
     """Quantities of different dimensions are added or compared.
 
@@ -34,8 +39,9 @@ def mixed_dimensions(
         OB = a @ alpha          # right
     """
     message = f"cannot {act} {described(first_dimension)} and {described(dimension)}"
-    related = (Related(first, f"this is {described(first_dimension)}"),)
-    return Message(span, message, lost_factor(first_dimension, dimension), related)
+    related = [Related(first, f"this is {described(first_dimension)}")]
+    related += [Related(place, f"'{name}' is declared here") for name, place in declared]
+    return Message(span, message, lost_factor(first_dimension, dimension), tuple(related))
 
 
 LOST = "look for a wrong unit, a wrong name, or a lost factor"
@@ -93,7 +99,7 @@ def wrong_dimension(
 
 
 @coded("E222")
-def bare_number(span: Span, digits: str, wanted: Dimension) -> Message:
+def bare_number(span: Span, digits: str, wanted: Dimension, use: Span | None = None) -> Message:
     """A number without a unit stands where a quantity is wanted.
 
     Thirty what? Millimetres and metres, degrees and radians would all be possible, so
@@ -106,7 +112,8 @@ def bare_number(span: Span, digits: str, wanted: Dimension) -> Message:
     hint = f"write {digits} {unit}" if unit else "write its unit"
     if wanted == FREQUENCY:
         hint = f"write {digits} rpm, or {digits} {unit}"
-    return Message(span, f"{digits} what? Expected {described(wanted)}", hint)
+    related = used_at(use, span) if use else ()
+    return Message(span, f"{digits} what? Expected {described(wanted)}", hint, related)
 
 
 @coded("E223")

@@ -43,19 +43,23 @@ TransmissionFriction = (
 )
 
 
+def _kind_and_point(joint: JointFriction) -> tuple[object, ...]:
+    """Return what one line of friction alone may say."""
+    return type(joint), getattr(joint, "kind", ""), joint.point
+
+
 def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     """Return the friction of all joints; report what names no joint, or names one twice."""
     points = [s.point for s in every(file, ast.PinFriction) if s.point]
     named = {point.text for point in points if scope.points.acting(point)}
     pins = Pins(named, built, scope)
-    found: dict[object, JointFriction] = {}
+    found: dict[tuple[object, ...], JointFriction] = {}
     for statement in file.statements:
-        for joint in _read(statement, file, pins, built, scope):
-            key = (type(joint), getattr(joint, "kind", "")), joint.point
-            if key in found:
-                first = found[key].span
-                scope.report.add(messages.friction_again(joint.span, joint.point, first))
-            found.setdefault(key, joint)
+        joints = {_kind_and_point(j): j for j in _read(statement, file, pins, built, scope)}
+        if again := next((key for key in joints if key in found), None):
+            place, first = joints[again].span, found[again].span
+            scope.report.add(messages.friction_again(place, joints[again].point, first))
+        found |= joints
     _check_halves(found.values(), built, scope)
     _remark_on_blocks(found.values(), built, scope)
     motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)

@@ -13,6 +13,7 @@ from ...diagnostics.model import sheets as messages
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import substitute, symbols, walk
 from ...named import NamedTuple
+from ...source import Span
 from ...syntax import ast
 from ...units import UNITS, Dimension
 from ..constants import names_in_let_value
@@ -80,10 +81,17 @@ def _ordered(statements: Mapping[str, Definition], scope: Scope) -> list[str]:
     """Return the names so that each follows those it needs; report circles."""
     order, circles = ordered({name: _needs(s, statements) for name, s in statements.items()})
     for circle in circles:
-        places = [statements[name].span for name in circle[:-1]]
+        places = _places([statements[name] for name in circle[:-1]], scope)
         scope.used.update(circle)
         scope.report.add(names.circular_definition(places[0], circle, places[1:]))
     return order
+
+
+def _places(cycle: list[Definition], scope: Scope) -> list[Span]:
+    """Return where definitions stand, what the command line sets before all."""
+    values = [s.value.span for s in cycle if isinstance(s, ast.Param) and s.value]
+    settings = [value for value in values if scope.report.source.is_setting(value)]
+    return settings + [statement.span for statement in cycle]
 
 
 def _needs(statement: Definition, known: Mapping[str, Definition]) -> set[str]:

@@ -87,7 +87,8 @@ class Reader:
             digits = shown(found.formula)
             self.report.add(quantities.bare_number(found.span, digits, dimension))
         elif bare := self._bare(found):
-            self.report.add(quantities.bare_number(bare.span, bare.digits, dimension))
+            self.scope.doubt(found.formula)
+            self.report.add(quantities.bare_number(bare.span, bare.digits, dimension, found.span))
         else:
             self._report_dimension(found, dimension, what)
         return False
@@ -98,9 +99,12 @@ class Reader:
         declared = self.scope.declared(name)
         if declared and not self.scope.first_misfit(name, dimension):
             return
-        self.report.add(
-            quantities.wrong_dimension(found.span, found.dimension, dimension, what, name, declared)
+        message = quantities.wrong_dimension(
+            found.span, found.dimension, dimension, what, name, declared
         )
+        if message.span == declared:
+            self.scope.doubt(found.formula)
+        self.report.add(message)
 
     def _bare(self, found: Quantity) -> Bare | None:
         """Return the number without unit that a quantity is made of, where it is one."""
@@ -229,8 +233,21 @@ class Reader:
                 self.fits(bare, other.dimension, "a term")
                 return
         self.report.add(
-            quantities.mixed_dimensions(part.span, part.dimension, first.span, first.dimension, act)
+            quantities.mixed_dimensions(
+                part.span,
+                part.dimension,
+                first.span,
+                first.dimension,
+                act,
+                self._names(first, part),
+            )
         )
+
+    def _names(self, *parts: Quantity) -> list[tuple[str, Span]]:
+        """Return the names among quantities, and where each is declared."""
+        names = [part.formula.name for part in parts if isinstance(part.formula, Symbol)]
+        places = [(name, self.scope.declared(name)) for name in names]
+        return [(name, place) for name, place in places if place]
 
     def _product(self, node: ast.Product) -> Quantity | None:
         signs = [sign for sign, _ in node.factors]

@@ -47,7 +47,7 @@ def read_parameter(
     parameter = replace(parameter, tolerance=_tolerance(parameter, statement, scope))
     _note_value(parameter, statement, scope)
     _check_range(parameter, statement, scope)
-    return parameter
+    return replace(parameter, setting=scope.settings.get(name))
 
 
 def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:

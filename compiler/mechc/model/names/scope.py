@@ -192,6 +192,11 @@ class Scope:
         self._misfits.add((name, wanted))
         return first
 
+    def doubt(self, formula: Formula) -> None:
+        """State that what the names of a formula measure is reported to be wrong."""
+        for name in symbols(formula) & self.entries.keys():
+            self.entries[name] = self.entries[name]._replace(dimension=None)
+
     def bare(self, formula: Formula) -> Bare | None:
         """Return the number without unit that a formula is made of, where it is one."""
         found = {self.entries[name].bare for name in symbols(formula) if name in self.entries}

@@ -8,7 +8,7 @@ from ...diagnostics import Diagnostic, Report
 from ...diagnostics import uses as uses_messages
 from ...diagnostics.model import quantities
 from ...diagnostics.model import results as messages
-from ...formula.tree import Formula
+from ...formula.tree import Formula, Symbol
 from ...formula.walk import evaluate, substitute, symbols
 from ...frozen import replace
 from ...syntax import ast
@@ -234,9 +234,12 @@ def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
             scope.unknown(name.span, name.text, known)
         elif entry.kind not in ("parameter", "load"):
             scope.report.add(messages.not_a_setting(name.span, name.text, f"a {entry.kind}"))
-        elif value and entry.bare and value.dimension != NUMBER:
+        elif value and entry.bare and entry.dimension and value.dimension != NUMBER:
             bare = entry.bare
-            scope.report.add(quantities.bare_number(bare.span, bare.digits, value.dimension))
+            scope.doubt(Symbol(name.text))
+            scope.report.add(
+                quantities.bare_number(bare.span, bare.digits, value.dimension, name.span)
+            )
         elif value and _suits(value, entry.dimension, f"the value of '{name.text}'", scope):
             at[name.text] = value.formula
     return at
