@@ -8,7 +8,7 @@ from mechc.driver import emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 
-QUICK = ("tongs_fig4_9_forces", "claw_closed", "karpenko_fig9_with_friction")
+QUICK = ("tongs_fig4_9_forces", "claw_closed", "sum_direction", "karpenko_fig9_with_friction")
 
 
 def page(name: str) -> str:

@@ -43,3 +43,10 @@ def test_a_name_stands_before_what_uses_it(name):
         for equation in (*step.relations, *step.results):
             assert symbols(equation.right) & found <= met
     assert not met & {d.name for section in whole.results for d in section.where}
+
+
+def test_a_vector_that_is_a_sum_is_introduced_before_velocities_name_its_direction():
+    (step,) = steps("sum_direction")
+    assert (step.kind, step.points) == ("sum", ("O", "C"))
+    assert [d.name for d in step.definitions] == ["phi_OC", "len_OC"]
+    assert steps("let_geometry") == ()

@@ -3,12 +3,12 @@
 from typing import get_args
 
 from ...formula.to_text import text
-from ...pose.pose import LoopKind
 from ...report.derivation.steps import (
     Derivation,
     Equation,
     Explanation,
     Paragraph,
+    PositionKind,
     PositionStep,
     PowerTerm,
     Rule,
@@ -45,7 +45,7 @@ STEP: Kind[Step] = record(
 POSITION: Kind[PositionStep] = record(
     "position_step",
     "What one loop gives of the position.",
-    member("kind", "How the loop is solved.", one_of(*get_args(LoopKind)), lambda s: s.kind),
+    member("kind", "How the loop is solved.", one_of(*get_args(PositionKind)), lambda s: s.kind),
     member("points", "Of the loop.", list_of(TEXT), lambda s: s.points),
     member("definitions", "In order.", list_of(DEFINITION), lambda s: s.definitions),
 )

@@ -1,7 +1,10 @@
-"""Position: what follows from each loop, in the order in which it follows."""
+"""Position: what follows from each loop and sum of vectors, in the order in which it follows."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
 
+from ...formula.names import split_points
+from ...formula.tree import Formula
 from ...formula.walk import reached, symbols
 from ...model.result import Definition
 from ...pose.pose import Pose
@@ -9,9 +12,18 @@ from ...study.analysis import Analysis
 from .steps import Derivation, PositionStep
 
 
-def position_steps(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]:
-    """Yield the loops that a derivation rests on, with what each gives of it."""
+def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]:
+    """Return the loops and sums that a derivation rests on, with what each gives of it."""
     formulas = {d.name: d.formula for d in pose.definitions}
+    order = {name: place for place, name in enumerate(formulas)}
+    steps = [*_of_loops(pose, derivation, formulas), *_of_sums(pose, derivation, formulas)]
+    return sorted(steps, key=lambda step: order[step.definitions[0].name])
+
+
+Formulas = Mapping[str, Formula]
+
+
+def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:
     needed = reached(_mentioned(derivation), formulas)
     for loop in pose.solved:
         names = [n for n in loop.names if n in needed]
@@ -20,11 +32,28 @@ def position_steps(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]
             yield PositionStep(loop.kind, loop.points, loop.is_clockwise, found)
 
 
-def _mentioned(derivation: Derivation) -> Iterator[str]:
-    """Yield the names in everything that a derivation prints."""
+def _of_sums(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:
+    """Yield the vectors put together of given ones that velocities mention by their names."""
+    elsewhere = {n for loop in pose.solved for n in loop.names}
+    elsewhere |= {p.name for p in pose.mechanism.parameters}
+    needed = reached(_in_steps(derivation), formulas)
+    named = [n for n in formulas if n in needed and n not in elsewhere]
+    for vector, names in groupby(named, lambda name: name.partition("_")[2]):
+        found = tuple(Definition(n, formulas[n]) for n in names)
+        points = tuple("".join(point) for point in split_points(vector))
+        yield PositionStep("sum", points, None, found)
+
+
+def _in_steps(derivation: Derivation) -> Iterator[str]:
+    """Yield the names in the relations of velocities."""
     for step in derivation.steps:
         for equation in (*step.relations, *step.results):
             yield from symbols(equation.right) | symbols(equation.left)
+
+
+def _mentioned(derivation: Derivation) -> Iterator[str]:
+    """Yield the names in everything that a derivation prints."""
+    yield from _in_steps(derivation)
     for balance in derivation.balances:
         yield from symbols(balance.left)
     for explanation in derivation.explanations:

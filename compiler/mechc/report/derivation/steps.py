@@ -8,6 +8,7 @@ belong to whoever prints.
 from collections.abc import Mapping
 from enum import StrEnum
 from types import MappingProxyType
+from typing import Literal
 
 from ...formula.tree import Formula
 from ...frozen import frozen, replace
@@ -69,15 +70,19 @@ class Rule(StrEnum):
     """The same from the projections of the velocity on two lines."""
 
 
+PositionKind = Literal[LoopKind, "sum"]
+"""How a loop is solved, or that a vector is the ``sum`` of given ones."""
+
+
 @frozen
 class PositionStep:
-    """The position by one loop: directions and lengths, in order.
+    """The position by one loop, or of one vector: directions and lengths, in order.
 
-    ``kind`` is how the loop is solved and ``points`` what it goes through (see
-    ``SolvedLoop``); ``definitions`` are those of its names that the derivation needs.
+    ``points`` is what the loop goes through (see ``SolvedLoop``), or the ends of the vector;
+    ``definitions`` are those of its names that the derivation needs.
     """
 
-    kind: LoopKind
+    kind: PositionKind
     points: tuple[str, ...]
     is_clockwise: bool | None
     definitions: tuple[Definition, ...]

@@ -105,6 +105,7 @@ LOCALE = Locale(
         "aligned": "Loop {loop}: the line of the slot has the direction of the vector between its"
         " ends, the place on it is the length of that vector.",
         "lengths": "Loop {loop}: its projections give two lengths.",
+        "sum": "The vector {loop} is a sum of vectors: its projections give direction and length.",
         "vector": "The vector between points of {loop} that have their places.",
         "system": "The loops through {all} close together; their equations are solved by "
         "iteration.",

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from ...named import NamedTuple
-from ...pose.pose import LoopKind
+from ..derivation.steps import PositionKind
 
 
 class Locale(NamedTuple):
@@ -12,10 +12,12 @@ class Locale(NamedTuple):
     ``functions`` maps those functions to LaTeX that languages write differently, ``decimal``
     is the sign between units and tenths, ``phi`` the shape of that letter; ``cyrillic`` says
     that the words take other fonts.
-    ``loops`` maps each kind of loop to the sentence on how it gives the position, with ``{loop}``
-    for its points, ``{all}`` for the same one by one, ``{turn}`` for one of the ``turns``.
+    ``loops`` maps each kind of loop, and the sum of vectors, to the sentence on how it gives the
+    position, with ``{loop}`` for its points, ``{all}`` for the same one by one, ``{turn}`` for one
+    of the ``turns``.
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
-    first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
+    first name of its subject, ``{second}``, ``{point}`` and ``{last}`` for the next, the last but
+    one and the last, ``{rest}`` for all but the first, ``{all}`` for all of them and
     ``{joined}`` for all written as one (the rod AB); ``again`` are the shorter sentences of loops
     and rules from the second time on. ``trends`` and ``causes`` map the
     words of a result, ``joints`` those of a joint that is neither pin nor guide,
@@ -64,7 +66,7 @@ class Locale(NamedTuple):
     direction: str
 
     position: str
-    loops: Mapping[LoopKind, str]
+    loops: Mapping[PositionKind, str]
     turns: Mapping[str, str]
     velocities: str
     magnitudes: str
