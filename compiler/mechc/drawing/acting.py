@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from ..figure.figure import Figure, Link, Slide, Torque
 from ..frozen import frozen
+from ..model.twins import is_primed, without_prime
 from ..statics.diagram import Acting, Diagram, FreeBody
 from .drawing import Run
 from .lettering import measured, name
@@ -59,7 +60,7 @@ class Forces:
         """Yield the bodies of the described half, and those that both halves share."""
         names = {body.name for body in self.diagram.bodies}
         for body in self.diagram.bodies:
-            if not (body.name.endswith("'") and body.name[:-1] in names):
+            if not (is_primed(body.name) and without_prime(body.name) in names):
                 yield body
 
     def called(self, body: str) -> str:

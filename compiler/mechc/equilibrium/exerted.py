@@ -232,7 +232,7 @@ def _load(load: Load, owner: str, size: Product, cut: Cutting) -> Iterator[ActOn
             yield from _loaded(act, link, point, cut.points(link) or (point,), cut)
         case ForcePair(name, first, second, first_link=one, second_link=other):
             act = Act(owner, size, cut.pose.lines[name])
-            if second == f"{first}'":
+            if load.joins_twins:
                 yield from _loaded(act, one, first, (first,), cut)
             else:
                 yield from _loaded(act._replace(size=-size), one, first, (first, second), cut)

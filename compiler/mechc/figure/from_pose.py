@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ..frozen import fields, replace
 from ..model.mechanism import Mechanism, Parameter
+from ..model.twins import primed
 from ..model.values import Chain, bounds, completed, defaults, dependent, independent
 from ..pose.places import Plane
 from ..pose.pose import Pose
@@ -91,7 +92,7 @@ def _both(layout: Layout, mechanism: Mechanism) -> dict[str, Plane]:
     points = dict(layout.points)
     if layout.mirror is not None and mechanism.mirror is not None:
         own = [name for name in layout.points if name not in mechanism.mirror.sharing]
-        points |= {f"{name}'": _image(layout.points[name], layout.mirror) for name in own}
+        points |= {primed(name): _image(layout.points[name], layout.mirror) for name in own}
     return points
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from ..algebra.angle import Angle
 from ..formula.tree import Formula
 from ..frozen import frozen
+from ..model.twins import is_primed, primed, without_prime
 from ..pose.places import Plane, direction
 from .figure import MirrorLine, Segment
 from .outline import rods
@@ -33,12 +34,13 @@ class Half:
         """Return the name in this half of a point of the description."""
         if self.sense > 0 or name in self.shared:
             return name
-        return name[:-1] if name.endswith("'") and name[:-1] in self.points else f"{name}'"
+        described = without_prime(name)
+        return described if is_primed(name) and described in self.points else primed(name)
 
     def link(self, name: str) -> str:
         """Return the name of a body in this half."""
         points = self.ways.pose.frames.get(name, {})
-        return name if self.sense > 0 or self.shared.issuperset(points) else f"{name}'"
+        return name if self.sense > 0 or self.shared.issuperset(points) else primed(name)
 
     def vector(self, vector: Plane) -> Plane:
         """Return a vector of the described half as it is in this one."""

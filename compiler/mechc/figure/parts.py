@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from ..model import mechanism as model
+from ..model.twins import primed
 from . import figure as drawn
 from .figure import Part
 from .half import Half
@@ -38,7 +39,7 @@ def _drawn_body(body: model.Body, half: Half) -> Part:
             guide = half.line(along, *body.points)
             return drawn.Slide(half.link(name), points, corners, along, guide)
         case model.Telescope(name):
-            twin = "" if points == body.points else "'"
-            return drawn.Telescope(name + twin, (points[0], points[1]))
+            own = name if points == body.points else primed(name)
+            return drawn.Telescope(own, (points[0], points[1]))
         case _:
             assert_never(body)

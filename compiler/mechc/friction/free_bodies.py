@@ -191,7 +191,7 @@ class Bodies:
                 yield point, link, self._pose.lines[name]
             case Torque(link=link):
                 yield "", link, None
-            case ForcePair(name, first, second) if second == f"{first}'":
+            case ForcePair(name, first) if load.joins_twins:
                 yield first, load.first_link, self._pose.lines[name]
             case ForcePair(name, first, second):
                 yield second, load.second_link, self._pose.lines[name]

@@ -48,7 +48,7 @@ def parting(graph: Graph, pair: ForcePair, line: Angle) -> Form:
 
     Across the mirror it is the first point's part in it, half of the whole.
     """
-    if pair.second == f"{pair.first}'":
+    if pair.joins_twins:
         return projection(graph.velocities[pair.first], line)
     ahead, behind = (projection(graph.velocities[p], line) for p in (pair.second, pair.first))
     return subtract(ahead, behind)

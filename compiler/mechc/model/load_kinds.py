@@ -10,6 +10,7 @@ from ..frozen import frozen
 from ..source import Span
 from ..units import FORCE, TORQUE, Dimension
 from .parts import Direction
+from .twins import primed
 
 
 @frozen
@@ -101,6 +102,11 @@ class ForcePair:
     spring: bool = False
     first_link: str = ""
     second_link: str = ""
+
+    @property
+    def joins_twins(self) -> bool:
+        """Return whether it acts across the mirror, on a point and its twin."""
+        return self.second == primed(self.first)
 
     @property
     def dimension(self) -> Dimension:

@@ -36,7 +36,7 @@ def thrust_line(thrust: ForcePair, pairing: Pairing) -> Angle:
     Across the mirror it is the direction in which it pushes the first point away from the
     line. The distance of a spring's points becomes a definition of the pose.
     """
-    if thrust.second == f"{thrust.first}'" and pairing.axis is not None:
+    if thrust.joins_twins and pairing.axis is not None:
         return _across(thrust, pairing, pairing.axis)
     vector = pairing.vectors.path(thrust.first, thrust.second)
     if not vector:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable
 
+from ..model.twins import primed
 from ..pose.places import NOWHERE
 from .assembly import (
     GROUND,
@@ -114,7 +115,7 @@ class Acts:
     def _friction_at_pin(self, action: Action, point: str) -> None:
         assert isinstance(action, Couple)
         body, on = self.parts.get(action.body, (action.body, point))
-        on = on if on in self.frames[body].points else f"{on}'"
+        on = on if on in self.frames[body].points else primed(on)
         self._pin("pin", body, on, NOWHERE, 0.0, -action.moment)
 
     def _transfer(self, transfer: Transfer, size: float | None) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 
+from ..model.twins import primed
 from .assembly import Action, Assembly, Couple
 from .unfold import Unfolding
 
@@ -30,7 +31,7 @@ def _acted(friction: Acting, whole: Assembly) -> Iterator[tuple[str, str]]:
     for pin, actions in friction:
         for action in actions:
             if isinstance(action, Couple):
-                for point in (pin, f"{pin}'"):
+                for point in (pin, primed(pin)):
                     yield parts.get(action.body, (point, action.body))
 
 

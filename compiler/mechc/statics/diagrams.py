@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Sequence, Set
 from ..frozen import frozen, replace
 from ..model.mechanism import Torque
 from ..model.result import Result
+from ..model.twins import primed
 from ..pose.places import NOWHERE
 from ..pose.pose import Pose
 from . import solved
@@ -120,7 +121,7 @@ class _Maker:
         touched = {touch.body for touch in pose.touches}
         bare = {s.name for s in pose.mechanism.slides if not any(pose.frames[s.name].values())}
         found = (touched & pose.slides.keys()) | bare
-        return frozenset((*found, *(f"{name}'" for name in found)))
+        return frozenset((*found, *(primed(name) for name in found)))
 
 
 def _without(idle: Set[str], body: FreeBody) -> FreeBody:

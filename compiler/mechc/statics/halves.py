@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import assert_never
 
 from ..frozen import frozen
+from ..model.twins import primed
 from ..pose.pose import Pose, evaluate_vector
 from .assembly import GROUND, Action, Couple, Plane, Push, Wrench, direction
 
@@ -48,14 +49,14 @@ class Halves:
 
     def twin(self, point: str) -> str:
         """Return the name of a point's twin."""
-        return point if self.is_shared(point) else f"{point}'"
+        return point if self.is_shared(point) else primed(point)
 
     def twin_of(self, body: str) -> str:
         """Return the name of the twin of a link, a slide or a part of a telescope."""
         whole, at, point = body.partition(" at ")
         if self.is_shared(whole):
             return body
-        return f"{whole}'{at}{self.twin(point) if point else ''}"
+        return f"{primed(whole)}{at}{self.twin(point) if point else ''}"
 
     def acts_on_shared(self, action: Action) -> bool:
         """Return whether an action is on what both halves share."""

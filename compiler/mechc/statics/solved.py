@@ -15,6 +15,7 @@ from ..model.mechanism import (
     Slot,
     WheelPair,
 )
+from ..model.twins import primed
 from .acts import Bearing
 from .balanced import Tie, gather, ties, with_loads
 from .cases import Case
@@ -115,11 +116,11 @@ def _besides(unfolding: Unfolding) -> tuple[frozenset[Bearing], frozenset[str]]:
 def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:
     """Return the bearings of wheels, racks and screws, in both halves."""
     half = list(_pressed(unfolding.pose.mechanism))
-    points = [(f"{point}'", by) for point, by in half]
+    points = [(primed(point), by) for point, by in half]
     return frozenset(
         bearing
         for point, by in (*half, *points)
-        for bearing in ((point, by), (point, f"{by}'" if by != "ground" else by))
+        for bearing in ((point, by), (point, primed(by) if by != "ground" else by))
     )
 
 

@@ -7,6 +7,7 @@ from typing import assert_never
 
 from ..formula.walk import evaluate
 from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
+from ..model.twins import primed
 from .assembly import GROUND, Action, Couple, Push, Transfer, Wrench, direction
 from .halves import Halves
 
@@ -93,5 +94,5 @@ def _both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:
         actions, bearings = (
             tuple(map(halves.mirrored, part)) for part in (transfer.actions, transfer.bearings)
         )
-        label = transfer.label and f"{transfer.label}'"
-        yield Transfer(transfer.kind, f"{transfer.name}'", actions, bearings, label)
+        label = transfer.label and primed(transfer.label)
+        yield Transfer(transfer.kind, primed(transfer.name), actions, bearings, label)

@@ -28,6 +28,7 @@ from ..model.mechanism import (
     Torque,
     WheelPair,
 )
+from ..model.twins import primed, without_prime
 from ..pose.pose import PointContact, evaluate_vector
 from .assembly import GROUND, Action, Assembly, Couple, Plane, Push, Wrench, direction
 from .halves import Halves
@@ -69,7 +70,7 @@ class Unfolding(Halves):
 
     def turns(self, body: str) -> bool:
         """Return whether a body can turn: what both halves share is kept still by symmetry."""
-        return self.axis is None or not self.is_shared(body.removesuffix("'"))
+        return self.axis is None or not self.is_shared(without_prime(body))
 
     def turning_on(self, point: str) -> Iterator[str]:
         """Yield the links and telescopes that a pin joins, but no telescope that nothing loads."""
@@ -85,7 +86,7 @@ class Unfolding(Halves):
         """Return the actions on the whole assembly of a couple on a link."""
         share = moment * self.part_of(link)
         if not self.is_shared(link):
-            return (Couple(link, share), Couple(f"{link}'", -share))
+            return (Couple(link, share), Couple(primed(link), -share))
         return (Couple(link, share),) if self.axis is None else ()
 
     def _actions(self, load: Load) -> tuple[Action, ...]:
@@ -108,7 +109,7 @@ class Unfolding(Halves):
         """
         line = direction(self.pose.lines[load.name].evaluate(self.values))
         push = line.times(float(load.times))
-        if load.second == f"{load.first}'":
+        if load.joins_twins:
             link = load.first_link
             return self.on(link, load.first, push) if link else self.push(load.first, push)
         push = push.times(max(self.part_of(load.first), self.part_of(load.second)))

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 
 from ..model.mechanism import Pivot, Slider
+from ..model.twins import primed
 from ..pose.pose import evaluate_vector
 from .assembly import Body, Cylinder, Guide, PinOnBody, Plane, Translation, direction
 from .halves import Halves
@@ -17,7 +18,7 @@ def bodies(halves: Halves) -> Iterator[Body]:
         yield Body(link.name, points, link.arc is not None)
         if not halves.is_shared(link.name):
             twins = {halves.twin(p): halves.reflected(v) for p, v in points.items()}
-            yield Body(f"{link.name}'", twins, link.arc is not None)
+            yield Body(primed(link.name), twins, link.arc is not None)
 
 
 def pivots(halves: Halves) -> Iterator[str]:
@@ -56,7 +57,7 @@ def slides(halves: Halves) -> Iterator[Translation]:
         yield Translation(Body(slide.name, points), along)
         if not halves.is_shared(slide.name):
             twins = {halves.twin(p): halves.reflected(v) for p, v in points.items()}
-            yield Translation(Body(f"{slide.name}'", twins), halves.reflected(along))
+            yield Translation(Body(primed(slide.name), twins), halves.reflected(along))
 
 
 def point_contacts(halves: Halves) -> Iterator[PinOnBody]:
@@ -69,7 +70,7 @@ def point_contacts(halves: Halves) -> Iterator[PinOnBody]:
         arm = Plane(base.x + reach.x, base.y + reach.y)
         yield PinOnBody(touch.kind, touch.point, touch.body, arm, normal)
         if not (halves.is_shared(touch.point) and halves.is_shared(touch.body)):
-            body = touch.body if halves.is_shared(touch.body) else f"{touch.body}'"
+            body = touch.body if halves.is_shared(touch.body) else primed(touch.body)
             mirrored = halves.reflected(arm), halves.reflected(normal)
             yield PinOnBody(touch.kind, halves.twin(touch.point), body, *mirrored)
 
@@ -84,4 +85,4 @@ def telescopes(halves: Halves) -> Iterator[Cylinder]:
         yield Cylinder(telescope.name, telescope.points, reach, along)
         if not halves.is_shared(telescope.name):
             ends = halves.twin(first), halves.twin(second)
-            yield Cylinder(f"{telescope.name}'", ends, reach, halves.reflected(along))
+            yield Cylinder(primed(telescope.name), ends, reach, halves.reflected(along))

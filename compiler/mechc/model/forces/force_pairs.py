@@ -13,6 +13,7 @@ from ..formulas.directions import check_sign
 from ..formulas.expressions import Reader
 from ..mechanism import ForcePair, Load, Mechanism, PinFriction
 from ..names.scope import DESCRIPTION, Scope
+from ..twins import PRIME, primed, without_prime
 
 
 def read_force_pair(
@@ -44,7 +45,7 @@ def _ends(
         both = statement.second.span
         scope.report.add(names.repeated_point(both, first + second, first))
         return None
-    if (_is_twin(second, scope) and second != f"{first}'") or _is_twin(first, scope):
+    if (_is_twin(second, scope) and second != primed(first)) or _is_twin(first, scope):
         scope.report.add(messages.pair_across_the_mirror(statement.span, first, second))
         return None
     return first, second
@@ -103,7 +104,7 @@ def _inside(load: Load, bent: Mapping[frozenset[str], str], scope: Scope) -> Loa
 
 def spring_name(statement: ast.Spring) -> str:
     """Return the name of a spring's force: ``S_AB``."""
-    return f"S_{statement.first.text}{statement.second.text}".replace("'", "p")
+    return f"S_{statement.first.text}{statement.second.text}".replace(PRIME, "p")
 
 
 def _is_twin(point: str, scope: Scope) -> bool:
@@ -112,7 +113,7 @@ def _is_twin(point: str, scope: Scope) -> bool:
 
 def _end(name: ast.Name, is_mirrored: bool, scope: Scope) -> str | None:
     """Return a point, or a twin whose point is described."""
-    described = name.text.removesuffix("'")
+    described = without_prime(name.text)
     is_twin = is_mirrored and name.text not in scope.points.places
     known = ast.Name(described, name.span) if is_twin and described in scope.points.places else name
     return name.text if scope.points.acting(known) else None

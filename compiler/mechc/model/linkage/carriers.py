@@ -161,7 +161,7 @@ class Carriers:
                 case _:
                     assert_never(joint)
         for load in m.loads:
-            if isinstance(load, ForcePair) and load.second != f"{load.first}'":
+            if isinstance(load, ForcePair) and not load.joins_twins:
                 yield ("point", load.first), ("point", load.second), self._role(load)
 
     def _lengths(self) -> Iterator[Edge]:

@@ -26,6 +26,7 @@ from ..mechanism import (
 )
 from ..names.scope import DESCRIPTION, Scope
 from ..statements import every, only
+from ..twins import primed
 
 
 def read_mirror(
@@ -111,8 +112,8 @@ def _shared(sharing: Sequence[ast.Name], scope: Scope) -> tuple[str, ...]:
 def _check_twins(shared: Sequence[str], mirror: Span, scope: Scope) -> None:
     places = scope.points.places
     for point in places:
-        if point not in shared and f"{point}'" in places:
-            twin = f"{point}'"
+        twin = primed(point)
+        if point not in shared and twin in places:
             scope.report.add(messages.twin_declared(places[twin], twin, point, mirror))
 
 

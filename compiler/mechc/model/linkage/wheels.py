@@ -16,6 +16,7 @@ from ..mechanism import Geometry, Joint, Link, Offset, WheelPair
 from ..names.scope import DESCRIPTION, Scope
 from ..statements import every
 from ..tolerances import SAME_VALUE
+from ..twins import without_prime
 
 
 def read_wheels(file: ast.File, scope: Scope) -> Iterator[WheelPair]:
@@ -168,9 +169,9 @@ def _joins_halves(statement: ast.Gear | ast.Belt, scope: Scope) -> bool:
     """Return whether a wheel is on the twin of a described point, which is reported."""
     first, second = statement.first.text, statement.second.text
     for name in (statement.first, statement.second):
-        places, described = scope.points.places, name.text.removesuffix("'")
+        places, described = scope.points.places, without_prime(name.text)
         if name.text not in places and described in places:
-            are_twins = first.removesuffix("'") == second.removesuffix("'")
+            are_twins = without_prime(first) == without_prime(second)
             scope.report.add(messages.wheels_across_the_mirror(name.span, first, second, are_twins))
             return True
     return False

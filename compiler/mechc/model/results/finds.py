@@ -24,6 +24,7 @@ from ..mechanism import (
 from ..names.forms import COORDINATES, Form, form_of, form_of_pose
 from ..names.scope import Entry, Scope
 from ..statements import every, only
+from ..twins import PRIME
 from .reactions import read_reaction
 
 
@@ -117,7 +118,7 @@ def _joint_force(symbol: ast.Symbol) -> Form | None:
 def _reactions(statement: ast.Find, symbol: ast.Symbol, form: Form, scope: Scope) -> Iterator[Find]:
     """Enter a force at a joint: ``R_B``, or ``R_B_on_AB`` where the link is named."""
     on = f"_on_{statement.on.text}" if statement.on else ""
-    name = statement.name.text if statement.name else symbol.name.replace("'", "p") + on
+    name = statement.name.text if statement.name else symbol.name.replace(PRIME, "p") + on
     for suffix, target, dimension in read_reaction(symbol, form, statement.on, scope):
         entry = Entry("result", symbol.span, dimension)
         if scope.enter(name + suffix, entry):
@@ -205,7 +206,7 @@ def _load(symbol: ast.Symbol, scope: Scope, alone: bool = False) -> Part | None:
 def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Part | None:
     """Read ``V_D``, ``V_D_x`` or ``omega_OB``."""
     points = ast.Name("".join(form.points), symbol.span)
-    identifier = symbol.name.replace("'", "p")
+    identifier = symbol.name.replace(PRIME, "p")
     match form.prefix:
         case "omega":
             link = scope.points.link(points)

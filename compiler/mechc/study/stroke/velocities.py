@@ -14,6 +14,7 @@ from ...formula.tree import Symbol
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.mechanism import Arrow, Force, ForcePair, Load, Torque
+from ...model.twins import primed
 from ...named import NamedTuple
 from ...power.balance import Balance, Term
 from ...units import FREQUENCY, VELOCITY, Dimension
@@ -62,9 +63,9 @@ def _of_load(term: Term) -> Velocity:
             return Velocity(f"V_{point}", VELOCITY, term.speed[0])
         case Torque(link=link):
             return Velocity(f"omega_{link}", FREQUENCY, term.speed[0])
-        case ForcePair(first=first, second=second):
+        case ForcePair(first=first, second=second) as pair:
             # Across the mirror the term has the first point's half of the rate.
-            halves = 2 if second == f"{first}'" else 1
+            halves = 2 if pair.joins_twins else 1
             return Velocity(f"V_{first}{second}", VELOCITY, term.speed[0].scaled(halves))
         case _:
             assert_never(term.load)
@@ -125,5 +126,5 @@ def _own_rate(plan: Plan) -> Velocity | None:
             pace = add(rates[n].scaled(rational(c)) for n, c in terms if n in rates)
             spin = plan.spin(link.name)[0]
             if pace and spin:
-                return Velocity(f"{drive}'", per_second, spin / pace)
+                return Velocity(primed(drive), per_second, spin / pace)
     return None
