@@ -17,9 +17,9 @@ from mechc.frozen import replace
 from mechc.pose.pose import Pose
 from mechc.source import Source
 from mechc.statics.counted import uncounted
-from mechc.statics.friction import pairs_of
 from mechc.statics.poses import candidates
 from mechc.statics.referee import cross_check
+from mechc.statics.surfaces import pairs_of
 from mechc.statics.unfold import Unfolding
 
 BOOM = """

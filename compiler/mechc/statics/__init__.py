@@ -13,5 +13,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"friction", "joint_forces"}
+    SELDOM = {"friction", "surfaces", "joint_forces"}
     __getattr__ = waiting(__name__, SELDOM)

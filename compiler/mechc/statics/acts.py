@@ -20,7 +20,7 @@ from .assembly import (
 )
 from .diagram import Acting, Kind
 from .free_bodies import Unknown
-from .friction import Pair
+from .surfaces import Pair
 
 AXES = {"x": Plane(1.0, 0.0), "y": Plane(0.0, 1.0)}
 

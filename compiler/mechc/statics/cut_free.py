@@ -12,7 +12,7 @@ from .acts import Acts, Bearing
 from .assembly import Assembly
 from .diagram import Acting, FreeBody, Plane
 from .free_bodies import System
-from .friction import Pair
+from .surfaces import Pair
 from .tolerances import VANISHED
 
 Sweep = Mapping[str, Plane]

@@ -8,60 +8,24 @@ there, against the slip. What the pressing forces are depends on friction again:
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Literal, assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
-from ..frozen import frozen
-from ..model.mechanism import (
-    ArcSlot,
-    CollarFriction,
-    FaceFriction,
-    GuideFriction,
-    JointFriction,
-    LoadForm,
-    LoadRatio,
-    PinFriction,
-    PivotFriction,
-    RopeFriction,
-    Sense,
-    ThreadFriction,
-    WheelFriction,
-    WithFriction,
-)
+from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.targets import SIGNS
 from ..named import NamedTuple
 from .answers import Answer
-from .assembly import Action, direction, scaled
+from .assembly import Action, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
 from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
 from .solve import Factors, factor
 from .speeds import dual_speed
+from .surfaces import Pair, pairs_of
 from .tolerances import EPSILON, INCONSISTENT, NO_SLIP
 from .unfold import Unfolding
 from .verdict import OPEN, STANDS, UNBALANCED, UNSETTLED
-
-
-@frozen
-class Pair:
-    """Two surfaces: a unit of friction between them as a load, by what they are pressed.
-
-    They are pressed by the forces of body ``by`` on pin ``on``, or on its own body; and by a
-    friction of 1 in pairs ``besides``, as it acts, by so much more. Where there is a ``thrust``,
-    that is all that presses them.
-    """
-
-    kind: Literal["pin", "guide", "face", "transmission", "rope"]
-    name: str
-    actions: tuple[Action, ...]
-    by: str
-    on: str
-    factor: float
-    besides: tuple[tuple[str, float], ...] = ()
-    thrust: Formula | None = None
-
 
 Found = Sequence[float]
 """The unknowns under a load."""
@@ -286,101 +250,3 @@ def _pressing(system: System, pair: Pair) -> tuple[int, ...]:
         for i, u in enumerate(system.unknowns)
         if (u.by, u.on) == (pair.by, pair.on) and u.component != "couple"
     )
-
-
-# ------------------------------------------------------------------------------ pairs
-
-
-def pairs_of(unfolding: Unfolding) -> Iterator[Pair]:
-    """Yield the pairs of surfaces that have friction."""
-    for given in unfolding.pose.mechanism.friction.joints:
-        yield from _of(given, unfolding)
-
-
-def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
-    match given:
-        case PinFriction(point, carrier, radius):
-            size = evaluate(radius, unfolding.values)
-            for body in unfolding.turning_on(point):
-                if body != carrier:
-                    couples = unfolding.turning(body, point, 1.0)
-                    back = unfolding.turning(carrier, point, -1.0) if carrier else ()
-                    name = f"pin {point} {body}"
-                    yield Pair("pin", name, (*couples, *back), body, point, size)
-        case GuideFriction(point, factor_):
-            yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
-        case WheelFriction(joint, factor=factor_):
-            size = evaluate(factor_, unfolding.values)
-            yield Pair("transmission", joint, unfolding.rim(joint), joint, "", size)
-        case ThreadFriction(joint, factor=factor_, thread=thread):
-            size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
-            actions = unfolding.along_thread(joint, diameter)
-            yield Pair("transmission", joint, actions, joint, "", size)
-        case CollarFriction(joint, factor=factor_, radius=radius):
-            size, arm = (evaluate(f, unfolding.values) for f in (factor_, radius))
-            actions = unfolding.on_collar(joint, arm)
-            more = tuple(_thrusts(joint, unfolding))
-            yield Pair("transmission", f"collar of {joint}", actions, joint, "", size, more)
-        case PivotFriction(point, link, factor_, radius, thrust):
-            size, arm = (evaluate(f, unfolding.values) for f in (factor_, radius))
-            name, couples = f"collar on {point}", unfolding.couple(link, arm)
-            yield Pair("transmission", name, couples, link, point, size, thrust=thrust)
-        case RopeFriction(joint, point, factor=factor_):
-            size, forces = evaluate(factor_, unfolding.values), unfolding.around(given)
-            more = tuple(_along(given, unfolding))
-            yield Pair("rope", f"pulley on {point}", forces, joint, "", size, more)
-        case FaceFriction(point, factor_):
-            yield _face(point, evaluate(factor_, unfolding.values), unfolding)
-        case _:
-            assert_never(given)
-
-
-def _thrusts(joint: str, unfolding: Unfolding) -> Iterator[tuple[str, float]]:
-    """Yield by how much a friction of 1 in a screw's thread pushes the nut along the axis."""
-    for given in unfolding.pose.mechanism.friction.joints:
-        if isinstance(given, ThreadFriction) and given.joint == joint:
-            diameter = evaluate(given.thread, unfolding.values)
-            yield joint, unfolding.slope_of_thread(joint, diameter)
-
-
-def _along(given: RopeFriction, unfolding: Unfolding) -> Iterator[tuple[str, float]]:
-    """Yield the part of the mean tension here from a friction of 1 on another pulley of a rope.
-
-    Half of it pulls more behind that pulley, half of it less in front.
-    """
-    for other in unfolding.pose.mechanism.friction.joints:
-        if isinstance(other, RopeFriction) and other.joint == given.joint and other != given:
-            yield f"pulley on {other.point}", 0.5 if given.place > other.place else -0.5
-
-
-def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
-    """Yield a guide, but not one that copies share: their side forces cancel around the axis.
-
-    On one that mirrored halves share they cancel by themselves, as both are there.
-    """
-    copies = unfolding.pose.mechanism.copies
-    if copies and point in copies.sharing:
-        return
-    body = next((s.name for s in unfolding.pose.mechanism.slides_at(point)), point)
-    push = unfolding.push(point, unfolding.direction_of_guide(point))
-    yield Pair("guide", f"guide {point}", push, "guide", body, size)
-
-
-def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
-    """Push the pin along the face, and the body under it back at the same place."""
-    if found := unfolding.pose.mechanism.arc_at(point):
-        rod, arc = found
-        return _arc(point, size, rod.name, arc, unfolding)
-    touch = next(t for t in unfolding.pose.touches if t.point == point)
-    along = direction(touch.normal.evaluate(unfolding.values)).turned()
-    return Pair("face", f"face {point}", unfolding.apart(touch, along), touch.body, point, size)
-
-
-def _arc(point: str, size: float, rod: str, arc: ArcSlot, unfolding: Unfolding) -> Pair:
-    """Turn the pin in a circular slot about the centre, and the link that has the slot back.
-
-    The wall gives N and μN across it: together R = N·√(1 + μ²), at r·μ/√(1 + μ²) of the centre.
-    """
-    couples = unfolding.turning(rod, arc.centre, 1.0), unfolding.turning(arc.link, arc.centre, -1.0)
-    reach = evaluate(arc.radius, unfolding.values) * size / math.hypot(1.0, size)
-    return Pair("pin", f"face {point}", (*couples[0], *couples[1]), rod, arc.centre, reach)

@@ -32,7 +32,7 @@ from ..model.values import defaults
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
-from . import friction, joint_forces
+from . import friction, joint_forces, surfaces
 from .answers import Answer, load_coefficient, load_ratio
 from .balanced import Balanced
 from .closure import worst_gap
@@ -135,7 +135,7 @@ def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
 
 def _count_pins(at: Balanced, report: Report) -> None:
     """See that friction acts at every pin where it is said to act."""
-    at_pins = ((p.on, p.actions) for p in friction.pairs_of(at) if p.kind == "pin")
+    at_pins = ((p.on, p.actions) for p in surfaces.pairs_of(at) if p.kind == "pin")
     for pin in uncounted(at, at_pins):
         report.add(messages.friction_not_counted(at.pose.mechanism.span, pin))
 

@@ -11,28 +11,15 @@ a shared point or body, and gives the axis only a push along it, as the pushes a
 cancel around the axis. In the plane of one branch a guide takes that cross part.
 """
 
-import math
 from collections.abc import Iterator
 from typing import assert_never
 
-from ..formula.walk import evaluate
 from ..frozen import frozen
-from ..model.mechanism import (
-    Force,
-    ForcePair,
-    Load,
-    Rack,
-    Rope,
-    RopeFriction,
-    Screw,
-    Torque,
-    WheelPair,
-)
+from ..model.mechanism import Force, ForcePair, Load, Torque
 from ..model.twins import primed, without_prime
-from ..pose.pose import PointContact, evaluate_vector
-from .assembly import GROUND, Action, Assembly, Couple, Plane, Push, Wrench, direction
+from .assembly import Action, Assembly, Couple, Plane, Push, Wrench, direction
 from .halves import Halves
-from .transfers import rope_forces, transfers
+from .transfers import transfers
 from .unfolded import bodies, guides, pivots, point_contacts, slides, telescopes
 
 
@@ -129,78 +116,6 @@ class Unfolding(Halves):
             return Wrench(f"{link} at {point}", push, 0.0)
         arm = self.arm(link, next(iter(self.pose.frames[link])), point)
         return Wrench(link, push, arm.x * push.y - arm.y * push.x)
-
-    def apart(self, touch: PointContact, along: Plane) -> tuple[Action, ...]:
-        """Return a unit force on a pin and its reaction on the body under it, in both halves."""
-        first = next(iter(self.pose.frames[touch.body]))
-        base = self.arm(touch.body, first, touch.tail)
-        reach = evaluate_vector(touch.reach, self.values)
-        x, y = base.x + reach[0], base.y + reach[1]
-        back = Wrench(touch.body, along.times(-1), y * along.x - x * along.y)
-        push: tuple[Action, ...] = (Push(touch.point, along), back)
-        if self.axis is None or (self.is_shared(touch.point) and self.is_shared(touch.body)):
-            return push
-        return (*push, *map(self.mirrored, push))
-
-    def rim(self, joint: str) -> tuple[Action, ...]:
-        """Return a unit force on the rim of a pair's first wheel, or on a rack, by the id."""
-        match self.pose.mechanism.joint(joint):
-            case WheelPair(first_link=link, first_radius=radius, arm=arm):
-                moment = evaluate(radius, self.values)
-                return (*self.couple(link or GROUND, moment), *self.couple(arm or GROUND, -moment))
-            case Rack(point, link=link):
-                return self._by(link, point, self.direction_of_guide(point))
-            case other:
-                raise AssertionError(f"{other.id} has no rim")
-
-    def along_thread(self, joint: str, diameter: float) -> tuple[Action, ...]:
-        """Return the friction on a thread that an axial force of 1 times 1 gives, on nut and screw.
-
-        F/cos ψ along the thread, whose slope is tan ψ = p/(πd): F·tan ψ along the axis, and
-        F·d/2 about it.
-        """
-        screw = self._screw(joint)
-        slope = self.slope_of_thread(joint, diameter)
-        along = self.direction_of_guide(screw.point).times(slope)
-        return (*self._by(screw.link, screw.point, along), *self.couple(screw.link, diameter / 2))
-
-    def on_collar(self, joint: str, radius: float) -> tuple[Action, ...]:
-        """Return the couple on a screw of a friction of 1 at the mean radius of its collar."""
-        return self.couple(self._screw(joint).link, radius)
-
-    def around(self, friction: RopeFriction) -> tuple[Action, ...]:
-        """Return a friction of 1 on a pulley: half a pull more behind it, half less in front.
-
-        A drum takes the moment of both.
-        """
-        rope = self.pose.mechanism.joint(friction.joint)
-        assert isinstance(rope, Rope), "friction of a rope is on a rope"
-        tensions = [-0.5 if i < friction.place else 0.5 for i in range(len(rope.ways))]
-        half = tuple(rope_forces(self, rope, tensions))
-        if friction.reach is not None:
-            half = (*half, Couple(friction.link, evaluate(friction.reach, self.values)))
-        if self.axis is None or all(map(self.acts_on_shared, half)):
-            return half
-        return (*half, *map(self.mirrored, half))
-
-    def slope_of_thread(self, joint: str, diameter: float) -> float:
-        """Return tan ψ = p/(πd) of a thread."""
-        return evaluate(self._screw(joint).pitch, self.values) / (math.pi * diameter)
-
-    def _screw(self, joint: str) -> Screw:
-        screw = self.pose.mechanism.joint(joint)
-        assert isinstance(screw, Screw), "threads and collars are on screws"
-        return screw
-
-    def _by(self, link: str, point: str, force: Plane) -> tuple[Action, ...]:
-        """Return a force on a point by each of the links that drive it."""
-        return self.push(point, force) if self.is_shared(link) else self._half(point, force)
-
-    def _half(self, point: str, force: Plane) -> tuple[Action, ...]:
-        """Return a force that both halves have, on a point that they may share."""
-        if self.axis is None:
-            return self.push(point, force)
-        return (Push(point, force), Push(self.twin(point), self.reflected(force)))
 
     def assembly(self, *more: tuple[str, tuple[Action, ...]]) -> Assembly:
         """Return the unfolded mechanism with its own loads and ``more`` named ones."""
