@@ -24,7 +24,7 @@ from mechc.friction.sequential import SequentialSolver
 from mechc.friction.signs import AtAnyPose, AtOnePose, bare, is_root
 from mechc.friction.standing import without_standing
 from mechc.frozen import replace
-from mechc.kinematics.release import JointRef
+from mechc.kinematics.joint_refs import JointRef
 from mechc.model.joint_friction import (
     Friction,
     GuideFriction,

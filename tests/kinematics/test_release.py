@@ -5,15 +5,8 @@ import math
 import pytest
 
 from mechc.algebra.product import ONE
-from mechc.kinematics.release import (
-    JointRef,
-    held_end,
-    members,
-    released_linkage,
-    touch_at,
-    unclear,
-    work_of,
-)
+from mechc.kinematics.joint_refs import JointRef, held_end, members, touch_at, unclear
+from mechc.kinematics.release import released_linkage, work_of
 from small_poses import (
     HERE,
     RACK,

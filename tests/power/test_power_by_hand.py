@@ -11,7 +11,7 @@ from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol, number, product
 from mechc.frozen import replace
-from mechc.kinematics.release import JointRef
+from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import Axial, Mirror, Normal, Reaction, Speed
 from mechc.pose.pose import Arm
 from mechc.power.equations import equations_of

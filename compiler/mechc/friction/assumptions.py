@@ -6,7 +6,7 @@ from ..algebra.sums import add
 from ..diagnostics import Diagnostic
 from ..diagnostics import friction as messages
 from ..formula.tree import ZERO
-from ..kinematics.release import JointRef
+from ..kinematics.joint_refs import JointRef
 from ..model.mechanism import (
     Force,
     ForcePair,

@@ -12,15 +12,8 @@ from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
 from ..frozen import frozen
-from ..kinematics.release import JointRef, held_end
-from ..model.mechanism import (
-    Force,
-    ForcePair,
-    Link,
-    Load,
-    PinFriction,
-    Torque,
-)
+from ..kinematics.joint_refs import JointRef, held_end
+from ..model.mechanism import Force, ForcePair, Link, Load, PinFriction, Torque
 from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.definitions import bound_names

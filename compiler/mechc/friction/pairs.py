@@ -13,9 +13,10 @@ from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
 from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
+from ..kinematics.joint_refs import JointRef, members, touch_at
 from ..kinematics.meshes import growths, mesh_of, turning
 from ..kinematics.plan import Plan, Speeds
-from ..kinematics.release import JointRef, Measure, members, touch_at
+from ..kinematics.release import Measure
 from ..model.mechanism import (
     CollarFriction,
     FaceFriction,

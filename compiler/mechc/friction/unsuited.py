@@ -7,7 +7,7 @@ from ..diagnostics import friction as messages
 from ..diagnostics import power as power_messages
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..kinematics.release import unclear
+from ..kinematics.joint_refs import unclear
 from ..model.mechanism import Efficiency, Find, LoadRatio, Mechanism, PinFriction, WithFriction
 from ..power.balance import Equations
 from .pairs import FrictionPair

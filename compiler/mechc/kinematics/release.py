@@ -11,14 +11,13 @@ moves along it only.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from typing import Literal, assert_never
+from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..diagnostics import MechcError, Report
 from ..frozen import frozen, replace
 from ..model.mechanism import (
-    Contact,
     Force,
     ForcePair,
     Joint,
@@ -27,72 +26,18 @@ from ..model.mechanism import (
     Mechanism,
     Pivot,
     Rack,
-    Rope,
-    Screw,
     Slider,
-    Slot,
     Torque,
-    WheelPair,
 )
-from ..named import NamedTuple
-from ..pose.pose import PointContact, Pose
+from ..pose.pose import Pose
 from ..source import Source, Span
 from .carriers import graph_of
 from .forms import QUARTER, combined, leaving, parting, projection, spin, subtract
 from .graph import Form, Graph, Relation, Rule
+from .joint_refs import JointRef, touch_at
 from .meshes import mesh_of, slipping
 from .plan import Plan, Speeds
 from .planning import plan_of
-
-
-class JointRef(NamedTuple):
-    """What is released at a point: ``pin`` of a link, ``ground``, guide of a ``slide``, ``touch``.
-
-    ``of`` is the name of the link or slide. A ``mesh`` is that of wheels, a rack, a thread or a
-    rope: it has the joint's first point, and ``of`` is the joint's id. The ``thrust`` of a link
-    along the axis of its pivot is given, so that it is never released.
-    """
-
-    kind: Literal["pin", "ground", "slide", "touch", "mesh", "thrust"]
-    point: str
-    of: str = ""
-
-    @property
-    def loose(self) -> str:
-        """Return the name of the link's own point, once it has left the pin."""
-        return f"{self.point} of {self.of}" if self.kind == "pin" else self.point
-
-
-def held_end(mechanism: Mechanism, link: Link) -> str:
-    """Return an end of a rod that something else holds: its last one, if that is.
-
-    At an end where a load acts on the rod itself the pin gives not all of the force along it.
-    """
-    loaded = {k.point for k in mechanism.loads if isinstance(k, Force) and k.link == link.name}
-    for pair in (k for k in mechanism.loads if isinstance(k, ForcePair)):
-        ends = (pair.first_link, pair.first), (pair.second_link, pair.second)
-        loaded |= {point for name, point in ends if name == link.name}
-
-    def is_held(point: str) -> bool:
-        if point in loaded:
-            return False
-        others = sum(point in k.points for k in mechanism.links) > 1
-        return others or bool(mechanism.slides_at(point)) or point in _held(mechanism)
-
-    return next((p for p in reversed(link.points) if is_held(p)), link.points[-1])
-
-
-def _held(mechanism: Mechanism) -> Iterator[str]:
-    """Yield the points that a joint holds by itself, without a link."""
-    for joint in mechanism.joints:
-        match joint:
-            case Pivot(point) | Slider(point) | Slot(point) | Contact(point):
-                yield point
-            case WheelPair() | Rack() | Screw() | Rope():
-                pass
-            case _:
-                assert_never(joint)
-
 
 Measure = Callable[[Graph], Form]
 """A speed that is read off a graph, as a linear form in its unknowns."""
@@ -325,31 +270,3 @@ def _without_touch(pose: Pose, point: str) -> Released:
         replace(pose, touches=left),
         lambda graph: leaving(graph, touch, touch.normal),
     )
-
-
-def unclear(mechanism: Mechanism) -> frozenset[str]:
-    """Return the pins on which wheels and screws press in directions that are undetermined.
-
-    Teeth press across the line of centres, belts are tightened beforehand, and a screw's
-    thrust is out of the plane. A rack presses along its guide.
-    """
-    pressing = [j for j in mechanism.joints if isinstance(j, WheelPair | Screw)]
-    turning = {link for joint in pressing for link in joint.bodies}
-    held = (p for k in mechanism.links if k.name in turning for p in k.points)
-    centres = {p for j in pressing if isinstance(j, WheelPair) for p in j.points}
-    return mechanism.fixed.intersection(held) | centres
-
-
-def members(pose: Pose, joint: JointRef) -> tuple[str, ...]:
-    """Return the points of all that a joint holds; it is shared by halves where they all are."""
-    if joint.kind == "touch":
-        return (joint.point, *pose.frames[touch_at(pose, joint.point).body])
-    if joint.kind == "mesh":
-        mesh = pose.mechanism.joint(joint.of)
-        return (*mesh.points, *(p for body in mesh.bodies for p in pose.frames[body]))
-    return tuple(pose.frames[joint.of]) if joint.of else (joint.point,)
-
-
-def touch_at(pose: Pose, point: str) -> PointContact:
-    """Return the slot or contact of a point."""
-    return next(t for t in pose.touches if t.point == point)

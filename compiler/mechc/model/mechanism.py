@@ -5,17 +5,15 @@ every definition is acyclic. Points are strings (``"A"``, ``"O1"``), and each li
 points are in the order the user named them.
 """
 
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from math import prod
 from types import MappingProxyType
-from typing import Literal, TypeVar
+from typing import TypeVar
 
 from ..formula.tree import Formula, Number
 from ..frozen import frozen
-from ..named import NamedTuple
 from ..source import Span
-from ..units import NUMBER, Dimension
 from .joint_friction import CollarFriction as CollarFriction
 from .joint_friction import FaceFriction as FaceFriction
 from .joint_friction import Friction as Friction
@@ -54,6 +52,15 @@ from .parts import Slider as Slider
 from .parts import Slot as Slot
 from .parts import Telescope as Telescope
 from .parts import WheelPair as WheelPair
+from .quantities import Expect as Expect
+from .quantities import Find as Find
+from .quantities import Interval as Interval
+from .quantities import Let as Let
+from .quantities import Parameter as Parameter
+from .quantities import Reported as Reported
+from .quantities import Require as Require
+from .quantities import Subject as Subject
+from .quantities import Taken as Taken
 from .targets import Axial as Axial
 from .targets import Efficiency as Efficiency
 from .targets import LoadForm as LoadForm
@@ -66,49 +73,12 @@ from .targets import Speed as Speed
 from .targets import SpeedRatio as SpeedRatio
 from .targets import Target as Target
 from .targets import WithFriction as WithFriction
-from .written import Written, WrittenSides, WrittenTable
+from .written import WrittenTable
 
 J = TypeVar("J", bound=Joint)
 
 GRAVITY = Number(Fraction("9.80665"))
 """The standard acceleration of free fall in m/s²."""
-
-
-class Interval(NamedTuple):
-    """A range of a parameter, both ends constant formulas in SI."""
-
-    low: Formula
-    high: Formula
-
-
-@frozen
-class Parameter:
-    """A quantity of the description.
-
-    ``value`` is None (declared by dimension only), a constant in SI, or a formula of
-    other parameters (a *dependent* parameter). ``unit`` is what the user wrote, for
-    output ('' when bare). ``low`` … ``high`` is the range of a free parameter, and
-    ``tolerance`` how far its value may be off, a constant in SI. A formula is there as it was
-    ``written``, too. ``setting`` is where the command line gives its value, if it does.
-    """
-
-    name: str
-    dimension: Dimension
-    span: Span
-    value: Formula | None = None
-    range: Interval | None = None
-    unit: str = ""
-    label: str = ""
-    about: str = ""
-    dependent: bool = False
-    tolerance: Formula | None = None
-    written: Written | None = None
-    setting: Span | None = None
-
-    @property
-    def given(self) -> Span:
-        """Return where its value is given."""
-        return self.setting or self.span
 
 
 # ------------------------------------------------------------------------ geometry
@@ -185,112 +155,6 @@ class Copies:
     def shares(self, points: Iterable[str]) -> bool:
         """Return whether the branches have what goes through these points in common."""
         return set(points) <= set(self.sharing)
-
-
-# --------------------------------------------------------------- what is asked for
-
-
-@frozen
-class Find:
-    """A result asked for. An unnamed one is called ``P_over_F``, ``V_D_over_V_A``, ``P``."""
-
-    name: str
-    target: Target
-    span: Span
-
-
-@frozen
-class Let:
-    """A formula of the user's own; it may mention parameters, loads, finds and other lets.
-
-    ``unit`` is the one to give its value in ('' for that of the SI), ``label`` its text. It is
-    there as it was ``written``, too.
-    """
-
-    name: str
-    value: Formula
-    dimension: Dimension
-    span: Span
-    unit: str = ""
-    label: str = ""
-    written: Written | None = None
-
-
-@frozen
-class Taken:
-    """A result of a mechanism that a sheet uses, the unit to give it in, and its text.
-
-    Its ``span`` is that of the use, ``asked`` where the mechanism asks for it. So many of the
-    sheet's formulas stand ``before`` it, among them what is given to the mechanism.
-    """
-
-    name: str
-    dimension: Dimension
-    span: Span
-    asked: Span
-    before: int = 0
-    unit: str = ""
-    label: str = ""
-
-
-class Subject(NamedTuple):
-    """Of what a condition is that nobody wrote: an end of a table, a list of sizes, a choice.
-
-    The formula that has no value where it fails is that of the ``let``. A ``range`` is that of a
-    parameter of a used sheet, and stands at a ``place`` of its own. A condition of a used
-    mechanism on what its loops give, ``pose``, concerns all that its values decide.
-    """
-
-    kind: Literal["first row", "last row", "list", "choice", "range", "pose"]
-    name: str
-    let: str
-    place: Span | None = None
-
-
-@frozen
-class Require:
-    """A condition of use, ``left OP right``; a chain is split into its links.
-
-    One with a ``subject`` follows from a formula, which has no value where it fails. Another one
-    is there as it was ``written``, too; ``unit`` is the one to give both sides in.
-    """
-
-    left: Formula
-    operator: Literal["<", "<=", ">", ">=", "=", "!="]
-    right: Formula
-    span: Span
-    subject: Subject | None = None
-    written: WrittenSides | None = None
-    dimension: Dimension = NUMBER
-    unit: str = ""
-
-    def concerns(self, names: Container[str]) -> bool:
-        """Return whether it is a condition of use, or one of a formula among these."""
-        subject = self.subject
-        return subject is None or subject.kind == "pose" or subject.let in names
-
-
-@frozen
-class Expect:
-    """The expected value of a result, from a book: a formula, or a number ``at`` given values.
-
-    ``tolerance`` is the one ``stated``, or half a unit of the last digit written, in SI
-    (0 for a formula).
-    """
-
-    subject: str
-    value: Formula
-    at: Mapping[str, Formula]
-    tolerance: Fraction
-    span: Span
-    stated: bool = False
-
-
-class Reported(NamedTuple):
-    """A part of a report: a picture or a result, or the plot of one ``over`` a parameter."""
-
-    name: str
-    over: str = ""
 
 
 @frozen

@@ -3,7 +3,7 @@
 from ..diagnostics import Diagnostic
 from ..diagnostics import power as messages
 from ..formula.walk import symbols
-from ..kinematics.release import unclear
+from ..kinematics.joint_refs import unclear
 from ..model.mechanism import Axial, Find, Normal, Reaction
 from ..model.result import Definition, Result
 from ..source import Span

@@ -12,8 +12,8 @@ from ..algebra.trigonometry import cosine
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
 from ..kinematics.forms import QUARTER
+from ..kinematics.joint_refs import JointRef, held_end
 from ..kinematics.plan import Plan
-from ..kinematics.release import JointRef, held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector

@@ -13,8 +13,9 @@ from ..algebra.trigonometry import cosine
 from ..formula.tree import ZERO
 from ..frozen import frozen
 from ..kinematics.forms import QUARTER
+from ..kinematics.joint_refs import JointRef, members, touch_at
 from ..kinematics.plan import Plan
-from ..kinematics.release import JointRef, ReleasedLinkage, members, released_linkage, touch_at
+from ..kinematics.release import ReleasedLinkage, released_linkage
 from ..model.mechanism import Absolute, Force
 from ..named import NamedTuple
 from ..pose.pose import Pose

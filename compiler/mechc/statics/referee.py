@@ -41,16 +41,7 @@ from .counted import uncounted
 from .poses import Replay, Values, broken_at_default, candidates, free_values
 from .speeds import speed_ratio
 from .tolerances import SMALLEST
-from .verdict import (
-    NEAR_SINGULAR,
-    NO_MORE,
-    NO_VALUE,
-    STANDS,
-    UNSETTLED,
-    Trial,
-    Untried,
-    Verdict,
-)
+from .verdict import NEAR_SINGULAR, NO_MORE, NO_VALUE, STANDS, UNSETTLED, Trial, Untried, Verdict
 
 POSES = 4
 """How many poses a result is checked at: the default one and three more."""

@@ -2,16 +2,14 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from fractions import Fraction
 from typing import assert_never
 
-from ..algebra.angle import RADIAN, Angle
 from ..algebra.factors import Factor, Trig
 from ..algebra.halving import without
-from ..algebra.intervals import Box, angle_bounds
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.sums import canonical
+from ..algebra.vanishing import vanishing_value
 from ..formula.tree import Call, Formula
 from ..formula.walk import evaluate, symbols, walk
 from ..kinematics.forms import QUARTER
@@ -156,7 +154,7 @@ def _vanishing(
     mechanism = balance.plan.graph.pose.mechanism
     found = trig.angle.names & {d.name for d in item.result.where}
     box = stroke_box(mechanism)
-    at = None if found else solution(trig, near, box, moving_first(mechanism))
+    at = None if found else vanishing_value(trig, near, box, moving_first(mechanism))
     but = tuple(t.formula() for t in _at_folds(trig, item, near))
     return Vanishing(trig.formula(), at, cause, _is_outside(trig, balance), but)
 
@@ -323,43 +321,3 @@ def _across(plan: Plan, term: Term) -> Product:
     if not isinstance(term.load, Force) or term.line is None:
         return Product(0)
     return plan.component(term.load.point, term.line + QUARTER)[0]
-
-
-def solution(
-    factor: Factor, near: Mapping[str, float], box: Box, order: Sequence[str] = ()
-) -> tuple[str, Formula] | None:
-    """Return (symbol, value) at which a sine or cosine vanishes, of its roots the one in reach.
-
-    ``near`` are default values, a ``box`` is the ranges; the symbol is the first of the angle's in
-    an ``order``, else by name, whose coefficient is ±1, or its only one.
-    """
-    if not isinstance(factor, Trig):
-        return None
-    terms = [(n, c) for n, c in factor.angle.terms if n != RADIAN]
-    terms.sort(key=lambda term: order.index(term[0]) if term[0] in order else len(order))
-    unit = next(((n, c) for n, c in terms if abs(c) == 1), terms[0] if len(terms) == 1 else None)
-    if unit is None:
-        return None
-    name, c = unit
-    rest = factor.angle - Angle(((name, c),))
-    first = Angle.constant(0 if factor.function == "sin" else 90)
-    turns = _half_turns(factor.angle, first.evaluate({}), near, box)
-    value = (first + Angle.constant(180 * turns) - rest) * (1 / Fraction(c))
-    return name, value.formula()
-
-
-def _half_turns(angle: Angle, first: float, near: Mapping[str, float], box: Box) -> int:
-    """Return the half turns to add to a first root: within the ranges, else nearest by.
-
-    Of sin(φ + β), with φ = 60° in 5° … 175°, that is 180° - β and not -β.
-    """
-    if not angle.names <= near.keys():
-        return 0
-    nearest = round((angle.evaluate(near) - first) / math.pi)
-    within = angle_bounds(angle, box)
-    if not math.isfinite(within.high - within.low):
-        return nearest
-    inside = range(
-        math.ceil((within.low - first) / math.pi), math.floor((within.high - first) / math.pi) + 1
-    )
-    return min(inside, key=lambda turns: abs(turns - nearest), default=nearest)

@@ -20,7 +20,8 @@ from .sections import Section, Shape
 from .yaml_comments import comments, with_comments
 from .yaml_entries import several, statements
 from .yaml_nodes import Listing, Mapping, Node, Scalar, compose
-from .yaml_values import described, values
+from .yaml_scalars import described
+from .yaml_values import values
 
 Item = tuple[Scalar | None, Node]
 

@@ -11,7 +11,8 @@ from .fault import Fault
 from .sections import Entry, Key, Kind, Section, Shape
 from .vocabulary import points_of
 from .yaml_nodes import Listing, Mapping, Node, Scalar
-from .yaml_values import described, values
+from .yaml_scalars import described
+from .yaml_values import values
 
 Pair = tuple[Scalar, Node]
 Chosen = tuple[Entry, list[Pair] | None]

@@ -3,19 +3,16 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ..diagnostics import Diagnostic, syntax, syntax_yaml
+from ..diagnostics import syntax, syntax_yaml
 from ..source import Source, Span
 from . import ast, expressions, slips, yaml_slips
-from . import parse as parser
 from .fault import Fault
-from .grammar import Start, keywords
+from .grammar import keywords
 from .sections import Key, Kind
-from .spans import span_of
-from .tokens import tokens
 from .vocabulary import NAME
 from .yaml_nodes import Listing, Node, Scalar
 from .yaml_nodes import Mapping as Table
-from .yaml_places import places
+from .yaml_scalars import described, one_of, parsed, scalar_of
 
 Fields = tuple[Any, ...]
 
@@ -26,41 +23,6 @@ def values(key: Key, node: Node, source: Source) -> dict[str, Any]:
         return dict(zip(key.fields, (one_of(key.words, node),), strict=True))
     found = READERS[key.kind](node, source)
     return dict(zip(key.fields, found, strict=True))
-
-
-def described(node: Node) -> str:
-    """Say what was found."""
-    match node:
-        case Table():
-            return "a mapping"
-        case Listing():
-            return "a list"
-        case Scalar(empty=True):
-            return "nothing"
-        case Scalar(text=text):
-            return f"'{text if len(text) < 40 else text[:40] + '…'}'"
-
-
-def scalar_of(node: Node, expected: str) -> Scalar:
-    """Return a plain value; refuse lists, mappings and nothing."""
-    if isinstance(node, Scalar) and not node.empty:
-        return node
-    hint = "a value stands without brackets" if isinstance(node, Listing) else ""
-    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
-
-
-def parsed(start: Start, expected: str, node: Node, source: Source) -> Any:
-    """Read a scalar with the project's own grammar, as the line notation would."""
-    scalar = scalar_of(node, expected)
-    at = places(scalar, source)
-    end = (at[-1] + 1) if at else scalar.span.start
-    found = tokens(scalar.text, lambda i: at[i] if i < len(at) else end)
-    line = [token for token in found if token.type != "NEWLINE"]
-    for token in line:
-        if token.type == "COMMENT":
-            span = span_of(token)
-            raise Fault(syntax.unexpected_character(Span(span.start, span.start + 1), "#", ""))
-    return parser.parse(line, start, end)
 
 
 def expression(node: Node, source: Source) -> Fields:
@@ -300,20 +262,6 @@ def text_of(node: Node, source: Source) -> Fields:
     if isinstance(node, Scalar):
         return ("" if node.empty else node.text,)
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "a text"))
-
-
-def one_of(words: tuple[str, ...], node: Node) -> str:
-    """Read one of a few words."""
-    scalar = scalar_of(node, syntax.listed(f"'{word}'" for word in words))
-    if scalar.text not in words:
-        raise Fault(wrong_word(scalar, words))
-    return scalar.text
-
-
-def wrong_word(scalar: Scalar, words: tuple[str, ...]) -> Diagnostic:
-    """Return the error about a word that is none of those that may stand here."""
-    expected = [f"'{word}'" for word in words]
-    return syntax.unexpected_text(scalar.span, f"'{scalar.text}'", expected)
 
 
 def flag(node: Node, source: Source) -> Fields:

@@ -6,7 +6,8 @@ if not TYPE_CHECKING:
     from ...later import waiting
 
     WORDS = {
-        *("doubts", "friction", "held", "joints", "loads", "lowering", "names", "quantities"),
-        *("reactions", "reported", "results", "sheets", "symmetry", "translations", "wheels"),
+        *("collars", "doubts", "friction", "held", "joints", "loads", "lowering", "names"),
+        *("quantities", "reactions", "reported", "results", "sheets", "symmetry", "translations"),
+        "wheels",
     }
     __getattr__ = waiting(__name__, WORDS)

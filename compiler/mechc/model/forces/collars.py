@@ -1,6 +1,7 @@
 """Collars of screws and on pivots: the radius at which the friction of a ring acts."""
 
-from ...diagnostics.model import friction as messages
+from ...diagnostics.model import collars as messages
+from ...diagnostics.model import friction as friction_messages
 from ...formula.tree import Formula, number, power, product, total
 from ...formula.walk import symbols
 from ...syntax import ast
@@ -62,7 +63,7 @@ def _turning(statement: ast.CollarFriction, built: Mechanism, scope: Scope) -> L
         return None
     link = scope.points.link(statement.link)
     if link and link not in there:
-        found = messages.pin_of_another(statement.link.span, point.text, link.name)
+        found = friction_messages.pin_of_another(statement.link.span, point.text, link.name)
         scope.report.add(found)
     return link if link in there else None
 

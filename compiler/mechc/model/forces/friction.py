@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import assert_never
 
+from ...diagnostics.model import collars as collar_messages
 from ...diagnostics.model import friction as messages
 from ...diagnostics.model import reactions as reactions_messages
 from ...formula.tree import Call, Formula, number, product, total
@@ -261,7 +262,7 @@ def _transmission(
     elif isinstance(statement, ast.CollarFriction):
         radius = collar_radius(statement, scope)
         if statement.thrust is not None:
-            scope.report.add(messages.thrust_of_a_screw(statement.thrust.span, point.text))
+            scope.report.add(collar_messages.thrust_of_a_screw(statement.thrust.span, point.text))
         elif radius is not None:
             yield CollarFriction(here[0].id, point.text, f, radius, span)
 
