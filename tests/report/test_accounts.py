@@ -66,12 +66,12 @@ def test_the_power_of_a_released_bond(name):
     checked = 0
     for account in compilation.derivation.explanations:
         values = numbers(compilation, account)
-        for passage in account.paragraphs:
-            if "speed" not in passage.formulas:
+        for paragraph in account.paragraphs:
+            if "speed" not in paragraph.formulas:
                 continue
-            values[passage.formulas["speed"].name] = 1.0
-            *ratios, power = (e for e in passage.equations if not isinstance(e.left, Symbol))
-            for found in (e for e in passage.equations if isinstance(e.left, Symbol)):
+            values[paragraph.formulas["speed"].name] = 1.0
+            *ratios, power = (e for e in paragraph.equations if not isinstance(e.left, Symbol))
+            for found in (e for e in paragraph.equations if isinstance(e.left, Symbol)):
                 values[found.left.name] = evaluate(found.right, values)
             for ratio in ratios:
                 values[speed_in(ratio.left)] = evaluate(ratio.right, values)
@@ -105,13 +105,13 @@ def test_a_rod_without_loads_is_let_go_along_its_line_once():
     compilation = compiled("knee")
     accounts = {a.results[0]: a for a in compilation.derivation.explanations}
     on_rod = accounts["R_B_on_BC_x"]
-    assert [p.saying for p in on_rod.paragraphs] == [SentenceKind.ROD]
+    assert [p.sentence for p in on_rod.paragraphs] == [SentenceKind.ROD]
 
 
 def test_a_guide_presses_across_itself():
     accounts = compiled("knee").derivation.explanations
     sideways = next(a for a in accounts if a.results[0] == "R_C_x")
-    assert sideways.paragraphs[0].saying is SentenceKind.SMOOTH
+    assert sideways.paragraphs[0].sentence is SentenceKind.SMOOTH
 
 
 def test_results_mention_nothing_that_is_not_stated():
@@ -143,7 +143,7 @@ def test_what_is_stated_of_friction_is_true(case):
             continue
         driving = getattr(target.of, "above", getattr(target.of, "load", ""))
         values[driving] = results[account.results[0]].default
-        equations = [e for passage in account.paragraphs for e in passage.equations]
+        equations = [e for paragraph in account.paragraphs for e in paragraph.equations]
         for definition in (d for name in account.results for d in results[name].where):
             values[definition.name] = evaluate(definition.formula, values)
         defined = [e for e in equations if isinstance(e.left, Symbol)]

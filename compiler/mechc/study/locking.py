@@ -129,7 +129,7 @@ class _Stretches:
         return states
 
     def _bridge(self, grid: Sequence[float], states: list[State | None]) -> None:
-        """Let what is unknown between two values at which the same motion is stuck be so, too.
+        """Let what is unknown between two values at which the same motion locks or jams be so, too.
 
         There iteration has neither found a balance nor shown that there is none. A single value
         of which nothing is known, while it is next to it, is left out.

@@ -59,10 +59,10 @@ TERM: Kind[PowerTerm] = record(
     member("speed", "Signed along the load.", FORMULA, lambda t: t.speed),
 )
 
-PASSAGE: Kind[Paragraph] = record(
+PARAGRAPH: Kind[Paragraph] = record(
     "passage",
     "A sentence with the equations that it leads to.",
-    member("says", "What the sentence says.", one_of(*SentenceKind), lambda p: p.saying),
+    member("says", "What the sentence says.", one_of(*SentenceKind), lambda p: p.sentence),
     member("names", "What it says it of.", map_of(list_of(TEXT)), lambda p: p.names),
     member("formulas", "Directions, speeds …", map_of(FORMULA), lambda p: p.formulas),
     member(
@@ -77,7 +77,7 @@ ACCOUNT: Kind[Explanation] = record(
     "account",
     "How results were found that need more than the power equation.",
     member("results", "Their names.", list_of(TEXT), lambda a: a.results),
-    member("passages", "In order.", list_of(PASSAGE), lambda a: a.paragraphs),
+    member("passages", "In order.", list_of(PARAGRAPH), lambda a: a.paragraphs),
     member("where", "What the equations rest on.", list_of(DEFINITION), lambda a: a.where),
 )
 

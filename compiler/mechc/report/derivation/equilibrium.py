@@ -85,10 +85,10 @@ class _Writer:
 
 def _force(force: JointForce) -> Paragraph:
     kind = "crank" if force.kind == "pin" and force.subject[-1] else force.kind
-    saying, places = _FORCES[kind]
+    sentence, places = _FORCES[kind]
     names = {place: (name,) for place, name in zip(places, force.subject, strict=False)}
     symbols = zip(("force", "other"), map(Symbol, force.names), strict=False)
-    return Paragraph(saying, (), names, dict(symbols))
+    return Paragraph(sentence, (), names, dict(symbols))
 
 
 def _sums(step: Step, pose: Pose) -> Iterator[Paragraph]:
@@ -112,12 +112,12 @@ def _sum(balance: Balance, found: tuple[Equation, ...], pose: Pose) -> Paragraph
         return Paragraph(SentenceKind.ALONG, equations, names)
     if balance.across:
         rod = {"rod": (balance.across,)}
-        saying = SentenceKind.FORCES_ACROSS if body == "link" else SentenceKind.PIN_ACROSS
-        return Paragraph(saying, equations, {**names, **rod})
+        sentence = SentenceKind.FORCES_ACROSS if body == "link" else SentenceKind.PIN_ACROSS
+        return Paragraph(sentence, equations, {**names, **rod})
     assert balance.along is not None, "a sum of forces has a direction"
-    saying = SentenceKind.FORCES_ALONG if body == "link" else SentenceKind.PIN_ALONG
+    sentence = SentenceKind.FORCES_ALONG if body == "link" else SentenceKind.PIN_ALONG
     direction = {"direction": direction_formula(balance.along)}
-    return Paragraph(saying, equations, names, direction)
+    return Paragraph(sentence, equations, names, direction)
 
 
 def _left(balance: Balance) -> Formula:

@@ -76,12 +76,12 @@ class _Writer:
         self._said: list[tuple[Release, list[Product]]] = []
 
     def paragraphs(self) -> Iterator[Paragraph]:
-        """Yield one passage for each direction in which the joint is released."""
+        """Yield one paragraph for each direction in which the joint is released."""
         releases = self._releases
         if isinstance(self._target, Axial) and self._is_slanting():
-            passages = [self._passage(release) for release in releases]
-            yield from passages[:-1]
-            yield replace(passages[-1], equations=(*passages[-1].equations, self._projected()))
+            paragraphs = [self._paragraph(release) for release in releases]
+            yield from paragraphs[:-1]
+            yield replace(paragraphs[-1], equations=(*paragraphs[-1].equations, self._projected()))
             return
         if isinstance(self._target, Axial):
             releases = releases[:1]
@@ -90,7 +90,7 @@ class _Writer:
             releases = releases[:1] if f"N_{releases[0].of}" not in self._explained else ()
         elif isinstance(self._target, Reaction) and len(releases) < 2:
             yield self._one_sided()
-        yield from map(self._passage, releases)
+        yield from map(self._paragraph, releases)
 
     def definitions(self) -> Iterator[Definition]:
         """Yield the definitions that the ratios of speeds rest on."""
@@ -142,7 +142,7 @@ class _Writer:
 
     # ------------------------------------------------------------------------ releases
 
-    def _passage(self, release: Release) -> Paragraph:
+    def _paragraph(self, release: Release) -> Paragraph:
         symbol, way = self._component(release)
         direction = release.direction if way > 0 else release.direction + HALF_TURN
         here = release.terms[-1]

@@ -98,7 +98,7 @@ class _Shown:
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
         self._found: dict[str, Formula] = {}
-        self._sayings: set[SentenceKind] = set()
+        self._said: set[SentenceKind] = set()
 
     def with_one_meaning(
         self, steps: Sequence[Step], asked: WithFriction, result: str
@@ -140,10 +140,10 @@ class _Shown:
         return [Equation(Symbol(d.name), d.formula) for d in step.defined if d.name in changed]
 
     def once(self, paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
-        """Yield the passages of which nothing like them was said before."""
+        """Yield the paragraphs whose sentence was not said before."""
         for paragraph in paragraphs:
-            if paragraph.saying not in self._sayings:
-                self._sayings.add(paragraph.saying)
+            if paragraph.sentence not in self._said:
+                self._said.add(paragraph.sentence)
                 yield paragraph
 
 
@@ -183,8 +183,10 @@ def _opening(
         return
     drive = _driving(target)
     if drive is not None and kind != "first order":
-        saying = SentenceKind.TIGHTENING if target.sense == "tightening" else SentenceKind.RELEASING
-        yield Paragraph(saying, formulas={"drive": drive})
+        sentence = (
+            SentenceKind.TIGHTENING if target.sense == "tightening" else SentenceKind.RELEASING
+        )
+        yield Paragraph(sentence, formulas={"drive": drive})
     if kind not in ("first order", "straight", "iterated"):
         yield from earlier.once(_how(steps, mechanism))
     elif any(isinstance(joint, RopeFriction) for joint in mechanism.friction.joints):
@@ -224,7 +226,7 @@ def _has_friction_along(step: Step) -> bool:
     return step.kind == "slider" and step.equations[0][1] != ZERO
 
 
-# ----------------------------------------------------------------------------- passages
+# ----------------------------------------------------------------------------- paragraphs
 
 
 def _passages(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Paragraph]:
@@ -250,13 +252,13 @@ def _passages(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Para
         case "lever":
             yield from _moments(step, new, found)
         case "slider":
-            saying = (
+            sentence = (
                 SentenceKind.ALONG_WITH_FRICTION
                 if _has_friction_along(step)
                 else SentenceKind.ALONG
             )
             balanced = (*found[:1], *new, *found[1:])
-            yield Paragraph(saying, balanced, {"point": (step.body,)})
+            yield Paragraph(sentence, balanced, {"point": (step.body,)})
         case "pin":
             yield Paragraph(SentenceKind.PIN_OF_RODS, (*found, *new), {"point": (step.body,)})
         case "straight":
@@ -274,14 +276,14 @@ def _passages(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Para
 def _first_order(equations: Sequence[Equation], asked: WithFriction) -> Iterator[Paragraph]:
     """Yield how the frictions of first order add up, and what their slips are."""
     less = asked.sense == "releasing"
-    saying = SentenceKind.FIRST_ORDER_LESS if less else SentenceKind.FIRST_ORDER
+    sentence = SentenceKind.FIRST_ORDER_LESS if less else SentenceKind.FIRST_ORDER
     left = [e.left.name for e in equations if isinstance(e.left, Symbol)]
     slips = []
     if any(name.startswith("Omega_") for name in left):
         slips.append(Paragraph(SentenceKind.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")}))
     if any(name.startswith("v_") for name in left):
         slips.append(Paragraph(SentenceKind.SLIP_OF_FACE, formulas={"speed": Symbol("v")}))
-    paragraphs = (Paragraph(saying, formulas={"force": Symbol("r")}), *slips)
+    paragraphs = (Paragraph(sentence, formulas={"force": Symbol("r")}), *slips)
     yield from paragraphs[:-1]
     yield replace(paragraphs[-1], equations=tuple(equations))
 
@@ -290,14 +292,14 @@ def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> 
     """Yield the moments about a pivot, and what they give where they had to be squared."""
     turns = {1: SentenceKind.TURNS_LEFT, -1: SentenceKind.TURNS_RIGHT}
     names = {"link": (step.body,), "point": (step.pivot,)}
-    saying = turns.get(step.sense, SentenceKind.MOMENTS)
+    sentence = turns.get(step.sense, SentenceKind.MOMENTS)
     moments, rest = found[0], [e for e in found[1:] if isinstance(e.left, Symbol)]
     squared = [e for e in found[1:] if e not in rest]
     if not any(isinstance(f, Call) and f.function == "hypot" for f in walk(moments.right)):
-        yield Paragraph(saying, (moments, *new, *rest), names)
+        yield Paragraph(sentence, (moments, *new, *rest), names)
         return
     given = [e for e in new if e.left in _mentioned(moments) and not _rests_on(e, new)]
-    yield Paragraph(saying, (moments, *given), names)
+    yield Paragraph(sentence, (moments, *given), names)
     solved = [e for e in new if e not in given]
     if squared:
         yield Paragraph(SentenceKind.SQUARED, (*squared, *solved, *rest))

@@ -258,7 +258,7 @@ class Paragraph:
     its words have for them; ``formulas`` what it has of mathematics.
     """
 
-    saying: SentenceKind
+    sentence: SentenceKind
     equations: tuple[Equation, ...] = ()
     names: Mapping[str, tuple[str, ...]] = MappingProxyType({})
     formulas: Mapping[str, Formula] = MappingProxyType({})

@@ -1,7 +1,6 @@
 """English."""
 
-from . import along_stroke, checked, pictured
-from .equilibrium import ENGLISH
+from . import along_stroke, checked, derived, pictured
 from .locale import Locale
 
 LOCALE = Locale(
@@ -158,82 +157,7 @@ LOCALE = Locale(
         "component_of_two": "The projections of the velocity of {first} on two lines are known; "
         "they give its component in the direction of the load {last}.",
     },
-    sayings={
-        **ENGLISH,
-        "released": "Release of constraints: a constraint is taken away, its reaction becomes a "
-        "load, and the powers of all loads add up to zero in the motion that is left.{held}",
-        "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "
-        "{speed}; {force} is its reaction in this direction.",
-        "guide": "Let {point} leave its guide in the direction {direction} with the velocity "
-        "{speed}; {force} is the reaction of the guide.",
-        "pin": "Let the link {link} part from the pin {point} in the direction {direction} with "
-        "the velocity {speed}; {force} is the force between them.",
-        "touch": "Let {point} part from the surface that it touches in the direction {direction} "
-        "with the velocity {speed}; {force} is the force between them.",
-        "rope released": "Let the rope that begins at {point} grow shorter with the velocity "
-        "{speed}; {force} is its tension.",
-        "idle": "Let the constraint at {point} be released in the direction {direction}: no load "
-        "does work then, and this component is zero.",
-        "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
-        "line.",
-        "smooth": "The guide of {point} acts across itself only.",
-        "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
-        "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
-        "releasing": "The motion is against the arrow of {drive}, which only just holds it back; "
-        "friction acts against every slip.",
-        "pin friction": "The friction of a pin is a couple: the force on the pin times the radius "
-        "{radius} of the friction circle.",
-        "guide friction": "The friction of a guide is its coefficient times the force across it.",
-        "rod forces": "{force} is the size of the force in a rod ({whole} without its sign), "
-        "whether in compression or in tension.",
-        "part": "By symmetry one of the equal parts is considered.",
-        "unit": "Forces are given per unit of {load}.",
-        "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",
-        "pressed": "The rod {link} is in compression.",
-        "pulled": "The rod {link} is in tension.",
-        "crossed": "The force in {link} acts along the internal common tangent of the friction "
-        "circles at its ends, as it turns the same way on both pins.",
-        "outer": "The force in {link} acts along an external common tangent of the friction "
-        "circles at its ends, as it turns on its pins in opposite ways.",
-        "parallel": "The force in {link} keeps its direction: the external common tangent of equal "
-        "friction circles is parallel to it.",
-        "single": "The force in {link} goes through the pin at one end and touches the friction "
-        "circle at the other.",
-        "face": "The whole force {force} of the face on {point}, the normal force with friction, "
-        "is turned from the normal by the angle of friction.",
-        "moments": "Moments about {point} of the forces on {link}:",
-        "turns left": "The link {link} turns counter-clockwise. Moments about {point}, on the "
-        "right that of the friction in the pivot:",
-        "turns right": "The link {link} turns clockwise. Moments about {point}, on the right that "
-        "of the friction in the pivot:",
-        "squared": "Squared, this is a quadratic equation:",
-        "along": "Forces on {point} along its guide:",
-        "along with friction": "Forces on {point} along its guide, on the right its friction:",
-        "pin of rods": "Forces on the pin {point}, across each of the rods:",
-        "first order": "To first order the joints are loaded as without friction. Each friction "
-        "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
-        "velocity.",
-        "first order, same": "To first order the joints are loaded as without friction, which here "
-        "gives the same.",
-        "first order, less": "To first order the joints are loaded as without friction. Each "
-        "friction takes away its coefficient times the force {force} times the slip, per unit of "
-        "the drive’s velocity.",
-        "slip of pin": "The slip of a pin is its rotation {turn}, with the radius of the friction "
-        "circle for a coefficient.",
-        "slip of face": "Along a face the slip is the speed {speed}.",
-        "rope friction": "Where a rope slides around a pulley, one of its tensions there "
-        "is {ratio} times the other, {angle} being the angle of wrap. The force that presses is "
-        "the mean of both, its coefficient {part}.",
-        "straight": "Each friction is its coefficient times the force {force} that presses the "
-        "surfaces; the frictions themselves change these forces. The power of each is this times "
-        "the speed {speed} of the slip, per unit of the drive’s velocity:",
-        "efficient": "The efficiency is given: the part of the driving power that reaches the "
-        "load.",
-        "iterated again": "The forces {sizes} follow likewise.",
-        "iterated": "Here each friction depends on the others. With {sizes} the forces at "
-        "the joints, {parts} their components without friction and {changes} what all frictions "
-        "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",
-    },
+    sentences=derived.ENGLISH,
     again={
         "triangle": "Likewise triangle {loop}, its vertices in {turn} order.",
         "projection": "Likewise on the line {joined} the velocities of {all} have equal "
@@ -323,7 +247,7 @@ LOCALE = Locale(
     out_of_ranges="outside the ranges given",
     course="For {condition}, {result} runs from {least} to {greatest}",
     steady="For {condition}, {result} is {least} throughout",
-    stuck="{least} (nothing moves)",
+    still="{least} (nothing moves)",
     usual="it is between 0.9 and 0.95 for {conditions} only",
     always_usual="it is between 0.9 and 0.95 throughout",
     unusual="it is nowhere between 0.9 and 0.95",

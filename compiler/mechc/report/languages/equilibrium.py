@@ -1,4 +1,4 @@
-"""What passages about the equilibrium of free bodies say, in each language."""
+"""What sentences about the equilibrium of free bodies say, in each language."""
 
 ENGLISH = {
     "equilibrium": "Each body is in equilibrium under all that acts on it.",

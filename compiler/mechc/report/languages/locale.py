@@ -21,8 +21,8 @@ class Locale(NamedTuple):
     ``{joined}`` for all written as one (the rod AB); ``again`` are the shorter sentences of loops
     and rules from the second time on. ``trends`` and ``causes`` map the
     words of a result, ``joints`` those of a joint that is neither pin nor guide,
-    ``given_friction`` what is given of friction, ``sayings`` the words of a passage about forces or
-    friction, with places for its names and formulas. ``with_friction`` are headings by the
+    ``given_friction`` what is given of friction, ``sentences`` those of a derivation about forces
+    or friction, with places for its names and formulas. ``with_friction`` are headings by the
     way it moves, or for the first order. ``units`` maps a unit's letters to the language's.
     """
 
@@ -72,7 +72,7 @@ class Locale(NamedTuple):
     magnitudes: str
     signed: str
     rules: Mapping[str, str]
-    sayings: Mapping[str, str]
+    sentences: Mapping[str, str]
     again: Mapping[str, str]
     held: str
     hence: str
@@ -116,7 +116,7 @@ class Locale(NamedTuple):
     out_of_ranges: str
     course: str
     steady: str
-    stuck: str
+    still: str
     usual: str
     always_usual: str
     unusual: str

@@ -31,7 +31,7 @@ _WIDE = 9.0
 
 
 class ParagraphBlock(NamedTuple):
-    """One passage of how results came about: a sentence, and a display or nothing."""
+    """One paragraph of how results came about: a sentence, and a display or nothing."""
 
     sentence: str
     equations: str

@@ -194,7 +194,7 @@ def _apart(ends: Sequence[float], reach: Along, spell: Speller) -> int:
 
 def _share(value: float, locale: Locale, spell: Speller) -> str:
     shown = spell.relation((number(Fraction(f"{value:.3f}")),), (), False)
-    return shown if value else locale.stuck.format(least=shown)
+    return shown if value else locale.still.format(least=shown)
 
 
 def _unit(reach: Along, locale: Locale) -> str:

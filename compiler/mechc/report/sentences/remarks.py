@@ -45,7 +45,8 @@ def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
     loads = [f.name for f in paragraph.formulas.values() if isinstance(f, Symbol)]
     words = {"of_drive": LoadWords(loads, spell.couples)}
     held = " " + locale.held.format(loads=names["held"]) if "held" in names else ""
-    return locale.sayings[paragraph.saying].format_map({**names, **formulas, **words, "held": held})
+    sentence = locale.sentences[paragraph.sentence]
+    return sentence.format_map({**names, **formulas, **words, "held": held})
 
 
 def subject(results: Iterable[Analysis], locale: Locale) -> str:

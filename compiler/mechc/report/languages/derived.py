@@ -1,0 +1,241 @@
+"""What the sentences of a derivation say of forces and friction, in each language."""
+
+from . import equilibrium
+
+ENGLISH = {
+    **equilibrium.ENGLISH,
+    "released": "Release of constraints: a constraint is taken away, its reaction becomes a "
+    "load, and the powers of all loads add up to zero in the motion that is left.{held}",
+    "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "
+    "{speed}; {force} is its reaction in this direction.",
+    "guide": "Let {point} leave its guide in the direction {direction} with the velocity "
+    "{speed}; {force} is the reaction of the guide.",
+    "pin": "Let the link {link} part from the pin {point} in the direction {direction} with "
+    "the velocity {speed}; {force} is the force between them.",
+    "touch": "Let {point} part from the surface that it touches in the direction {direction} "
+    "with the velocity {speed}; {force} is the force between them.",
+    "rope released": "Let the rope that begins at {point} grow shorter with the velocity "
+    "{speed}; {force} is its tension.",
+    "idle": "Let the constraint at {point} be released in the direction {direction}: no load "
+    "does work then, and this component is zero.",
+    "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
+    "line.",
+    "smooth": "The guide of {point} acts across itself only.",
+    "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
+    "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
+    "releasing": "The motion is against the arrow of {drive}, which only just holds it back; "
+    "friction acts against every slip.",
+    "pin friction": "The friction of a pin is a couple: the force on the pin times the radius "
+    "{radius} of the friction circle.",
+    "guide friction": "The friction of a guide is its coefficient times the force across it.",
+    "rod forces": "{force} is the size of the force in a rod ({whole} without its sign), "
+    "whether in compression or in tension.",
+    "part": "By symmetry one of the equal parts is considered.",
+    "unit": "Forces are given per unit of {load}.",
+    "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",
+    "pressed": "The rod {link} is in compression.",
+    "pulled": "The rod {link} is in tension.",
+    "crossed": "The force in {link} acts along the internal common tangent of the friction "
+    "circles at its ends, as it turns the same way on both pins.",
+    "outer": "The force in {link} acts along an external common tangent of the friction "
+    "circles at its ends, as it turns on its pins in opposite ways.",
+    "parallel": "The force in {link} keeps its direction: the external common tangent of equal "
+    "friction circles is parallel to it.",
+    "single": "The force in {link} goes through the pin at one end and touches the friction "
+    "circle at the other.",
+    "face": "The whole force {force} of the face on {point}, the normal force with friction, "
+    "is turned from the normal by the angle of friction.",
+    "moments": "Moments about {point} of the forces on {link}:",
+    "turns left": "The link {link} turns counter-clockwise. Moments about {point}, on the "
+    "right that of the friction in the pivot:",
+    "turns right": "The link {link} turns clockwise. Moments about {point}, on the right that "
+    "of the friction in the pivot:",
+    "squared": "Squared, this is a quadratic equation:",
+    "along": "Forces on {point} along its guide:",
+    "along with friction": "Forces on {point} along its guide, on the right its friction:",
+    "pin of rods": "Forces on the pin {point}, across each of the rods:",
+    "first order": "To first order the joints are loaded as without friction. Each friction "
+    "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
+    "velocity.",
+    "first order, same": "To first order the joints are loaded as without friction, which here "
+    "gives the same.",
+    "first order, less": "To first order the joints are loaded as without friction. Each "
+    "friction takes away its coefficient times the force {force} times the slip, per unit of "
+    "the drive’s velocity.",
+    "slip of pin": "The slip of a pin is its rotation {turn}, with the radius of the friction "
+    "circle for a coefficient.",
+    "slip of face": "Along a face the slip is the speed {speed}.",
+    "rope friction": "Where a rope slides around a pulley, one of its tensions there "
+    "is {ratio} times the other, {angle} being the angle of wrap. The force that presses is "
+    "the mean of both, its coefficient {part}.",
+    "straight": "Each friction is its coefficient times the force {force} that presses the "
+    "surfaces; the frictions themselves change these forces. The power of each is this times "
+    "the speed {speed} of the slip, per unit of the drive’s velocity:",
+    "efficient": "The efficiency is given: the part of the driving power that reaches the load.",
+    "iterated again": "The forces {sizes} follow likewise.",
+    "iterated": "Here each friction depends on the others. With {sizes} the forces at "
+    "the joints, {parts} their components without friction and {changes} what all frictions "
+    "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",
+}
+
+UKRAINIAN = {
+    **equilibrium.UKRAINIAN,
+    "released": "Принцип звільнення від в’язей: в’язь відкидаємо, її реакція стає "
+    "навантаженням, і сума потужностей усіх сил у русі, який став можливим, дорівнює "
+    "нулю.{held}",
+    "pivot": "Нехай шарнір {point} рухається в напрямку {direction} зі швидкістю {speed}; "
+    "{force} — його реакція в цьому напрямку.",
+    "guide": "Нехай точка {point} сходить зі своєї напрямної в напрямку {direction} зі "
+    "швидкістю {speed}; {force} — реакція напрямної.",
+    "pin": "Нехай ланка {link} відходить від шарніра {point} у напрямку {direction} зі "
+    "швидкістю {speed}; {force} — сила взаємодії між ними.",
+    "touch": "Нехай точка {point} відходить від поверхні дотику в напрямку {direction} зі "
+    "швидкістю {speed}; {force} — сила взаємодії між ними.",
+    "rope released": "Нехай канат, що починається в точці {point}, вкорочується зі "
+    "швидкістю {speed}; {force} — його натяг.",
+    "idle": "Відкинемо в’язь у точці {point} в напрямку {direction}: жодна сила роботи не "
+    "виконує, і ця складова дорівнює нулю.",
+    "rod": "Між шарнірами стрижня {link} навантажень немає, тому сила діє вздовж нього.",
+    "smooth": "Напрямна точки {point} тисне лише поперек себе.",
+    "shared": "У точці {point} сили однакових частин поперек осі симетрії взаємно знищуються.",
+    "tightening": "Рух відбувається в напрямку {of_drive:сили|моменту} {drive}; тертя "
+    "протидіє кожному "
+    "ковзанню.",
+    "releasing": "Рух відбувається проти {of_drive:сили|моменту} {drive}, "
+    "{of_drive:яка|який} його ледь стримує; тертя "
+    "протидіє кожному ковзанню.",
+    "pin friction": "Тертя в шарнірі — це пара, момент якої дорівнює силі в шарнірі, "
+    "помноженій на радіус {radius} круга тертя.",
+    "guide friction": "Сила тертя в напрямній дорівнює коефіцієнту тертя, помноженому на "
+    "поперечну силу.",
+    "rod forces": "{force} — модуль зусилля {whole} у стрижні: у стиснутому — стискального, "
+    "у розтягнутому — розтягувального.",
+    "part": "Через симетрію розглядаємо одну з однакових частин.",
+    "unit": "Усі сили віднесено до {load}.",
+    "unit and drive": "Усі сили віднесено до {load}, тож {drive} — це {ratio}.",
+    "pressed": "Стрижень {link} стиснутий.",
+    "pulled": "Стрижень {link} розтягнутий.",
+    "crossed": "Зусилля в стрижні {link} діє вздовж внутрішньої спільної дотичної до кругів "
+    "тертя на його кінцях, оскільки він повертається на обох пальцях в один бік.",
+    "outer": "Зусилля в стрижні {link} діє вздовж зовнішньої спільної дотичної до кругів "
+    "тертя на його кінцях, оскільки він повертається на пальцях у різні боки.",
+    "parallel": "Зусилля в стрижні {link} зберігає свій напрямок: зовнішня спільна дотична до "
+    "однакових кругів тертя йому паралельна.",
+    "single": "Зусилля в стрижні {link} проходить через вісь шарніра на одному кінці та "
+    "дотикається до круга тертя на іншому.",
+    "face": "Повна реакція {force} поверхні на {point}, тобто нормальна реакція разом із "
+    "силою тертя, відхилена від нормалі на кут тертя.",
+    "moments": "Рівняння моментів сил, що діють на ланку {link}, відносно {point}:",
+    "turns left": "Ланка {link} повертається проти годинникової стрілки. Рівняння "
+    "моментів відносно {point} (у правій частині — момент тертя в шарнірі):",
+    "turns right": "Ланка {link} повертається за годинниковою стрілкою. Рівняння "
+    "моментів відносно {point} (у правій частині — момент тертя в шарнірі):",
+    "squared": "Після піднесення до квадрата маємо квадратне рівняння:",
+    "along": "Рівняння рівноваги повзуна {point} у проєкції на напрямну:",
+    "along with friction": "Рівняння рівноваги повзуна {point} у проєкції на напрямну (у "
+    "правій частині — сила тертя):",
+    "pin of rods": "Рівняння рівноваги шарніра {point} у проєкціях на перпендикуляри до стрижнів:",
+    "first order": "У першому наближенні з’єднання навантажені так, як без тертя. Кожне тертя "
+    "додає добуток коефіцієнта, сили {force} і ковзання на одиницю швидкості привода.",
+    "first order, same": "У першому наближенні з’єднання навантажені так, як без тертя, і це "
+    "дає тут той самий результат.",
+    "first order, less": "У першому наближенні з’єднання навантажені так, як без тертя. Кожне "
+    "тертя віднімає добуток коефіцієнта, сили {force} і ковзання на одиницю швидкості привода.",
+    "slip of pin": "У шарнірі ковзання — це поворот {turn}, а коефіцієнт — радіус круга тертя.",
+    "slip of face": "Уздовж поверхні ковзання — це швидкість {speed}.",
+    "rope friction": "Де гнучка ланка ковзає по шківу, один її натяг у {ratio} разів більший "
+    "за інший (формула Ейлера, {angle} — кут охоплення). Сила притискання — їхнє середнє, її "
+    "коефіцієнт {part}.",
+    "straight": "Кожна сила тертя дорівнює коефіцієнту, помноженому на силу {force}, що "
+    "притискає поверхні; самі сили тертя змінюють ці сили. Потужність кожної — її добуток на "
+    "швидкість ковзання {speed} на одиницю швидкості привода:",
+    "efficient": "Коефіцієнт корисної дії задано: така частина рушійної потужності доходить "
+    "до навантаження.",
+    "iterated again": "Сили {sizes} знаходимо так само.",
+    "iterated": "Тут кожна сила тертя залежить від інших. Якщо {sizes} — сили тиску в "
+    "шарнірах, {parts} — їхні складові без тертя, а {changes} — те, що змінюють у них усі "
+    "сили тертя, то {sizes} = {whole}; цю систему розв’язує метод Ньютона, починаючи з "
+    "ідеальних сил.",
+}
+
+RUSSIAN = {
+    **equilibrium.RUSSIAN,
+    "released": "Принцип освобождаемости от связей: связь отбрасываем, её реакция становится "
+    "нагрузкой, и сумма мощностей всех сил в движении, которое стало возможным, равна "
+    "нулю.{held}",
+    "pivot": "Пусть шарнир {point} движется в направлении {direction} со скоростью {speed}; "
+    "{force} — его реакция в этом направлении.",
+    "guide": "Пусть точка {point} сходит со своей направляющей в направлении {direction} со "
+    "скоростью {speed}; {force} — реакция направляющей.",
+    "pin": "Пусть звено {link} отходит от шарнира {point} в направлении {direction} со "
+    "скоростью {speed}; {force} — сила взаимодействия между ними.",
+    "touch": "Пусть точка {point} отходит от поверхности касания в направлении {direction} со "
+    "скоростью {speed}; {force} — сила взаимодействия между ними.",
+    "rope released": "Пусть канат, который начинается в точке {point}, укорачивается со "
+    "скоростью {speed}; {force} — его натяжение.",
+    "idle": "Отбросим связь в точке {point} в направлении {direction}: ни одна сила не "
+    "совершает работы, и эта составляющая равна нулю.",
+    "rod": "Между шарнирами стержня {link} нагрузок нет, поэтому сила действует вдоль него.",
+    "smooth": "Направляющая точки {point} давит только поперёк себя.",
+    "shared": "В точке {point} силы одинаковых частей поперёк оси симметрии взаимно уничтожаются.",
+    "tightening": "Движение происходит в направлении {of_drive:силы|момента} {drive}; трение "
+    "противодействует каждому скольжению.",
+    "releasing": "Движение происходит против {of_drive:силы|момента} {drive}, "
+    "{of_drive:которая|который} его едва сдерживает; "
+    "трение противодействует каждому скольжению.",
+    "pin friction": "Трение в шарнире — это пара, момент которой равен силе в шарнире, "
+    "умноженной на радиус {radius} круга трения.",
+    "guide friction": "Сила трения в направляющей равна коэффициенту трения, умноженному на "
+    "поперечную силу.",
+    "rod forces": "{force} — модуль усилия {whole} в стержне: в сжатом — сжимающего, в "
+    "растянутом — растягивающего.",
+    "part": "В силу симметрии рассматриваем одну из одинаковых частей.",
+    "unit": "Все силы отнесены к {load}.",
+    "unit and drive": "Все силы отнесены к {load}, поэтому {drive} — это {ratio}.",
+    "pressed": "Стержень {link} сжат.",
+    "pulled": "Стержень {link} растянут.",
+    "crossed": "Усилие в стержне {link} действует вдоль внутренней общей касательной к кругам "
+    "трения на его концах, так как он поворачивается на обоих пальцах в одну сторону.",
+    "outer": "Усилие в стержне {link} действует вдоль внешней общей касательной к кругам "
+    "трения на его концах, так как он поворачивается на пальцах в разные стороны.",
+    "parallel": "Усилие в стержне {link} сохраняет своё направление: внешняя общая "
+    "касательная к одинаковым кругам трения ему параллельна.",
+    "single": "Усилие в стержне {link} проходит через ось шарнира на одном конце и касается "
+    "круга трения на другом.",
+    "face": "Полная реакция {force} поверхности на {point}, то есть нормальная реакция вместе "
+    "с силой трения, отклонена от нормали на угол трения.",
+    "moments": "Уравнение моментов сил, действующих на звено {link}, относительно {point}:",
+    "turns left": "Звено {link} поворачивается против часовой стрелки. Уравнение "
+    "моментов относительно {point} (в правой части — момент трения в шарнире):",
+    "turns right": "Звено {link} поворачивается по часовой стрелке. Уравнение "
+    "моментов относительно {point} (в правой части — момент трения в шарнире):",
+    "squared": "После возведения в квадрат имеем квадратное уравнение:",
+    "along": "Уравнение равновесия ползуна {point} в проекции на направляющую:",
+    "along with friction": "Уравнение равновесия ползуна {point} в проекции на направляющую "
+    "(в правой части — сила трения):",
+    "pin of rods": "Уравнения равновесия шарнира {point} в проекциях на перпендикуляры к стержням:",
+    "first order": "В первом приближении соединения нагружены так, как без трения. Каждое "
+    "трение добавляет произведение коэффициента, силы {force} и скольжения на единицу "
+    "скорости привода.",
+    "first order, same": "В первом приближении соединения нагружены так, как без трения, и это "
+    "даёт здесь тот же результат.",
+    "first order, less": "В первом приближении соединения нагружены так, как без трения. "
+    "Каждое трение вычитает произведение коэффициента, силы {force} и скольжения на единицу "
+    "скорости привода.",
+    "slip of pin": "В шарнире скольжение — это поворот {turn}, а коэффициент — радиус круга "
+    "трения.",
+    "slip of face": "Вдоль поверхности скольжение — это скорость {speed}.",
+    "rope friction": "Где гибкое звено скользит по шкиву, одно его натяжение в {ratio} раз "
+    "больше другого (формула Эйлера, {angle} — угол обхвата). Прижимающая сила — их среднее, "
+    "её коэффициент {part}.",
+    "straight": "Каждая сила трения равна коэффициенту, умноженному на силу {force}, "
+    "прижимающую поверхности; сами силы трения изменяют эти силы. Мощность каждой — её "
+    "произведение на скорость скольжения {speed} на единицу скорости привода:",
+    "efficient": "Коэффициент полезного действия задан: такая часть движущей мощности доходит "
+    "до нагрузки.",
+    "iterated again": "Силы {sizes} находим так же.",
+    "iterated": "Здесь каждая сила трения зависит от остальных. Если {sizes} — силы давления "
+    "в шарнирах, {parts} — их составляющие без трения, а {changes} — то, что меняют в них все "
+    "силы трения, то {sizes} = {whole}; эту систему решает метод Ньютона, начиная с идеальных "
+    "сил.",
+}
