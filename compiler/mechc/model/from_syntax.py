@@ -12,7 +12,7 @@ from ..frozen import replace
 from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
-from . import drawn
+from . import drawn, translations
 from .doubts import doubts
 from .driven import checked
 from .forces.force_pairs import inside_telescopes, spring_name
@@ -39,7 +39,6 @@ from .results.reactions import check_rods
 from .results.reported import read_reported
 from .sheets import refuse_links_in_a_sheet, written_as_sheet
 from .statements import check_doubled, every, only
-from .translations import read_translations
 
 
 def resolve(file: ast.File, report: Report) -> Mechanism:
@@ -83,11 +82,12 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
 def _headed(file: ast.File, report: Report) -> Mechanism:
     """Return a mechanism of which only the heading is known."""
     heading, note = only(file, ast.Heading), only(file, ast.SourceNote)
+    is_translated = bool(every(file, ast.Translate))
     return Mechanism(
         name=heading.name.text if heading else name_of(report.source.name),
         title=heading.title if heading else "",
         source=note.text if note else "",
-        translations=read_translations(file, report),
+        translations=translations.read_translations(file, report) if is_translated else {},
         span=heading.span if heading else Span(0, 0),
     )
 

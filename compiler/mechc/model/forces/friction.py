@@ -34,9 +34,8 @@ from ..mechanism import (
 )
 from ..names.scope import DESCRIPTION, Scope
 from ..statements import every, only
-from . import pulleys
+from . import collars, pulleys
 from .coefficients import checked, coefficient, positive_length, value_of
-from .collars import collar_radius, read_collar
 from .pins import Pins, remark_on_pairs
 
 TransmissionFriction = (
@@ -137,7 +136,7 @@ def _read(
         case ast.ContactFriction():
             yield from _face(statement, scope)
         case ast.CollarFriction(point=point) if point.text in scope.points.fixed:
-            if collar := read_collar(statement, built, scope):
+            if collar := collars.read_collar(statement, built, scope):
                 yield collar
         case ast.RopeFriction():
             if rope := pulleys.read_rope_friction(statement, built, scope):
@@ -260,7 +259,7 @@ def _transmission(
             thread = scope.named("d", point.text, thread, LENGTH, span)
             yield ThreadFriction(here[0].id, point.text, f, thread, span)
     elif isinstance(statement, ast.CollarFriction):
-        radius = collar_radius(statement, scope)
+        radius = collars.collar_radius(statement, scope)
         if statement.thrust is not None:
             scope.report.add(collar_messages.thrust_of_a_screw(statement.thrust.span, point.text))
         elif radius is not None:
