@@ -68,7 +68,7 @@ def of_friction(solution: Solution, results: Iterable[Result]) -> Iterator[Expla
             continue
         steps = earlier.with_one_meaning(solved[0].steps, place, names[0])
         steps = [_with_result(step, place, names[0]) for step in steps]
-        paragraphs = [p for step in steps for p in _passages(step, earlier, place)]
+        paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place)]
         yield Explanation(
             names, (*_opening(place, names[0], steps, mechanism, earlier), *paragraphs)
         )
@@ -229,7 +229,7 @@ def _has_friction_along(step: Step) -> bool:
 # ----------------------------------------------------------------------------- paragraphs
 
 
-def _passages(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Paragraph]:
+def _paragraphs(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Paragraph]:
     """Yield the paragraphs of a step; the load that is asked for is left to the result."""
     new = earlier.new(step)
     if new is None:

@@ -69,7 +69,7 @@ def section_block(section: Section, locale: Locale, style: Notation) -> SectionB
     Its parts are written in the order in which they are read: a name is defined where it
     comes first.
     """
-    paragraphs = tuple(_passage(p, locale, style) for p in section.paragraphs)
+    paragraphs = tuple(_paragraph(p, locale, style) for p in section.paragraphs)
     units = {n: unit_symbol(unit, locale) for n, unit in section.units.items()}
     first = section.results[0]
     if first.name in section.lines:
@@ -99,7 +99,7 @@ def _together(results: Sequence[Analysis], style: Notation, locale: Locale) -> t
     return (display(lines, style, locale.where),)
 
 
-def _passage(paragraph: Paragraph, locale: Locale, style: Notation) -> ParagraphBlock:
+def _paragraph(paragraph: Paragraph, locale: Locale, style: Notation) -> ParagraphBlock:
     shown = "\n".join(_displays(paragraph.equations, locale, style))
     return ParagraphBlock(said(paragraph, locale, Speller(style)), shown)
 
