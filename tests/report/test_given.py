@@ -1,6 +1,8 @@
 """What a report says is given."""
 
 import mechc
+from good_mechanisms import compiled
+from mechc.report.text.derivation import render
 
 DRAWN = """
 mechanism drawn
@@ -92,3 +94,11 @@ def test_a_rod_has_two_pins_and_a_screw_has_one():
     assert "Rods with two pins" not in given
     crank = mechc.load("crank_slider").emit("latex")
     assert r"Rods with two pins: $OA$ and $AB$." in crank
+
+
+def test_a_stroke_that_is_not_the_range_of_its_parameter_is_given():
+    """Extrema are looked for along the stroke, which the table of ranges does not show."""
+    page, found = mechc.load("hoeken").emit("latex", language="uk"), compiled("hoeken")
+    assert r"Ведуча координата — $\varphi$, від $100^\circ$ до $260^\circ$." in page
+    assert "The drive is φ, from 100° to 260°." in render(found.derivation, found.mechanism)
+    assert "Ведуча координата" not in mechc.load("jansen_leg").emit("latex", language="uk")

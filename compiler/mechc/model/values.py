@@ -156,6 +156,17 @@ def range_of(name: str, mechanism: Mechanism) -> tuple[float, float] | None:
     return min(low, high), max(low, high)
 
 
+def own_stroke(mechanism: Mechanism) -> tuple[Parameter, Formula, Formula] | None:
+    """Return the drive's parameter and its stroke, where the range of it is another one."""
+    drive = mechanism.drive
+    if drive is None or drive.low is None or drive.high is None:
+        return None
+    parameter = mechanism.parameter(drive.parameter)
+    if parameter.range and range_of(drive.parameter, mechanism) == bounds(parameter):
+        return None
+    return parameter, drive.low, drive.high
+
+
 def usual_length(mechanism: Mechanism) -> str:
     """Return the unit in which a description gives its lengths first, metres where in none."""
     given = (*mechanism.parameters, *mechanism.literals)

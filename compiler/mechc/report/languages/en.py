@@ -39,6 +39,7 @@ LOCALE = Locale(
     copies="the mechanism has {number} identical branches that share {points}",
     joints={
         "part": "{part} is the mechanism {name}; its points {there} are {here} here",
+        "driven": "the drive is {parameter}, from {low} to {high}",
         "slide": "the body {body} only translates, in the direction {direction}",
         "telescope": "telescopic links: {links}",
         "slot": "the pin {point} slides along the line {line} of {body}",

@@ -41,6 +41,7 @@ LOCALE = Locale(
     copies="механизм состоит из {number} одинаковых ветвей, общие точки: {points}",
     joints={
         "part": "{part} — механизм {name}; его точки {there} здесь обозначены {here}",
+        "driven": "ведущая координата — {parameter}, от {low} до {high}",
         "slide": "тело {body} движется поступательно {direction}",
         "telescope": "телескопические звенья: {links}",
         "slot": "палец {point} скользит вдоль прямой {line} звена {body}",

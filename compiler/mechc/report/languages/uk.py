@@ -41,6 +41,7 @@ LOCALE = Locale(
     copies="механізм складається з {number} однакових гілок, спільні точки: {points}",
     joints={
         "part": "{part} — механізм {name}; його точки {there} тут позначено {here}",
+        "driven": "ведуча координата — {parameter}, від {low} до {high}",
         "slide": "тіло {body} рухається поступально {direction}",
         "telescope": "телескопічні ланки: {links}",
         "slot": "палець {point} ковзає вздовж прямої {line} ланки {body}",

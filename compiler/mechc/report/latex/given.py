@@ -23,7 +23,7 @@ from ...model.mechanism import (
     Torque,
     Turn,
 )
-from ...model.values import is_constant
+from ...model.values import is_constant, own_stroke
 from ...model.written import Written
 from ...named import NamedTuple
 from ...units import DIMENSIONS
@@ -164,9 +164,21 @@ def scheme(mechanism: Mechanism, locale: Locale, style: Notation) -> tuple[str, 
     sentences += joint_sentences(mechanism, locale, style)
     links = {link.name for link in mechanism.links}
     sentences += (_load(load, links, locale, style) for load in mechanism.loads)
+    sentences += _stroke(mechanism, locale, style)
     sentences += friction_sentences(mechanism, locale, style)
     sentences += _symmetry(mechanism, locale, style)
     return tuple(f"{s[0].upper()}{s[1:]}." for s in dict.fromkeys(sentences))
+
+
+def _stroke(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
+    """Yield from where to where the drive goes, where no table of ranges shows it."""
+    if found := own_stroke(mechanism):
+        parameter, *ends = found
+        low, high = (
+            math(quantity(end, parameter.dimension, parameter.unit, locale, style)) for end in ends
+        )
+        symbol = math(name(parameter.name, style))
+        yield locale.joints["driven"].format(parameter=symbol, low=low, high=high)
 
 
 def _parts(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:

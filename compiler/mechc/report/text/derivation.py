@@ -4,11 +4,13 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from ...formula.layout import is_angle
 from ...formula.tree import ZERO, Symbol
+from ...formula.walk import evaluate
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.sheets import is_sheet
+from ...model.values import own_stroke
 from ...study.analysis import Analysis
-from ...units import ANGLE
+from ...units import ANGLE, in_unit, si_unit
 from ..brief import needed, relations, short
 from ..definitions import Solved, given_loads, grouped
 from ..derivation.steps import Derivation, LastStep
@@ -17,7 +19,8 @@ from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, direction_function, lines, position_sentences, sentences
 from . import note
-from .speller import DEEP, WIDTH, Speller, speller
+from .printer import print_name, print_quantity
+from .speller import DEEP, SHOWN, WIDTH, Speller, speller
 
 
 def render(
@@ -116,7 +119,18 @@ def _given(mechanism: Mechanism, spell: Speller) -> list[str]:
     """Return the quantities that the description gives, lengths and loads that are numbers too."""
     free = (p for p in mechanism.parameters if p.value is not None or p.range)
     lines = note.given((*free, *mechanism.literals, *given_loads(mechanism)), spell)
-    return ["", *lines] if lines else []
+    return ["", *lines, *_stroke(mechanism, spell)] if lines else []
+
+
+def _stroke(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+    if found := own_stroke(mechanism):
+        parameter, *ends = found
+        unit = parameter.unit or si_unit(parameter.dimension)
+        values = (in_unit(evaluate(end, {}), unit, SHOWN) for end in ends)
+        low, high = (print_quantity(value, spell.signs) for value in values)
+        symbol = print_name(parameter.name, spell.signs)
+        said = spell.locale.joints["driven"].format(parameter=symbol, low=low, high=high)
+        yield from spell.wrapped(f"{said[0].upper()}{said[1:]}.", "  ")
 
 
 def _conventions(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
