@@ -15,8 +15,7 @@ from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.make_templates import EMIT, environment
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Sum, Symbol
-from mechc.pose.pose import LoopKind
-from mechc.report.derivation.steps import Rule
+from mechc.report.derivation.steps import PositionKind, Rule
 from mechc.report.languages import en, ru, uk
 from mechc.report.languages.locale import Locale
 from mechc.report.latex.display import vanishing
@@ -215,7 +214,7 @@ def test_every_rule_has_words(language: str) -> None:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_kind_of_loop_has_words(language: str) -> None:
-    assert set(TABLES[language].loops) == set(get_args(LoopKind))
+    assert set(TABLES[language].loops) == set(get_args(PositionKind))
 
 
 def test_ukrainian_and_russian_name_the_same_units() -> None:

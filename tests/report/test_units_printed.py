@@ -103,3 +103,11 @@ def test_a_stroke_has_a_let_in_the_unit_that_it_names() -> None:
     named = "let s = k*5 N/(3 mm^3) in MPa\n"
     stroke = compile_source(Source("r.mech", f"{rocker}\n{named}")).stroke(3)
     assert ("s", "MPa") in [(column.name, column.unit) for column in stroke.columns]
+
+
+def test_a_slope_of_a_ratio_by_a_length_is_in_its_reciprocal():
+    page = mechc.load("scissor_table").emit("latex")
+    (slope,) = (
+        line for line in page.splitlines() if r"\mathrm{d} k" in line and "-0.167307" in line
+    )
+    assert slope.endswith(r"-0.167307\,\text{m}^{-1}$.")

@@ -15,7 +15,7 @@ from fractions import Fraction
 from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Formula, Number
 from ...formula.walk import evaluate
-from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units, size_of
+from ...units import ANGLE, LENGTH, UNITS, Dimension, si_unit, size_of
 from ..languages.locale import Locale
 from ..put_in import in_degrees as rounded
 from .notation import Notation
@@ -53,12 +53,13 @@ def in_unit(value: float, unit: str, words: Words, style: Notation) -> str:
     return decimal(value / size_of(unit), style) + unit_symbol(unit, words)
 
 
+_USUAL = {ANGLE: "deg", UNITS["rad/s"].dimension: "rad/s"}
+"""Units that people read instead of those of SI."""
+
+
 def usual_unit(dimension: Dimension) -> str:
     """Return degrees for an angle, else the SI unit, made of base units where it has no name."""
-    if dimension in (ANGLE, NUMBER):
-        return "deg" if dimension == ANGLE else ""
-    known = (name for name, u in UNITS.items() if u.factor == 1 and u.dimension == dimension)
-    return next(known, base_units(dimension))
+    return _USUAL.get(dimension, si_unit(dimension))
 
 
 def _in_unit(value: Formula, unit: str) -> Fraction | float:
