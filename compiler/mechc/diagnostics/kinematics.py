@@ -47,7 +47,7 @@ def asked_of_a_frame(at: Span, name: str) -> Message:
     return Message(
         at,
         f"nothing moves, so no balance of loads gives {name}: mobility 0",
-        "ask for forces at joints, such as R_O or N_AB, or take a constraint away",
+        "is a guide or a rod one too many? Of a frame ask for forces at joints, R_O or N_AB",
     )
 
 

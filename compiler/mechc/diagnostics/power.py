@@ -313,6 +313,27 @@ def turn_round(forces: Sequence[str]) -> str:
     return f"turn {listed(forces, 'or')} round (add 180 deg to its direction){so_that}"
 
 
+@coded("W505")
+def drive_is_back_driven(at: Span, result: str, drive: str) -> Message:
+    """A ratio with friction is negative, so that the drive acts against its own motion.
+
+    With friction the drive moves along its arrow: a torque counter-clockwise, an actuator
+    apart. A torque that has to act clockwise, or an actuator that has to pull, is negative, and
+    in that motion the load drives. The ratio with friction is then the smaller one, which holds
+    the load back, and k_hold is the larger one, which moves it::
+
+        torque M on OA               # it turns the handle clockwise: k = M/F is negative
+        friction pins 0.1 diameter 10 mm
+        find k = M/F                 # warned of
+        motion releasing             # right: M moves against its arrow, clockwise
+    """
+    message = (
+        f"{result} is negative at the default pose: with friction {drive} is back-driven, as it "
+        "moves along its arrow"
+    )
+    return Message(at, message, f"where {drive} is to drive, write 'motion releasing'")
+
+
 @coded("W503")
 def result_zero(at: Span, result: str) -> Message:
     """A result is zero at the default pose: the output stands still, or the load is across."""

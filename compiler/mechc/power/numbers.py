@@ -192,14 +192,20 @@ class Arrows:
         """Warn of a ratio that is negative, where an arrow can be turned for it to be positive.
 
         A couple is negative where it acts clockwise, a pair of forces where it pulls, and
-        along some strokes a ratio changes its sign: then no arrow is wrong.
+        along some strokes a ratio changes its sign: then no arrow is wrong. With friction such
+        a load is driven back where it is said to move along its arrow.
         """
         asked = [self._loads[n] for n in (target.below, target.above) if n in self._loads]
-        drawn = all(isinstance(load, Force) for load in asked)
-        if drawn and not self._reported & {k.name for k in asked} and not self._turns(result):
-            self._reported |= {k.name for k in asked}
+        if self._reported & {k.name for k in asked} or self._turns(result):
+            return
+        self._reported |= {k.name for k in asked}
+        friction = self._pose.mechanism.friction
+        if all(isinstance(load, Force) for load in asked):
             hint = self._hint([k.name for k in asked if isinstance(k, Force) and not k.weight])
             self._report.add(messages.result_negative(find.span, find.name, hint))
+        elif not friction.is_ideal and friction.sense == "tightening":
+            warning = messages.drive_is_back_driven(find.span, find.name, target.above)
+            self._report.add(warning)
 
     def _hint(self, forces: Sequence[str]) -> str:
         """Return a hint at the force to turn.

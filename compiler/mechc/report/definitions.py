@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
-from ..formula.tree import ZERO, Formula, Implicit, Number, Product, Symbol
+from ..formula.tree import ZERO, Constant, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
 from ..frozen import frozen
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
@@ -82,8 +82,10 @@ def _as_written(definition: Definition, known: Letters) -> Definition:
     if unit is None or not isinstance(formula, Number):
         return Definition(name, book_form(formula, known.positive))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
-    is_short = value.denominator < 10**DIGITS
-    return Definition(name, Number(value if is_short else Fraction(f"{float(value):.{DIGITS}g}")))
+    if value.denominator == 1:
+        return Definition(name, Number(value))
+    figures = f"{float(value):.{DIGITS}g}"  # as in the table of what is given, and no fraction
+    return Definition(name, Constant(figures, Number(value)))
 
 
 def given_loads(mechanism: Mechanism) -> Iterator[Parameter]:

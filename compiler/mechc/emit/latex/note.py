@@ -7,7 +7,7 @@ from ...frozen import replace
 from ...model.written import WrittenTable
 from ...named import NamedTuple
 from ...report.languages.locale import Locale
-from ...report.latex.directions import math
+from ...report.latex.directions import math, spaced
 from ...report.latex.display import LINE
 from ...report.latex.given import ParameterRow, parameter_row
 from ...report.latex.notation import Notation, name, relation_sign, spellings, translated
@@ -174,6 +174,6 @@ def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> Check
     values = [measure(side, style).tex for side in check.values or ()]
     reserve = math(decimal(float(f"{check.reserve:.3g}"), style)) if check.reserve else ""
     verdict = words["least" if check.decides else "holds"] if values else ""
-    condition = math(sign.join(sides))
+    condition = spaced(math(sign.join(sides)))
     label = f"{translated(check.label, style)}: " if check.label else ""
     return CheckRow(label + condition, math(sign.join(values)) if values else "", reserve, verdict)

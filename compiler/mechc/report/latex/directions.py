@@ -12,6 +12,15 @@ def math(tex: str) -> str:
     return f"${tex}$"
 
 
+def spaced(cell: str) -> str:
+    r"""Return a cell of a table with room about its fractions, so that those of two rows part.
+
+    >>> spaced("$a$"), spaced(r"$\frac{a}{2}$")
+    ('$a$', '\\rule[-1.4ex]{0pt}{4.2ex}$\\frac{a}{2}$')
+    """
+    return rf"\rule[-1.4ex]{{0pt}}{{4.2ex}}{cell}" if r"\frac" in cell else cell
+
+
 def direction(given: Direction, style: Notation) -> str:
     r"""Return a direction as mathematics: an angle, or along or square to a vector."""
     if isinstance(given, Absolute):

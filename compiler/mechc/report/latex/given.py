@@ -30,7 +30,7 @@ from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale
 from ..sentences.wording import enumeration
-from .directions import direction, math, spoken
+from .directions import direction, math, spaced, spoken
 from .friction import friction_sentences
 from .joints import joint_sentences
 from .notation import Notation, name, points, translated
@@ -104,7 +104,8 @@ def vector_rows(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterat
     unit = unit_of_drawing(mechanism)
     literals = {literal.name: literal for literal in mechanism.literals}
     for entry in (*given, *drawn.values()):
-        yield _vector_row(entry, literals, unit, locale, style)
+        row = _vector_row(entry, literals, unit, locale, style)
+        yield VectorRow(*map(spaced, row))
 
 
 def _vector_row(

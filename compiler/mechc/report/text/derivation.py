@@ -224,8 +224,10 @@ def _result(result: Analysis, spell: Speller, section: Section) -> list[str]:
 
 
 def _unit(name: str, units: Mapping[str, str], spell: Speller) -> str:
-    """Return the unit behind a load that is a number, '' behind anything else."""
+    """Return the unit behind a load or a measure that is a number, '' behind anything else."""
     unit = units.get(name, "")
+    if unit == "deg":
+        return spell.signs.degree
     letters = f" {spell.unit(unit)}"
     return (letters.replace("*", "·") if spell.signs.fancy else letters).rstrip()
 
