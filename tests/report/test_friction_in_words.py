@@ -315,3 +315,11 @@ find Q
 def test_code_has_no_square_of_a_sign(name):
     code = mechc.load(name).emit("python")
     assert not re.search(r"\b((s|sigma)_\w*)(\*\*2|\*\1\b)", code)
+
+
+def test_what_follows_from_no_equation_is_not_said_to_follow():
+    """M_f1 = M_f is what the sentence above says; no "hence" begins after its full stop."""
+    page = mechc.load("plate_clutch").emit("latex")
+    first = page.partition("to first order")[2].partition(r"\boxed{M_{f1}")[0]
+    assert "gives the same" in first
+    assert "hence" not in first

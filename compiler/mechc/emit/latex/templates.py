@@ -64,7 +64,7 @@ def _body(_known: Mapping[str, Any]) -> str:
             _parts += [str(paragraph.sentence), '\n']
             if paragraph.equations:
                 _parts += [str(paragraph.equations), '\n']
-        if result.paragraphs:
+        if result.follows:
             _parts += ['\n\\noindent ', str(_known["locale"].hence), '\n']
         for display in result.displays:
             _parts += [str(display), '\n']

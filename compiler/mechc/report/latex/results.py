@@ -53,6 +53,11 @@ class SectionBlock(NamedTuple):
     displays: tuple[str, ...]
     findings: tuple[Findings, ...]
 
+    @property
+    def follows(self) -> bool:
+        """Return whether the results follow from equations just above, not from a sentence."""
+        return bool(self.paragraphs and self.paragraphs[-1].equations)
+
 
 def section_blocks(
     sections: Sequence[Section], locale: Locale, style: Notation

@@ -196,7 +196,7 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
     for paragraph in section.paragraphs:
         yield from spell.wrapped(said(paragraph, spell.locale, spell), "     ")
         yield from _equations(paragraph.equations, spell)
-    if section.paragraphs:
+    if section.paragraphs and section.paragraphs[-1].equations:
         yield f"     {spell.locale.hence}"
     for result in section.results:
         if result.name in section.lines and (label := section.lines[result.name].label):
