@@ -177,6 +177,12 @@ def closed_four_bar_chain(n: int) -> str:
     )
 
 
+def frictional_four_bar_chain(n: int) -> str:
+    """Return the same four-bars with friction in all of their pins."""
+    friction = "friction pins 0.1 diameter 20 mm"
+    return closed_four_bar_chain(n).replace("find k", f"{friction}{NEWLINE}find k")
+
+
 def _closed_four_bar(i: int, n: int) -> list[str]:
     lengths = [f"A{i}B{i} = {290 + i} mm", f"O{i}B{i} = {120 + i} mm"]
     crank = [f"O{i}A{i + 1} = 100 mm", f"angle B{i}O{i}A{i + 1} = 355 deg"] if i < n else []

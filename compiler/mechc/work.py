@@ -4,8 +4,9 @@ What is counted are elementary steps of algebra: terms of sums added, multiplied
 divided, factors compared, each as dear as a microsecond or so; and operations on floats
 where formulas are evaluated and systems solved, several to a step. The count depends on
 the description alone, never on the machine or its load; steps of algebra whose results
-are kept for later (``lru_cache``) are not counted, ways to numeric solutions always. The
-allowance is a context variable, so that compilations in other threads have their own.
+are kept for later (``lru_cache``) are not counted, those of :func:`kept` and ways to numeric
+solutions always. The allowance is a context variable, so that compilations in other threads
+have their own.
 
 >>> with at_most(Allowance(3)):
 ...     spend(2)
@@ -15,9 +16,14 @@ Traceback (most recent call last):
 mechc.work.WorkLimitError
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import lru_cache, wraps
+from typing import ParamSpec, TypeVar
+
+P = ParamSpec("P")
+T = TypeVar("T")
 
 LIMIT = 10_000_000
 """Steps of one compilation: some ten seconds; no mechanism of the library takes a tenth."""
@@ -71,3 +77,33 @@ def spend(steps: int) -> None:
         allowance.left -= steps
         if allowance.left < 0:
             raise WorkLimitError
+
+
+KEPT = 2048
+"""Results that a function keeps at most."""
+
+
+def kept(function: Callable[P, T]) -> Callable[P, T]:
+    """Return a function that keeps its latest results; their work counts each time all the same.
+
+    >>> twice = kept(lambda x: spend(3) or 2 * x)
+    >>> with at_most(Allowance(7)) as allowance:
+    ...     twice(1), twice(1), allowance.left
+    (2, 2, 1)
+    """
+
+    @lru_cache(maxsize=KEPT)
+    def worked(*args: P.args, **kwargs: P.kwargs) -> tuple[T, int]:
+        with at_most(_ALLOWANCE.get() or Allowance()) as allowance:
+            before = allowance.left
+            result = function(*args, **kwargs)
+            work, allowance.left = before - allowance.left, before
+        return result, work
+
+    @wraps(function)
+    def counted(*args: P.args, **kwargs: P.kwargs) -> T:
+        result, work = worked(*args, **kwargs)  # type: ignore[arg-type]
+        spend(work)
+        return result
+
+    return counted

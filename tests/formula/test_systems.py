@@ -22,7 +22,8 @@ from mechc.formula.tree import (
     product,
     total,
 )
-from mechc.formula.walk import evaluate, solution, substitute, symbols
+from mechc.formula.walk import Substitution, evaluate, solution, substitute, symbols
+from mechc.model.values import completed
 from systems import Triad, s, triad
 
 ROOT = System(
@@ -112,6 +113,35 @@ def test_only_outer_symbols_are_open() -> None:
     assert symbols(x) == {"p"}
     assert text(x) == "solution of (x^2 - p = 0) for x"
     assert text(product([(number(2), 1), (x, 1)])) == "2*(solution of (x^2 - p = 0) for x)"
+
+
+PAIR = System(
+    ("x", "y"),
+    (
+        total([s("x"), s("y"), negative(s("p"))]),
+        total([s("x"), negative(s("y")), negative(s("q"))]),
+    ),
+    (("p", 1.0), ("q", 0.0)),
+    (0.5, 0.5),
+)
+
+
+def test_unknowns_share_their_arguments_when_something_is_put_in() -> None:
+    outer = (product([(s("r"), 2)]), total([s("r"), s("t")]))
+    substitution = Substitution({"r": s("u")})
+    x, y = (substitution.of(Implicit(PAIR, i, outer)) for i in (0, 1))
+    assert isinstance(x, Implicit)
+    assert isinstance(y, Implicit)
+    assert x.arguments is y.arguments
+    assert symbols(x, y) == symbols(x) | symbols(y) == {"u", "t"}
+
+
+def test_unknowns_of_one_system_are_told_apart_by_their_arguments() -> None:
+    x, there = Implicit(PAIR, 0, (s("r"), s("t"))), Implicit(PAIR, 0, (s("t"), s("r")))
+    assert len({x, there, Implicit(PAIR, 1, x.arguments), Implicit(PAIR, 0, (s("r"), s("t")))}) == 3
+    values = completed({"r": 3.0, "t": 1.0}, [("x", x), ("z", there)])
+    assert (values["x"], values["z"]) == pytest.approx((2.0, 2.0))
+    assert "x" not in completed({"r": 3.0}, [("x", x)])
 
 
 def test_what_is_put_in_is_solved_for() -> None:

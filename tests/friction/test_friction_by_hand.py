@@ -11,9 +11,9 @@ from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.tree import Call, Symbol, number, product
 from mechc.formula.walk import evaluate
 from mechc.friction import pairs
-from mechc.friction.coupled import true_sizes
+from mechc.friction.coupled import Coupled
 from mechc.friction.efficiency import Drives
-from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task
+from mechc.friction.free_bodies import Bodies, BodyForce, EquationsCoupled, Task
 from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever import Bearing, moment, on_lever
 from mechc.friction.linear import LinearSolver
@@ -37,6 +37,7 @@ from mechc.model.result import Definition, FrictionResult, Result
 from mechc.model.values import completed
 from mechc.power.equations import equations_of
 from mechc.power.loads import terms
+from mechc.power.reactions import Reactions
 from mechc.power.speeds import root
 from mechc.units import NUMBER
 from small_poses import (
@@ -220,7 +221,8 @@ def chained(pose, driving, sense, **given):
     equations = equations_of(terms(found))
     pressed = loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
     owners = {load.name: equations.owner(load.name) for load in pose.mechanism.loads}
-    solver = SequentialSolver(Task(pose, driving, given, owners, pressed), False, signs, sense)
+    task = Task(pose, driving, given, owners, pressed, Reactions(pose, (driving,)))
+    solver = SequentialSolver(Bodies(task, False), signs, sense)
     return value(solver.solve(), signs)
 
 
@@ -363,7 +365,7 @@ def test_to_first_order_friction_adds_its_power_under_ideal_forces(sense):
 def test_the_coupled_equations_give_the_true_pressing_force(sense):
     """The same guide as above, by Newton's method: n = 2/(1 ± μ/2)."""
     pressed = [single(Product(2), by=Product(Fraction(1, 2)))]
-    sizes = true_sizes(pressed, sense, set())
+    sizes = Coupled(pressed, set()).sizes(sense)
     known = completed({}, sizes.definitions)
     assert known[sizes.names["G"]] == pytest.approx(2 / (1 + sense * 0.1))
     found = exact(number(3), pressed, sizes, lambda value: value)

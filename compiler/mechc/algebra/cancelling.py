@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from ..named import NamedTuple
-from ..work import spend
+from ..work import kept, spend
 from . import halving, reduction
 from .constants import is_constant, without_relations
 from .factoring import factor, factored
@@ -21,7 +21,7 @@ from .factors import Trig
 from .fine import is_fine, named, valued
 from .laurent import Ring, size
 from .multiples import joined, without_parts
-from .product import Product, Sum
+from .product import Product, Sum, Written, as_product
 
 LIMIT = 96
 """A sum with more terms than this when multiplied out keeps its inner sums whole."""
@@ -34,9 +34,12 @@ DIVIDED = 1024
 def canonical(product: Product) -> Product:
     """Return the product with all cancelled that divides, and few sines of constants."""
     spend(2 + len(product.factors))
-    if not _may_cancel(product):
-        return product
-    before = None
+    return _cancelled(product.written()) if _may_cancel(product) else product
+
+
+@kept
+def _cancelled(written: Written) -> Product:
+    product, before = as_product(written), None
     while product is not before:
         spend(10 * len(product.factors))
         before = product

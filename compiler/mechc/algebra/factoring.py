@@ -15,10 +15,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd, lcm
 
+from ..work import kept
 from .angle import Angle, Rational, rational
 from .factors import Factor, Trig
 from .laurent import Polynomial, Ring, Terms
-from .product import ONE, ZERO, Product, Sum
+from .product import ONE, ZERO, Product, Sum, Written, as_product
 from .trigonometry import cosine, sine
 
 MULTIPLES = 8
@@ -30,6 +31,12 @@ def factored(products: Sequence[Product], deep: bool = True) -> Product:
 
     Sums inside the products are multiplied out if ``deep``, else they stay whole.
     """
+    return _factored(tuple(p.written() for p in products), deep)
+
+
+@kept
+def _factored(written: tuple[Written, ...], deep: bool) -> Product:
+    products = list(map(as_product, written))
     ring = Ring(products, deep)
     return factor(ring, ring.expand(products))
 

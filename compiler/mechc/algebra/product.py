@@ -82,6 +82,10 @@ class Product:
     def __repr__(self) -> str:
         return f"Product({self.coefficient}, {dict(self.factors)!r})"
 
+    def written(self) -> "Written":
+        """Return what the product is made of: equal ones may have another order."""
+        return self.coefficient, tuple(self.factors.items())
+
     def root(self) -> "Product | None":
         """Return the square root but for its sign, None where this is no square.
 
@@ -131,6 +135,14 @@ class Product:
 
 
 ONE, ZERO = Product(1), Product(0)
+
+Written = tuple[Rational, tuple[tuple[Factor, int], ...]]
+"""What a product is made of, in order."""
+
+
+def as_product(written: Written) -> Product:
+    """Return the product that is made of factors in an order."""
+    return Product(written[0], dict(written[1]))
 
 
 class Sum:

@@ -95,6 +95,14 @@ class System:
     start: tuple[float | str, ...]
     corrections: int = CORRECTIONS
 
+    def __hash__(self) -> int:
+        """Return the hash of the unknowns' names, which few other systems share.
+
+        With friction the equations have as many terms as there are pairs squared, and the
+        formula of every unknown mentions them all.
+        """
+        return hash(self.unknowns)
+
 
 @frozen
 class Implicit:
@@ -108,6 +116,10 @@ class Implicit:
     system: System
     index: int
     arguments: tuple["Formula", ...]
+
+    def __hash__(self) -> int:
+        """Return the hash of the unknown; all unknowns of a system have the same arguments."""
+        return hash((self.system, self.index))
 
 
 Formula = Number | Pi | Symbol | Sum | Product | Power | Call | Implicit

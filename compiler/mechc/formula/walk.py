@@ -75,18 +75,42 @@ def walk(formula: Formula) -> Iterator[Formula]:
         stack.extend(reversed(children(node)))
 
 
-def symbols(formula: Formula) -> frozenset[str]:
-    """Return the names that a formula depends on; a number under a name is none of them."""
-    names, met, stack = set[str](), set[int](), [formula]
+def symbols(*formulas: Formula) -> frozenset[str]:
+    """Return the names that formulas depend on; a number under a name is none of them.
+
+    What several share is walked over once: parts, and the arguments of a system's unknowns.
+    """
+    names, met, stack = set[str](), set[int](), list(formulas)
     while stack:
         node = stack.pop()
         if isinstance(node, Symbol):
             if not isinstance(node, Constant):
                 names.add(node.name)
-        elif id(node) not in met:
-            met.add(id(node))
+            continue
+        shared = node.arguments if isinstance(node, Implicit) else node
+        if id(shared) not in met:
+            met.add(id(shared))
             stack.extend(children(node))
     return frozenset(names)
+
+
+class Mentions:
+    """The names that each of several formulas depends on.
+
+    Those in the arguments of a system, which all of its unknowns share, are looked for once.
+    """
+
+    def __init__(self) -> None:
+        self._shared: dict[int, tuple[Formula, frozenset[str]]] = {}
+
+    def of(self, formula: Formula) -> frozenset[str]:
+        """Return the names that one formula depends on."""
+        if not isinstance(formula, Implicit):
+            return symbols(formula)
+        here = id(formula.arguments)
+        if here not in self._shared:
+            self._shared[here] = formula, symbols(formula)
+        return self._shared[here][1]
 
 
 def reached(names: Iterable[str], formulas: Mapping[str, Formula]) -> set[str]:
@@ -122,10 +146,34 @@ def constants(formulas: Iterable[Formula]) -> list[Constant]:
 
 def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
     """Return the formula with symbols replaced by formulas."""
-    if isinstance(formula, Symbol):
-        return values.get(formula.name, formula)
-    parts = children(formula)
-    return rebuild(formula, tuple(substitute(p, values) for p in parts)) if parts else formula
+    return Substitution(values).of(formula)
+
+
+class Substitution:
+    """Formulas with symbols replaced by formulas.
+
+    What all unknowns of a system have as arguments is replaced once, and is shared again.
+    """
+
+    def __init__(self, values: Mapping[str, Formula]) -> None:
+        self._values = values
+        self._shared: dict[int, tuple[tuple[Formula, ...], tuple[Formula, ...]]] = {}
+
+    def of(self, formula: Formula) -> Formula:
+        """Return one formula with its symbols replaced."""
+        match formula:
+            case Symbol(name):
+                return self._values.get(name, formula)
+            case Implicit(system, index, arguments):
+                return Implicit(system, index, self._of_a_system(arguments))
+            case _:
+                parts = children(formula)
+                return rebuild(formula, tuple(map(self.of, parts))) if parts else formula
+
+    def _of_a_system(self, arguments: tuple[Formula, ...]) -> tuple[Formula, ...]:
+        if id(arguments) not in self._shared:
+            self._shared[id(arguments)] = arguments, tuple(map(self.of, arguments))
+        return self._shared[id(arguments)][1]
 
 
 def evaluate(formula: Formula, values: Mapping[str, float]) -> float:
@@ -148,6 +196,7 @@ class Evaluation:
     def __init__(self, values: Mapping[str, float]) -> None:
         self._values = values
         self._known: dict[int, float] = {}
+        self._outer: dict[int, tuple[float, ...]] = {}
         self._alive: list[Formula] = []
 
     def of(self, formula: Formula) -> float:
@@ -191,9 +240,15 @@ class Evaluation:
             case Call(function, arguments):
                 return float(FUNCTIONS[function](*map(self._of, arguments)))
             case Implicit(system, index, arguments):
-                return solution(system, tuple(map(self._of, arguments)))[index]
+                return solution(system, self._of_a_system(arguments))[index]
             case _:
                 assert_never(formula)
+
+    def _of_a_system(self, arguments: tuple[Formula, ...]) -> tuple[float, ...]:
+        """Return the values of what all unknowns of a system have as arguments, found once."""
+        if id(arguments) not in self._outer:
+            self._outer[id(arguments)] = tuple(map(self._of, arguments))
+        return self._outer[id(arguments)]
 
 
 # ------------------------------------------------------------------------- systems

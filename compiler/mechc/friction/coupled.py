@@ -72,28 +72,33 @@ class Sizes:
         return frozenset(definition.name for definition in self.definitions)
 
 
-def true_sizes(pressed: Sequence[LoadedPair], sense: int, taken: Set[str]) -> Sizes:
-    """Return the sizes of the pressing forces that solve the coupled equations."""
-    coupled = _Coupled(pressed, sense, taken)
-    definitions = tuple(coupled.definitions())
-    names = {p.pair.name: name for p, name in zip(pressed, coupled.sizes, strict=True)}
-    return Sizes(names, definitions, sense, (coupled.load,))
+class Share(NamedTuple):
+    """How a friction, as it acts on its slip, changes a component for each unit of its true size.
+
+    The friction is that of the pair at a ``place`` in their order.
+    """
+
+    place: int
+    name: str
+    amount: Formula
 
 
 class Row(NamedTuple):
-    """One component of a pressing force: the ideal one, and its part per true size."""
+    """One component of a pressing force: the ideal one, and what frictions share in it."""
 
     ideal: Definition
-    shares: tuple[tuple[int, Definition], ...]
+    shares: tuple[Share, ...]
 
 
-class _Coupled:
-    """Names what the system is made of, and the system."""
+class Coupled:
+    """Names what the system is made of, and the system, for either sense of motion."""
 
-    def __init__(self, pressed: Sequence[LoadedPair], sense: int, taken: Set[str]) -> None:
-        self._pressed, self._sense, self._taken = pressed, sense, set(taken)
+    def __init__(self, pressed: Sequence[LoadedPair], taken: Set[str]) -> None:
+        self._pressed, self._taken = pressed, set(taken)
         self._places = {p.pair.name: i for i, p in enumerate(pressed)}
-        self.sizes = self._each("n")
+        self._slips = [p.slip.formula() for p in pressed]
+        self._factors = [p.pair.factor.formula() for p in pressed]
+        self._sizes = self._each("n")
         self._unknowns, self._added = self._each("x"), self._each("q")
         self._alone = self._each("a")
         self._scale, self._length = self._name("n_0"), self._name("d_0")
@@ -101,11 +106,14 @@ class _Coupled:
         self._load = self._name("phi_0")
         self._without = self._name("q_0")
         self._step, self._left, self._rounded = (self._name(n) for n in ("t_0", "t_1", "t_2"))
+        self._pairs = [self._rows(p) for p in pressed]
+        self._every = [row for pair in self._pairs for row in pair]
+        self._system = self._equations()
 
-    @property
-    def load(self) -> Formula:
-        """Return the size of the loads at the end of the way."""
-        return Symbol(self._load)
+    def sizes(self, sense: int) -> Sizes:
+        """Return the sizes of the pressing forces that solve the coupled equations."""
+        names = {p.pair.name: name for p, name in zip(self._pressed, self._sizes, strict=True)}
+        return Sizes(names, tuple(self._definitions(sense)), sense, (Symbol(self._load),))
 
     def _each(self, prefix: str) -> list[str]:
         return [self._name(f"{prefix}_{p.pair.name}") for p in self._pressed]
@@ -118,32 +126,36 @@ class _Coupled:
 
     # -------------------------------------------------------------------- definitions
 
-    def definitions(self) -> Iterator[Definition]:
+    def _definitions(self, sense: int) -> Iterator[Definition]:
         """Yield the ideal forces, how frictions change them, and the true sizes."""
-        pairs = [self._rows(p) for p in self._pressed]
-        rows = [row for pair in pairs for row in pair]
-        yield from (row.ideal for row in rows)
-        yield Definition(self._scale, _hypot(row.ideal.name for row in rows))
-        for name, pair in zip(self._alone, pairs, strict=True):
+        yield from (row.ideal for row in self._every)
+        yield Definition(self._scale, _hypot(row.ideal.name for row in self._every))
+        for name, pair in zip(self._alone, self._pairs, strict=True):
             ideal = (self._per_scale(row.ideal.name) for row in pair)
             yield Definition(name, Call("hypot", (*ideal, number(ROUNDED))))
-        yield from (share for row in rows for _, share in row.shares)
-        yield from self._of_the_load(rows)
-        yield from self._solutions(pairs)
+        yield from self._against(sense)
+        for i, name in enumerate(self._added):
+            yield Definition(name, self._power(i, sense))
+        yield from self._of_the_load()
+        yield from self._solutions()
 
-    def _of_the_load(self, rows: Sequence[Row]) -> Iterator[Definition]:
-        """Yield the loads that friction adds, and the length of the path."""
-        added = [(name, self._power(p)) for name, p in zip(self._added, self._pressed, strict=True)]
-        for name, power in added:
-            yield Definition(name, power)
-        shares = [share.name for row in rows for _, share in row.shares]
+    def _against(self, sense: int) -> Iterator[Definition]:
+        """Yield by how much a unit of each true size changes a component."""
+        sides = [Call("sign", (slip,)) for slip in self._slips]
+        for share in (share for row in self._every for share in row.shares):
+            parts = [(number(-sense), 1), (share.amount, 1), (sides[share.place], 1)]
+            yield Definition(share.name, product(parts))
+
+    def _of_the_load(self) -> Iterator[Definition]:
+        """Yield how much of D goes along with the loads that friction adds; how long the way is."""
+        shares = [share.name for row in self._every for share in row.shares]
         common = (
-            product([(self._per_scale(r.ideal.name), 1), (Symbol(d.name), 1), (self._adds(i), 1)])
-            for r in rows
-            for i, d in r.shares
+            product([(self._per_scale(r.ideal.name), 1), (Symbol(s.name), 1), (self._adds(s), 1)])
+            for r in self._every
+            for s in r.shares
         )
         yield Definition(self._common, total(common))
-        squares = (product([(self._adds(i), 2)]) for i in range(len(added)))
+        squares = (product([(Symbol(name), 2)]) for name in self._added)
         yield Definition(self._turn, quotient(Symbol(self._common), total([*squares, NOTHING])))
         both = product([(Symbol(self._turn), 1), (Symbol(self._common), 1)])
         whole = total([product([(Symbol(share), 2)]) for share in shares])
@@ -151,17 +163,17 @@ class _Coupled:
         parts = (total([ONE, rest]), _certain(whole))
         yield Definition(self._length, Call("sqrt", (product([(p, 1) for p in parts]),)))
 
-    def _solutions(self, pairs: Sequence[Sequence[Row]]) -> Iterator[Definition]:
+    def _solutions(self) -> Iterator[Definition]:
         """Yield the loads at the end, and the true sizes where they are as given."""
-        system = self._system(pairs)
+        system = self._system
         arguments = tuple(self._argument(name) for name, _ in system.anchor)
         found = [Implicit(system, i, arguments) for i in range(len(system.unknowns))]
         for name, size in zip(self._unknowns, found, strict=False):
             yield Definition(name, size)
         less = product([(number(-1), 1), (Symbol(self._turn), 1), (self._load_added(), 1)])
         yield Definition(self._load, total([found[-1], less]))
-        for name, unknown in zip(self.sizes, self._unknowns, strict=True):
-            parts = [(Symbol(self._scale), 1), (Symbol(unknown), 1), (self.load, -1)]
+        for name, unknown in zip(self._sizes, self._unknowns, strict=True):
+            parts = [(Symbol(self._scale), 1), (Symbol(unknown), 1), (Symbol(self._load), -1)]
             yield Definition(name, product(parts))
 
     def _argument(self, name: str) -> Formula:
@@ -177,13 +189,13 @@ class _Coupled:
     def _per_scale(self, name: str) -> Formula:
         return quotient(Symbol(name), Symbol(self._scale))
 
-    def _adds(self, i: int) -> Formula:
-        return Symbol(self._added[i])
+    def _adds(self, share: Share) -> Formula:
+        return Symbol(self._added[share.place])
 
-    def _power(self, pressed: LoadedPair) -> Formula:
+    def _power(self, place: int, sense: int) -> Formula:
         """Return the driving load that friction takes for each unit of a normal force."""
-        slip = Call("abs", (pressed.slip.formula(),))
-        return product([(number(self._sense), 1), (pressed.pair.factor.formula(), 1), (slip, 1)])
+        slip = Call("abs", (self._slips[place],))
+        return product([(number(sense), 1), (self._factors[place], 1), (slip, 1)])
 
     def _rows(self, pressed: LoadedPair) -> list[Row]:
         return [
@@ -194,27 +206,17 @@ class _Coupled:
             for axis, component in zip("xy", pressed.components, strict=False)
         ]
 
-    def _shares(self, prefix: str, component: Component) -> Iterator[tuple[int, Definition]]:
-        """Yield by how much a unit of each true size changes a component."""
+    def _shares(self, prefix: str, component: Component) -> Iterator[Share]:
         for other, part in component.by.items():
             place = self._places[other]
-            slip = self._pressed[place].slip
-            factor = self._pressed[place].pair.factor
-            against = product(
-                [
-                    (number(-self._sense), 1),
-                    ((part * factor).formula(), 1),
-                    (Call("sign", (slip.formula(),)), 1),
-                ]
-            )
-            yield place, Definition(self._name(f"{prefix}{other}"), against)
+            amount = part * self._pressed[place].pair.factor
+            yield Share(place, self._name(f"{prefix}{other}"), amount.formula())
 
     # ------------------------------------------------------------------------- system
 
-    def _system(self, pairs: Sequence[Sequence[Row]]) -> System:
+    def _equations(self) -> System:
         """Return the equations, each force times the share of the way that is left."""
-        rows = [row for pair in pairs for row in pair]
-        self._ideal = {row.ideal.name for row in rows}
+        self._ideal = {row.ideal.name for row in self._every}
         left, step = Symbol(self._left), Symbol(self._step)
         load = product([(left, 1), (Symbol(self._without), 1)])
         true_load = total([load, product([(number(-1), 1), (step, 1), (self._load_added(), 1)])])
@@ -226,29 +228,30 @@ class _Coupled:
                     negative(Call("hypot", (*(self._force(r, true_load) for r in pair), rounded))),
                 ]
             )
-            for x, pair in zip(self._unknowns, pairs, strict=True)
+            for x, pair in zip(self._unknowns, self._pairs, strict=True)
         ]
         unknowns = (*self._unknowns, self._without)
         every = (*equations, self._measure())
-        return System(unknowns, every, self._anchor(rows), (*self._alone, 1.0), LONGER)
+        return System(unknowns, every, self._anchor(), (*self._alone, 1.0), LONGER)
 
-    def _anchor(self, rows: Sequence[Row]) -> tuple[tuple[str, float | None], ...]:
+    def _anchor(self) -> tuple[tuple[str, float | None], ...]:
         """Return where the way begins: without friction; what has no value there stays as it is."""
         path = ((self._step, 0.0), (self._left, 1.0), (self._rounded, float(ROUNDED)))
-        kept = [*(row.ideal.name for row in rows), *self._alone, *self._added]
-        kept += [share.name for row in rows for _, share in row.shares]
+        kept = [*(row.ideal.name for row in self._every), *self._alone, *self._added]
+        kept += [share.name for row in self._every for share in row.shares]
         return (*path, *((name, None) for name in kept))
 
     def _load_added(self) -> Formula:
         """Return the driving load that all frictions together take."""
         return total(
-            product([(self._adds(i), 1), (Symbol(x), 1)]) for i, x in enumerate(self._unknowns)
+            product([(Symbol(added), 1), (Symbol(x), 1)])
+            for added, x in zip(self._added, self._unknowns, strict=True)
         )
 
     def _force(self, row: Row, load: Formula) -> Formula:
         """Return a component of a force in the unknowns."""
         terms = (
-            product([(Symbol(d.name), 1), (Symbol(self._unknowns[i]), 1)]) for i, d in row.shares
+            product([(Symbol(s.name), 1), (Symbol(self._unknowns[s.place]), 1)]) for s in row.shares
         )
         by_friction = product([(Symbol(self._step), 1), (total(terms), 1)])
         return total([product([(Symbol(row.ideal.name), 1), (load, 1)]), by_friction])

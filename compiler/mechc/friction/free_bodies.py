@@ -69,7 +69,8 @@ class Surface(NamedTuple):
 class Task:
     """The sequential solver's task: the driving load, the given ones, and the loaded pairs.
 
-    ``owners`` gives of each load the free load that it is a multiple of, and the multiple.
+    ``owners`` gives of each load the free load that it is a multiple of, and the multiple;
+    ``reactions`` the forces at joints without friction.
     """
 
     pose: Pose
@@ -77,17 +78,18 @@ class Task:
     given: Given
     owners: Mapping[str, tuple[str, Product]]
     pressed: Sequence[LoadedPair]
+    reactions: Reactions
 
 
 class Bodies:
     """The free bodies of a task; with ``cranks`` pivoted links of two points are levers too."""
 
     def __init__(self, task: Task, cranks: bool) -> None:
-        self._task, self._pose, self._mechanism = task, task.pose, task.pose.mechanism
+        self.task, self._pose, self._mechanism = task, task.pose, task.pose.mechanism
         self._pressed = {p.pair.joint: p for p in task.pressed}
         joints = self._mechanism.friction.joints
         self._carriers = {r.point: r.carrier for r in joints if isinstance(r, PinFriction)}
-        self._reactions = Reactions(task.pose, (task.driving,))
+        self._compressions: dict[str, Product] = {}
         self._fixed = self._mechanism.fixed
         self._guides = task.pose.guides_and_line
         turned = {k.link for k in self._mechanism.loads if isinstance(k, Torque)}
@@ -106,7 +108,7 @@ class Bodies:
         m = self._mechanism
         if (
             (m.cylinders or m.meshes or m.ropes or any(link.arc for link in m.links))
-            or any(p.pair.thrust for p in self._task.pressed)
+            or any(p.pair.thrust for p in self.task.pressed)
             or any(self._is_apart(load) for load in m.loads)
             or any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
             or self._has_strange_touches()
@@ -167,7 +169,7 @@ class Bodies:
     def loads_on(self, body: str) -> Iterator[BodyForce]:
         """Yield the loads on a body, each in units of the free load that it is tied to."""
         for load in self._mechanism.loads:
-            owner, factor = self._task.owners[load.name]
+            owner, factor = self.task.owners[load.name]
             for place, link, line in self._acting(load):
                 size = factor.scaled(self._part(load))
                 if line is None and link == body:
@@ -224,13 +226,18 @@ class Bodies:
 
     def compression(self, rod: Link) -> Product:
         """Return the ideal force by which a rod is pressed, unless that is a long sum."""
+        if rod.name not in self._compressions:
+            self._compressions[rod.name] = self._compression(rod)
+        return self._compressions[rod.name]
+
+    def _compression(self, rod: Link) -> Product:
         end = held_end(self._mechanism, rod)
-        found = self._reactions.of(JointRef("pin", end, rod.name))
+        found = self.task.reactions.of(JointRef("pin", end, rod.name))
         if found is None:
             raise EquationsCoupled
         outwards = self.vector(rod)[0]
         along = found.along(outwards if end == rod.points[1] else outwards + HALF_TURN)
-        pressed = -add(along[n] * size for n, size in self._task.given.items() if n in along)
+        pressed = -add(along[n] * size for n, size in self.task.given.items() if n in along)
         if any(bound_names(pressed)):
             raise EquationsCoupled
         return pressed

@@ -47,8 +47,12 @@ def by_coefficients(
     loaded = problem.loaded(find, case)
     if loaded is None:
         return None
-    solve = _to_first_order if order == "first" else _exactly
-    return _solved(problem, find, ideal, loaded, solve(problem, find, case, loaded, sense))
+    if order == "first":
+        named = _to_first_order(problem, find, case, loaded, sense)
+    else:
+        once = partial(_exactly, problem, find, case, loaded, sense)
+        named = problem.exact(ideal.name, sense, once)
+    return _solved(problem, find, ideal, loaded, named)
 
 
 def _solved(
@@ -140,9 +144,8 @@ def ways(
     problem: Problem, case: Case, loaded: Loaded, sense: int
 ) -> Iterator[Callable[[Signs], ClosedFormSolver]]:
     """Yield the ways in which the driving load may be found in closed form."""
-    task = problem.task(case, loaded)
-    yield lambda signs: SequentialSolver(task, False, signs, sense)
-    yield lambda signs: SequentialSolver(task, True, signs, sense)
+    yield lambda signs: SequentialSolver(problem.bodies(case, loaded, False), signs, sense)
+    yield lambda signs: SequentialSolver(problem.bodies(case, loaded, True), signs, sense)
     ideal = problem.without_friction(case)
     yield lambda signs: LinearSolver(case.driving, ideal, loaded, signs, sense)
 

@@ -1,21 +1,24 @@
 """The problem of friction: the loads of a balance, the pairs with friction, the normal forces."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..formula.tree import Formula
-from ..model.mechanism import Find, LoadForm, LoadRatio, Mechanism
-from ..model.result import Result
+from ..model.mechanism import Find, LoadForm, LoadRatio, Mechanism, Sense
+from ..model.result import Definition, Result
 from ..power.balance import Balance
+from ..power.definitions import bound_sums
 from ..power.loads import given_size
+from ..power.reactions import Reactions
 from .assumptions import assumptions
 from .case import Case
-from .coupled import Sizes, true_sizes
+from .closed_form import Named
+from .coupled import Coupled, Sizes
 from .default import DefaultPose
-from .free_bodies import Task
+from .free_bodies import Bodies, Task
 from .naming import Endings, Meanings, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, LoadedPair, Undetermined, loaded_pairs
 from .pairs import pairs
@@ -40,6 +43,11 @@ class Problem:
         self.default = DefaultPose(balance.plan, self.valued, self.taken)
         self._pairs = pairs(balance.plan.graph.pose)
         self._loaded: dict[object, Loaded | None] = {}
+        self._reactions: dict[str, Reactions] = {}
+        self._bodies: dict[tuple[int, bool], Bodies] = {}
+        self._exact: dict[tuple[str, Sense], Named] = {}
+        self._sums: dict[int, tuple[Definition, ...]] = {}
+        self._coupled: dict[int, Coupled] = {}
         self._sizes: dict[tuple[int, int], Sizes] = {}
 
     @property
@@ -115,19 +123,52 @@ class Problem:
             self.report.add(messages.slips_either_way(find.span, found.pair.joint.point))
         return None
 
+    def sums(self, loaded: Loaded) -> tuple[Definition, ...]:
+        """Return the named sums that slips and pressing forces rest on."""
+        key = id(loaded)
+        if key not in self._sums:
+            self._sums[key] = tuple(self._bound_sums(loaded))
+        return self._sums[key]
+
+    def _bound_sums(self, loaded: Loaded) -> Iterator[Definition]:
+        yield from bound_sums(self.plan, [p.slip for p in loaded])
+        for each in (p for p in loaded if p.pair.thrust is None):
+            for plan, component in zip(each.plans, each.components, strict=True):
+                yield from bound_sums(plan, [component.ideal, *component.by.values()])
+
     def sizes(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Sizes:
         """Return the true sizes of pressing forces, once for all results that rest on them."""
-        key = id(loaded), sense
+        here, key = id(loaded), (id(loaded), sense)
+        if here not in self._coupled:
+            self._coupled[here] = Coupled(loaded, self.taken)
         if key not in self._sizes:
-            found = true_sizes(loaded, sense, self.taken)
+            found = self._coupled[here].sizes(sense)
             meanings = self.in_code, self.default.meanings
             self._sizes[key] = with_one_meaning(found, meanings, endings)
         return self._sizes[key]
 
-    def task(self, case: Case, loaded: Loaded) -> Task:
+    def bodies(self, case: Case, loaded: Loaded, cranks: bool) -> Bodies:
+        """Return the free bodies in a case, once for either sense of motion.
+
+        Raises :class:`EquationsCoupled` where one is none that can be solved by itself.
+        """
+        key = id(loaded), cranks
+        if key not in self._bodies:
+            self._bodies[key] = Bodies(self._task(case, loaded), cranks)
+        return self._bodies[key]
+
+    def _task(self, case: Case, loaded: Loaded) -> Task:
         """Return the task of solving the free bodies in a case."""
+        pose, driving = self.plan.graph.pose, case.driving
         owners = {load.name: self.equations.owner(load.name) for load in self.mechanism.loads}
-        return Task(self.plan.graph.pose, case.driving, case.given, owners, loaded)
+        reactions = self._reactions.setdefault(driving, Reactions(pose, (driving,)))
+        return Task(pose, driving, case.given, owners, loaded, reactions)
+
+    def exact(self, ideal: str, sense: Sense, solve: Callable[[], Named]) -> Named:
+        """Return a result's solution, once for the load with friction and the efficiency."""
+        if (ideal, sense) not in self._exact:
+            self._exact[ideal, sense] = solve()
+        return self._exact[ideal, sense]
 
     def remark_on_pins(self, case: Case, *, exact: bool) -> None:
         """Remark on pins whose friction depends on the link that they are fast in."""

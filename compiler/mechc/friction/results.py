@@ -1,15 +1,14 @@
 """Results with friction: a formula, with all that it rests on."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import symbols
 from ..model.mechanism import Find, Require
 from ..model.result import Case as PrintedCase
 from ..model.result import Definition, FrictionResult, Result
-from ..power.definitions import bound_sums, intermediates
+from ..power.definitions import intermediates, open_lengths
 from .closed_form import Named, Printed
-from .normal_forces import LoadedPair
 from .problem import Loaded, Problem
 
 
@@ -17,7 +16,7 @@ def result_of(
     problem: Problem, find: Find, ideal: Result, loaded: Loaded, named: Named
 ) -> FrictionResult:
     """Return the solution as a result, the one without friction being ``ideal``."""
-    sums = _sums(problem, loaded)
+    sums = problem.sums(loaded)
     return FrictionResult(
         find.name,
         find.target,
@@ -38,9 +37,8 @@ def _elsewhere(
     if named.elsewhere is None:
         return None
     found = result_of(problem, find, ideal, loaded, named.elsewhere)
-    formulas = [found.formula, *(d.formula for d in found.where)]
-    used = frozenset[str]().union(*map(symbols, formulas))
-    return found if used.isdisjoint(problem.plan.graph.pose.placeholders) else None
+    missing = open_lengths(problem.plan, (found.formula, *(d.formula for d in found.where)))
+    return None if missing else found
 
 
 def _case(problem: Problem, find: Find, ideal: Result, printed: Printed) -> PrintedCase:
@@ -54,16 +52,7 @@ def resting_on(
     problem: Problem, ideal: Result, formula: Formula, own: Sequence[Definition]
 ) -> tuple[Definition, ...]:
     """Return definitions with those that they rest on: of the pose, of weights."""
-    formulas = [formula, *(d.formula for d in own)]
-    used = {name for f in formulas for name in symbols(f)}
+    used = symbols(formula, *(d.formula for d in own))
     weights = [Definition(n, f) for n, f in problem.valued.items() if n in used]
-    known = [*weights, *intermediates(problem.plan.graph.pose, formulas), *ideal.where]
-    return tuple(dict.fromkeys((*known, *own)))
-
-
-def _sums(problem: Problem, loaded: Sequence[LoadedPair]) -> Iterator[Definition]:
-    """Yield the named sums that slips and pressing forces rest on."""
-    yield from bound_sums(problem.plan, [p.slip for p in loaded])
-    for each in (p for p in loaded if p.pair.thrust is None):
-        for plan, component in zip(each.plans, each.components, strict=True):
-            yield from bound_sums(plan, [component.ideal, *component.by.values()])
+    known = [*weights, *intermediates(problem.plan.graph.pose, used), *ideal.where]
+    return tuple({d.name: d for d in (*known, *own)}.values())

@@ -24,7 +24,7 @@ from ..algebra.sums import add, canonical
 from ..model.mechanism import Link
 from ..pose.pose import PointContact
 from .closed_form import Condition
-from .free_bodies import HALF_TURN, Bodies, BodyForce, EquationsCoupled, Kind, Surface, Task, under
+from .free_bodies import HALF_TURN, Bodies, BodyForce, EquationsCoupled, Kind, Surface, under
 from .lever import Bearing, Sides, on_lever
 from .notes import Notes
 from .pairs import radii, reduced
@@ -35,8 +35,8 @@ from .steps import Step
 class SequentialSolver:
     """Solves body after body; ``sizes`` are the forces known so far, in units of the load."""
 
-    def __init__(self, task: Task, cranks: bool, signs: Signs, sense: int) -> None:
-        self._bodies = Bodies(task, cranks)
+    def __init__(self, bodies: Bodies, signs: Signs, sense: int) -> None:
+        self._bodies, task = bodies, bodies.task
         self._driving, self._signs, self._sense = task.driving, signs, sense
         self.sizes: dict[str, Product] = dict(task.given)
         self.conditions: list[Condition] = []

@@ -8,7 +8,7 @@ import operator
 from collections.abc import Callable, Iterable, Mapping
 
 from ..formula.tree import Formula, Number, Symbol
-from ..formula.walk import Evaluation, evaluate, straight_line, symbols
+from ..formula.walk import Evaluation, Mentions, evaluate, straight_line, symbols
 from ..units import ANGLE, LENGTH
 from .formulas.order import ordered
 from .mechanism import Mechanism, Parameter, Require
@@ -37,7 +37,8 @@ class Chain:
     """
 
     def __init__(self, formulas: Mapping[str, Formula]) -> None:
-        needs = {name: symbols(formula) for name, formula in formulas.items()}
+        mentions = Mentions()
+        needs = {name: mentions.of(formula) for name, formula in formulas.items()}
         order, _ = ordered({name: set(n & formulas.keys()) for name, n in needs.items()})
         self._steps = [(name, formulas[name], needs[name]) for name in order]
         self._codes: dict[frozenset[str], _Code | None] = {}
@@ -104,9 +105,10 @@ class _Code:
 def completed(values: Values, definitions: Iterable[tuple[str, Formula]]) -> dict[str, float]:
     """Return values with definitions that stand in order, as far as their names have values."""
     found = dict(values)
+    evaluation, needs = Evaluation(found), Mentions()
     for name, formula in definitions:
-        if symbols(formula) <= found.keys():
-            found[name] = evaluate(formula, found)
+        if needs.of(formula) <= found.keys():
+            found[name] = evaluation.of(formula)
     return found
 
 
@@ -185,7 +187,7 @@ def allowed(mechanism: Mechanism, values: Values) -> bool:
 
 def holds(condition: Require, values: Values) -> bool:
     """Return whether a condition holds; True where it has no value."""
-    if not symbols(condition.left) | symbols(condition.right) <= values.keys():
+    if not symbols(condition.left, condition.right) <= values.keys():
         return True
     left, right = evaluate(condition.left, values), evaluate(condition.right, values)
     return compare(left, condition.operator, right)

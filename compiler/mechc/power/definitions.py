@@ -26,7 +26,8 @@ def resting_on(plan: Plan, formula: Formula, values: Sequence[Product]) -> tuple
     ``values`` is the same as algebra, in which the bound sums are found.
     """
     chosen = bound_sums(plan, values)
-    return (*intermediates(plan.graph.pose, [formula, *(d.formula for d in chosen)]), *chosen)
+    names = symbols(formula, *(d.formula for d in chosen))
+    return (*intermediates(plan.graph.pose, names), *chosen)
 
 
 def bound_sums(plan: Plan, values: Iterable[Product]) -> list[Definition]:
@@ -40,11 +41,9 @@ def bound_sums(plan: Plan, values: Iterable[Product]) -> list[Definition]:
     return chosen[::-1]
 
 
-def intermediates(pose: Pose, formulas: Sequence[Formula]) -> list[Definition]:
-    """Return the named angles and lengths of the pose that formulas rest on, in order."""
-    if not pose.definitions:
-        return []
-    used = {s for f in formulas for s in symbols(f)}
+def intermediates(pose: Pose, names: Iterable[str]) -> list[Definition]:
+    """Return the named angles and lengths of the pose that names rest on, in order."""
+    used = set(names)
     chosen = []
     for definition in reversed(pose.definitions):
         if definition.name in used:
@@ -55,8 +54,9 @@ def intermediates(pose: Pose, formulas: Sequence[Formula]) -> list[Definition]:
 
 def open_lengths(plan: Plan, formulas: Iterable[Formula]) -> list[str]:
     """Return the lengths that the description leaves open and formulas depend on: ``AB``."""
-    used = {s for f in formulas for s in symbols(f)}
-    return [n.removeprefix("len_") for n in plan.graph.pose.placeholders if n in used]
+    lengths = plan.graph.pose.placeholders
+    used = symbols(*formulas) if lengths else ()
+    return [n.removeprefix("len_") for n in lengths if n in used]
 
 
 def bound_names(value: Product) -> Iterator[str]:
@@ -116,7 +116,7 @@ def _back_to(name: str, defined: Needed) -> list[str]:
 
 def _let(let: Let, pose: Pose, where: Needed, used: Sequence[Result]) -> Result:
     """Return a formula of the user's own; it stands where the results stand that it uses."""
-    of_the_pose = intermediates(pose, [let.value, *where.values()])
+    of_the_pose = intermediates(pose, symbols(let.value, *where.values()))
     known = [d for d in of_the_pose if d.name not in where]
     definitions = (*known, *(Definition(n, f) for n, f in where.items()))
     guards = tuple(dict.fromkeys(g for r in used for g in r.guards))

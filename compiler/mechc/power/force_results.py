@@ -36,7 +36,8 @@ def _result(problem: Problem, find: Find, asked: Reaction | Axial | Normal, foun
     where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
     problem.check_lengths(find, [found.formula, *(d.formula for d in where)])
     given = _given_loads(problem, found)
-    before = intermediates(problem.plan.graph.pose, [*(g.formula for g in given), found.formula])
+    names = symbols(found.formula, *(g.formula for g in given))
+    before = intermediates(problem.plan.graph.pose, names)
     coefficients = found.coefficients
     return Result(
         find.name,

@@ -6,6 +6,7 @@ from ..algebra.product import ZERO, Product
 from ..algebra.sums import canonical
 from ..diagnostics import power as messages
 from ..formula.tree import Symbol, product, total
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Find, LoadForm, LoadRatio
 from ..model.result import Definition, Result
@@ -99,6 +100,6 @@ def _linear(problem: Problem, find: Find, load: str, values: Mapping[str, Produc
     formula = total(product([(c, 1), (Symbol(n), 1)]) for n, c in coefficients.items())
     result = problem.result(find, formula, problem.dimension(load), list(values.values()))
     given = [Definition(n, f) for n in values if (f := problem.given(n)) is not None]
-    found = intermediates(problem.plan.graph.pose, [*(g.formula for g in given), formula])
+    found = intermediates(problem.plan.graph.pose, symbols(*(g.formula for g in given), formula))
     where = dict.fromkeys((*found, *result.where, *given))
     return replace(result, where=tuple(where), coefficients=coefficients)

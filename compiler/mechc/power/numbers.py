@@ -45,7 +45,7 @@ class DefaultNumbers:
         """Return whether no formula of the user's that a result mentions is NaN there."""
         formulas = (result.formula, *(d.formula for d in result.where))
         own = {p.name for p in self._plan.graph.pose.mechanism.parameters if p.dependent}
-        mentioned = own & set[str]().union(*map(symbols, formulas))
+        mentioned = own & symbols(*formulas)
         return not any(math.isnan(self.values.get(name, 0.0)) for name in mentioned)
 
     def of(self, result: Result) -> Size:

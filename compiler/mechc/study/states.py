@@ -47,6 +47,8 @@ class Moving:
         self.sweep, self.ideal, self.real = sweep, ideal, real
         self._sign = SIGNS[sense]
         self._known: dict[float, Found] = {}
+        self._driven: dict[float, bool | None] = {}
+        self._signs: dict[float, tuple[float, ...]] = {}
 
     @cached_property
     def is_iterated(self) -> bool:
@@ -66,7 +68,10 @@ class Moving:
 
     def driven(self, x: float) -> bool | None:
         """Return whether the motion is the one that the load drives; None at a dead centre."""
-        return None if self.is_dead_centre(x) else self._sign * self.without(x) < 0
+        if x not in self._driven:
+            is_dead = self.is_dead_centre(x)
+            self._driven[x] = None if is_dead else self._sign * self.without(x) < 0
+        return self._driven[x]
 
     def is_dead_centre(self, x: float) -> bool:
         """Return whether the ratio without friction is 0 or infinite, but for rounding, or none.
@@ -96,9 +101,11 @@ class Moving:
 
     def signs(self, x: float) -> tuple[float, ...]:
         """Return the signs of slips and forces: where one changes, friction may jump."""
-        names, signed = self._signed
-        values = self.sweep.named(signed, x) if self.sweep.values(x) else {}
-        return tuple(values[name] for name in names if name in values)
+        if x not in self._signs:
+            names, signed = self._signed
+            values = self.sweep.named(signed, x) if self.sweep.values(x) else {}
+            self._signs[x] = tuple(values[name] for name in names if name in values)
+        return self._signs[x]
 
     @cached_property
     def _signed(self) -> tuple[list[str], Result]:

@@ -28,6 +28,7 @@ class Sweep:
         self._known: dict[float, dict[str, float]] = {}
         self._chains: dict[int, tuple[Result, Chain]] = {}
         self._found: dict[tuple[int, float], float] = {}
+        self._sizes: dict[tuple[int, float], float | None] = {}
         self._rounding: dict[float, Rounding] = {}
         self._last: tuple[Result, float, dict[str, float]] | None = None
 
@@ -45,13 +46,19 @@ class Sweep:
 
     def beyond_rounding(self, result: Result, x: float) -> float | None:
         """Return a result's value without what is nothing but rounding; None where it has none."""
+        key = id(result), x
+        if key not in self._sizes:
+            number, rounding = self.of(result, x), self._rounding_at(x)
+            size = beyond_rounding(number, result.formula, result.where, rounding)
+            self._sizes[key] = size.number
+        return self._sizes[key]
+
+    def _rounding_at(self, x: float) -> Rounding:
         if x not in self._rounding:
             rounding = Rounding({**self.defaults, self._parameter: x})
             rounding.define(self._chain.definitions)
             self._rounding[x] = rounding
-        number = self.of(result, x)
-        rounding = self._rounding[x]
-        return beyond_rounding(number, result.formula, result.where, rounding).number
+        return self._rounding[x]
 
     def varying(self, result: Result) -> set[str]:
         """Return the parameter and the names that vary with it, those of a result among them."""

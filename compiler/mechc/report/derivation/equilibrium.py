@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ...equilibrium.equilibrium import Balance, Equilibrium, Found, JointForce, Step, Terms
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
+from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...frozen import replace
 from ...pose.pose import Pose
@@ -60,7 +61,7 @@ class _Writer:
         paragraphs = tuple(self._paragraphs(equilibrium))
         sides = [side for p in paragraphs for equation in p.equations for side in equation]
         names = (equilibrium.result,)
-        return Explanation(names, paragraphs, tuple(intermediates(self._pose, sides)))
+        return Explanation(names, paragraphs, tuple(intermediates(self._pose, symbols(*sides))))
 
     def _paragraphs(self, equilibrium: Equilibrium) -> Iterator[Paragraph]:
         if not self._found:
@@ -87,8 +88,8 @@ def _force(force: JointForce) -> Paragraph:
     kind = "crank" if force.kind == "pin" and force.subject[-1] else force.kind
     sentence, places = _FORCES[kind]
     names = {place: (name,) for place, name in zip(places, force.subject, strict=False)}
-    symbols = zip(("force", "other"), map(Symbol, force.names), strict=False)
-    return Paragraph(sentence, (), names, dict(symbols))
+    letters = zip(("force", "other"), map(Symbol, force.names), strict=False)
+    return Paragraph(sentence, (), names, dict(letters))
 
 
 def _sums(step: Step, pose: Pose) -> Iterator[Paragraph]:
