@@ -796,6 +796,17 @@ def test_a_stretch_ends_at_the_place_of_which_nothing_is_known():
     assert beyond.low.left_out
 
 
+@pytest.mark.parametrize("wide", [10, 45])
+def test_where_iteration_fails_for_one_number_a_jam_is_not_cut_in_two(wide):
+    """8.3e-8 rad beyond the pole at 90 degrees friction is found for the numbers on either side."""
+    text = (LIBRARY / "fedoriv_fig2a_with_friction.mech").read_text(encoding="utf-8")
+    given = f"alpha = 85 deg in {90 - wide} deg .. {90 + wide} deg"
+    found = sampled(text.replace("alpha = 10 deg in 1 deg .. 45 deg", given))
+    ((state, low, high),) = within(found["k_hold"], "alpha")
+    assert (state, low) == ("jammed", 90)
+    assert high == pytest.approx(90 + math.degrees(math.asin(1 / 80)), abs=1e-9)
+
+
 def sampled(text_: str) -> dict[str, Analysis]:
     """Return the results of a description of which nothing is refuted by sampling of code."""
     compilation = Compilation(Source("m.mech", text_))

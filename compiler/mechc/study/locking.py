@@ -125,8 +125,24 @@ class _Stretches:
             is_near = _are_near(grid, grid[end], grid[beside])
             if states[end] is None and is_near and self._is_beyond(grid[end]):
                 states[end] = states[beside]
+        self._settle(grid, states)
         self._bridge(grid, states)
         return states
+
+    def _settle(self, grid: Sequence[float], states: list[State | None]) -> None:
+        """Give a value at which iteration gives up the state of one next to it, but for rounding.
+
+        Beside a dead centre iteration may fail for one number and succeed for the next.
+        """
+        near = NEARLY * (grid[-1] - grid[0]) if grid else 0.0
+        for i, j in chain(pairwise(range(len(grid))), pairwise(reversed(range(len(grid))))):
+            is_one = abs(grid[i] - grid[j]) <= near
+            if states[j] is None and is_one and self._is_one_motion(grid[i], grid[j]):
+                states[j] = states[i]
+
+    def _is_one_motion(self, *places: float) -> bool:
+        """Return whether there is no dead centre between values."""
+        return len({self.moving.driven(x) for x in places}) == 1
 
     def _bridge(self, grid: Sequence[float], states: list[State | None]) -> None:
         """Let what is unknown between two values at which the same motion locks or jams be so, too.
@@ -137,9 +153,8 @@ class _Stretches:
         known = (i for i, state in enumerate(states) if state)
         for i, j in pairwise(known):
             if j > i + 1 and states[i] == states[j] != "free":
-                motions = {self.moving.driven(x) for x in grid[i : j + 1]}
                 is_single = j == i + 2 and self._is_known_beside(grid, i)
-                if len(motions) == 1 and not is_single:
+                if self._is_one_motion(*grid[i : j + 1]) and not is_single:
                     states[i:j] = [states[i]] * (j - i)
 
     def _is_known_beside(self, grid: Sequence[float], i: int) -> bool:
