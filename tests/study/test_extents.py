@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from extents import refuted as extent_refuted
 from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
@@ -12,7 +13,6 @@ from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from mechc.work import Allowance
 from paths import LIBRARY
-from statements import extent_refuted
 
 WIDE = {"phi": (2.6, "rad"), "s": (0.05, "m")}
 
@@ -95,6 +95,8 @@ def test_the_sampler_refutes_what_is_false():
     assert list(extent_refuted(extent, at)) == []
     assert list(extent_refuted(replace(extent, zeros=()), at))
     assert list(extent_refuted(replace(extent, least=extent.greatest), at))
+    assert list(extent_refuted(replace(extent, zeros=(*extent.zeros, 1.234)), at))
+    assert list(extent_refuted(replace(extent, poles=extent.zeros), at))
 
 
 def test_a_report_goes_without_what_would_take_too_much_work(monkeypatch):

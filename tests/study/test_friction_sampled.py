@@ -10,12 +10,15 @@ from force_samples import pushing
 from force_trains import train
 from friction_chains import chain
 from friction_lines import friction_of
-from friction_statements import refuted
+from friction_statements import Ratios, as_given, printed, refuted, throughout
 from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
+from mechc.formula.tree import Symbol
+from mechc.frozen import replace
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
+from paths import LIBRARY
 
 STROKES = {"phi": ((0.25, 1.0, 2.6), "rad"), "s": ((0.04,), "m")}
 
@@ -103,6 +106,23 @@ def test_between_places_where_nothing_moves_something_may():
     assert list(refuted(compilation)) == []
     (held,) = (r.locking.reaches[0] for r in compilation.results if r.name == "k_hold")
     assert [s.state for s in held.stretches] == ["locked", "locked"]
+
+
+def test_the_sampler_refutes_what_is_false_of_friction():
+    """A state as given, a stretch outside the range that is wider, a case printed wrong."""
+    text = (LIBRARY / "fedoriv_fig2a_with_friction.mech").read_text(encoding="utf-8")
+    text = text.replace("10 deg in 1 deg .. 45 deg", "70 deg in 60 deg .. 100 deg")
+    compilation = Compilation(Source("toggle.mech", text))
+    assert list(refuted(compilation)) == []
+    held = next(r for r in compilation.results if r.name == "k_hold")
+    ratios = Ratios(compilation, held)
+    assert list(as_given(ratios, replace(held, locking=replace(held.locking, state="locked"))))
+    (reach,) = (r for r in held.locking.reaches if r.parameter == "alpha")
+    stuck = next(s for s in reach.stretches if s.within is None)
+    wider = stuck._replace(high=stuck.high._replace(x=2 * stuck.high.x))
+    assert list(throughout(ratios, held, reach, wider))
+    assert held.holds
+    assert list(printed(compilation, replace(held, formula=Symbol("alpha"))))
 
 
 @pytest.mark.slow

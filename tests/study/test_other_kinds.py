@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from conclusions import refuted as followed
 from friction_statements import refuted as refuted_with_friction
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
@@ -37,6 +38,7 @@ def hold(kind: str, seeds: range, folder: Path) -> int:
         for result in compilation.results:
             mechanism = compilation.pose.mechanism
             assert list(refuted(mechanism, result, seed)) == [], seed
+            assert list(followed(None, mechanism, result, seed)) == [], seed
             if not isinstance(result.target, WithFriction | Efficiency):
                 assert list(missing(mechanism, result, seed)) == [], seed
         number += 1

@@ -4,6 +4,8 @@ import re
 
 import pytest
 
+from conclusions import refuted as followed
+from force_samples import tree_of
 from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
@@ -51,14 +53,16 @@ def hold(seeds, equal=False):
     """Compile chains and try what is said; return how many had a result."""
     compiled, codes = 0, set[str]()
     for seed in seeds:
+        text = Chain(seed, equal).text
         try:
-            mechanism, found = results(Chain(seed, equal).text)
+            (mechanism, found), tree = results(text), tree_of(text)
         except MechcError as error:
             codes |= {d.code for d in error.diagnostics}
             continue
         for result in found:
             assert list(refuted(mechanism, result, seed)) == [], seed
             assert list(missing(mechanism, result, seed)) == [], seed
+            assert list(followed(tree, mechanism, result, seed)) == [], seed
         compiled += 1
     assert "E817" not in codes
     return compiled
@@ -124,6 +128,7 @@ def closed_hold(seeds):
             for result in found:
                 assert list(refuted(mechanism, result, grown.seed)) == [], grown.seed
                 assert list(missing(mechanism, result, grown.seed)) == [], grown.seed
+                assert list(followed(None, mechanism, result, grown.seed)) == [], grown.seed
 
 
 def test_what_is_said_of_closed_mechanisms_holds_along_the_drive():
@@ -179,6 +184,26 @@ def test_a_pole_is_stated_where_the_default_pose_is_next_to_where_it_cancels():
 def test_the_sampler_refutes_what_is_false(trend):
     mechanism, (k,) = results(POLE)
     assert list(refuted(mechanism, replace(k, trends={"alpha": trend})))
+
+
+def test_conclusions_that_are_false_are_refuted():
+    """Slopes, dead centres, and the load that is across the motion of its point."""
+    mechanism, (k,) = results(POLE)
+    tree = tree_of(POLE)
+    assert list(followed(tree, mechanism, k)) == []
+    assert list(followed(tree, mechanism, replace(k, derivatives={"alpha": k.formula})))
+    across = [limit._replace(cause="perpendicular load") for limit in k.poles]
+    assert list(followed(tree, mechanism, replace(k, poles=tuple(across))))
+
+
+def test_what_does_not_turn_and_what_is_not_infinite_is_refuted():
+    mechanism, (k,) = results(POLE.replace("100 deg", "89 deg"))
+    assert list(refuted(mechanism, replace(k, trends={"alpha": "turns"})))
+    mechanism, (k,) = results(swept(Grown(1356)))
+    (far,) = k.breaks
+    assert list(followed(None, mechanism, k)) == []
+    finite = far._replace(name="phi_A4D12")
+    assert list(followed(None, mechanism, replace(k, breaks=(finite,))))
 
 
 def test_the_sampler_finds_zeros_that_are_none_and_those_left_out():

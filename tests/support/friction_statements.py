@@ -5,15 +5,22 @@ value nothing is refuted.
 """
 
 import math
+import operator
 from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from mechc.driver import Compilation
-from mechc.model.locking import USUAL, EfficiencyRange, LockingIntervals
+from mechc.formula.walk import symbols
+from mechc.model.locking import USUAL, EfficiencyRange, LockingIntervals, Stretch
+from mechc.model.mechanism import Mechanism
 from mechc.model.result import Result
 from mechc.model.targets import SIGNS, Efficiency, WithFriction
-from mechc.routine.evaluate import evaluate
+from mechc.model.values import defaults, independent
+from mechc.routine.evaluate import evaluate, status
+from mechc.study.analysis import Analysis
+from statements import evaluate as value_of
+from statements import poses, with_rest
 
 DENSE = 2001
 """Places along a range."""
@@ -26,6 +33,24 @@ NEAR = 1e-5
 
 ENOUGH = 1e-3
 """What an efficiency may be off: three figures are stated."""
+
+OUTSIDE = 201
+"""Places along a stretch that lies outside the range, or has none."""
+
+STATES = {0: "free", 3: "locked", 4: "jammed"}
+"""What the status in code means; of others nothing is known."""
+
+CASES = 20
+"""Poses at which the printed case of a ratio with friction is compared with code."""
+
+COMPARED = {
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+    "=": operator.eq,
+    "!=": operator.ne,
+}
 
 Array = np.ndarray
 
@@ -51,15 +76,26 @@ class Ratios:
         with np.errstate(all="ignore"):
             return k, np.where(k != 0, real / k, np.nan)
 
+    def states(self, values: Mapping[str, float | Array]) -> Array:
+        """Return the statuses in code, with the other parameters at their values."""
+        ideal, real = self.parts
+        return np.asarray(status(real, ideal, {**self.defaults, **values}))
+
 
 def refuted(compilation: Compilation) -> Iterator[str]:
     """Yield every statement on friction that sampling refutes."""
     for result in compilation.results:
+        if result.locking:
+            yield from as_given(Ratios(compilation, result), result)
         for reach in result.locking.reaches if result.locking else ():
             if reach.range:
                 yield from stuck(Ratios(compilation, result), result, reach)
+            for stretch in reach.stretches:
+                yield from throughout(Ratios(compilation, result), result, reach, stretch)
         for course in result.courses:
             yield from run(Ratios(compilation, result), result, course)
+        if result.holds:
+            yield from printed(compilation, result)
 
 
 def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[str]:
@@ -79,6 +115,61 @@ def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[s
         if (said := [state for (a, b), state in parts if a <= x <= b]) != truth:
             yield f"{result.name} at {reach.parameter} = {x!r}: said {said}, is {truth}"
             return
+
+
+def as_given(ratios: Ratios, result: Result) -> Iterator[str]:
+    """Yield the state at the values given, where it is not what code has."""
+    assert result.locking is not None
+    state = STATES.get(int(ratios.states({})))
+    if state and result.locking.state not in (None, state):
+        yield f"{result.name} at the values given: said {result.locking.state}, is {state}"
+
+
+def throughout(
+    ratios: Ratios, result: Result, reach: LockingIntervals, stretch: Stretch
+) -> Iterator[str]:
+    """Yield where code has another state within a stretch, outside the range or in it."""
+    ends = reach.range or (math.nan, math.nan)
+    low = stretch.low.x if stretch.low else ends[0]
+    high = stretch.high.x if stretch.high else ends[1]
+    places = low + (high - low) * np.linspace(NEAR, 1 - NEAR, OUTSIDE)
+    for x, code in zip(places, ratios.states({reach.parameter: places}), strict=True):
+        if STATES.get(int(code), stretch.state) != stretch.state:
+            yield f"{result.name} at {reach.parameter} = {x!r}: {stretch.state}, is {code}"
+            return
+
+
+def printed(compilation: Compilation, result: Analysis) -> Iterator[str]:
+    """Yield where the printed case holds, as it says, and code has another value."""
+    function = next(f for f in compilation.routine.functions if f.name == result.name)
+    names = {i.name for i in function.inputs}
+    for known in _nearby(compilation.pose.mechanism, result):
+        if not symbols(result.formula) | names <= known.keys() or not _holds(result, known):
+            continue
+        here, code = value_of(result.formula, known), float(evaluate(function, known))
+        if math.isfinite(here) and not math.isclose(here, code, rel_tol=1e-7, abs_tol=1e-12):
+            yield f"{result.name} is {code}, printed {here} at {known}"
+            return
+
+
+def _nearby(mechanism: Mechanism, result: Analysis) -> Iterator[Mapping[str, float]]:
+    """Yield the values given, values nearby, and farther away in the ranges."""
+    given = defaults(mechanism)
+    for i, pose in enumerate(poses(mechanism, result, CASES, CASES)):
+        part = 0.5 ** (i % 8) if i else 0.0
+        free = {p.name for p in independent(mechanism)} & given.keys()
+        moved = {n: given[n] + part * (pose[n] - given[n]) for n in free}
+        loads = {k.name: pose[k.name] for k in mechanism.loads if k.name in pose}
+        yield with_rest(mechanism, result, {**loads, **moved})
+
+
+def _holds(result: Analysis, known: Mapping[str, float]) -> bool:
+    conditions = (*result.holds, *result.guards)
+    if not all(symbols(c.left) | symbols(c.right) <= known.keys() for c in conditions):
+        return False
+    return all(
+        COMPARED[c.operator](value_of(c.left, known), value_of(c.right, known)) for c in conditions
+    )
 
 
 def run(ratios: Ratios, result: Result, course: EfficiencyRange) -> Iterator[str]:

@@ -1,0 +1,132 @@
+"""What follows from a result at a pose, held against velocities and against nearby poses.
+
+Dead centres and loads across the motion, slopes, lengths that are infinite. Each function yields
+what is refuted, in words; nothing where all holds.
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+import statements
+from mechc.formula.walk import symbols
+from mechc.model.mechanism import Force, Mechanism, Torque
+from mechc.model.targets import LoadRatio
+from mechc.model.values import independent
+from mechc.study.analysis import Analysis, DeadCentre, Vanishing
+from mechc.syntax import ast
+from reference_geometry import assemble_half, defined
+from reference_kinematics import Motion
+from statements import NEAR, NIL, Values, evaluate, order, poses, roots, with_rest
+
+STEP = 1e-6
+"""How far a parameter is moved for a slope, in radians or as a part of its size."""
+
+
+def refuted(
+    tree: ast.File | None, mechanism: Mechanism, result: Analysis, seed: int = 0
+) -> Iterator[str]:
+    """Yield every conclusion from a result that is refuted; dead centres where there is a tree."""
+    for pose in poses(mechanism, result, 2, seed):
+        yield from slopes(mechanism, result, pose)
+        if tree and isinstance(result.target, LoadRatio) and not result.where:
+            yield from centres(tree, mechanism, result, pose)
+    yield from breaks(mechanism, result, seed)
+
+
+# ----------------------------------------------------------------------------- slopes
+
+
+def slopes(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
+    """Yield the derivatives that are no slopes of the formula, through all that it rests on."""
+    free = {n: pose[n] for n in statements.free(mechanism, pose)}
+    for name, derivative in (result.derivatives or {}).items():
+        used = symbols(result.formula) | symbols(derivative)
+        if name not in free or not used <= pose.keys():
+            continue
+        step = STEP * max(1e-3, abs(free[name]))
+        moved = ({**free, name: free[name] + i * step} for i in RULE)
+        found = [statements.value(mechanism, result, values) for values in moved]
+        slope = sum(w * k for w, k in zip(WEIGHTS, found, strict=True)) / step
+        size = max(map(abs, found)) / max(1e-3, abs(free[name]))
+        stated = evaluate(derivative, pose)
+        if not math.isfinite(stated + slope) or _is_rough(found):
+            continue
+        if not abs(stated - slope) <= 1e-5 * (size + abs(stated)) + NIL:
+            yield f"d{result.name}/d{name} = {slope}, not {stated}"
+
+
+RULE, WEIGHTS = (-2, -1, 1, 2), (1 / 12, -2 / 3, 2 / 3, -1 / 12)
+"""Places and weights of a difference quotient of fourth order."""
+
+
+def _is_rough(found: list[float]) -> bool:
+    """Return whether a curve bends within the steps: a pole or a kink is near."""
+    steps = np.diff(found)[[0, 2]]
+    return bool(abs(steps[0] - steps[1]) > 1e-3 * np.abs(steps).max())
+
+
+# ----------------------------------------------------------- dead centres, by velocities
+
+
+def centres(tree: ast.File, mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
+    """Yield the dead centres at which what is said to stand still moves, and the other way."""
+    assert isinstance(result.target, LoadRatio)
+    below, above = result.target.below, result.target.above
+    for limits, still, moving in ((result.zeros, below, above), (result.poles, above, below)):
+        for limit in limits:
+            if limit.at is not None and limit.cause != "other":
+                yield from _centre(tree, mechanism, limit, (still, moving), pose)
+
+
+def _centre(
+    tree: ast.File, mechanism: Mechanism, limit: Vanishing, names: tuple[str, str], pose: Values
+) -> Iterator[str]:
+    loads = {load.name: load for load in mechanism.loads}
+    free = {p.name: pose[p.name] for p in independent(mechanism) if p.name in pose}
+    assert limit.at is not None
+    name, value = limit.at
+    if name not in free or not all(isinstance(loads[n], Force | Torque) for n in names):
+        return
+    x = evaluate(value, free)
+    near, far = (
+        _speeds(tree, {**free, name: x + d}, [loads[n] for n in names]) for d in (STEP, 10 * STEP)
+    )
+    if not near or not far or not near[1] or not far[1] or not far[0]:
+        return
+    first, second = near[0] / near[1], far[0] / far[1]
+    stands = first < 0.3 * second
+    if stands != isinstance(limit.cause, DeadCentre):
+        yield f"{limit.cause} at {name} = {math.degrees(x):.4f}°: {near}, {far}"
+
+
+def _speeds(tree: ast.File, values: Values, loads: list[Force | Torque]) -> list[float]:
+    """Return how fast the points, or links, of loads move; nothing where the motion is not one."""
+    motion = Motion(assemble_half(tree, defined(tree, dict(values))))
+    if motion.basis.shape[1] != 1:
+        return []
+    found = []
+    for load in loads:
+        row = motion.velocity(load.point) if isinstance(load, Force) else motion.turning(load.link)
+        found.append(float(np.linalg.norm(row @ motion.basis)))
+    return found
+
+
+# ------------------------------------------------------------------------ what is infinite
+
+
+def breaks(mechanism: Mechanism, result: Analysis, seed: int) -> Iterator[str]:
+    """Yield the conditions under which what is said to be infinite is not."""
+    for pose, name, low, high in statements.sweeps(mechanism, result, seed):
+        free = {p.name: pose[p.name] for p in independent(mechanism) if p.name in pose}
+
+        def at(x: float, name: str = name, free: Values = free) -> Values:
+            return with_rest(mechanism, result, {**free, name: x})
+
+        for limit in result.breaks:
+            for x in roots(lambda x, f=limit.factor: evaluate(f, at(x)), low, high):
+                own = order(lambda x, f=limit.factor: abs(evaluate(f, at(x))), x, NEAR)
+                found = order(lambda x, n=limit.name: abs(at(x).get(n, math.nan)), x, NEAR)
+                if own is not None and own > 0.5 and found is not None and found > -0.5:
+                    yield f"{limit.name} is not infinite at {name} = {x}: order {found:.2f}"

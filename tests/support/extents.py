@@ -1,0 +1,61 @@
+"""What a ratio is said to come to along a stroke or range, held against dense sampling."""
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from itertools import pairwise
+
+from mechc.study.analysis import Extent
+from statements import DENSE
+
+Samples = Callable[[list[float]], Iterable[float]]
+"""The values of a ratio at values of a parameter."""
+
+BESIDE = 1e-6
+"""How far from a zero or a pole it is looked at, as a part of the range."""
+
+
+def refuted(extent: Extent, curve: Samples, number: int = 4 * DENSE) -> Iterator[str]:
+    """Yield what a curve comes to that is not said to; where it has no value nothing is."""
+    low, high = extent.range
+    cell = (high - low) / number
+    places = [low + cell * (i + 0.5) for i in range(number)]
+    values = list(curve(places))
+    sizes = sorted(abs(v) for v in values if math.isfinite(v))
+    usual = sizes[len(sizes) // 2] if sizes else 0.0
+    slack = 1e-9 * usual
+    yield from _beyond(extent, zip(places, values, strict=True), slack)
+    stated = (*extent.zeros, *extent.poles)
+    for (x, a), (_, b) in pairwise(zip(places, values, strict=True)):
+        is_stated = any(x - cell <= place <= x + 2 * cell for place in stated)
+        if extent.looked and a * b < 0 and min(abs(a), abs(b)) > slack and not is_stated:
+            yield f"changes its sign between {x} and {x + cell}"
+    yield from _not_there(extent, curve, usual)
+
+
+def _beyond(extent: Extent, found: Iterable[tuple[float, float]], slack: float) -> Iterator[str]:
+    least = extent.least.value - slack if extent.least else -math.inf
+    greatest = extent.greatest.value + slack if extent.greatest else math.inf
+    for x, value in found:
+        if value < least or value > greatest:
+            yield f"{value} at {x}, not {extent.least} to {extent.greatest}"
+
+
+def _not_there(extent: Extent, curve: Samples, usual: float) -> Iterator[str]:
+    """Yield the extrema, zeros and poles at which a curve has none."""
+    for extreme in (extent.least, extent.greatest):
+        if extreme and not abs(_only(curve, extreme.x) - extreme.value) <= 1e-6 * usual:
+            yield f"{_only(curve, extreme.x)} at {extreme.x}, not {extreme.value}"
+    far = BESIDE * (extent.range[1] - extent.range[0])
+    for way, places in ((1, extent.zeros), (-1, extent.poles)):
+        for x in places:
+            sizes = [abs(v) for v in curve([x - far, x + far, x - 8 * far, x + 8 * far])]
+            near, away = sizes[:2], sizes[2:]
+            if all(math.isfinite(v) and v for v in sizes) and not any(
+                (b / a) ** way > 1.3 for a, b in zip(near, away, strict=True)
+            ):
+                yield f"{near} beside {x}, {away} farther away: no {'zero' if way > 0 else 'pole'}"
+
+
+def _only(curve: Samples, x: float) -> float:
+    (value,) = curve([x])
+    return value
