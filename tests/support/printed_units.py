@@ -218,7 +218,7 @@ class PrintedUnits:
     def __init__(self, tex: str, instead: Mapping[str, float] | None = None) -> None:
         self.table, self.instead = Table(Units()), instead or {}
         self.read_relations = self.valued = 0
-        self.tex = re.sub(r"\^(\d)", r"^{\1}", tex.replace("{,}", "."))
+        self.tex = re.sub(r"\^(\d)", r"^{\1}", tex.replace("{,}", ".").replace(r";\ ", ","))
         self.unread: list[str] = []
         self.current: dict[str, str] = {}
         self.exact: set[str] = set()
