@@ -111,3 +111,14 @@ def test_a_slope_of_a_ratio_by_a_length_is_in_its_reciprocal():
         line for line in page.splitlines() if r"\mathrm{d} k" in line and "-0.167307" in line
     )
     assert slope.endswith(r"-0.167307\,\text{m}^{-1}$.")
+
+
+def test_an_angle_is_no_fraction_before_its_unit() -> None:
+    """Not 663/8 deg, in check, the derivation and the page."""
+    text = "pivot O at (0 mm, 0 mm)\nslider K along x\nlink OA\nlink AK\nA at (10 mm, 80 mm)\n"
+    text += "K at (100 mm, 80 mm)\nforce P at A along x\nforce F at K along -x\nfind k = P/F\n"
+    compilation = compile_source(Source("m.mech", f"{text}let q = k*sin(phi_OA)\n"))
+    assert "where phi_OA = 82.875 deg\n" in "\n".join(report(compilation, verbose=False))
+    assert render(compilation.derivation, compilation.mechanism).count("82.875°") == 4
+    tex = mechc.loads(f"{text}let q = k*sin(phi_OA)\n").emit("latex")
+    assert r"\varphi_{OA}=82.875^\circ" in tex.replace("&", "").replace(r"\phi", r"\varphi")

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 
 from ..driver import Compilation
 from ..formula.to_text import text
-from ..formula.tree import Number
+from ..formula.tree import Constant, Number
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..model.mechanism import (
@@ -177,8 +177,8 @@ def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -
         yield f"    {spell.locale.checked['solve'].format(names=', '.join(group.names))}"
         yield from (f"      {text(zero)} = 0" for zero in group.zeros)
         return
-    if group.name in known.units and isinstance(group.formula, Number):
-        value = f"{float(group.formula.value):.9g} {spell.unit(known.units[group.name])}"
+    if group.name in known.units and isinstance(group.formula, Number | Constant):
+        value = f"{evaluate(group.formula, {}):.9g} {spell.unit(known.units[group.name])}"
         yield _where(f"{group.name} = {value}", spell)
         return
     g = spell.units(f", g = {float(GRAVITY.value)} m/s^2") if group.name in known.usual else ""

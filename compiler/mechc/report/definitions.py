@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
+from ..formula.layout import decimal, short_decimal
 from ..formula.tree import ZERO, Constant, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
 from ..frozen import frozen
@@ -82,10 +83,19 @@ def _as_written(definition: Definition, known: Letters) -> Definition:
     if unit is None or not isinstance(formula, Number):
         return Definition(name, book_form(formula, known.positive))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
-    if value.denominator == 1:
-        return Definition(name, Number(value))
-    figures = f"{float(value):.{DIGITS}g}"  # as in the table of what is given, and no fraction
-    return Definition(name, Constant(figures, Number(value)))
+    is_short = value.denominator < 10**DIGITS
+    shown = value if is_short else Fraction(f"{float(value):.{DIGITS}g}")
+    return Definition(name, _measure(shown))
+
+
+def _measure(value: Fraction) -> Formula:
+    """Return a number as it stands before its unit: 82.875 is no fraction there.
+
+    >>> _measure(Fraction(663, 8)).name
+    '82.875'
+    """
+    figures = None if value.denominator == 1 or short_decimal(value) else decimal(value)
+    return Constant(figures, Number(value)) if figures else Number(value)
 
 
 def given_loads(mechanism: Mechanism) -> Iterator[Parameter]:
