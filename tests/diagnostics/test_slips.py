@@ -1,5 +1,6 @@
 """A slip of the pen is stated where it is, and nothing is emitted that rests on it."""
 
+import re
 from random import Random
 
 import pytest
@@ -25,20 +26,24 @@ def found(source: Source) -> list[Diagnostic]:
 def new(slip: Slip) -> list[Diagnostic]:
     """Return what is said of a slip, and not of the description without it."""
     said = found(slip.source)
-    if errors := [d for d in said if d.code.startswith("E")]:
-        return errors
+    if any(d.code.startswith("E") for d in said):
+        return said
     text = right(slip.path.suffix)[slip.path]
     before = found(Source(slip.path.name, text, folder=slip.path.parent))
     return [d for d in said if (d.code, d.message) not in {(b.code, b.message) for b in before}]
 
 
 def is_at(span: Span | None, slip: Slip) -> bool:
-    """Return whether a place has a line in common with a slip."""
+    """Return whether a place has a line in common with a slip, or names what that declares."""
     if span is None or span.start > len(slip.text):
         return False
     first = slip.source.position(span.start).line
     last = slip.source.position(max(span.start, span.end - 1)).line
-    return first <= slip.line + slip.written.count("\n") and last >= slip.line
+    if first <= slip.line + slip.written.count("\n") and last >= slip.line:
+        return True
+    declared = re.match(r"\s*param (\w+) +=|\s*(\w+):", slip.written)
+    name = declared and (declared[1] or declared[2])
+    return bool(name and re.search(rf"\b{name}\b", slip.source.line(first)))
 
 
 def assert_stated(slip: Slip) -> None:

@@ -204,7 +204,7 @@ IN_LINES = (
 IN_YAML = (
     Kind("tab", r"^  (\w)", "\t\\1"),
     Kind("space after a colon left out", r"^( *\w+): (\S)", r"\1:\2"),
-    Kind("equals for a colon", r"^( *\w+): (\S)", r"\1 = \2"),
+    Kind("equals for a colon", r"^( *\w+): (\d)", r"\1 = \2"),
     Kind("singular", r"^(param|pivot|slider|link|force|torque)s:", r"\1:"),
     Kind("key in capitals", r"^(params|pivots|links|forces|geometry):", "PARAMS:"),
     Kind("key with a slip", r"^(\w{3})\w(\w+):", r"\1\2:"),

@@ -70,7 +70,9 @@ def of_text(text: str, at: int, problem: str, opened: int | None) -> Slip:
         quotes = "a text with ': ' inside needs quotes" if "mapping values" in problem else ""
         return _assigned(text, at) or Slip(at, quotes or "a key of YAML ends in ':'")
     if "<block end>" in problem:
-        return Slip(at, "entries of one list all begin with '-', those of a mapping never do")
+        return _assigned(text, at) or Slip(
+            at, "entries of one list all begin with '-', those of a mapping never do"
+        )
     return Slip(at, "")
 
 
