@@ -146,6 +146,13 @@ def test_nothing_is_said_of_k_where_a_length_that_loops_find_is_infinite():
     assert "is infinite, and k may jump." in " ".join(said.split())
 
 
+def test_a_slope_rests_on_what_its_result_rests_on():
+    """The rate of phi_A4P5 rests on len_P5A4, which the slot along it measures the other way."""
+    mechanism, (k,) = results(swept(Grown(77041312)))
+    assert list(followed(None, mechanism, k)) == []
+    assert k.slopes.keys() == k.derivatives.keys() == {"phi"}
+
+
 @pytest.mark.slow
 def test_what_is_said_of_hundreds_of_closed_mechanisms_holds():
     closed_hold(range(1000, 1080))

@@ -42,8 +42,10 @@ def slopes(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str
     """Yield the derivatives that are no slopes of the formula, through all that it rests on."""
     free = {n: pose[n] for n in statements.free(mechanism, pose)}
     for name, derivative in (result.derivatives or {}).items():
-        used = symbols(result.formula) | symbols(derivative)
-        if name not in free or not used <= pose.keys():
+        if name not in free or not symbols(result.formula) <= pose.keys():
+            continue
+        if undefined := symbols(derivative) - pose.keys():
+            yield f"d{result.name}/d{name} rests on {undefined}, which nothing defines"
             continue
         step = STEP * max(1e-3, abs(free[name]))
         moved = ({**free, name: free[name] + i * step} for i in RULE)

@@ -1,6 +1,6 @@
 """What follows from a result: zeros and poles, proportions, symmetries, trends, derivatives."""
 
-from collections.abc import Callable, Mapping, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from functools import cache, partial
 from itertools import combinations
 from math import isfinite
@@ -104,7 +104,7 @@ def _concluded(
     if len(names) > MANY or not depends_openly(item.value):
         return result
     if result.where:
-        return _sloping(result, _along_the_stroke(item.value, pose), mechanism, numbers)
+        return _sloping(result, _along_the_stroke(item.value, result, pose), mechanism, numbers)
     slopes = {name: derivative(item.value, name) for name in names}
     box = range_box(mechanism)
     trends: dict[str, Trend] = {name: trend(item.value, slopes[name], name, box) for name in names}
@@ -166,10 +166,10 @@ def _with_friction(
             return printed
 
 
-def _along_the_stroke(value: Product, pose: Pose) -> Mapping[str, Formula] | None:
+def _along_the_stroke(value: Product, result: Analysis, pose: Pose) -> Mapping[str, Formula] | None:
     """Return the derivative by the drive, through all loops; None where a rate is not known.
 
-    None, too, where the formula would be too deep.
+    None, too, where the formula would be too deep. It rests on what the result rests on.
     """
     drive = pose.mechanism.drive
     moving = {d.name for d in pose.definitions} & symbols(value.formula())
@@ -177,7 +177,20 @@ def _along_the_stroke(value: Product, pose: Pose) -> Mapping[str, Formula] | Non
         return None
     direct = [derivative(value, drive.parameter)]
     slope = add([*direct, *(derivative(value, n) * pose.rates[n] for n in sorted(moving))])
-    return {drive.parameter: slope.formula()}
+    return {drive.parameter: _put_in(result.where, slope.formula(), pose)}
+
+
+def _put_in(where: Sequence[Definition], formula: Formula, pose: Pose) -> Formula:
+    """Return a formula in which all that loops find, but for what is defined, is put in.
+
+    A rate may rest on a length to which a slot gives a name of its own, P₅A₄ = −A₄P₅. Each
+    definition rests on those before it alone, so that this ends.
+    """
+    known = {d.name for d in where}
+    found = {d.name: d.formula for d in pose.definitions if d.name not in known}
+    while not symbols(formula).isdisjoint(found):
+        formula = substitute(formula, found)
+    return formula
 
 
 def _proportional(value: Product, result: Result) -> Mapping[str, int]:
