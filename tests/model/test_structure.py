@@ -99,6 +99,16 @@ def test_of_two_as_long_the_first_by_its_direction() -> None:
     assert carriers(TONGS.format(right="2 m", slope="10 deg", left="2 m")).of("C") == "AC"
 
 
+@pytest.mark.parametrize(
+    ("point", "link", "first"),
+    [("C", "AC", "AC"), ("C", "BC", "BC"), ("A", "OA", "AC"), ("B", "OB", "BC")],
+)
+def test_of_two_as_long_a_load_on_a_link_decides_before_directions(point, link, first) -> None:
+    """The pin is fast in the link that has the load, or is next to the one that has it."""
+    text = TONGS.format(right="2 m", slope="150 deg", left="2 m")
+    assert carriers(text + f"force R = 2*P at {point} on {link} along y\n").of("C") == first
+
+
 def test_pivots_and_sliders_hold_their_pins() -> None:
     text = FOUR_BAR.format(one="1 m", other="2 m")
     mechanism = Compilation(Source("bars.mech", text)).mechanism

@@ -65,5 +65,5 @@ def _constant(degrees: Rational, quarter: int) -> Product:
     if degrees == 30 and not quarter:
         return Product(Fraction(1, 2))
     if degrees == 45:
-        quarter = 1
+        quarter = 1  # sin 45° = cos 45°, which needs one name
     return Product(1, {Trig("cos" if quarter else "sin", Angle.constant(degrees)): 1})

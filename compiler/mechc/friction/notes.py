@@ -80,6 +80,7 @@ class Notes:
         sense: int = 0,
         equations: Sequence[Pair] = (),
     ) -> None:
+        """Note a step, with the definitions that were made since the last one."""
         fresh = self._signs.definitions[self._noted :]
         self._noted = len(self._signs.definitions)
         self.steps.append(Step(kind, body, pivot, sense, tuple(equations), tuple(fresh)))

@@ -68,7 +68,7 @@ def _declare_it(name: str, known: Collection[str]) -> str:
 
 
 def load_follows(used: str, prefix: str, given: str) -> str:
-    """Return the hint at a load of a used mechanism that nothing gives and that nothing tells."""
+    """Return the hint at a load of a used mechanism that is undetermined until one is given."""
     written = f'"{used}"' if "." in used else used
     return f"it follows once a load is given: use {written} as {prefix} ({given} = …)"
 

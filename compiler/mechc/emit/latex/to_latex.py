@@ -146,6 +146,8 @@ def report(
     whole = outline(derivation, mechanism)
     found = evaluated(whole, mechanism) if options.numbers else ()
     aside, full = at_length(found, whole)
+    shown = {*constants_shown(whole, mechanism), *(e.left for e in full)}
+    is_illustrated = bool(options.pictures or mechanism.reported)
     return Report(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
@@ -169,17 +171,10 @@ def report(
         conditions=conditions(mechanism.requires, Speller(style)),
         values=values(full, locale, style),
         of_position=tuple(in_line(item, locale, style) for item in aside),
-        numbers=numbers(
-            derivation.results,
-            {*constants_shown(whole, mechanism), *(e.left for e in full)},
-            locale,
-            style,
-        ),
+        numbers=numbers(derivation.results, shown, locale, style),
         check=check(verdict, locale, style),
         remarks=untried(verdict, locale, style),
-        pictures=_pictures(compiled, locale, style)
-        if options.pictures or mechanism.reported
-        else NONE,
+        pictures=_pictures(compiled, locale, style) if is_illustrated else NONE,
     )
 
 

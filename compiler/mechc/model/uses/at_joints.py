@@ -31,12 +31,12 @@ class AtJoints:
         self._guides = {s.point.text: s for s in whole if isinstance(s, ast.Slider)}
         frictions = [s for s in whole if isinstance(s, FRICTIONS)]
         named = [(type(s), s.point.text) for s in frictions if s.point]
-        self._rubbing = {(kind, called.get(point, point)) for kind, point in named}
+        self._frictions = {(kind, called.get(point, point)) for kind, point in named}
         self._has_pins = any(s.point is None for s in frictions)
 
     def has_friction(self, point: str) -> bool:
         """Return whether the whole says what friction the pin at a joined point has."""
-        own = (ast.PinFriction, self._joined.get(point)) in self._rubbing
+        own = (ast.PinFriction, self._joined.get(point)) in self._frictions
         return own or (point in self._joined and self._has_pins)
 
     def left(
@@ -64,7 +64,7 @@ class AtJoints:
 
     def _is_said(self, friction: ast.PinFriction | ast.GuideFriction | ast.RollerFriction) -> bool:
         point = friction.point
-        return point is not None and (type(friction), point.text) in self._rubbing
+        return point is not None and (type(friction), point.text) in self._frictions
 
     def _is_joined(self, point: ast.Name) -> bool:
         return point.text in self._joined

@@ -226,6 +226,12 @@ def _has_friction_along(step: Step) -> bool:
     return step.kind == "slider" and step.equations[0][1] != ZERO
 
 
+def _sentence_along(step: Step) -> SentenceKind:
+    """Return the sentence of the forces along a guide."""
+    has_friction = _has_friction_along(step)
+    return SentenceKind.ALONG_WITH_FRICTION if has_friction else SentenceKind.ALONG
+
+
 # ----------------------------------------------------------------------------- paragraphs
 
 
@@ -241,9 +247,9 @@ def _paragraphs(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Pa
     found = [e for e in equations if e.left != _driving(asked)] or equations
     match step.kind:
         case "crossed" | "outer" | "parallel" | "single":
-            names = {"link": (step.body,)}
+            names, is_pressed = {"link": (step.body,)}, step.sense > 0
             yield Paragraph(
-                SentenceKind.PRESSED if step.sense > 0 else SentenceKind.PULLED, names=names
+                SentenceKind.PRESSED if is_pressed else SentenceKind.PULLED, names=names
             )
             yield Paragraph(_LINES[step.kind], tuple(new), names)
         case "face":
@@ -252,13 +258,8 @@ def _paragraphs(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Pa
         case "lever":
             yield from _moments(step, new, found)
         case "slider":
-            sentence = (
-                SentenceKind.ALONG_WITH_FRICTION
-                if _has_friction_along(step)
-                else SentenceKind.ALONG
-            )
             balanced = (*found[:1], *new, *found[1:])
-            yield Paragraph(sentence, balanced, {"point": (step.body,)})
+            yield Paragraph(_sentence_along(step), balanced, {"point": (step.body,)})
         case "pin":
             yield Paragraph(SentenceKind.PIN_OF_RODS, (*found, *new), {"point": (step.body,)})
         case "straight":

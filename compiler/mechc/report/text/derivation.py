@@ -1,6 +1,6 @@
 """The derivation for the terminal: numbered steps, the rule in words, what it gives."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...formula.layout import is_angle
 from ...formula.tree import ZERO, Symbol
@@ -52,20 +52,21 @@ def render(
         *_position(whole.position, spell),
     ]
     lines += [*_velocities(derivation, spell), *_power(derivation, spell)]
-    titles = headings((s.results[0] for s in whole.results), spell.locale, spell)
-    for number, (section, title) in enumerate(zip(whole.results, titles, strict=True)):
-        title = title or ("" if number else spell.locale.results)
-        lines += ["", *([title] if title else []), *_section(section, spell)]
+    lines += _results(whole.results, spell)
     if numbers:
         lines += _numbers(evaluated(whole, mechanism), spell)
     if mechanism.requires:
-        lines += [
-            "",
-            *spell.wrapped(
-                f"{spell.locale.requirements} {conditions(mechanism.requires, spell)}.", ""
-            ),
-        ]
+        demand = f"{spell.locale.requirements} {conditions(mechanism.requires, spell)}."
+        lines += ["", *spell.wrapped(demand, "")]
     return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
+
+
+def _results(sections: Sequence[Section], spell: Speller) -> Iterator[str]:
+    """Yield the sections on results, each under its heading."""
+    titles = headings((section.results[0] for section in sections), spell.locale, spell)
+    for number, (section, title) in enumerate(zip(sections, titles, strict=True)):
+        title = title or ("" if number else spell.locale.results)
+        yield from ("", *([title] if title else []), *_section(section, spell))
 
 
 def render_brief(
