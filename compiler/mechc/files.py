@@ -23,6 +23,9 @@ LARGEST = 1 << 20
 
 SUFFIXES = (".mech", ".yaml", ".yml")
 
+SHEETS = "sheets"
+"""The folder of the library's calculation sheets, in that of its mechanisms."""
+
 
 # ------------------------------------------------------------------------- reading
 
@@ -39,9 +42,9 @@ def find(name: str) -> Path:
     if path.exists():
         return path
     witness.report("absent", name)
+    if found := _in_library(name):
+        return found
     listed = library()
-    if name in listed:
-        return listed[name]
     hint = near_miss(name, [*listed, *_neighbours(path)]) or _holding(name, listed)
     raise MechcError([messages.file_not_found(name, hint)])
 
@@ -52,10 +55,9 @@ def used(name: str, folder: Path | None, span: Span) -> Path:
     Raises :class:`MechcError`: E907 where there is none, E908 where a path leads elsewhere.
     """
     if not name.endswith(SUFFIXES):
-        listed = library()
-        if name in listed:
-            return listed[name]
-        hint = _beside(name, folder) or near_miss(name, listed)
+        if found := _in_library(name):
+            return found
+        hint = _beside(name, folder) or near_miss(name, library())
         raise MechcError([messages.used_not_found(span, name, hint)])
     parts = PurePosixPath(name).parts
     climbs = "\\" in name or ":" in name or name.startswith("/") or ".." in parts
@@ -87,6 +89,17 @@ def _descriptions(folder: Path) -> list[Path]:
     return []
 
 
+def _in_library(name: str) -> Path | None:
+    """Return the path of what the library has under a name, without looking at the rest."""
+    folder = data("library")
+    for shelf in (folder, folder / SHEETS):
+        held = os.listdir(shelf)
+        for file in (f"{name}{suffix}" for suffix in SUFFIXES):
+            if file in held:
+                return shelf / file
+    return None
+
+
 def library() -> dict[str, Path]:
     """Return the library, mechanisms and sheets: path by name, in alphabetical order."""
     folder = data("library")
@@ -96,7 +109,7 @@ def library() -> dict[str, Path]:
 
 def mechanisms() -> dict[str, Path]:
     """Return the library without its sheets, which lie in a folder of their own."""
-    return {name: path for name, path in library().items() if path.parent.name != "sheets"}
+    return {name: path for name, path in library().items() if path.parent.name != SHEETS}
 
 
 def _holding(name: str, listed: Iterable[str]) -> str:
