@@ -27,8 +27,6 @@ from .pose.from_model import solve_pose
 from .pose.pose import Pose
 from .power.balance import Balance
 from .power.from_plan import balance
-from .routine.from_results import program
-from .routine.steps import Routine
 from .source import Source
 from .stage import Stage
 from .statics.referee import cross_check
@@ -45,6 +43,7 @@ if TYPE_CHECKING:
     from .calculation.calculation import Calculation
     from .pose.motion import Motion
     from .report.derivation.steps import Derivation
+    from .routine.steps import Routine
     from .study.analysis import Analysis
 
 T = TypeVar("T")
@@ -265,13 +264,15 @@ class Pipeline:
         return motion(self.pose, astray(self.plan))
 
     @Stage
-    def routine(self) -> Routine:
+    def routine(self) -> "Routine":
         """The straight-line program that all targets emit."""
         pose = self.calculation.pose if self.calculation else self.pose
         return self._sound(self.routine_of(pose.mechanism, self.found))
 
-    def routine_of(self, mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
+    def routine_of(self, mechanism: Mechanism, results: tuple[Result, ...]) -> "Routine":
         """Return the program of results, which may have been changed, at this pose."""
+        from .routine.from_results import program
+
         pose = self.calculation.pose if self.calculation else self.pose
         return program(mechanism, results, dict(pose.definitions), pose.loops, self.motion)
 

@@ -9,6 +9,7 @@ from paths import PACKAGE
 
 BASE = [
     "later",
+    "patterns",
     "named",
     "version",
     "kept",

@@ -102,17 +102,31 @@ def test_listing_titles_needs_no_compiler(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 LIBRARIES = {"mechc"}
-OWN, ALL = 285, 370
-"""Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
+CODE = ["compile", CLAMP, "--emit", "c"]
+PAGES = [["check", CLAMP], ["compile", CLAMP, "--emit", "latex"]]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "own", "all_"), [(CODE, 270, 360), (PAGES[0], 287, 377), (PAGES[1], 314, 404)]
+)
+def test_few_modules_are_imported(arguments: list[str], own: int, all_: int) -> None:
+    """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
+    found = imports("-m", "mechc", *arguments)
+    assert len([name for name in found if name.startswith("mechc")]) <= own
+    assert len(found) <= all_
+
+
+@pytest.mark.parametrize("arguments", PAGES)
+def test_pages_need_no_program_and_no_stroke(arguments: list[str]) -> None:
+    found = imports("-m", "mechc", *arguments)
+    assert not {name for name in found if name.startswith(("mechc.routine", "mechc.study.stroke."))}
 
 
 def test_compiling_to_code_imports_little() -> None:
-    found = imports("-m", "mechc", "compile", CLAMP, "--emit", "c")
+    found = imports("-m", "mechc", *CODE)
     foreign = {name.split(".")[0] for name in found} - sys.stdlib_module_names
     assert {name for name in foreign if not name.startswith("_")} == LIBRARIES
     assert not found & {"dataclasses", "logging", "traceback", "argparse", "inspect", "threading"}
     late = ("mechc.report.languages.", "mechc.api")
     early = {"mechc.report.languages.locale", "mechc.report.languages.registry"}
     assert {name for name in found if name.startswith(late)} <= early
-    assert len([name for name in found if name.startswith("mechc")]) <= OWN
-    assert len(found) <= ALL

@@ -14,12 +14,10 @@ from fractions import Fraction
 
 from ..named import NamedTuple
 from ..work import kept, spend
-from . import halving, reduction
+from . import factoring, halving, laurent, reduction
 from .constants import is_constant, without_relations
-from .factoring import factor, factored
 from .factors import Trig
 from .fine import is_fine, named, valued
-from .laurent import Ring, size
 from .multiples import joined, without_parts
 from .product import Product, Sum, Written, as_product
 
@@ -71,9 +69,9 @@ def _without_common(product: Product) -> Product:
 
 def _quotient(upper: Sum, lower: Sum) -> Product | None:
     """Return the quotient of two sums without their common divisor, None if they have none."""
-    if sum(map(size, upper.terms)) > LIMIT or sum(map(size, lower.terms)) > LIMIT:
+    if sum(map(laurent.size, upper.terms)) > LIMIT or sum(map(laurent.size, lower.terms)) > LIMIT:
         return None
-    if reduction.is_searchable(Ring([*upper.terms, *lower.terms])):
+    if reduction.is_searchable(laurent.Ring([*upper.terms, *lower.terms])):
         return _reduced(list(upper.terms), list(lower.terms))
     quotient = _reduced([*map(named, upper.terms)], [*map(named, lower.terms)])
     if quotient is None or not _width(quotient) < _width(Product(1, {upper: 1, lower: -1})):
@@ -82,11 +80,11 @@ def _quotient(upper: Sum, lower: Sum) -> Product | None:
 
 
 def _reduced(upper: list[Product], lower: list[Product]) -> Product | None:
-    ring = Ring([*upper, *lower])
+    ring = laurent.Ring([*upper, *lower])
     cofactors = reduction.reduced(ring, ring.expand(upper), ring.expand(lower))
     if cofactors is None:
         return None
-    above, below = (factored([valued(factor(ring, c))]) for c in cofactors)
+    above, below = (factoring.factored([valued(factoring.factor(ring, c))]) for c in cofactors)
     return above / below
 
 
@@ -100,7 +98,7 @@ class _Width(NamedTuple):
 def _width(product: Product) -> _Width:
     """Return the width of a product."""
     factors = [(named(Product.of(f)), abs(e)) for f, e in product.factors.items()]
-    ring = Ring([f for f, _ in factors])
+    ring = laurent.Ring([f for f, _ in factors])
     widths = [(ring.width(ring.expand([f]).terms), e) for f, e in factors]
     every = [(name, e * w) for width, e in widths for name, w in width.items()]
     total = sum((w for _, w in every), Fraction())
@@ -124,7 +122,7 @@ def _without_divisors(product: Product) -> Product:
 
 def _divided(product: Product) -> Iterator[Product]:
     for whole, e in product.factors.items():
-        if isinstance(whole, Sum) and sum(map(size, whole.terms)) <= DIVIDED:
+        if isinstance(whole, Sum) and sum(map(laurent.size, whole.terms)) <= DIVIDED:
             opposite = [f for f, d in product.factors.items() if isinstance(f, Trig) and e * d < 0]
             mentioned = halving.names_in(whole) if opposite else set()
             for trig in (f for f in opposite if halving.turned_by(f) in mentioned):

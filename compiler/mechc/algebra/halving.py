@@ -10,10 +10,9 @@ from collections.abc import Iterable, Iterator
 from zlib import crc32
 
 from ..formula.walk import symbols
+from . import factoring, laurent
 from .angle import Angle
-from .factoring import factor
 from .factors import Trig
-from .laurent import Polynomial, Ring
 from .product import Product, Sum
 from .trigonometry import cosine, sine
 
@@ -86,10 +85,12 @@ def _divided(sum_: Sum, part: Trig) -> Product | None:
     """Return a sum divided by a sine or cosine, None if it is no divisor."""
     if not _vanishes_with(sum_, part):
         return None
-    ring = Ring([*sum_.terms, Product.of(part)])
+    ring = laurent.Ring([*sum_.terms, Product.of(part)])
     scale, terms = ring.expand(sum_.terms)
     quotient = ring.divide(terms, part)
-    return None if quotient is None else Product(2) * factor(ring, Polynomial(scale, quotient))
+    if quotient is None:
+        return None
+    return Product(2) * factoring.factor(ring, laurent.Polynomial(scale, quotient))
 
 
 def _parts(trig: Trig) -> Iterator[Trig]:

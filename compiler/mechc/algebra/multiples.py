@@ -13,8 +13,8 @@ from fractions import Fraction
 
 from ..named import NamedTuple
 from ..work import spend
+from . import factoring
 from .angle import Angle
-from .factoring import factored
 from .factors import Trig
 from .product import ONE, Product
 from .trigonometry import cosine, sine
@@ -77,7 +77,7 @@ def _ratio(whole: Trig, part: Trig) -> Product | None:
         return None
     sign = multiple.coefficient * below.coefficient
     if n == 3:
-        return factored([ONE, cosine(angle * 2).scaled(2)]).scaled(sign)
+        return factoring.factored([ONE, cosine(angle * 2).scaled(2)]).scaled(sign)
     quotient = Product(sign)
     for doubling in (1, *_DOUBLINGS):
         if doubling < n:

@@ -13,8 +13,8 @@ from itertools import combinations
 
 from ..formula.operations import count_operations
 from ..named import NamedTuple
+from . import factoring
 from .angle import Angle
-from .factoring import content_of
 from .factors import Trig
 from .product import Product, Sum
 from .trigonometry import cosine, sine
@@ -43,7 +43,8 @@ def paired(whole: Sum) -> Product:
     terms = sorted([*found, *left], key=lambda t: t.coefficient < 0)
     if not found:
         return Product.of(whole)
-    content = content_of(t.coefficient for t in terms) * (1 if terms[0].coefficient > 0 else -1)
+    sign = 1 if terms[0].coefficient > 0 else -1
+    content = factoring.content_of(t.coefficient for t in terms) * sign
     return Product(content, {Sum(tuple(t.scaled(1 / Fraction(content)) for t in terms)): 1})
 
 

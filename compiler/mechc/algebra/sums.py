@@ -17,13 +17,11 @@ from operator import or_
 from ..formula.operations import count_operations
 from ..formula.walk import symbols
 from ..work import spend
+from . import factoring, laurent, pairing
 from .angle import Rational, rational
 from .cancelling import LIMIT, canonical
-from .factoring import factored
 from .factors import Constant, Factor, Length
-from .laurent import size
 from .modular import Point
-from .pairing import paired
 from .product import ZERO, Bound, Product, Sum
 
 __all__ = ["LIMIT", "add", "canonical", "is_long", "put", "readable", "shortest"]
@@ -45,13 +43,13 @@ def add(products: Iterable[Product]) -> Product:
         return ZERO
     common = _common(terms)
     rests = [t / common for t in terms]
-    if sum(map(size, rests)) <= LIMIT and not any(map(_rests_on_names, rests)):
-        return canonical(common * factored(rests))
+    if sum(map(laurent.size, rests)) <= LIMIT and not any(map(_rests_on_names, rests)):
+        return canonical(common * factoring.factored(rests))
     if _vanishes(rests):
         return ZERO
     for deep in (True, False):
-        if sum(size(r, deep) for r in rests) <= LIMIT:
-            return canonical(common * factored(rests, deep))
+        if sum(laurent.size(r, deep) for r in rests) <= LIMIT:
+            return canonical(common * factoring.factored(rests, deep))
     return _kept(terms)
 
 
@@ -67,7 +65,9 @@ def shortest(products: Iterable[Product], whole: Product | None = None) -> Produ
 
 def readable(whole: Product, others: Iterable[Product]) -> Product:
     """Return a product as it is read: its sums multiplied out, in pairs of sines, or as others."""
-    return _shortest(whole, [*others, _with_sums(whole, paired)]) if is_long(whole) else whole
+    if not is_long(whole):
+        return whole
+    return _shortest(whole, [*others, _with_sums(whole, pairing.paired)])
 
 
 def _with_sums(product: Product, written: Callable[[Sum], Product]) -> Product:

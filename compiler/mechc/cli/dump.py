@@ -7,7 +7,6 @@ notation of the language; directions that algebra has taken in are in degrees.
 """
 
 import math
-import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 from enum import Enum
 from fractions import Fraction
@@ -21,6 +20,7 @@ from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..frozen import REQUIRED, fields
 from ..named import NamedTuple
+from ..patterns import pattern
 from ..report.text.printer import ASCII, print_formula
 from ..source import Span
 from ..syntax import ast
@@ -43,7 +43,7 @@ EQUATIONS = {
 }
 """The fields of records that are equations or conditions, and are written as such."""
 
-_BARE = re.compile(r"[^\s,:=()\[\]{}'\"]([^,:=()\[\]{}\"\n]*[^\s,:=()\[\]{}\"])?")
+_BARE = pattern(r"[^\s,:=()\[\]{}'\"]([^,:=()\[\]{}\"\n]*[^\s,:=()\[\]{}\"])?")
 
 
 class Printed(NamedTuple):

@@ -1,18 +1,18 @@
 """Where output goes: which target for which path, and which file under which name."""
 
-import re
 from collections.abc import Iterable
 from pathlib import Path
 
 from ..emit import registry
 from ..emit.target import Emitted
 from ..named import NamedTuple
+from ..patterns import pattern
 from . import usage
 
-SPECIAL = re.compile(r"(\\*)([ #:])")
+SPECIAL = pattern(r"(\\*)([ #:])")
 """What make reads as itself behind a backslash, for which backslashes in front are doubled."""
 
-UNSPEAKABLE = re.compile(r"[=;|*?\[\t-\r]|^~|\\$|\(.*\)$")
+UNSPEAKABLE = pattern(r"[=;|*?\[\t-\r]|^~|\\$|\(.*\)$")
 """What has a meaning in rules that nothing takes from it."""
 
 

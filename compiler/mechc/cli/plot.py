@@ -1,6 +1,5 @@
 """``mechc plot``: results against a parameter, as a picture or a table."""
 
-import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -11,6 +10,7 @@ from ..emit.plot_files import FORMATS, PlotPicture
 from ..emit.svg.picture import to_svg
 from ..files import write_all
 from ..frozen import replace
+from ..patterns import pattern
 from ..plot.narrowing import Function
 from ..plot.query import POINTS, Condition, Query, condition
 from ..report.languages.letters import letters
@@ -27,7 +27,7 @@ from .usage import Whole, Word
 
 STANDARD_OUTPUT = Path("-")
 
-NUMBER = re.compile(r"^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+NUMBER = pattern(r"^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 """A number that begins a value; its unit is what stands behind it."""
 
 

@@ -1,10 +1,10 @@
 """Formulas and names as they are lettered: Greek letters, indices, no signs of multiplication."""
 
 import math
-import re
 from collections.abc import Iterator
 
 from ..formula.names import GREEK, split_name, split_points, split_ratio
+from ..patterns import pattern
 from ..units import LENGTH, UNITS
 from .drawing import Run
 from .tolerances import ONE
@@ -15,9 +15,9 @@ SIZE = 3.9
 SMALL = 0.7
 """The size of an index to that of its letter."""
 
-_TOKEN = re.compile(r"\s*([A-Za-zµμ][A-Za-z0-9_']*|[0-9.]+|\S)")
-_OF_ONE = re.compile(r"(\b(?:sin|cos|tan|cot|sec|csc))\((?=[A-Za-z])([A-Za-z0-9_']+)\)")
-_WHOLE_TIMES = re.compile(r"(?<![\w.])([0-9]+)\*(?=[A-Za-z])")
+_TOKEN = pattern(r"\s*([A-Za-zµμ][A-Za-z0-9_']*|[0-9.]+|\S)")
+_OF_ONE = pattern(r"(\b(?:sin|cos|tan|cot|sec|csc))\((?=[A-Za-z])([A-Za-z0-9_']+)\)")
+_WHOLE_TIMES = pattern(r"(?<![\w.])([0-9]+)\*(?=[A-Za-z])")
 _THIN, _MINUS, _CLOSE = "\u2009", "−", "&"
 _SIGNS = {"*": _THIN, "~": _THIN, "-": _MINUS, ",": ", ", _CLOSE: ""}
 _UNITS = {unit: f"{_THIN}{unit}" for unit, u in UNITS.items() if u.dimension == LENGTH}

@@ -1,15 +1,15 @@
 """Numbers and units in the letters of a language."""
 
-import re
 from collections.abc import Iterable, Mapping
 
 from ..frozen import replace
 from ..named import NamedTuple
+from ..patterns import pattern
 from .drawing import Drawing, Run
 
-_BEHIND_A_NUMBER = re.compile(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[²³]?[*·/^][A-Za-z0-9]+)*")
-_WORD = re.compile(r"[^\W\d_]+")
-_POINT = re.compile(r"(?<=\d)\.(?=\d)")
+_BEHIND_A_NUMBER = pattern(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[²³]?[*·/^][A-Za-z0-9]+)*")
+_WORD = pattern(r"[^\W\d_]+")
+_POINT = pattern(r"(?<=\d)\.(?=\d)")
 
 
 class Letters(NamedTuple):

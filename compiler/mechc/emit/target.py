@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Protocol
 
 from ..model.mechanism import Mechanism
 from ..named import NamedTuple
-from ..routine.steps import Routine
 from ..statics.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from ..plot.query import Query
     from ..pose.motion import Motion
     from ..report.derivation.steps import Derivation
+    from ..routine.steps import Routine
     from ..statics.diagram import Diagram
     from ..study.stroke.stroke import Stroke
 
@@ -49,7 +49,7 @@ class Compiled(Protocol):
         ...
 
     @property
-    def routine(self) -> Routine:
+    def routine(self) -> "Routine":
         """Return the straight-line program."""
         ...
 

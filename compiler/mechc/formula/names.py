@@ -7,6 +7,7 @@
 import re
 
 from ..named import NamedTuple
+from ..patterns import pattern
 
 _SMALL = """
 alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho
@@ -23,9 +24,9 @@ GREEK = {
 _SHORT = {"lam": "lambda", "eps": "epsilon"}
 """What those write who write code, where ``lambda`` is a word of the language."""
 
-_POINTS = re.compile(r"(?:[A-Z][0-9]*'*)+")
-_POINT = re.compile(r"([A-Z])([0-9]*)('*)")
-_HEAD = re.compile(r"(.*?)([0-9]*)('*)", re.DOTALL)
+_POINTS = pattern(r"(?:[A-Z][0-9]*'*)+")
+_POINT = pattern(r"([A-Z])([0-9]*)('*)")
+_HEAD = pattern(r"(.*?)([0-9]*)('*)", re.DOTALL)
 
 
 class Point(NamedTuple):

@@ -11,10 +11,10 @@ from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
+from ..kinematics import meshes
 from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
 from ..kinematics.joint_refs import JointRef, members, touch_at
-from ..kinematics.meshes import growths, mesh_of, turning
 from ..kinematics.plan import Plan, Speeds
 from ..kinematics.release import Measure
 from ..model.mechanism import (
@@ -136,7 +136,7 @@ def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:
 
 def _turning(link: str, carrier: str) -> Measure:
     """Return the rotation of a link relative to what carries its pin."""
-    return lambda graph: turning(graph, link, carrier)
+    return lambda graph: meshes.turning(graph, link, carrier)
 
 
 def _sliding(touch: PointContact) -> Measure:
@@ -149,9 +149,9 @@ def _sliding(touch: PointContact) -> Measure:
 
 def _rim(joint: JointRef, pose: Pose) -> Measure:
     """Return the speed of the first wheel's rim, or of a rack."""
-    match mesh_of(pose, joint.of):
+    match meshes.mesh_of(pose, joint.of):
         case WheelPair(first_link=link, first_radius=radius, arm=arm):
-            return lambda graph: scaled(turning(graph, link, arm), pose.radii[radius])
+            return lambda graph: scaled(meshes.turning(graph, link, arm), pose.radii[radius])
         case Rack(point) | Screw(point):
             return lambda graph: projection(graph.velocities[point], _guide(point, pose))
         case Rope():
@@ -166,7 +166,7 @@ def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> Measure:
     With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
     force F presses with F/cos ψ.
     """
-    screw = mesh_of(pose, joint.of)
+    screw = meshes.mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a thread is on a screw"
     slope = _slope(screw, diameter, pose)
 
@@ -188,7 +188,7 @@ def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
 
     The collar carries both: all of the load on the nut.
     """
-    screw = mesh_of(pose, joint.of)
+    screw = meshes.mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a collar is on a screw"
     for given in pose.mechanism.friction.joints:
         if isinstance(given, ThreadFriction) and given.joint == joint.of:
@@ -197,7 +197,7 @@ def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
 
 def _on_collar(joint: JointRef, radius: Product, pose: Pose) -> Measure:
     """Return the speed at which a collar slides at its mean radius."""
-    screw = mesh_of(pose, joint.of)
+    screw = meshes.mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a collar is on a screw"
     return _at_radius(screw.link, radius)
 
@@ -212,12 +212,12 @@ def _along_rope(given: RopeFriction, pose: Pose) -> Measure:
     Friction in the rope adds half of itself behind the pulley and takes half in front of it:
     what presses then is the mean of both tensions.
     """
-    rope = mesh_of(pose, given.joint)
+    rope = meshes.mesh_of(pose, given.joint)
     assert isinstance(rope, Rope), "friction of a rope is on a rope"
     half = Product(Fraction(1, 2))
 
     def slip(graph: Graph) -> Form:
-        each = enumerate(growths(rope, pose, graph.velocities))
+        each = enumerate(meshes.growths(rope, pose, graph.velocities))
         back = combined((half if i < given.place else -half, growth) for i, growth in each)
         if given.reach is None:
             return back

@@ -5,3 +5,11 @@ in the unknown speeds; each unknown is a drive or found by one block, and the pl
 in an order in which each uses the drives and earlier blocks only; in every motion relations
 hold, links keep their lengths, and sliders stay on their guides.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"locked", "meshes"}
+    __getattr__ = waiting(__name__, SELDOM)

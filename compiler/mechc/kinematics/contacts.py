@@ -10,9 +10,9 @@ from ..algebra.sums import add
 from ..formula.tree import PI
 from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..pose.pose import PointContact, Pose
+from . import meshes
 from .forms import combined, projection, scaled, subtract, turned
 from .graph import Form, Relation, Rule, Velocity
-from .meshes import growths, rims
 
 Velocities = Mapping[str, Velocity]
 Spins = Mapping[str, int]
@@ -69,7 +69,7 @@ def _turning_together(slot: Slot, spins: Spins) -> Relation:
 
 
 def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:
-    first, second = rims(mesh, pose)
+    first, second = meshes.rims(mesh, pose)
     sizes = (mesh.first_link, first), (mesh.second_link, second), (mesh.arm, -add((first, second)))
     form = {spins[link]: size for link, size in sizes if link and size}
     rule = Rule.GEAR if mesh.kind == "gear" else Rule.BELT
@@ -93,7 +93,7 @@ def _screw(screw: Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Re
 
 def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:
     """Σ (V_head − V_tail) · way = 0."""
-    form = combined((ONE, growth) for growth in growths(rope, pose, velocities))
+    form = combined((ONE, growth) for growth in meshes.growths(rope, pose, velocities))
     return Relation(Rule.ROPE, "", rope.points, Angle(), form, rope.span)
 
 

@@ -9,8 +9,8 @@ from ..algebra.rank import Echelon, Residues, independent, residues
 from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import kinematics as messages
+from . import locked
 from .graph import Form, Graph, Kind, Relation
-from .locked import described, locked
 from .plan import Block, Plan, Speeds
 from .solving import Binder, Memory, solve
 
@@ -32,11 +32,11 @@ def plan_of(
     redundant = tuple(r for r, keep in zip(graph.relations, kept, strict=True) if not keep)
     mobility = len(graph.unknowns) - len(relations)
     for relation in redundant:
-        report.add(messages.redundant_constraint(relation.span, described(relation)))
+        report.add(messages.redundant_constraint(relation.span, locked.described(relation)))
     if mobility == 0 and may_stand and graph.unknowns:
         return _standing(graph, relations, redundant)
     if mobility <= 0:
-        raise report.fail(messages.nothing_can_move(*locked(graph, relations)))
+        raise report.fail(messages.nothing_can_move(*locked.locked(graph, relations)))
     if mobility > MOTIONS:
         span = graph.pose.mechanism.span
         raise report.fail(messages.too_many_motions(span, mobility, MOTIONS))

@@ -31,11 +31,11 @@ from ..model.mechanism import (
 )
 from ..pose.pose import Pose
 from ..source import Source, Span
+from . import meshes
 from .carriers import graph_of
 from .forms import QUARTER, combined, leaving, parting, projection, spin, subtract
 from .graph import Form, Graph, Relation, Rule
 from .joint_refs import JointRef, touch_at
-from .meshes import mesh_of, slipping
 from .plan import Plan, Speeds
 from .planning import plan_of
 
@@ -259,8 +259,8 @@ def _without_mesh(pose: Pose, joint: JointRef) -> Released:
     """Let the teeth of a pair, a rack or a thread lose each other, or a rope stretch."""
     joints = tuple(j for j in pose.mechanism.joints if j.id != joint.of)
     free = replace(pose, mechanism=replace(pose.mechanism, joints=joints))
-    mesh = mesh_of(pose, joint.of)
-    return Released(free, lambda graph: slipping(graph, pose, mesh))
+    mesh = meshes.mesh_of(pose, joint.of)
+    return Released(free, lambda graph: meshes.slipping(graph, pose, mesh))
 
 
 def _without_touch(pose: Pose, point: str) -> Released:

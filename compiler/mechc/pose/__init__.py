@@ -5,3 +5,11 @@ vector, every guide and force a direction; definitions mention parameters and ea
 and no symbol is undefined; bodies meet at the default pose; rates are how definitions change
 with the drive.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"paths"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -10,7 +10,7 @@ from ..frozen import frozen
 from ..model.mechanism import Parameter
 from ..named import NamedTuple
 from ..units import ACCELERATION, ANGLE, FREQUENCY, LENGTH, VELOCITY, Dimension
-from .paths import paths
+from . import paths
 from .pose import Definition, Pose, Vector
 from .rates import Rates, Titles, first_rates, second_rates, titled
 
@@ -94,7 +94,7 @@ def _whole(pose: Pose, quantities: Sequence[Quantity], *rates: Rates) -> Motion 
 def _points(pose: Pose, astray: Collection[str]) -> Iterator[Quantity]:
     """Yield the coordinates of every point that has a place."""
     lost = [link for link in pose.mechanism.links if link.name in astray]
-    for point, vector in paths(pose, lost).items():
+    for point, vector in paths.paths(pose, lost).items():
         if point in astray:
             continue
         for axis, formula in zip("xy", _components(vector), strict=True):

@@ -5,3 +5,11 @@ joint is a formula in free parameters and the names of its ``where``, and has it
 equations vanish with a ratio for every motion of the plan; a load that is found is the sum of
 the others, each by a coefficient without loads in it.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"speed_results"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -16,12 +16,12 @@ from ..model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
+from . import speed_results
 from .balance import Balance, Solved
 from .idle import warn_of_idle_loads, warn_of_idle_motions
 from .load_results import load_form, load_ratio
 from .numbers import checked
 from .problem import Problem, problem_of
-from .speed_results import speed_ratio
 
 
 def balance(plan: Plan, report: Report) -> Balance:
@@ -50,7 +50,7 @@ def _answer(problem: Problem, find: Find) -> Solved | None:
         case LoadForm(load):
             return load_form(problem, find, load)
         case SpeedRatio() as ratio:
-            return speed_ratio(problem, find, ratio)
+            return speed_results.speed_ratio(problem, find, ratio)
         case Reaction() | Axial() | Normal() as force:
             from .force_results import joint_force
 

@@ -13,7 +13,7 @@ from ..model.result import Definition, Result
 from ..model.values import is_constant
 from ..named import NamedTuple
 from ..units import ANGLE, NUMBER, UNITS, si_unit
-from .book_forms import book_form, positive_names
+from . import book_forms
 
 FREE_FALL = Symbol("g")
 """The letter of :data:`GRAVITY`; where a description has weights, no other quantity bears it."""
@@ -62,7 +62,7 @@ def letters(mechanism: Mechanism, results: Iterable[Result]) -> Letters:
     """Return how definitions are to be written that stand with results."""
     found = list(results)
     units = constant_units(mechanism) | literal_units(found)
-    positive = positive_names(mechanism, (d for r in found for d in r.where))
+    positive = book_forms.positive_names(mechanism, (d for r in found for d in r.where))
     return Letters(usual_weights(mechanism), units, positive)
 
 
@@ -81,7 +81,7 @@ def _as_written(definition: Definition, known: Letters) -> Definition:
     if name in known.usual:
         return Definition(name, by_letter(formula))
     if unit is None or not isinstance(formula, Number):
-        return Definition(name, book_form(formula, known.positive))
+        return Definition(name, book_forms.book_form(formula, known.positive))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
     is_short = value.denominator < 10**DIGITS
     shown = value if is_short else Fraction(f"{float(value):.{DIGITS}g}")

@@ -4,3 +4,11 @@ Promises, which ``check.broken_promises`` looks after: a function's steps mentio
 inputs and earlier steps only; no name means two things; every input is used; no part
 is computed twice; powers with small whole exponents are products.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"angle_offsets"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -27,7 +27,7 @@ from ..formula.tree import (
 )
 from ..formula.walk import side, symbols
 from ..named import NamedTuple
-from .angle_offsets import turned_alike
+from . import angle_offsets
 from .steps import Solve, Solver, Statement, Step
 from .table import (
     Apply,
@@ -100,7 +100,7 @@ def solver(system: System) -> Solver:
     """Return a system in straight lines, its equations and their slopes sharing parts."""
     used = used_outer(system)
     outer = tuple(system.anchor[i][0] for i in used)
-    equations = turned_alike(system.equations)
+    equations = angle_offsets.turned_alike(system.equations)
     rows = jacobian(equations, system.unknowns)
     entries = [entry for row in rows for entry in row]
     steps, formulas = share([], [*equations, *entries], [*system.unknowns, *outer])

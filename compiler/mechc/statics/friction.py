@@ -14,6 +14,7 @@ from ..formula.walk import evaluate
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.targets import SIGNS
 from ..named import NamedTuple
+from . import speeds
 from .answers import Answer
 from .assembly import Action, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
@@ -21,7 +22,6 @@ from .free_bodies import System, equilibrium
 from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
 from .solve import Factors, factor
-from .speeds import dual_speed
 from .surfaces import Pair, pairs_of
 from .tolerances import EPSILON, INCONSISTENT, NO_SLIP
 from .unfold import Unfolding
@@ -210,7 +210,7 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Questi
 
 def _slip(unfolding: Unfolding, pair: Pair, reference: tuple[Action, ...]) -> float:
     """Return the sign of a pair's slip as the driving load moves along its arrow."""
-    slip = dual_speed(unfolding, pair.actions, reference).value
+    slip = speeds.dual_speed(unfolding, pair.actions, reference).value
     return math.copysign(1.0, slip) if abs(slip) > NO_SLIP else 0.0
 
 

@@ -32,14 +32,12 @@ from ..model.values import defaults
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
-from . import friction, joint_forces, surfaces
+from . import counted, friction, joint_forces, speeds, surfaces
 from .answers import Answer, load_coefficient, load_ratio
 from .balanced import Balanced
 from .closure import worst_gap
 from .contacts import pulling, slack
-from .counted import uncounted
 from .poses import Replay, Values, broken_at_default, candidates, free_values
-from .speeds import speed_ratio
 from .tolerances import SMALLEST
 from .verdict import NEAR_SINGULAR, NO_MORE, NO_VALUE, STANDS, UNSETTLED, Trial, Untried, Verdict
 
@@ -127,7 +125,7 @@ def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
 def _count_pins(at: Balanced, report: Report) -> None:
     """See that friction acts at every pin where it is said to act."""
     at_pins = ((p.on, p.actions) for p in surfaces.pairs_of(at) if p.kind == "pin")
-    for pin in uncounted(at, at_pins):
+    for pin in counted.uncounted(at, at_pins):
         report.add(messages.friction_not_counted(at.pose.mechanism.span, pin))
 
 
@@ -152,7 +150,7 @@ def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Qu
             case WithFriction() | Efficiency():
                 pass  # an approximation, and quotients of what is checked
             case SpeedRatio():
-                yield Question(name, formula, where, partial(speed_ratio, target=target))
+                yield Question(name, formula, where, partial(speeds.speed_ratio, target=target))
             case None:
                 pass
             case _:

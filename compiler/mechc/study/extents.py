@@ -11,7 +11,7 @@ from ..model.mechanism import LoadRatio
 from ..model.values import range_of
 from .analysis import Analysis, Extent, Extreme
 from .ranges import scale_of, unit_of
-from .stroke.extent import along_the_stroke
+from .stroke import extent
 from .sweep import Sweep
 
 CELLS = 192
@@ -22,7 +22,8 @@ def with_extents(
     solution: Solution, results: Sequence[Analysis], report: Report
 ) -> tuple[Analysis, ...]:
     """Return the results with the extents of ratios along the stroke, or over ranges."""
-    stroke = along_the_stroke(solution, results, report)
+    drive = solution.plan.graph.pose.mechanism.drive
+    stroke = extent.along_the_stroke(solution, results, report) if drive else {}
     return tuple(
         replace(result, extents=(stroke[result.name],))
         if result.name in stroke

@@ -10,11 +10,10 @@ from typing import Any
 from ..diagnostics import syntax, syntax_limits
 from ..source import Span
 from ..units import UNITS
-from . import ast, limits, text
+from . import ast, limits, text, unit_words
 from .fault import Fault
 from .lalr import Token
 from .spans import span_of
-from .unit_words import unit_meant
 from .vocabulary import (
     CONSTANTS,
     FUNCTIONS,
@@ -154,7 +153,7 @@ def unit(spelled: ast.Expr) -> ast.Name:
     name = text.bare(spelled).replace(" ", "")
     if name not in UNITS:
         plain = [known for known in UNITS if known.isalpha()]
-        meant = unit_meant(name)
+        meant = unit_words.unit_meant(name)
         hint = f"did you mean {meant!r}?" if meant else ""
         raise Fault(syntax.unknown_unit(spelled.span, name, plain, hint, where=""))
     return ast.Name(name, spelled.span)

@@ -1,8 +1,7 @@
 """How a mistake inside one statement or one scalar leaves the parser, and how many may."""
 
-import re
-
 from ..diagnostics import Diagnostic, Report, syntax, syntax_limits
+from ..patterns import pattern
 from ..source import Source, Span
 from . import limits
 
@@ -23,7 +22,7 @@ def note(diagnostic: Diagnostic, report: Report) -> None:
         raise report.fail(syntax_limits.too_many_errors(span, limits.FAULTS))
 
 
-UNPRINTABLE = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
+UNPRINTABLE = pattern(r"[\x00-\x08\x0b\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
 """Control characters, halves of characters, and what is no character."""
 
 

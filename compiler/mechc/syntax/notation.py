@@ -1,12 +1,12 @@
 """Which of the two notations a text is in, and reading it."""
 
-import re
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import PurePath
 from typing import cast
 
 from ..diagnostics import Diagnostic, Report, syntax
+from ..patterns import pattern
 from ..source import Source, Span
 from . import ast
 from .grammar import statement_words
@@ -14,7 +14,7 @@ from .grammar import statement_words
 YAML_SUFFIXES = frozenset({".yaml", ".yml", ".json"})
 """JSON is YAML too."""
 
-SECTION = re.compile(r"(?:---|\{|['\"]?[a-z]+['\"]?:(?:\s|$))")
+SECTION = pattern(r"(?:---|\{|['\"]?[a-z]+['\"]?:(?:\s|$))")
 
 
 def read(source: Source, report: Report) -> ast.File:

@@ -4,17 +4,16 @@ A setting is read with the project's own grammar, as the value of a ``param`` li
 its own, so that what may stand there is exactly what may stand in a file.
 """
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import assert_never
 
 from ..diagnostics import Report
 from ..frozen import replace
 from ..named import NamedTuple
+from ..patterns import pattern
 from ..source import Source
 from ..units import DIMENSIONS, NUMBER, UNITS
-from . import ast
-from .moved import moved
+from . import ast, moved
 from .notation import read
 from .vocabulary import points_of
 
@@ -36,7 +35,7 @@ LOADS = (ast.Force, ast.Torque, ast.Actuator, ast.Weight, ast.Distributed)
 """The statements that declare a load by its name."""
 
 _WORD = "param "
-_UNIT = re.compile(r"(?<=[\d.])(?=[a-zA-Z])(?![eE][+-]?\d)")
+_UNIT = pattern(r"(?<=[\d.])(?=[a-zA-Z])(?![eE][+-]?\d)")
 
 
 def parse(text: str, origin: str = COMMAND_LINE) -> tuple[str, Setting]:
@@ -56,7 +55,7 @@ def parse(text: str, origin: str = COMMAND_LINE) -> tuple[str, Setting]:
     tree = read(report.source, report)
     report.stop_on_errors()
     found = next(s.value for s in params(tree.statements) if s.value)
-    return name.strip(), Setting(moved(found, -len(_WORD)), Source(origin, setting))
+    return name.strip(), Setting(moved.moved(found, -len(_WORD)), Source(origin, setting))
 
 
 def attached(source: Source, settings: Settings) -> Source:
@@ -73,7 +72,7 @@ def put_in(tree: ast.File, settings: Settings, source: Source) -> ast.File:
         return tree
     starts = (start for start, _ in list(source.parts())[1:])  # what is used stands behind them
     values = {
-        name: moved(setting.value, start)
+        name: moved.moved(setting.value, start)
         for (name, setting), start in zip(settings.items(), starts, strict=False)
     }
     changed = tuple(_set(s, values) for s in tree.statements)

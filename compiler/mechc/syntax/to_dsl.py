@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from itertools import groupby
 from typing import Any
 
+from ..patterns import pattern
 from . import ast, text
 from .vocabulary import LANGUAGES, NAME
 
@@ -100,8 +101,8 @@ SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
 )
 SUBJECT = {node: number for number, nodes in enumerate(SUBJECTS) for node in nodes}
 
-OPTIONAL = re.compile(r"\[([^\]]*)\]")
-FIELD = re.compile(r"\{(\w+)\}")
+OPTIONAL = pattern(r"\[([^\]]*)\]")
+FIELD = pattern(r"\{(\w+)\}")
 
 STOP = "\0"
 """Where a row may be aligned: a character that no text has (E129)."""

@@ -4,28 +4,22 @@ A token's ``start_pos`` and ``end_pos`` are offsets into the user's text. For a 
 YAML they differ from those in the scalar's value, so the caller passes the ``places``.
 """
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import takewhile
 
 from ..diagnostics import Diagnostic, syntax, syntax_limits
 from ..source import Span
 from ..units import UNITS
-from . import limits
+from . import limits, unit_words
 from .fault import Fault
 from .grammar import lexed
 from .lalr import Token
 from .spans import span_of
-from .unit_words import unit_meant
 from .vocabulary import RANGE, split_quantity
 
 Sweep = Callable[[int], int]
 
-# Longest first, and no unit ends in the middle of a word: in 5 N*mass the unit is N.
-UNIT = re.compile(
-    f"(?:{'|'.join(re.escape(u) for u in sorted(UNITS, key=len, reverse=True))})"
-    r"(?:(?<=°)|(?![\w']))"
-)
+LONGEST_UNIT = max(map(len, UNITS))
 
 BEGINS_OPERAND = frozenset({"NAME", "NUMBER", "LEFT", "PLUS", "MINUS"})
 
@@ -93,18 +87,30 @@ def with_units(text: str, found: list[Token]) -> Iterator[Token]:
             continue
         bare = token.type == "NUMBER" and not token.endswith('"')
         unit = unit_behind(text, stop) if bare else None
-        if unit is None or (unit[0] == "in" and is_word(found[position + 1 :], begins_formula)):
+        if unit is None or (unit == "in" and is_word(found[position + 1 :], begins_formula)):
             yield token
         else:
-            end = unit.end()
-            yield Token("NUMBER", f"{token} {unit[0]}", start, end)
+            end = span_of(unit)[1]
+            yield Token("NUMBER", f"{token} {unit}", start, end)
 
 
-def unit_behind(text: str, at: int) -> re.Match[str] | None:
-    """Return the longest unit that begins here or after blanks."""
+def unit_behind(text: str, at: int) -> Token | None:
+    """Return the longest unit that begins here or after blanks.
+
+    None ends in the middle of a word: in ``5 N*mass`` the unit is N.
+    """
     while text[at : at + 1] in BLANKS:
         at += 1
-    return UNIT.match(text, at)
+    for end in range(min(at + LONGEST_UNIT, len(text)), at, -1):
+        unit = text[at:end]
+        if unit in UNITS and (unit.endswith("°") or not _goes_on(text, end)):
+            return Token("UNIT", unit, at, end)
+    return None
+
+
+def _goes_on(text: str, at: int) -> bool:
+    """Return whether a letter, a digit or a prime stands at a place."""
+    return at < len(text) and (text[at].isalnum() or text[at] in "_'")
 
 
 def is_word(found: Sequence[Token], formula: bool) -> bool:
@@ -204,7 +210,7 @@ def check_unit(number: Token, behind: Token) -> None:
     unit = split_quantity(number)[1]
     if behind.type == "NAME":
         plain = [name for name in UNITS if name.isalpha()]
-        meant = unit_meant(behind)
+        meant = unit_words.unit_meant(behind)
         if unit not in ("", "in") and not meant and behind not in UNITS:
             return  # the number has its unit, so that this is no other
         hint = f"did you mean {meant!r}?" if meant else RANGE if unit == "in" else ""

@@ -3,6 +3,7 @@
 import re
 
 from ..named import NamedTuple
+from ..patterns import pattern
 
 GROUND = "ground"
 """What a wheel is fixed to that is fast in the ground."""
@@ -63,10 +64,10 @@ RANGE = "a range has two dots: in LOW .. HIGH"
 
 CONSTANTS = frozenset({"pi"})
 
-POINT = re.compile(r"[A-Z][0-9]*'*")
-POINTS = re.compile(r"(?:[A-Z][0-9]*'*)+")
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_']*")
-QUANTITY = re.compile(r"([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(.*)", re.DOTALL)
+POINT = pattern(r"[A-Z][0-9]*'*")
+POINTS = pattern(r"(?:[A-Z][0-9]*'*)+")
+NAME = pattern(r"[A-Za-z][A-Za-z0-9_']*")
+QUANTITY = pattern(r"([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(.*)", re.DOTALL)
 
 
 def points_of(text: str) -> tuple[str, ...]:

@@ -4,16 +4,16 @@ A comment behind a statement is its remark; one on a line of its own, or behind 
 of a section, stands above the next statement; what is left stands at the end.
 """
 
-import re
 from collections.abc import Iterator, Sequence
 
 from ..frozen import replace
 from ..named import NamedTuple
+from ..patterns import pattern
 from ..source import Source
 from . import ast
 from .yaml_nodes import Listing, Mapping, Node, Scalar
 
-COMMENT = re.compile(r"(?:(?<=\s)|(?<![\s\S]))#([^\n]*)")
+COMMENT = pattern(r"(?:(?<=\s)|(?<![\s\S]))#([^\n]*)")
 
 
 class Comment(NamedTuple):

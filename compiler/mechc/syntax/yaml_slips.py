@@ -5,16 +5,17 @@ from collections.abc import Collection, Iterable, Mapping
 from typing import Final
 
 from ..named import NamedTuple
+from ..patterns import pattern
 
-GLUED: Final = re.compile(
+GLUED: Final = pattern(
     r"^\s*(?:- )?([A-Za-z][\w']*):([^\s/:'\"][^:\n]*?)\s*(?:\n[^\n]*)?\Z", re.MULTILINE
 )
 """A key and its value with no space behind the colon, in the last two lines of a text."""
 
-ASSIGNED: Final = re.compile(r"^\s*(?:- )?([A-Za-z][\w']*)\s*=\s*([^:\n#]*?)\s*(?:#.*)?$")
+ASSIGNED: Final = pattern(r"^\s*(?:- )?([A-Za-z][\w']*)\s*=\s*([^:\n#]*?)\s*(?:#.*)?$")
 """A line of the other notation, ``a = 40 mm``, where YAML has a key and a colon."""
 
-ENTRY: Final = re.compile(r"^( *)([A-Za-z][\w']*): +[^#\s]")
+ENTRY: Final = pattern(r"^( *)([A-Za-z][\w']*): +[^#\s]")
 """A line with a key and its value."""
 
 MEANT: Final[Mapping[str, Collection[str]]] = {

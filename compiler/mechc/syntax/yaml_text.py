@@ -1,16 +1,16 @@
 """Scalars as YAML text: plain where every YAML reader takes them for the same text."""
 
-import re
+from ..patterns import pattern
 
 # Nothing that YAML gives a meaning: no indicator in front, no ': ', no ' #'.
-PLAIN = re.compile(r"(?![-?:](?:\s|$))[^\s,\[\]{}#&*!|>'\"%@`?:][^\n]*(?<![\s:])")
-MEANT = re.compile(r":\s|\s#")
-IN_FLOW = re.compile(r"[,?\[\]{}]")  # some readers end a plain scalar at any '?' there
-OTHER_TYPE = re.compile(
+PLAIN = pattern(r"(?![-?:](?:\s|$))[^\s,\[\]{}#&*!|>'\"%@`?:][^\n]*(?<![\s:])")
+MEANT = pattern(r":\s|\s#")
+IN_FLOW = pattern(r"[,?\[\]{}]")  # some readers end a plain scalar at any '?' there
+OTHER_TYPE = pattern(
     r"(?i)~|null|true|false|yes|no|on|off|y|n|[-+.\d][\d_.,:eE+-]*|\.(?:inf|nan)|0[xo][\da-f]+|---.*|\.\.\..*"
 )
-NO_NAME = re.compile(r"(?i)null|true|false|yes|no|on|off")
-PRINTABLE = re.compile(
+NO_NAME = pattern(r"(?i)null|true|false|yes|no|on|off")
+PRINTABLE = pattern(
     r"[\x20-\x7e\xa0-\u2027\u202a-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]*"
 )
 

@@ -1,8 +1,8 @@
 """The helper functions of a source: those alone that it calls, as unused ones are remarked upon."""
 
-import re
+from ...patterns import pattern
 
-_CALL = re.compile(r"\bmechc_(\w+)\(")
+_CALL = pattern(r"\bmechc_(\w+)\(")
 _NEEDS = {
     "sin": "sine",
     "cos": "sine",

@@ -10,6 +10,7 @@ from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
 from ...formula import newton
 from ...named import NamedTuple
+from ...patterns import pattern
 
 
 class Real(NamedTuple):
@@ -57,7 +58,7 @@ _FUNCTIONS = """
 """
 _SINGLE = {name: f"{name}f" for name in _FUNCTIONS.split()}
 _WORDS = {"double": "float", "HUGE_VAL": "HUGE_VALF"}
-_TOKEN = re.compile(
+_TOKEN = pattern(
     r"(?P<kept>/\*.*?\*/|\"[^\"\n]*\"|0[xX][0-9a-fA-F]+)"
     r"|(?P<number>(?:\d+\.\d*|\.\d+)(?:[eE][-+]?\d+)?|\d+[eE][-+]?\d+)"
     r"|(?P<word>[A-Za-z_]\w*)(?P<called>\()?",

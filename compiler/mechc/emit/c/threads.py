@@ -7,14 +7,16 @@ that its arrays do not overlap, and the loop would be scalar code.
 import re
 from collections.abc import Container
 
+from ...patterns import pattern
+
 PART = 4096
 """The poses of a part: a whole number of the blocks of a loop, within the cache."""
 
 LEAST = 4 * PART
 """The poses from which on it pays to wake the other threads."""
 
-_BATCH = re.compile(r"^void (\w+)\((\s*size_t (\w+),[^)]*)\)\n\{\n.*?^\}\n?", re.M | re.S)
-_LAST_NAME = re.compile(r"(\w+)\s*$")
+_BATCH = pattern(r"^void (\w+)\((\s*size_t (\w+),[^)]*)\)\n\{\n.*?^\}\n?", re.M | re.S)
+_LAST_NAME = pattern(r"(\w+)\s*$")
 
 
 def in_threads(code: str) -> str:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from ...model.sheets import is_sheet
+from ...patterns import pattern
 from ...report.derivation.steps import calculated
 from ...report.languages import registry
 from ...report.latex.document_style import style_of
@@ -19,8 +20,8 @@ from .to_latex import TARGET, report
 
 _LANGUAGE = "en"
 
-_MATHEMATICS = re.compile(r"(\$\$.*?\$\$|\$[^$]*\$)", re.DOTALL)
-_PAPER = re.compile(r"\\noindent |\\par\b")
+_MATHEMATICS = pattern(r"(\$\$.*?\$\$|\$[^$]*\$)", re.DOTALL)
+_PAPER = pattern(r"\\noindent |\\par\b")
 """What text has for a page alone."""
 
 

@@ -1,12 +1,12 @@
 """A drawing as TikZ, in a document of its own that needs no other package."""
 
 import math
-import re
 from collections.abc import Iterable, Iterator
 
 from ...drawing.drawing import PENS, Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
 from ...drawing.lettering import SIZE
 from ...formula.names import GREEK
+from ...patterns import pattern
 from ...report.latex.text import escape
 
 POINTS = 72.27 / 25.4
@@ -34,7 +34,7 @@ _PLAIN = frozenset("-/().,'?;")
 FONTS = ("cmunrm.otf", "Noto Serif", "FreeSerif", "Liberation Serif", "DejaVu Serif")
 """Fonts with Cyrillic letters, of which the first is taken that is installed."""
 
-_COMMA = re.compile(r"(?<=\d),(?=\d)")
+_COMMA = pattern(r"(?<=\d),(?=\d)")
 """A decimal comma, behind which mathematics would leave a space."""
 
 

@@ -1,10 +1,10 @@
 """Quantities of the mechanism itself, named by its points: ``V_D``, ``phi_AB``."""
 
-import re
 from collections.abc import Mapping
 from typing import Literal
 
 from ...named import NamedTuple
+from ...patterns import pattern
 from ...syntax.vocabulary import points_of
 
 FORMS = {
@@ -20,8 +20,8 @@ FORMS = {
 COORDINATES = {"x": "the place of a point along x", "y": "the place of a point along y"}
 """Quantities of a point, as ``x_B``; such a name may be a user's own as well."""
 
-_COORDINATE = re.compile(r"([xy])_([^_]+)")
-_FORM = re.compile(rf"({'|'.join(FORMS)})_([^_]+)(?:_([xy]))?")
+_COORDINATE = pattern(r"([xy])_([^_]+)")
+_FORM = pattern(rf"({'|'.join(FORMS)})_([^_]+)(?:_([xy]))?")
 AXES: Mapping[str | None, Literal["", "x", "y"]] = {None: "", "x": "x", "y": "y"}
 _SEVERAL_POINTS = frozenset({"omega", "phi", "len"})
 _ONE_POINT = frozenset({"V", "R"})

@@ -1,6 +1,5 @@
 """What is said of a condition that fails, with the values of its sides."""
 
-import re
 from collections.abc import Iterator
 
 from ...diagnostics import Diagnostic
@@ -10,6 +9,7 @@ from ...diagnostics.model import quantities
 from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import evaluate, symbols
+from ...patterns import pattern
 from ...source import Source
 from ...units import ANGLE, LENGTH, in_unit, si_unit
 from ..mechanism import Require, Subject
@@ -90,7 +90,7 @@ _USUAL = {ANGLE: "deg", LENGTH: "mm"}
 _TURNED = str.maketrans("<>", "><")
 """What becomes of a comparison whose sides change places."""
 
-_OPERATOR, _NAME = re.compile("[<>=!≤≥≠]+"), re.compile(r"[^\W\d]\w*")
+_OPERATOR, _NAME = pattern("[<>=!≤≥≠]+"), pattern(r"[^\W\d]\w*")
 
-_ASKED = re.compile(r"\w+ at (.+)|(?:next )?(.+) in \w+")
+_ASKED = pattern(r"\w+ at (.+)|(?:next )?(.+) in \w+")
 """How a table is asked, and a list."""

@@ -11,8 +11,7 @@ from ...diagnostics import Report
 from ...diagnostics import uses as messages
 from ...frozen import replace
 from ...source import Span
-from ...syntax import ast
-from ...syntax.moved import moved
+from ...syntax import ast, moved
 from ..constants import leaves as leaves_of
 from ..mechanism import Parameter
 from ..result import Result, Solved
@@ -48,7 +47,7 @@ def brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Stateme
 
     for statement in own:
         described = with_origin(_labelled(statement), used.mechanism.name)
-        there = moved(described, used.start, renamed)
+        there = moved.moved(described, used.start, renamed)
         match statement, there:
             case ast.Param(name=name), ast.Param():
                 yield parameter(there, _measured(used, name.text), given.get(name.text), use)
@@ -85,7 +84,7 @@ def _of_a_mechanism(
 
 def _there(use: ast.Use, used: Used) -> ast.Use:
     """Return a use as if its line stood in the used file, all of whose places are moved."""
-    return moved(use, -used.start)
+    return moved.moved(use, -used.start)
 
 
 def _feeds(statement: ast.Statement, used: Used, values: set[str]) -> bool:

@@ -1,8 +1,7 @@
 """A description with what it uses put in."""
 
-import re
-
 from ...named import NamedTuple
+from ...patterns import pattern
 from ...source import Source, Span
 from ...syntax import ast
 from ..load_kinds import Load
@@ -11,7 +10,7 @@ from ..result import Solved
 from ..statements import every
 from . import put_in
 
-DOTTED = re.compile(r"\w\.[A-Z]")
+DOTTED = pattern(r"\w\.[A-Z]")
 """What a point of a part is written with: T.C."""
 
 

@@ -14,8 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ...diagnostics import Report
 from ...diagnostics import joining as messages
 from ...frozen import replace
-from ...syntax import ast
-from ...syntax.moved import moved
+from ...syntax import ast, moved
 from ...units import DIMENSIONS
 from ..forces.force_pairs import spring_name
 from ..linkage.carriers import is_held
@@ -47,7 +46,7 @@ def part_of(
 
     ``met`` are its points at which it is joined, here or by parts below.
     """
-    own = tuple(moved(s, used.start) for s in used.file.statements)
+    own = tuple(moved.moved(s, used.start) for s in used.file.statements)
     there, here = declared_points(own), declared_points(whole.statements)
     joined = joints(Joining(use, used, own, whole, {}, met), there, here, report)
     if joined is None:

@@ -4,15 +4,14 @@ Point O of the first part is ``O1``, of the second ``O2``; a point that is joine
 that it has in the whole. ``T.O`` is point O of the part T, wherever a point may stand.
 """
 
-import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
 
 from ...frozen import fields, replace
 from ...named import NamedTuple
+from ...patterns import pattern
 from ...source import Span
-from ...syntax import ast
-from ...syntax.moved import UNITS
+from ...syntax import ast, moved
 from ...syntax.vocabulary import GROUND, of_used, points_of
 from ..names.forms import form_of
 
@@ -24,8 +23,8 @@ QUANTITIES = frozenset({"name", "prefix", "table", "sizes", "used", "without", "
 WITH_POINTS = (ast.Pivot, ast.Slider, ast.Link, ast.Slide, ast.Telescope)
 """The lines that make points."""
 
-_POINT = re.compile(r"([A-Z][0-9]*)('*)")
-_NUMBERED = re.compile(r"[0-9]+$")
+_POINT = pattern(r"([A-Z][0-9]*)('*)")
+_NUMBERED = pattern(r"[0-9]+$")
 
 
 class Names(NamedTuple):
@@ -42,7 +41,7 @@ def renamed(node: T, names: Names, field: str = "") -> T:
     match changed:
         case ast.Name(text, span) if field in QUANTITIES:
             changed = ast.Name(names.quantities.get(text, text), span)
-        case ast.Name() if field not in UNITS:
+        case ast.Name() if field not in moved.UNITS:
             changed = names.points(changed)
         case ast.Symbol():
             changed = names.symbol(changed)
@@ -60,7 +59,7 @@ def points_named(node: object, field: str = "") -> Iterator[ast.Name]:
     """Yield the names made of points in a part of the tree, but for those in formulas."""
     match node:
         case ast.Name():
-            if field not in QUANTITIES | UNITS and node.text != GROUND:
+            if field not in QUANTITIES | moved.UNITS and node.text != GROUND:
                 yield node
         case tuple():
             for part in node:

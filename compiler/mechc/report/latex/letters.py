@@ -5,11 +5,11 @@ schwa is borrowed from the Cyrillic font. What cannot be spelled is printed by i
 point, so that nothing of the user's is lost.
 """
 
-import re
 import unicodedata
 from collections.abc import Iterable
 
 from ...formula.names import GREEK
+from ...patterns import pattern
 
 ACCENTS = {
     "\u0300": r"\`",
@@ -37,7 +37,7 @@ _IN_MATHEMATICS = {"\u0300": "grave", "\u0301": "acute", "\u0308": "ddot", "\u03
 _HORN = "\u031b"
 """The mark of Vietnamese that stands beside its letter."""
 
-CYRILLIC = re.compile("[Ѐ-џҐ-ғҖ-ҝҠ-ҥҪҫҮ-ҳҶ-һӀ-ӂӐ-ӟӢ-ӨөӬ-ӵӸӹ]")
+CYRILLIC = pattern("[Ѐ-џҐ-ғҖ-ҝҠ-ҥҪҫҮ-ҳҶ-һӀ-ӂӐ-ӟӢ-ӨөӬ-ӵӸӹ]")
 """Cyrillic letters of the font encoding T2A."""
 
 _BARRED = dict(zip("ĦħŦŧƀɃɨƗƵƶǤǥɈɉ", "HhTtbBiIZzGgJj", strict=True))

@@ -23,6 +23,7 @@ from ...formula.layout import TRIGONOMETRIC, in_degrees
 from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
 from ...formula.typesetting import Row, Typesetter
 from ...named import NamedTuple
+from ...patterns import pattern
 from ...syntax.vocabulary import split_quantity
 from .notation import Notation, relation_sign
 from .notation import name as name_of
@@ -251,7 +252,7 @@ def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
     )
 
 
-_ENDS_APART = re.compile(r"(\)|^[-\d.,{}]+)$")
+_ENDS_APART = pattern(r"(\)|^[-\d.,{}]+)$")
 """The end of a factor that no letter behind it is read with: a bracket, or figures alone."""
 
 
@@ -261,7 +262,7 @@ def _is_distance(formula: Formula) -> bool:
     return isinstance(base, Symbol) and base.name.startswith("len_")
 
 
-_BRACKET = re.compile(r"\(|\\left\(")
+_BRACKET = pattern(r"\(|\\left\(")
 
 
 def _is_figure(formula: Formula) -> bool:

@@ -10,9 +10,11 @@ the spelling.
 
 import re
 import unicodedata
+from functools import cache
 from itertools import groupby
 
 from ...formula.names import GREEK
+from ...patterns import pattern
 from .letters import CYRILLIC, spelled
 
 _SPECIAL = {
@@ -94,23 +96,18 @@ _SPECIAL = {
 }
 
 _PLAIN = {tex: letter for letter, tex in reversed(_SPECIAL.items()) if len(tex) > 2}
-_ESCAPED = re.compile(
-    rf"{'|'.join(map(re.escape, sorted(_PLAIN, key=len, reverse=True)))}|\\mechccyr\{{([^{{}}]*)\}}"
-    r"|\\mechcchar\{[0-9A-F]+\}\{(.)\}\{(?:[^{}]|\{[^{}]*\})*\}"
-)
-"""What stands for a letter, Cyrillic, or a letter that not every font has."""
 
-_LATIN = re.compile("[ -~¡-ſȘ-ț](?<![ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ])")
+_LATIN = pattern("[ -~¡-ſȘ-ț](?<![ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ])")
 """Latin letters of the font encodings T1 and T2A, either by themselves or as accents."""
 
 _MARKS = "\u0300-\u036f"
-_CLUSTER = re.compile(f".[{_MARKS}]*")
+_CLUSTER = pattern(f".[{_MARKS}]*")
 """A character with the marks that no letter of its own has."""
 
-_LIGATURE = re.compile("([-',])(?=[-',])")
+_LIGATURE = pattern("([-',])(?=[-',])")
 """Characters that fonts join when they follow one another, such as ``--``."""
 
-_LONG = re.compile(f"([^ ]{{24}}[{_MARKS}]*)(?=[^ ])")
+_LONG = pattern(f"([^ ]{{24}}[{_MARKS}]*)(?=[^ ])")
 """A word that a narrow column could not hold: it may break after so many characters."""
 
 
@@ -137,7 +134,17 @@ def plain(tex: str) -> str:
     >>> plain(escape("Кран λ — 50% of Ẑ"))
     'Кран λ — 50\\% of Ẑ'
     """
-    return _ESCAPED.sub(lambda found: _PLAIN.get(found[0]) or found[1] or found[2], tex)
+    return _escaped().sub(lambda found: _PLAIN.get(found[0]) or found[1] or found[2], tex)
+
+
+@cache
+def _escaped() -> re.Pattern[str]:
+    """Return what stands for a letter, Cyrillic, or a letter that not every font has."""
+    longest_first = sorted(_PLAIN, key=len, reverse=True)
+    return re.compile(
+        rf"{'|'.join(map(re.escape, longest_first))}|\\mechccyr\{{([^{{}}]*)\}}"
+        r"|\\mechcchar\{[0-9A-F]+\}\{(.)\}\{(?:[^{}]|\{[^{}]*\})*\}"
+    )
 
 
 def has_cyrillic(text: str) -> bool:

@@ -24,7 +24,7 @@ from ...model.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
 from ..derivation.steps import Paragraph
 from ..languages.locale import Locale
-from .extents import extent_remarks
+from . import extents
 from .limits import limits
 from .locking import friction_remarks
 from .speller import LoadWords, Speller
@@ -187,7 +187,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
         one, other = (_spelled(Symbol(n), spell) for n in (first, second))
         said.append(locale.swaps.format(result=symbol, first=one, second=other))
     said += _trends(result, symbol, locale, spell)
-    said += extent_remarks(result, symbol, locale, spell)
+    said += extents.extent_remarks(result, symbol, locale, spell)
     return (*said, *friction_remarks(result, locale, spell))
 
 

@@ -12,7 +12,6 @@
 '2*b/a * cos(alpha) * sin(theta) / cos(alpha + theta)'
 """
 
-import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -23,13 +22,14 @@ from ...formula.names import GREEK, split_name
 from ...formula.tree import Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
 from ...frozen import frozen
+from ...patterns import pattern
 
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
-_POWER = re.compile(r"\^(\d+)")
+_POWER = pattern(r"\^(\d+)")
 
-_WORD = re.compile(r"[\w.°₀-₉]+")
+_WORD = pattern(r"[\w.°₀-₉]+")
 """An argument that needs no parentheses: a letter with its indices, a multiple, a number."""
 
 

@@ -1,6 +1,5 @@
 """How a report for the terminal is written: its mathematics, its language, its lines."""
 
-import re
 from collections.abc import Iterable, Mapping
 from textwrap import wrap
 from types import MappingProxyType
@@ -12,6 +11,7 @@ from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
 from ...named import NamedTuple
+from ...patterns import pattern
 from ...units import ANGLE, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
@@ -28,16 +28,16 @@ WIDTH = 80
 DEEP = " " * 8
 """What stands before a formula."""
 
-_TIED = re.compile(
+_TIED = pattern(
     r"\([^()]{,40}\)|(?<=\d) (?=[^\W\d_])|\b(?:sin|cos|tan|cot|tg|ctg)[⁰¹²³⁴-⁹]* (?=[^\s·+−=])"
 )
-_OPERATOR = re.compile(r"\\operatorname\{(\w+)\}")
-_UNIT = re.compile(r"(?<=\d )(?!in\b)(?:1/)?[A-Za-z][\w^*/·]*")
+_OPERATOR = pattern(r"\\operatorname\{(\w+)\}")
+_UNIT = pattern(r"(?<=\d )(?!in\b)(?:1/)?[A-Za-z][\w^*/·]*")
 """A unit behind its number; ``in`` is the word of a range, too, and stays as it is."""
 
-_POINT = re.compile(r"(?<=\d)\.(?=\d)")
+_POINT = pattern(r"(?<=\d)\.(?=\d)")
 
-_WORD = re.compile(r"[A-Za-z]+")
+_WORD = pattern(r"[A-Za-z]+")
 
 
 class Speller(NamedTuple):
