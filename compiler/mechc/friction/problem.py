@@ -44,7 +44,7 @@ class Problem:
         self._pairs = pairs(balance.plan.graph.pose)
         self._loaded: dict[object, Loaded | None] = {}
         self._reactions: dict[str, Reactions] = {}
-        self._bodies: dict[tuple[int, bool], Bodies] = {}
+        self._bodies: dict[object, Bodies] = {}
         self._exact: dict[tuple[str, Sense], Named] = {}
         self._sums: dict[int, tuple[Definition, ...]] = {}
         self._coupled: dict[int, Coupled] = {}
@@ -96,7 +96,7 @@ class Problem:
 
         Reports E510 … E514 there.
         """
-        key = case.driving, tuple(case.given.items())
+        key = _loads(case)
         if key not in self._loaded:
             is_clear = self._is_clear(find, case.driving)
             self._loaded[key] = self._found(find, case) if is_clear else None
@@ -152,7 +152,7 @@ class Problem:
 
         Raises :class:`EquationsCoupled` where one is none that can be solved by itself.
         """
-        key = id(loaded), cranks
+        key = *_loads(case), cranks
         if key not in self._bodies:
             self._bodies[key] = Bodies(self._task(case, loaded), cranks)
         return self._bodies[key]
@@ -174,6 +174,11 @@ class Problem:
         """Remark on pins whose friction depends on the link that they are fast in."""
         for remark in assumptions(self.plan.graph.pose, case.driving, case.given, exact=exact):
             self.report.add(remark)
+
+
+def _loads(case: Case) -> tuple[object, ...]:
+    """Return what tells one case's loads from another's, as there may be no pairs to do so."""
+    return case.driving, tuple(case.given.items())
 
 
 def _names_in(balance: Balance) -> frozenset[str]:
