@@ -40,7 +40,7 @@ OUTSIDE = 201
 STATES = {0: "free", 3: "locked", 4: "jammed"}
 """What the status in code means; of others nothing is known."""
 
-CASES = 20
+CASES = 4
 """Poses at which the printed case of a ratio with friction is compared with code."""
 
 COMPARED = {
