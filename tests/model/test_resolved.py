@@ -272,11 +272,13 @@ def test_an_error_shows_both_places() -> None:
     with pytest.raises(MechcError) as caught:
         resolve(read(source, report), report)
     (error,) = caught.value.diagnostics
-    (related,) = error.related
+    other, *declared = error.related
     assert error.span is not None
     assert source.text[error.span.start : error.span.end] == "a"
-    assert source.text[related.span.start : related.span.end] == "alpha"
-    assert related.message == "this is an angle (deg)"
+    assert source.text[other.span.start : other.span.end] == "alpha"
+    assert other.message == "this is an angle (deg)"
+    lines = [source.text[d.span.start - len("param ") : d.span.end] for d in declared]
+    assert lines == ["param alpha", "param a"]
 
 
 def test_a_point_inside_a_word_is_marked_itself() -> None:

@@ -314,13 +314,14 @@ def turn_round(forces: Sequence[str]) -> str:
 
 
 @coded("W505")
-def drive_is_back_driven(at: Span, result: str, drive: str) -> Message:
+def drive_is_back_driven(at: Span, result: str, drive: str, is_force: bool) -> Message:
     """A ratio with friction is negative, so that the drive acts against its own motion.
 
     With friction the drive moves along its arrow: a torque counter-clockwise, an actuator
-    apart. A torque that has to act clockwise, or an actuator that has to pull, is negative, and
-    in that motion the load drives. The ratio with friction is then the smaller one, which holds
-    the load back, and k_hold is the larger one, which moves it::
+    apart. A torque that has to act clockwise, an actuator that has to pull, or a force whose
+    arrow points the wrong way is negative, and in that motion the load drives. The ratio with
+    friction is then the smaller one, which holds the load back, and k_hold is the larger one,
+    which moves it::
 
         torque M on OA               # it turns the handle clockwise: k = M/F is negative
         friction pins 0.1 diameter 10 mm
@@ -331,7 +332,10 @@ def drive_is_back_driven(at: Span, result: str, drive: str) -> Message:
         f"{result} is negative at the default pose: with friction {drive} is back-driven, as it "
         "moves along its arrow"
     )
-    return Message(at, message, f"where {drive} is to drive, write 'motion releasing'")
+    turned = (
+        "turn it round (add 180 deg to its direction)" if is_force else "write 'motion releasing'"
+    )
+    return Message(at, message, f"where {drive} is to drive, {turned}")
 
 
 @coded("W503")

@@ -204,8 +204,9 @@ class Arrows:
             hint = self._hint([k.name for k in asked if isinstance(k, Force) and not k.weight])
             self._report.add(messages.result_negative(find.span, find.name, hint))
         elif not friction.is_ideal and friction.sense == "tightening":
-            warning = messages.drive_is_back_driven(find.span, find.name, target.above)
-            self._report.add(warning)
+            drive = target.above
+            is_force = isinstance(self._loads.get(drive), Force)
+            self._report.add(messages.drive_is_back_driven(find.span, find.name, drive, is_force))
 
     def _hint(self, forces: Sequence[str]) -> str:
         """Return a hint at the force to turn.
