@@ -23,7 +23,9 @@ def _body(_known: Mapping[str, Any]) -> str:
         _parts += [TEMPLATES['latex/given.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
     if _known["vectors"]:
         _parts += ['\\noindent ', str(_known["conventions"]), '\n']
-        if (len(_known["vectors"]) > 6):
+        if (not list([_one for _one in _known["vectors"] if _one.direction])):
+            _parts += [TEMPLATES['latex/coordinates_abreast.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
+        elif (len(_known["vectors"]) > 6):
             _parts += [TEMPLATES['latex/vectors_abreast.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
         else:
             _parts += ['\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.17\\linewidth}>{\\raggedright\\arraybackslash}p{0.37\\linewidth}>{\\raggedright\\arraybackslash}p{\\dimexpr0.36\\linewidth+2\\tabcolsep}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
@@ -107,6 +109,18 @@ def _brief(_known: Mapping[str, Any]) -> str:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].numbers), '}\n', str(_known["locale"].at_default), ':\n', str(', '.join(map(str, _known["numbers"]))), '\n']
         if _known["values"]:
             _parts += [str(_known["values"]), '\n']
+    return "".join(_parts)
+
+
+def _coordinates_abreast(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\\begin{longtable}[l]{@{}*{2}{>{\\raggedright\\arraybackslash}p{0.1\\linewidth}>{\\raggedright\\arraybackslash}p{0.33\\linewidth}}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' \\\\\n\\midrule\n\\endhead\n']
+    for loop, row in turns(_known["vectors"][:((len(_known["vectors"]) + 1) // 2)]):
+        _parts += [str(row.vector), ' & ', str(row.length)]
+        for loop, other in turns(_known["vectors"][(loop.length + loop.index0):(loop.length + loop.index)]):
+            _parts += [' & ', str(other.vector), ' & ', str(other.length)]
+        _parts += [' \\\\\n']
+    _parts += ['\\bottomrule\n\\end{longtable}\n']
     return "".join(_parts)
 
 
@@ -304,6 +318,7 @@ def _vectors_abreast(_known: Mapping[str, Any]) -> str:
 TEMPLATES = {
     "latex/body.jinja": _body,
     "latex/brief.jinja": _brief,
+    "latex/coordinates_abreast.jinja": _coordinates_abreast,
     "latex/given.jinja": _given,
     "latex/head.jinja": _head,
     "latex/letters.jinja": _letters,
