@@ -18,7 +18,7 @@ def in_si(name: str, text: str, dimension: Dimension) -> float:
 
     Raises :class:`MechcError` where the text is no constant that measures ``dimension``.
 
-    >>> from ..units import LENGTH
+    >>> from ...units import LENGTH
     >>> in_si("a", "2.5 in", LENGTH), in_si("a", "30mm", LENGTH)
     (0.0635, 0.03)
     """

@@ -250,7 +250,7 @@ def half_a_digit(value: ast.Expr) -> Fraction:
 
     A number with an exponent is no whole number: 353e-3 is 3.53e-1 is 0.353.
 
-    >>> from ..source import Span
+    >>> from ...source import Span
     >>> half_a_digit(ast.Number("7.1407", "", Span(0, 6)))
     Fraction(1, 20000)
     """
