@@ -168,6 +168,8 @@ def _of_list(token: Token, first: Token) -> str:
         return "a load at a point is a force: force F at A along x"
     if first.type == "TELESCOPE" and token.type == "STRING":
         return "a telescope has no title: say it in a comment, behind '#'"
+    if first.type in ("TABLE", "LIST") and token.type != "COMMA":
+        return f"it is written: {WRITTEN[str(first)]}"
     listed = token == "," and first.type in ONE_EACH
     return f"each {first} has a line of its own" if listed else ""
 
