@@ -59,6 +59,9 @@ def slopes(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str
             yield f"d{result.name}/d{name} = {slope}, not {stated}"
 
 
+STILL = 1e-7
+"""Of two speeds near a dead centre, a ratio that is rounding, by whatever power it falls."""
+
 RULE, WEIGHTS = (-2, -1, 1, 2), (1 / 12, -2 / 3, 2 / 3, -1 / 12)
 """Places and weights of a difference quotient of fourth order."""
 
@@ -98,7 +101,7 @@ def _centre(
     if not near or not far or not near[1] or not far[1] or not far[0]:
         return
     first, second = near[0] / near[1], far[0] / far[1]
-    stands = first < 0.3 * second
+    stands = first < 0.3 * second or first < STILL
     if stands != isinstance(limit.cause, DeadCentre):
         yield f"{limit.cause} at {name} = {math.degrees(x):.4f}°: {near}, {far}"
 
