@@ -14,6 +14,10 @@ BESIDE = 1e-6
 """How far from a zero or a pole it is looked at, as a part of the range."""
 
 
+ROUNDED = 1e-12
+"""How far inside of its place an extremum is looked for, too, as a part of the range."""
+
+
 def refuted(extent: Extent, curve: Samples, number: int = 4 * DENSE) -> Iterator[str]:
     """Yield what a curve comes to that is not said to; where it has no value nothing is."""
     low, high = extent.range
@@ -42,9 +46,13 @@ def _beyond(extent: Extent, found: Iterable[tuple[float, float]], slack: float) 
 
 def _not_there(extent: Extent, curve: Samples, usual: float) -> Iterator[str]:
     """Yield the extrema, zeros and poles at which a curve has none."""
-    for extreme in (extent.least, extent.greatest):
-        if extreme and not abs(_only(curve, extreme.x) - extreme.value) <= 1e-6 * usual:
-            yield f"{_only(curve, extreme.x)} at {extreme.x}, not {extreme.value}"
+    middle = (extent.range[0] + extent.range[1]) / 2
+    for extreme in filter(None, (extent.least, extent.greatest)):
+        # the end of a closure is rounded: the last place may have no value any more
+        inwards = extreme.x + ROUNDED * (middle - extreme.x)
+        found = list(curve([extreme.x, inwards]))
+        if not any(abs(value - extreme.value) <= 1e-6 * usual for value in found):
+            yield f"{found[0]} at {extreme.x}, not {extreme.value}"
     far = BESIDE * (extent.range[1] - extent.range[0])
     for way, places in ((1, extent.zeros), (-1, extent.poles)):
         for x in places:
@@ -54,8 +62,3 @@ def _not_there(extent: Extent, curve: Samples, usual: float) -> Iterator[str]:
                 (b / a) ** way > 1.3 for a, b in zip(near, away, strict=True)
             ):
                 yield f"{near} beside {x}, {away} farther away: no {'zero' if way > 0 else 'pole'}"
-
-
-def _only(curve: Samples, x: float) -> float:
-    (value,) = curve([x])
-    return value
