@@ -8,6 +8,7 @@ import mechc
 from mechc.cli.checked import report
 from mechc.driver import compile_source
 from mechc.files import find, read
+from mechc.formula.walk import evaluate
 from mechc.report.sentences.speller import LoadWords
 from mechc.report.text.derivation import render
 from mechc.source import Source
@@ -323,3 +324,98 @@ def test_what_follows_from_no_equation_is_not_said_to_follow():
     first = page.partition("to first order")[2].partition(r"\boxed{M_{f1}")[0]
     assert "gives the same" in first
     assert "hence" not in first
+
+
+# ---------------------------------------------------------------- which load drives
+
+CRANK = """
+{more}
+pivot O
+slider B along x
+link OA
+link AB
+OA = {arm} @ {phi}
+AB = 120 mm @ -10 deg
+torque M on OA
+force F at B along x
+{friction}
+find k = M/F
+"""
+
+PINS = "friction pins 0.1 diameter 10 mm"
+
+
+def crank(phi: str, friction: str = PINS, arm: str = "40 mm", more: str = "") -> Source:
+    return Source("crank.mech", CRANK.format(phi=phi, friction=friction, arm=arm, more=more))
+
+
+def headings(source: Source, language: str) -> str:
+    compiled = compile_source(source)
+    return render(compiled.reported, compiled.mechanism, language=language, unicode=False)
+
+
+@pytest.mark.parametrize(
+    ("language", "drives", "held", "opening"),
+    [
+        ("en", "M drives", "M is back-driven", "along the arrow of M, which only just holds"),
+        (
+            "uk",
+            "прямий хід (рушійний момент M)",
+            "зворотний хід (момент M утримує)",
+            "в напрямку моменту M, який",
+        ),
+        (
+            "ru",
+            "прямой ход (движущий момент M)",
+            "обратный ход (момент M удерживает)",
+            "в направлении момента M, который",
+        ),
+    ],
+)
+def test_headings_say_who_drives_where_a_ratio_is_negative(language, drives, held, opening):
+    """A couple is negative where it acts clockwise: then the load drives the motion along it."""
+    before, after = (headings(crank(phi), language) for phi in ("120 deg", "240 deg"))
+    assert f"{drives} (k_f)" in before
+    assert f"{held} (k_hold)" in before
+    assert f"{held} (k_f)" in after
+    assert f"{drives} (k_hold)" in after
+    assert opening in " ".join(after.split())
+    assert opening not in " ".join(before.split())
+
+
+@pytest.mark.parametrize(("phi", "driven"), [("120 deg", False), ("240 deg", True)])
+def test_json_says_whether_a_load_is_driven(phi, driven):
+    import json
+
+    document = json.loads(mechc.loads(crank(phi).text).emit("json"))
+    found = {r["name"]: r["driven"] for r in document["results"]}
+    assert found == {
+        "k": None,
+        "k_f": driven,
+        "k_f1": driven,
+        "k_hold": not driven,
+        "eta_k": driven,
+    }
+
+
+def test_where_no_value_and_no_proof_gives_a_sign_neither_load_is_said_to_drive():
+    """With a range the sign may be proved; at a dead centre there is none."""
+    turned = crank("phi", more="param phi: angle")
+    assert "the motion along the arrow of M (k_f)" in headings(turned, "en")
+    proved = crank("phi", more="param phi: angle in 200 deg .. 300 deg")
+    assert "M is back-driven (k_f)" in headings(proved, "en")
+    assert "the motion against the arrow of M (k_hold)" in headings(crank("170 deg"), "en")
+
+
+def test_a_given_efficiency_multiplies_a_ratio_that_is_proved_to_be_negative():
+    """Without any length the load is known to drive: k_f is k times 0.8, not k over 0.8."""
+    source = crank("240 deg", "efficiency 0.8", "r", "param r: length")
+    compiled = compile_source(source)
+    k, k_f = compiled.results
+    assert evaluate(k_f.formula, {"r": 1.0}) == pytest.approx(0.8 * evaluate(k.formula, {"r": 1.0}))
+    assert "M is back-driven (k_f)" in headings(source, "en")
+
+
+def test_of_a_ratio_that_is_proved_to_be_negative_the_smaller_force_arrives():
+    found = mechc.loads(crank("240 deg", PINS, "r", "param r: length").text).evaluate(r=0.04)
+    assert found["eta_k"] == pytest.approx(found["k_f"] / found["k"])

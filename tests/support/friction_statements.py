@@ -87,6 +87,7 @@ def refuted(compilation: Compilation) -> Iterator[str]:
     for result in compilation.results:
         if result.locking:
             yield from as_given(Ratios(compilation, result), result)
+            yield from who_drives(Ratios(compilation, result), result)
         for reach in result.locking.reaches if result.locking else ():
             if reach.range:
                 yield from stuck(Ratios(compilation, result), result, reach)
@@ -123,6 +124,16 @@ def as_given(ratios: Ratios, result: Result) -> Iterator[str]:
     state = STATES.get(int(ratios.states({})))
     if state and result.locking.state not in (None, state):
         yield f"{result.name} at the values given: said {result.locking.state}, is {state}"
+
+
+def who_drives(ratios: Ratios, result: Analysis) -> Iterator[str]:
+    """Yield a load that drives and is said to be driven, or the other way round.
+
+    Friction makes the force of the load that drives larger, and smaller what holds it back.
+    """
+    share = float(ratios.along("", np.zeros(1))[1][0])
+    if result.driven is not None and share > 0 and (share < 1) != result.driven and share != 1:
+        yield f"{result.name}: driven is {result.driven}, and friction makes it {share} times k"
 
 
 def throughout(

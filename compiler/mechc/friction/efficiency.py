@@ -5,6 +5,8 @@ while tightening, with a negative one while releasing. Elsewhere it follows, and
 arrives is the inverse quotient. At a dead centre nothing arrives.
 """
 
+from functools import cached_property
+
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box, sign
 from ..algebra.product import Product
@@ -27,13 +29,38 @@ class Drives:
 
     def __init__(self, ideal: Result, sense: Sense, plan: Plan) -> None:
         self._ideal, self._k = ideal, Symbol(ideal.name)
-        self._sense = SIGNS[sense]
-        mechanism = plan.graph.pose.mechanism
-        self._always = _sign(ideal, _sizes(mechanism))
-        self._in_range = _sign(ideal, allowed_box(mechanism))
-        self._values = default_values(plan)
-        value = value_of(ideal, self._values)
-        self._here = -1 if value is not None and value < 0 else 1
+        self._sense, self._plan = SIGNS[sense], plan
+        self._mechanism = plan.graph.pose.mechanism
+
+    @cached_property
+    def _always(self) -> int | None:
+        return _sign(self._ideal, _sizes(self._mechanism))
+
+    @cached_property
+    def _in_range(self) -> int | None:
+        return _sign(self._ideal, allowed_box(self._mechanism))
+
+    @cached_property
+    def _known(self) -> int:
+        """Return the sign of the ratio at the default pose, or in all; 0 where it is not known."""
+        if default := self._ideal.default:
+            return -1 if default < 0 else 1
+        return 0 if default is not None else self._always or self._in_range or 0
+
+    @property
+    def _here(self) -> int:
+        """Return the sign for which a result is printed."""
+        return self._known or 1
+
+    @property
+    def is_driven(self) -> bool | None:
+        """Return whether the others drive the load; None where that is not known."""
+        return self._sense * self._known < 0 if self._known else None
+
+    @property
+    def is_printed_as_driven(self) -> bool:
+        """Return whether they do in the case that is printed, with its condition."""
+        return self._exponent < 0
 
     def with_constant(self, name: str, efficiency: Formula) -> Named:
         """Return the ratio, which is called ``name``, with an efficiency that is given."""
@@ -72,7 +99,7 @@ class Drives:
             return None
         where, holds = (*case.where, Definition(name, case.formula)), case.holds
         if self._exponent < 0:
-            value = value_of(real, self._values)
+            value = value_of(real, default_values(self._plan))
             if value is not None and value * self._here < 0:
                 here = _not_negative(here)
             else:

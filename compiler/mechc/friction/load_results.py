@@ -35,8 +35,9 @@ def load_with_friction(
     efficiency = problem.mechanism.friction.efficiency
     if efficiency is None:
         return by_coefficients(problem, find, ideal, of, sense, order)
-    named = Drives(ideal, sense, problem.plan).with_constant(find.name, efficiency)
-    return _solved(problem, find, ideal, (), named)
+    drives = Drives(ideal, sense, problem.plan)
+    named = drives.with_constant(find.name, efficiency)
+    return _solved(problem, find, ideal, (), named, drives.is_printed_as_driven)
 
 
 def by_coefficients(
@@ -52,14 +53,21 @@ def by_coefficients(
     else:
         once = partial(_exactly, problem, find, case, loaded, sense)
         named = problem.exact(ideal.name, sense, once)
-    return _solved(problem, find, ideal, loaded, named)
+    driven = Drives(ideal, sense, problem.plan).is_driven
+    return _solved(problem, find, ideal, loaded, named, driven)
 
 
 def _solved(
-    problem: Problem, find: Find, ideal: Result, loaded: Loaded, named: Named
+    problem: Problem,
+    find: Find,
+    ideal: Result,
+    loaded: Loaded,
+    named: Named,
+    driven: bool | None,
 ) -> SolvedWithFriction:
     steps = named.case.steps if named.case else named.steps
-    return SolvedWithFriction(result_of(problem, find, ideal, loaded, named), steps=steps)
+    result = replace(result_of(problem, find, ideal, loaded, named), driven=driven)
+    return SolvedWithFriction(result, steps=steps)
 
 
 def efficiency(

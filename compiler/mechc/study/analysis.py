@@ -120,8 +120,9 @@ class Analysis(Result):
     ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
     the conditions of a result that is printed for one case; ``inside`` are the names of its
     ``where`` that are coefficients of a system. ``locking`` states of a ratio with friction where
-    nothing moves, ``courses`` of an efficiency what it runs through, ``extents`` of a ratio what
-    it comes to along the stroke, in a report only.
+    nothing moves, ``driven`` of it whether the other loads drive the motion at the default pose
+    (None where that is not known), ``courses`` of an efficiency what it runs through, ``extents``
+    of a ratio what it comes to along the stroke, in a report only.
     """
 
     zeros: tuple[Vanishing, ...] = ()
@@ -137,6 +138,7 @@ class Analysis(Result):
     holds: tuple[Require, ...] = ()
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
+    driven: bool | None = None
     courses: tuple[EfficiencyRange, ...] = ()
     extents: tuple[Extent, ...] = ()
 
@@ -147,7 +149,8 @@ def as_printed(result: Result) -> Analysis:
     if not isinstance(result, FrictionResult):
         return analysis
     if result.case is None:
-        return replace(analysis, inside=result.inside)
+        return replace(analysis, inside=result.inside, driven=result.driven)
     case = result.case
     shown = {"formula": case.formula, "where": case.where, "holds": case.holds}
-    return replace(analysis, **shown, guards=case.guards, inside=result.inside)
+    analysis = replace(analysis, **shown, guards=case.guards)
+    return replace(analysis, inside=result.inside, driven=result.driven)

@@ -201,6 +201,13 @@ RESULT: Kind[Analysis] = record(
     ),
     member("derivatives", "Partial ones.", map_of(FORMULA), lambda r: r.derivatives or {}),
     member("locking", "Where friction holds it.", optional(LOCKING), lambda r: r.locking),
+    member(
+        "driven",
+        "Of a load with friction, and its efficiency: whether the others drive the motion at "
+        "the default pose; null where that is not known, and at a dead centre.",
+        optional(TRUTH),
+        lambda r: r.driven,
+    ),
     member("courses", "Of an efficiency.", list_of(COURSE), lambda r: r.courses),
     member("value", "At the default pose, SI; null at a pole.", FLOAT, lambda r: r.default),
     member(

@@ -17,8 +17,8 @@ from ...model.mechanism import (
     WithFriction,
     tension_share,
 )
-from ...model.result import Result
-from ...model.targets import whole
+from ...model.result import FrictionResult, Result
+from ...model.targets import Sense, whole
 from ...power.balance import Solved
 from ..sentences.wording import geometry_first, positive_first
 from .steps import Equation, Explanation, Paragraph, SentenceKind
@@ -69,9 +69,8 @@ def of_friction(solution: Solution, results: Iterable[Result]) -> Iterator[Expla
         steps = earlier.with_one_meaning(solved[0].steps, place, names[0])
         steps = [_with_result(step, place, names[0]) for step in steps]
         paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place)]
-        yield Explanation(
-            names, (*_opening(place, names[0], steps, mechanism, earlier), *paragraphs)
-        )
+        first = solved[0].result
+        yield Explanation(names, (*_opening(place, first, steps, mechanism, earlier), *paragraphs))
 
 
 def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
@@ -174,8 +173,20 @@ def _renamed(step: Step, names: Mapping[str, Formula]) -> Step:
 # ------------------------------------------------------------------------------- opening
 
 
+_WAYS: Mapping[tuple[Sense, bool], SentenceKind] = {
+    ("tightening", False): SentenceKind.TIGHTENING,
+    ("tightening", True): SentenceKind.TIGHTENING_HELD_BACK,
+    ("releasing", False): SentenceKind.RELEASING,
+    ("releasing", True): SentenceKind.RELEASING_HELD_BACK,
+}
+
+
 def _opening(
-    target: WithFriction, result: str, steps: Sequence[Step], mechanism: Mechanism, earlier: _Shown
+    target: WithFriction,
+    result: FrictionResult,
+    steps: Sequence[Step],
+    mechanism: Mechanism,
+    earlier: _Shown,
 ) -> Iterator[Paragraph]:
     """Say which way friction acts, how, and what forces are measured by."""
     kind = steps[0].kind
@@ -183,16 +194,14 @@ def _opening(
         return
     drive = _driving(target)
     if drive is not None and kind != "first order":
-        sentence = (
-            SentenceKind.TIGHTENING if target.sense == "tightening" else SentenceKind.RELEASING
-        )
-        yield Paragraph(sentence, formulas={"drive": drive})
+        way = _WAYS[target.sense, bool(result.driven)]
+        yield Paragraph(way, formulas={"drive": drive})
     if kind not in ("first order", "straight", "iterated"):
         yield from earlier.once(_how(steps, mechanism))
     elif any(isinstance(joint, RopeFriction) for joint in mechanism.friction.joints):
         yield from earlier.once([_ROPES])
     if isinstance(target.of, LoadRatio):
-        yield _unit(target.of, steps, result)
+        yield _unit(target.of, steps, result.name)
 
 
 def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:

@@ -23,8 +23,11 @@ ENGLISH = {
     "smooth": "The guide of {point} acts across itself only.",
     "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
     "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
-    "releasing": "The motion is against the arrow of {drive}, which only just holds it back; "
-    "friction acts against every slip.",
+    "tightening, held back": "The motion is along the arrow of {drive}, which only just holds it "
+    "back; friction acts against every slip.",
+    "releasing": "The motion is against the arrow of {drive}; friction acts against every slip.",
+    "releasing, held back": "The motion is against the arrow of {drive}, which only just holds it "
+    "back; friction acts against every slip.",
     "pin friction": "The friction of a pin is a couple: the force on the pin times the radius "
     "{radius} of the friction circle.",
     "guide friction": "The friction of a guide is its coefficient times the force across it.",
@@ -101,7 +104,12 @@ UKRAINIAN = {
     "tightening": "Рух відбувається в напрямку {of_drive:сили|моменту} {drive}; тертя "
     "протидіє кожному "
     "ковзанню.",
-    "releasing": "Рух відбувається проти {of_drive:сили|моменту} {drive}, "
+    "tightening, held back": "Рух відбувається в напрямку {of_drive:сили|моменту} {drive}, "
+    "{of_drive:яка|який} його ледь стримує; тертя "
+    "протидіє кожному ковзанню.",
+    "releasing": "Рух відбувається проти {of_drive:сили|моменту} {drive}; тертя "
+    "протидіє кожному ковзанню.",
+    "releasing, held back": "Рух відбувається проти {of_drive:сили|моменту} {drive}, "
     "{of_drive:яка|який} його ледь стримує; тертя "
     "протидіє кожному ковзанню.",
     "pin friction": "Тертя в шарнірі — це пара, момент якої дорівнює силі в шарнірі, "
@@ -180,7 +188,12 @@ RUSSIAN = {
     "shared": "В точке {point} силы одинаковых частей поперёк оси симметрии взаимно уничтожаются.",
     "tightening": "Движение происходит в направлении {of_drive:силы|момента} {drive}; трение "
     "противодействует каждому скольжению.",
-    "releasing": "Движение происходит против {of_drive:силы|момента} {drive}, "
+    "tightening, held back": "Движение происходит в направлении {of_drive:силы|момента} {drive}, "
+    "{of_drive:которая|который} его едва сдерживает; "
+    "трение противодействует каждому скольжению.",
+    "releasing": "Движение происходит против {of_drive:силы|момента} {drive}; "
+    "трение противодействует каждому скольжению.",
+    "releasing, held back": "Движение происходит против {of_drive:силы|момента} {drive}, "
     "{of_drive:которая|который} его едва сдерживает; "
     "трение противодействует каждому скольжению.",
     "pin friction": "Трение в шарнире — это пара, момент которой равен силе в шарнире, "

@@ -190,8 +190,10 @@ LOCALE = Locale(
         "rope with friction": "Tension of a rope, with friction",
     },
     with_friction={
-        "tightening": "With friction, {drive} drives",
-        "releasing": "With friction, {drive} is back-driven",
+        "drives": "With friction, {drive} drives",
+        "driven": "With friction, {drive} is back-driven",
+        "tightening": "With friction, the motion along the arrow of {drive}",
+        "releasing": "With friction, the motion against the arrow of {drive}",
         "first": "With friction, to first order",
     },
     efficiency="Efficiency",

@@ -22,8 +22,9 @@ class Locale(NamedTuple):
     and rules from the second time on. ``trends`` and ``causes`` map the
     words of a result, ``joints`` those of a joint that is neither pin nor guide,
     ``given_friction`` what is given of friction, ``sentences`` those of a derivation about forces
-    or friction, with places for its names and formulas. ``with_friction`` are headings by the
-    way it moves, or for the first order. ``units`` maps a unit's letters to the language's.
+    or friction, with places for its names and formulas. ``with_friction`` are headings by
+    whether a load drives, else by the way it moves, or for the first order. ``units`` maps a
+    unit's letters to the language's.
     """
 
     babel: str

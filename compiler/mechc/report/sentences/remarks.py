@@ -82,7 +82,8 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
         case Reaction() | Normal() | Axial():
             return locale.joint_forces[_carrier(result.target)]
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
-            said = locale.with_friction["first" if order == "first" else sense]
+            ways = {None: sense, True: "driven", False: "drives"}
+            said = locale.with_friction["first" if order == "first" else ways[result.driven]]
             of_drive = LoadWords([drive], spell.couples)
             return said.format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
         case WithFriction(force):
