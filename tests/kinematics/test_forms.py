@@ -100,7 +100,7 @@ def test_points_part_at_the_speed_of_the_second_less_that_of_the_first():
 
 def test_twins_part_at_the_speed_of_one_away_from_the_line():
     found = graph(two_bars())
-    pair = ForcePair("S", "B", "B'", HERE)
+    pair = ForcePair("S", "B", "B'", HERE, joins_twins=True)
     assert form(forms.parting(found, pair, at(180))) == {
         unknown(found, "OB"): pytest.approx(L * math.cos(ALPHA))
     }

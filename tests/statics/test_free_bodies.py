@@ -353,6 +353,16 @@ def test_a_branch_takes_its_share_and_is_held_by_the_others():
     assert [(a.by, a.gap) for a in guides] == [("ground", ""), ("branches", "transmission")]
 
 
+def test_what_a_mirror_adds_is_marked_and_what_both_halves_share_is_not():
+    (diagram, *_) = compiled("bolt_cutter").free_bodies
+    halves = {body.name: body.twin for body in diagram.bodies}
+    described = [name for name, is_twin in halves.items() if not is_twin]
+    added = [name for name, is_twin in halves.items() if is_twin]
+    assert added
+    assert {name + "'" for name in described} >= {*added}
+    assert not any(name.endswith("'") for name in described)
+
+
 @pytest.mark.parametrize("name", ["jansen_leg", "whitworth", "crank_shaper", "stephenson_closed"])
 def test_bodies_are_in_balance_along_the_stroke(name):
     made = compiled(name)

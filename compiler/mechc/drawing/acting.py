@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 
 from ..figure.figure import Figure, Link, Slide, Torque
 from ..frozen import frozen
-from ..model.twins import is_primed, without_prime
 from ..statics.diagram import Acting, Diagram, FreeBody
 from .drawing import Run
 from .lettering import measured, name
@@ -58,10 +57,7 @@ class Forces:
     @property
     def described(self) -> Iterator[FreeBody]:
         """Yield the bodies of the described half, and those that both halves share."""
-        names = {body.name for body in self.diagram.bodies}
-        for body in self.diagram.bodies:
-            if not (is_primed(body.name) and without_prime(body.name) in names):
-                yield body
+        yield from (body for body in self.diagram.bodies if not body.twin)
 
     def called(self, body: str) -> str:
         """Return a body's name by its points, with their primes: B'K is the twin of BK."""

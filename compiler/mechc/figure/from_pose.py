@@ -30,14 +30,15 @@ def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
     layout = None if values is None else _laid_out(pose, values)
     if values is None or layout is None:
         return None
-    points = _both(layout, pose.mechanism)
+    twins = _twins(layout, pose.mechanism)
+    points = {**layout.points, **dict(_images(layout, twins))}
     values |= layout.lengths
     copies, ways = pose.mechanism.copies, Ways(pose, values)
     return Figure(
         pose.mechanism.name,
         pose.mechanism.title,
         points,
-        tuple(_parts(ways, layout, points)),
+        tuple(_parts(ways, layout, points, twins)),
         layout.mirror,
         int(copies.number) if copies else 1,
         _axis(ways, layout, copies.sharing) if copies else None,
@@ -87,32 +88,37 @@ def _axis(ways: Ways, layout: Layout, sharing: Sequence[str]) -> MirrorLine | No
     return None
 
 
-def _both(layout: Layout, mechanism: Mechanism) -> dict[str, Plane]:
-    """Return the points of both halves; those that are shared, once."""
-    points = dict(layout.points)
-    if layout.mirror is not None and mechanism.mirror is not None:
-        own = [name for name in layout.points if name not in mechanism.mirror.sharing]
-        points |= {primed(name): _image(layout.points[name], layout.mirror) for name in own}
-    return points
+def _twins(layout: Layout, mechanism: Mechanism) -> dict[str, str]:
+    """Return the points that the halves do not share, each with the name of its twin."""
+    if mechanism.mirror is None:
+        return {}
+    return {name: primed(name) for name in layout.points if name not in mechanism.mirror.sharing}
 
 
-def _image(at: Plane, mirror: MirrorLine) -> Plane:
-    return mirror.at.plus(at.minus(mirror.at).reflected(mirror.along))
+def _images(layout: Layout, twins: Mapping[str, str]) -> Iterator[tuple[str, Plane]]:
+    """Yield where each twin is."""
+    if mirror := layout.mirror:
+        for name, twin in twins.items():
+            arm = layout.points[name].minus(mirror.at)
+            yield twin, mirror.at.plus(arm.reflected(mirror.along))
 
 
-def _parts(ways: Ways, layout: Layout, points: Mapping[str, Plane]) -> Iterator[Part]:
+def _parts(
+    ways: Ways, layout: Layout, points: Mapping[str, Plane], twins: Mapping[str, str]
+) -> Iterator[Part]:
     """Yield the parts of the described half, its measurements, then what the twin has of its own.
 
     What joins points that both halves share, or a point and its twin, is there once.
     """
     mirror = ways.pose.mechanism.mirror
     shared = frozenset(mirror.sharing if mirror else ())
-    half = Half(ways, points, layout.size, shared, layout.mirror)
+    images = {**{twin: name for name, twin in twins.items()}, **twins}
+    half = Half(ways, points, layout.size, shared, images, layout.mirror)
     yield from parts(half)
     yield from marks(half)
     if mirror is not None:
-        twins = zip(parts(half), parts(replace(half, sense=-1)), strict=True)
-        yield from (twin for part, twin in twins if _names(twin) != _names(part))
+        both = zip(parts(half), parts(replace(half, sense=-1)), strict=True)
+        yield from (image for part, image in both if _names(image) != _names(part))
 
 
 def _names(part: Part) -> frozenset[str]:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from ..algebra.angle import Angle
 from ..formula.tree import Formula
 from ..frozen import frozen
-from ..model.twins import is_primed, primed, without_prime
+from ..model.twins import primed
 from ..pose.places import Plane, direction
 from .figure import MirrorLine, Segment
 from .outline import rods
@@ -19,7 +19,8 @@ REACH = 0.4
 class Half:
     """One half of the drawing: the described one, or its mirror image.
 
-    ``points`` are those of both halves. Lines are given by their directions in the described
+    ``points`` are those of both halves, ``images`` has each that is not shared with the one that
+    the mirror makes of it. Lines are given by their directions in the described
     half; ``sense`` is −1 in the twin, where what turned left turns right.
     """
 
@@ -27,15 +28,13 @@ class Half:
     points: Mapping[str, Plane]
     size: float
     shared: frozenset[str]
+    images: Mapping[str, str]
     mirror: MirrorLine | None
     sense: int = 1
 
     def point(self, name: str) -> str:
         """Return the name in this half of a point of the description."""
-        if self.sense > 0 or name in self.shared:
-            return name
-        described = without_prime(name)
-        return described if is_primed(name) and described in self.points else primed(name)
+        return name if self.sense > 0 or name in self.shared else self.images[name]
 
     def link(self, name: str) -> str:
         """Return the name of a body in this half."""

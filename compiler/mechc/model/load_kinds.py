@@ -10,7 +10,6 @@ from ..frozen import frozen
 from ..source import Span
 from ..units import FORCE, TORQUE, Dimension
 from .parts import Direction
-from .twins import primed
 
 
 @frozen
@@ -89,7 +88,8 @@ class ForcePair:
 
     ``tie`` is None for an actuator; for a spring it is c·(l0 − len_AB), a known load, and
     ``spring`` is True. Its power is the load times the rate of the distance. Each end acts on
-    a link at its point, or on the pin there where the link is ''. A pair inside a telescope
+    a link at its point, or on the pin there where the link is ''. One that ``joins_twins`` acts
+    across the mirror, on a point and its twin. A pair inside a telescope
     whose end pins have friction acts on the telescope, along it at the piston.
     """
 
@@ -102,11 +102,7 @@ class ForcePair:
     spring: bool = False
     first_link: str = ""
     second_link: str = ""
-
-    @property
-    def joins_twins(self) -> bool:
-        """Return whether it acts across the mirror, on a point and its twin."""
-        return self.second == primed(self.first)
+    joins_twins: bool = False
 
     @property
     def dimension(self) -> Dimension:

@@ -1,6 +1,7 @@
 """Names in the other half of a mirrored mechanism: the twin of ``B`` is ``B'``.
 
-A description names twins so as well; no other module knows what their names look like.
+A description names twins so as well. Only where names are read is a twin known by its name;
+everywhere else it is a field that states so.
 """
 
 PRIME = "'"
@@ -13,11 +14,6 @@ def primed(name: str) -> str:
     "B'"
     """
     return name + PRIME
-
-
-def is_primed(name: str) -> bool:
-    """Return whether a name is that of a twin."""
-    return name.endswith(PRIME)
 
 
 def without_prime(name: str) -> str:

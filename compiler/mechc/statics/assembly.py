@@ -127,7 +127,10 @@ def scaled(action: Action, factor: float) -> Action:
 
 @frozen
 class Assembly:
-    """Everything that equilibrium needs, in numbers."""
+    """Everything that equilibrium needs, in numbers.
+
+    ``twins`` has the bodies and points that the mirror adds, each with what it is the image of.
+    """
 
     bodies: tuple[Body, ...]
     pivots: tuple[str, ...]
@@ -137,3 +140,4 @@ class Assembly:
     transfers: tuple[Transfer, ...]
     cylinders: tuple[Cylinder, ...]
     loads: Mapping[str, tuple[Action, ...]]
+    twins: Mapping[str, str]

@@ -19,9 +19,10 @@ def uncounted(unfolding: Unfolding, friction: Acting) -> Iterator[str]:
     """
     whole = unfolding.assembly()
     acted, held = set(_acted(friction, whole)), _held(whole)
+    symmetric, own = unfolding.axis is not None, {*whole.twins, *whole.twins.values()}
     for point, bodies in _turning(whole).items():
         if len(bodies) > 1 or point in held:
-            turning = (body for body in bodies if unfolding.turns(body))
+            turning = (b for b in bodies if not symmetric or b in own)
             yield from (f"{point} on {b}" for b in turning if (point, b) not in acted)
 
 

@@ -157,17 +157,19 @@ class _Drawn:
 
     def bodies(self) -> Iterator[FreeBody]:
         """Yield links, slides, then pins."""
+        twins = self.acts.assembly.twins
         for name in self.acts.frames:
             direct = (self._named(a) for a in self.acts.on_bodies[name])
             at_pins = (a for p in self.acts.frames[name].points for a in self._at(p, name))
             forces = (*at_pins, *direct)
-            yield FreeBody(name, "slide" if name in self.acts.slides else "link", forces)
+            slides = name in self.acts.slides
+            yield FreeBody(name, "slide" if slides else "link", forces, name in twins)
         for point, acts in self.acts.on_pins.items():
             free = {kind for kind, _ in acts} != {"ground"}
             if free and point not in self.merged and not self._is_plain(point):
                 forces = tuple(acts.values())
                 guided = point in self.acts.guides
-                yield FreeBody(point, "slider" if guided else "pin", forces)
+                yield FreeBody(point, "slider" if guided else "pin", forces, point in twins)
 
     def _carriers(self, point: str) -> list[str]:
         return [by for kind, by in self.acts.on_pins[point] if kind == "pin"]

@@ -68,11 +68,15 @@ class Acting(NamedTuple):
 
 
 class FreeBody(NamedTuple):
-    """A link, a slide, or a pin on which more acts than the two links that it joins."""
+    """A link, a slide, or a pin on which more acts than the two links that it joins.
+
+    A ``twin`` is in the half that the mirror adds.
+    """
 
     name: str
     kind: Literal["link", "slide", "slider", "pin"]
     forces: tuple[Acting, ...]
+    twin: bool
 
 
 class Diagram(NamedTuple):

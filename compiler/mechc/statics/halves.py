@@ -1,6 +1,7 @@
 """A pose in numbers, and the way from each half of a mirrored mechanism to its twin."""
 
 from collections.abc import Mapping
+from itertools import chain
 from typing import assert_never
 
 from ..frozen import frozen
@@ -11,7 +12,7 @@ from .assembly import GROUND, Action, Couple, Plane, Push, Wrench, direction
 
 @frozen
 class Halves:
-    """A pose at given values of its symbols; a twin's name ends in a prime."""
+    """A pose at given values of its symbols."""
 
     pose: Pose
     values: Mapping[str, float]
@@ -57,6 +58,12 @@ class Halves:
         if self.is_shared(whole):
             return body
         return f"{primed(whole)}{at}{self.twin(point) if point else ''}"
+
+    def twins(self) -> dict[str, str]:
+        """Return the bodies and points that the mirror adds, each with what is described."""
+        frames = self.pose.frames
+        names = dict.fromkeys((*frames, *chain(*frames.values()), *self.pose.guides))
+        return {primed(name): name for name in names if not self.is_shared(name)}
 
     def acts_on_shared(self, action: Action) -> bool:
         """Return whether an action is on what both halves share."""

@@ -16,7 +16,7 @@ from typing import assert_never
 
 from ..frozen import frozen
 from ..model.mechanism import Force, ForcePair, Load, Torque
-from ..model.twins import primed, without_prime
+from ..model.twins import primed
 from .assembly import Action, Assembly, Couple, Plane, Push, Wrench, direction
 from .halves import Halves
 from .transfers import transfers
@@ -54,10 +54,6 @@ class Unfolding(Halves):
         if not self.is_shared(body):
             return (there, self.mirrored(there))
         return (there,) if self.axis is None else ()
-
-    def turns(self, body: str) -> bool:
-        """Return whether a body can turn: what both halves share is kept still by symmetry."""
-        return self.axis is None or not self.is_shared(without_prime(body))
 
     def turning_on(self, point: str) -> Iterator[str]:
         """Yield the links and telescopes that a pin joins, but no telescope that nothing loads."""
@@ -129,4 +125,5 @@ class Unfolding(Halves):
             tuple(transfers(self)),
             tuple(telescopes(self)),
             {**loads, **dict(more)},
+            self.twins(),
         )

@@ -24,14 +24,15 @@ def read_force_pair(
     links = _links(statement, scope) if ends else None
     if ends is None or links is None:
         return None
+    across = _is_twin(ends[1], scope)
     if isinstance(statement, ast.Actuator):
         name = statement.name.text
-        return ForcePair(name, *ends, statement.span, None, times, False, *links)
+        return ForcePair(name, *ends, statement.span, None, times, False, *links, across)
     force = _of_spring(statement, "".join(ends), scope)
     if force is None:
         return None
     name = spring_name(statement)
-    return ForcePair(name, *ends, statement.span, force, times, True, *links)
+    return ForcePair(name, *ends, statement.span, force, times, True, *links, across)
 
 
 def _ends(
