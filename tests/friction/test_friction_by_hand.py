@@ -11,7 +11,7 @@ from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.tree import Call, Symbol, number, product
 from mechc.formula.walk import evaluate
 from mechc.friction import pairs
-from mechc.friction.coupled import Coupled
+from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives
 from mechc.friction.free_bodies import Bodies, BodyForce, EquationsCoupled, Task
 from mechc.friction.iterated import exact, first_order
@@ -365,7 +365,7 @@ def test_to_first_order_friction_adds_its_power_under_ideal_forces(sense):
 def test_the_coupled_equations_give_the_true_pressing_force(sense):
     """The same guide as above, by Newton's method: n = 2/(1 ± μ/2)."""
     pressed = [single(Product(2), by=Product(Fraction(1, 2)))]
-    sizes = Coupled(pressed, set()).sizes(sense)
+    sizes = true_sizes(coupled(pressed, set()), sense)
     known = completed({}, sizes.definitions)
     assert known[sizes.names["G"]] == pytest.approx(2 / (1 + sense * 0.1))
     found = exact(number(3), pressed, sizes, lambda value: value)

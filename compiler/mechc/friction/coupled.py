@@ -13,7 +13,7 @@ passes zero the drive would need to be infinitely strong, and behind it the load
 round: nothing balances. Nor does anything where the branch of solutions ends on the way.
 """
 
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
 from ..formula.names import another
@@ -90,180 +90,249 @@ class Row(NamedTuple):
     shares: tuple[Share, ...]
 
 
+@frozen
+class Names:
+    """What the parts of the system are called: those of each pair, in their order, then the rest.
+
+    Of each pair that is its true size, the unknown that it is found by, the power that its
+    friction takes, and its size without friction.
+    """
+
+    sizes: tuple[str, ...]
+    unknowns: tuple[str, ...]
+    added: tuple[str, ...]
+    alone: tuple[str, ...]
+    scale: str
+    length: str
+    turn: str
+    common: str
+    load: str
+    without: str
+    step: str
+    left: str
+    rounded: str
+
+
+@frozen
 class Coupled:
-    """Names what the system is made of, and the system, for either sense of motion."""
+    """The coupled equations of loaded pairs, for either sense of motion."""
 
-    def __init__(self, pressed: Sequence[LoadedPair], taken: Set[str]) -> None:
-        self._pressed, self._taken = pressed, set(taken)
-        self._places = {p.pair.name: i for i, p in enumerate(pressed)}
-        self._slips = [p.slip.formula() for p in pressed]
-        self._factors = [p.pair.factor.formula() for p in pressed]
-        self._sizes = self._each("n")
-        self._unknowns, self._added = self._each("x"), self._each("q")
-        self._alone = self._each("a")
-        self._scale, self._length = self._name("n_0"), self._name("d_0")
-        self._turn, self._common = self._name("g_0"), self._name("e_0")
-        self._load = self._name("phi_0")
-        self._without = self._name("q_0")
-        self._step, self._left, self._rounded = (self._name(n) for n in ("t_0", "t_1", "t_2"))
-        self._pairs = [self._rows(p) for p in pressed]
-        self._every = [row for pair in self._pairs for row in pair]
-        self._system = self._equations()
+    loaded: tuple[LoadedPair, ...]
+    names: Names
+    pairs: tuple[tuple[Row, ...], ...]
+    system: System
 
-    def sizes(self, sense: int) -> Sizes:
-        """Return the sizes of the pressing forces that solve the coupled equations."""
-        names = {p.pair.name: name for p, name in zip(self._pressed, self._sizes, strict=True)}
-        return Sizes(names, tuple(self._definitions(sense)), sense, (Symbol(self._load),))
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """Return the components of all pressing forces."""
+        return tuple(row for pair in self.pairs for row in pair)
 
-    def _each(self, prefix: str) -> list[str]:
-        return [self._name(f"{prefix}_{p.pair.name}") for p in self._pressed]
+    @property
+    def shares(self) -> list[Share]:
+        """Return what all frictions share in all components."""
+        return [share for row in self.rows for share in row.shares]
 
-    def _name(self, wanted: str) -> str:
-        while wanted in self._taken:
+
+def coupled(loaded: Sequence[LoadedPair], taken: Set[str]) -> Coupled:
+    """Return the coupled equations of pairs, under names that are not taken."""
+    name = _fresh(taken)
+    sizes, unknowns, added, alone = (
+        tuple(name(f"{prefix}_{p.pair.name}") for p in loaded) for prefix in "nxqa"
+    )
+    others = ("n_0", "d_0", "g_0", "e_0", "phi_0", "q_0", "t_0", "t_1", "t_2")
+    names = Names(sizes, unknowns, added, alone, *map(name, others))
+    pairs = tuple(tuple(_rows(p, loaded, name)) for p in loaded)
+    return Coupled(tuple(loaded), names, pairs, _system(names, pairs))
+
+
+def _fresh(taken: Set[str]) -> Callable[[str], str]:
+    """Return what makes names of those that are wanted, each of them once."""
+    used = set(taken)
+
+    def name(wanted: str) -> str:
+        while wanted in used:
             wanted = another(wanted)
-        self._taken.add(wanted)
+        used.add(wanted)
         return wanted
 
-    # -------------------------------------------------------------------- definitions
+    return name
 
-    def _definitions(self, sense: int) -> Iterator[Definition]:
-        """Yield the ideal forces, how frictions change them, and the true sizes."""
-        yield from (row.ideal for row in self._every)
-        yield Definition(self._scale, _hypot(row.ideal.name for row in self._every))
-        for name, pair in zip(self._alone, self._pairs, strict=True):
-            ideal = (self._per_scale(row.ideal.name) for row in pair)
-            yield Definition(name, Call("hypot", (*ideal, number(ROUNDED))))
-        yield from self._against(sense)
-        for i, name in enumerate(self._added):
-            yield Definition(name, self._power(i, sense))
-        yield from self._of_the_load()
-        yield from self._solutions()
 
-    def _against(self, sense: int) -> Iterator[Definition]:
-        """Yield by how much a unit of each true size changes a component."""
-        sides = [Call("sign", (slip,)) for slip in self._slips]
-        for share in (share for row in self._every for share in row.shares):
-            parts = [(number(-sense), 1), (share.amount, 1), (sides[share.place], 1)]
-            yield Definition(share.name, product(parts))
+def _rows(
+    pair: LoadedPair, loaded: Sequence[LoadedPair], name: Callable[[str], str]
+) -> Iterator[Row]:
+    """Yield the components of the force that presses a pair."""
+    for axis, component in zip("xy", pair.components, strict=False):
+        ideal = Definition(name(f"r_{pair.pair.name}{axis}"), component.ideal.formula())
+        shares = _shares(f"d_{pair.pair.name}{axis}", component, loaded, name)
+        yield Row(ideal, tuple(shares))
 
-    def _of_the_load(self) -> Iterator[Definition]:
-        """Yield how much of D goes along with the loads that friction adds; how long the way is."""
-        shares = [share.name for row in self._every for share in row.shares]
-        common = (
-            product([(self._per_scale(r.ideal.name), 1), (Symbol(s.name), 1), (self._adds(s), 1)])
-            for r in self._every
-            for s in r.shares
+
+def _shares(
+    prefix: str, component: Component, loaded: Sequence[LoadedPair], name: Callable[[str], str]
+) -> Iterator[Share]:
+    places = {p.pair.name: i for i, p in enumerate(loaded)}
+    for other, part in component.by.items():
+        place = places[other]
+        amount = part * loaded[place].pair.factor
+        yield Share(place, name(f"{prefix}{other}"), amount.formula())
+
+
+def true_sizes(equations: Coupled, sense: int) -> Sizes:
+    """Return the sizes of the pressing forces that solve the coupled equations."""
+    pairs = zip(equations.loaded, equations.names.sizes, strict=True)
+    names = {loaded.pair.name: name for loaded, name in pairs}
+    return Sizes(
+        names, tuple(_definitions(equations, sense)), sense, (Symbol(equations.names.load),)
+    )
+
+
+# ------------------------------------------------------------------------ definitions
+
+
+def _definitions(of: Coupled, sense: int) -> Iterator[Definition]:
+    """Yield the ideal forces, how frictions change them, and the true sizes."""
+    yield from (row.ideal for row in of.rows)
+    yield Definition(of.names.scale, _hypot(row.ideal.name for row in of.rows))
+    for name, pair in zip(of.names.alone, of.pairs, strict=True):
+        ideal = (_per_scale(of, row.ideal.name) for row in pair)
+        yield Definition(name, Call("hypot", (*ideal, number(ROUNDED))))
+    slips = [p.slip.formula() for p in of.loaded]
+    yield from _against(of, slips, sense)
+    for name, loaded, slip in zip(of.names.added, of.loaded, slips, strict=True):
+        yield Definition(name, _power(loaded.pair.factor.formula(), slip, sense))
+    yield from _of_the_load(of)
+    yield from _solutions(of)
+
+
+def _against(of: Coupled, slips: Sequence[Formula], sense: int) -> Iterator[Definition]:
+    """Yield by how much a unit of each true size changes a component."""
+    sides = [Call("sign", (slip,)) for slip in slips]
+    for share in of.shares:
+        parts = [(number(-sense), 1), (share.amount, 1), (sides[share.place], 1)]
+        yield Definition(share.name, product(parts))
+
+
+def _power(factor: Formula, slip: Formula, sense: int) -> Formula:
+    """Return the driving load that friction takes for each unit of a normal force."""
+    return product([(number(sense), 1), (factor, 1), (Call("abs", (slip,)), 1)])
+
+
+def _of_the_load(of: Coupled) -> Iterator[Definition]:
+    """Yield how much of D goes along with the loads that friction adds; how long the way is."""
+    names = of.names
+    common = (
+        product([(_per_scale(of, r.ideal.name), 1), (Symbol(s.name), 1), (_adds(of, s), 1)])
+        for r in of.rows
+        for s in r.shares
+    )
+    yield Definition(names.common, total(common))
+    squares = (product([(Symbol(name), 2)]) for name in names.added)
+    yield Definition(names.turn, quotient(Symbol(names.common), total([*squares, NOTHING])))
+    both = product([(Symbol(names.turn), 1), (Symbol(names.common), 1)])
+    whole = total([product([(Symbol(share.name), 2)]) for share in of.shares])
+    rest = Call("max", (total([whole, negative(both)]), number(0)))
+    parts = (total([ONE, rest]), _certain(whole))
+    yield Definition(names.length, Call("sqrt", (product([(p, 1) for p in parts]),)))
+
+
+def _solutions(of: Coupled) -> Iterator[Definition]:
+    """Yield the loads at the end, and the true sizes where they are as given."""
+    names, system = of.names, of.system
+    arguments = tuple(_argument(of, name) for name, _ in system.anchor)
+    found = [Implicit(system, i, arguments) for i in range(len(system.unknowns))]
+    for name, size in zip(names.unknowns, found, strict=False):
+        yield Definition(name, size)
+    less = product([(number(-1), 1), (Symbol(names.turn), 1), (_load_added(names), 1)])
+    yield Definition(names.load, total([found[-1], less]))
+    for name, unknown in zip(names.sizes, names.unknowns, strict=True):
+        parts = [(Symbol(names.scale), 1), (Symbol(unknown), 1), (Symbol(names.load), -1)]
+        yield Definition(name, product(parts))
+
+
+def _argument(of: Coupled, name: str) -> Formula:
+    """Return what a symbol of the system is at the end of the way."""
+    names = of.names
+    if name in (names.step, names.left):
+        return quotient(ONE, Symbol(names.length))
+    if name == names.rounded:
+        return NOTHING
+    if name in names.added:
+        return product([(Symbol(names.turn), 1), (Symbol(name), 1)])
+    is_ideal = any(row.ideal.name == name for row in of.rows)
+    return _per_scale(of, name) if is_ideal else Symbol(name)
+
+
+def _per_scale(of: Coupled, name: str) -> Formula:
+    return quotient(Symbol(name), Symbol(of.names.scale))
+
+
+def _adds(of: Coupled, share: Share) -> Formula:
+    return Symbol(of.names.added[share.place])
+
+
+# ----------------------------------------------------------------------------- system
+
+
+def _system(names: Names, pairs: Sequence[Sequence[Row]]) -> System:
+    """Return the equations, each force times the share of the way that is left."""
+    left, step = Symbol(names.left), Symbol(names.step)
+    load = product([(left, 1), (Symbol(names.without), 1)])
+    true_load = total([load, product([(number(-1), 1), (step, 1), (_load_added(names), 1)])])
+    rounded = product([(Symbol(names.rounded), 1), (load, 1)])
+    equations = [
+        total(
+            [
+                product([(left, 1), (Symbol(x), 1)]),
+                negative(Call("hypot", (*(_force(r, true_load, names) for r in pair), rounded))),
+            ]
         )
-        yield Definition(self._common, total(common))
-        squares = (product([(Symbol(name), 2)]) for name in self._added)
-        yield Definition(self._turn, quotient(Symbol(self._common), total([*squares, NOTHING])))
-        both = product([(Symbol(self._turn), 1), (Symbol(self._common), 1)])
-        whole = total([product([(Symbol(share), 2)]) for share in shares])
-        rest = Call("max", (total([whole, negative(both)]), number(0)))
-        parts = (total([ONE, rest]), _certain(whole))
-        yield Definition(self._length, Call("sqrt", (product([(p, 1) for p in parts]),)))
+        for x, pair in zip(names.unknowns, pairs, strict=True)
+    ]
+    unknowns = (*names.unknowns, names.without)
+    every = (*equations, _measure(names))
+    return System(
+        unknowns,
+        every,
+        _anchor(names, [r for pair in pairs for r in pair]),
+        (*names.alone, 1.0),
+        LONGER,
+    )
 
-    def _solutions(self) -> Iterator[Definition]:
-        """Yield the loads at the end, and the true sizes where they are as given."""
-        system = self._system
-        arguments = tuple(self._argument(name) for name, _ in system.anchor)
-        found = [Implicit(system, i, arguments) for i in range(len(system.unknowns))]
-        for name, size in zip(self._unknowns, found, strict=False):
-            yield Definition(name, size)
-        less = product([(number(-1), 1), (Symbol(self._turn), 1), (self._load_added(), 1)])
-        yield Definition(self._load, total([found[-1], less]))
-        for name, unknown in zip(self._sizes, self._unknowns, strict=True):
-            parts = [(Symbol(self._scale), 1), (Symbol(unknown), 1), (Symbol(self._load), -1)]
-            yield Definition(name, product(parts))
 
-    def _argument(self, name: str) -> Formula:
-        if name in (self._step, self._left):
-            return quotient(ONE, Symbol(self._length))
-        if name == self._rounded:
-            return NOTHING
-        ideal = name in self._ideal
-        if name in self._added:
-            return product([(Symbol(self._turn), 1), (Symbol(name), 1)])
-        return self._per_scale(name) if ideal else Symbol(name)
+def _anchor(names: Names, rows: Sequence[Row]) -> tuple[tuple[str, float | None], ...]:
+    """Return where the way begins: without friction; what has no value there stays as it is."""
+    path = ((names.step, 0.0), (names.left, 1.0), (names.rounded, float(ROUNDED)))
+    kept = [*(row.ideal.name for row in rows), *names.alone, *names.added]
+    kept += [share.name for row in rows for share in row.shares]
+    return (*path, *((name, None) for name in kept))
 
-    def _per_scale(self, name: str) -> Formula:
-        return quotient(Symbol(name), Symbol(self._scale))
 
-    def _adds(self, share: Share) -> Formula:
-        return Symbol(self._added[share.place])
+def _load_added(names: Names) -> Formula:
+    """Return the driving load that all frictions together take."""
+    return total(
+        product([(Symbol(added), 1), (Symbol(x), 1)])
+        for added, x in zip(names.added, names.unknowns, strict=True)
+    )
 
-    def _power(self, place: int, sense: int) -> Formula:
-        """Return the driving load that friction takes for each unit of a normal force."""
-        slip = Call("abs", (self._slips[place],))
-        return product([(number(sense), 1), (self._factors[place], 1), (slip, 1)])
 
-    def _rows(self, pressed: LoadedPair) -> list[Row]:
-        return [
-            Row(
-                Definition(self._name(f"r_{pressed.pair.name}{axis}"), component.ideal.formula()),
-                tuple(self._shares(f"d_{pressed.pair.name}{axis}", component)),
-            )
-            for axis, component in zip("xy", pressed.components, strict=False)
-        ]
+def _force(row: Row, load: Formula, names: Names) -> Formula:
+    """Return a component of a force in the unknowns."""
+    terms = (
+        product([(Symbol(s.name), 1), (Symbol(names.unknowns[s.place]), 1)]) for s in row.shares
+    )
+    by_friction = product([(Symbol(names.step), 1), (total(terms), 1)])
+    return total([product([(Symbol(row.ideal.name), 1), (load, 1)]), by_friction])
 
-    def _shares(self, prefix: str, component: Component) -> Iterator[Share]:
-        for other, part in component.by.items():
-            place = self._places[other]
-            amount = part * self._pressed[place].pair.factor
-            yield Share(place, self._name(f"{prefix}{other}"), amount.formula())
 
-    # ------------------------------------------------------------------------- system
-
-    def _equations(self) -> System:
-        """Return the equations, each force times the share of the way that is left."""
-        self._ideal = {row.ideal.name for row in self._every}
-        left, step = Symbol(self._left), Symbol(self._step)
-        load = product([(left, 1), (Symbol(self._without), 1)])
-        true_load = total([load, product([(number(-1), 1), (step, 1), (self._load_added(), 1)])])
-        rounded = product([(Symbol(self._rounded), 1), (load, 1)])
-        equations = [
-            total(
-                [
-                    product([(left, 1), (Symbol(x), 1)]),
-                    negative(Call("hypot", (*(self._force(r, true_load) for r in pair), rounded))),
-                ]
-            )
-            for x, pair in zip(self._unknowns, self._pairs, strict=True)
-        ]
-        unknowns = (*self._unknowns, self._without)
-        every = (*equations, self._measure())
-        return System(unknowns, every, self._anchor(), (*self._alone, 1.0), LONGER)
-
-    def _anchor(self) -> tuple[tuple[str, float | None], ...]:
-        """Return where the way begins: without friction; what has no value there stays as it is."""
-        path = ((self._step, 0.0), (self._left, 1.0), (self._rounded, float(ROUNDED)))
-        kept = [*(row.ideal.name for row in self._every), *self._alone, *self._added]
-        kept += [share.name for row in self._every for share in row.shares]
-        return (*path, *((name, None) for name in kept))
-
-    def _load_added(self) -> Formula:
-        """Return the driving load that all frictions together take."""
-        return total(
-            product([(Symbol(added), 1), (Symbol(x), 1)])
-            for added, x in zip(self._added, self._unknowns, strict=True)
-        )
-
-    def _force(self, row: Row, load: Formula) -> Formula:
-        """Return a component of a force in the unknowns."""
-        terms = (
-            product([(Symbol(s.name), 1), (Symbol(self._unknowns[s.place]), 1)]) for s in row.shares
-        )
-        by_friction = product([(Symbol(self._step), 1), (total(terms), 1)])
-        return total([product([(Symbol(row.ideal.name), 1), (load, 1)]), by_friction])
-
-    def _measure(self) -> Formula:
-        """Return the equation by which loads and forces keep their size altogether."""
-        without, part = Symbol(self._without), number(Fraction(1, len(self._unknowns) + 1))
-        more = (
-            total([Symbol(x), product([(number(-1), 1), (Symbol(a), 1), (without, 1)])])
-            for x, a in zip(self._unknowns, self._alone, strict=True)
-        )
-        return total([without, product([(part, 1), (total(more), 1)]), number(-1)])
+def _measure(names: Names) -> Formula:
+    """Return the equation by which loads and forces keep their size altogether."""
+    without, part = Symbol(names.without), number(Fraction(1, len(names.unknowns) + 1))
+    more = (
+        total([Symbol(x), product([(number(-1), 1), (Symbol(a), 1), (without, 1)])])
+        for x, a in zip(names.unknowns, names.alone, strict=True)
+    )
+    return total([without, product([(part, 1), (total(more), 1)]), number(-1)])
 
 
 def _hypot(names: Iterator[str]) -> Formula:

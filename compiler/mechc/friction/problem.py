@@ -16,7 +16,7 @@ from ..power.reactions import Reactions
 from .assumptions import assumptions
 from .case import Case
 from .closed_form import Named
-from .coupled import Coupled, Sizes
+from .coupled import Coupled, Sizes, coupled, true_sizes
 from .default import DefaultPose
 from .free_bodies import Bodies, Task
 from .naming import Endings, Meanings, with_one_meaning
@@ -140,9 +140,9 @@ class Problem:
         """Return the true sizes of pressing forces, once for all results that rest on them."""
         here, key = id(loaded), (id(loaded), sense)
         if here not in self._coupled:
-            self._coupled[here] = Coupled(loaded, self.taken)
+            self._coupled[here] = coupled(loaded, self.taken)
         if key not in self._sizes:
-            found = self._coupled[here].sizes(sense)
+            found = true_sizes(self._coupled[here], sense)
             meanings = self.in_code, self.default.meanings
             self._sizes[key] = with_one_meaning(found, meanings, endings)
         return self._sizes[key]
