@@ -11,23 +11,20 @@ Free bodies are solved one after another, each with one force left unknown:
   rods carry the same force, as in a symmetric toggle.
 
 Where a body has more unknowns the chain ends (:class:`EquationsCoupled`): its equations hang
-together, and :mod:`.exact` solves them.
+together, and :mod:`.iterated` solves them.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import assert_never
 
-from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
-from ..model.mechanism import Link
-from ..pose.pose import PointContact
 from .closed_form import Condition
-from .free_bodies import HALF_TURN, Bodies, BodyForce, EquationsCoupled, Kind, Surface, under
+from .force_lines import ForceLines
+from .free_bodies import Bodies, BodyForce, EquationsCoupled, Kind
 from .lever import Bearing, Sides, on_lever
 from .notes import Notes
-from .pairs import radii, reduced
 from .signs import Signs
 from .steps import Step
 
@@ -37,13 +34,12 @@ class SequentialSolver:
 
     def __init__(self, bodies: Bodies, signs: Signs, sense: int) -> None:
         self._bodies, task = bodies, bodies.task
-        self._driving, self._signs, self._sense = task.driving, signs, sense
+        self._driving, self._signs = task.driving, signs
         self.sizes: dict[str, Product] = dict(task.given)
         self.conditions: list[Condition] = []
-        self._notes = Notes(self._bodies, signs)
+        self._notes = Notes(bodies, signs)
         self._given = task.given
-        self._radii = radii(p.pair for p in task.pressed)
-        self._lines: dict[str, Angle] = {}
+        self._lines = ForceLines(bodies, signs, sense, self._notes)
         self._squared: dict[str, Sides] = {}
 
     @property
@@ -64,7 +60,7 @@ class SequentialSolver:
     def _solves(self, body: str) -> bool:
         """Solve a body if it has no more unknowns than equations."""
         kind = self._bodies.kind(body)
-        forces = list(self._forces(body))
+        forces = list(self._lines.on(body))
         unknown = [p for p in forces if p.name not in self.sizes]
         if len(unknown) != (2 if kind == "pin" else 1):
             return False
@@ -90,86 +86,11 @@ class SequentialSolver:
             case _:
                 assert_never(kind)
 
-    # ---------------------------------------------------------------------------- rods
-
-    def _forces(self, body: str) -> Iterator[BodyForce]:
-        """Yield the forces on a body, those of rods under a unit of force."""
-        yield from self._bodies.loads_on(body)
-        for rod, point in self._bodies.rods_at(body):
-            yield self._rod_force(rod, point)
-        for touch, is_under in self._bodies.touches_at(body):
-            line = self._face(touch)
-            place, ahead = (under(touch), line + HALF_TURN) if is_under else (touch.point, line)
-            yield BodyForce(f"R_{touch.point}", place, ahead)
-
-    def _rod_force(self, rod: Link, point: str) -> BodyForce:
-        """Return the force of a rod, under a unit axial force, on the body at a point."""
-        line, surface = self._line(rod), self._bodies.surface(point, rod)
-        pressed, counted = self._pressed(rod), self._counted(rod)
-        couple = pressed * counted * self._resistance(surface) if surface else ZERO
-        force_terms = (point == rod.points[1]) == (counted == ONE)
-        return BodyForce(
-            f"S_{rod.name}", point, line if force_terms else line + HALF_TURN, ONE, couple
-        )
-
-    def _counted(self, rod: Link) -> Product:
-        """Return 1 where compression counts as positive, -1 where people read of tension."""
-        is_tension = self._signs.is_read and self._pressed(rod) == -ONE
-        return -ONE if is_tension else ONE
-
-    def _line(self, rod: Link) -> Angle:
-        """Return the line of a rod's force: the tangent of the friction circles at its ends."""
-        if rod.name not in self._lines:
-            direction, length = self._bodies.vector(rod)
-            surfaces = self._surfaces(rod)
-            offset = add(map(self._resistance, surfaces))
-            turn = -(self._pressed(rod) * offset) / length if offset else ZERO
-            self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, "asin", turn)
-            if surfaces and self._signs.is_read:
-                resistances = [self._resistance(s) for s in surfaces]
-                self._notes.rod(rod, self._pressed(rod), resistances, turn)
-        return self._lines[rod.name]
-
-    def _face(self, touch: PointContact) -> Angle:
-        """Return the line of the force on a pin: the normal turned by the angle of friction."""
-        name, surface = f"R_{touch.point}", self._bodies.face(touch)
-        if surface and name not in self._lines:
-            side = self._signs.of(f"s_{touch.point}", surface.pressed)
-            turn = -(self._resistance(surface) * side)
-            label = f"phi_{touch.point}"
-            self._lines[name] = self._signs.turned(label, touch.normal, "atan", turn)
-            if self._signs.is_read:
-                self._notes.face(touch.point)
-        return self._lines.get(name, touch.normal)
-
-    def _surfaces(self, rod: Link) -> list[Surface]:
-        return [s for p in rod.points if (s := self._bodies.surface(p, rod))]
-
-    def _pressed(self, rod: Link) -> Product:
-        """Return the sign of a rod's force in the ideal mechanism, 1 for compression."""
-        return self._signs.of(f"s_{rod.name}", self._bodies.compression(rod))
-
-    def _resistance(self, surface: Surface) -> Product:
-        """Return the factor of friction with the sign of the slip."""
-        return self._factor(surface) * self._turn(surface)
-
-    def _factor(self, surface: Surface) -> Product:
-        """Return the factor of friction, the radius of a friction circle by its name."""
-        label = self._radii.get(surface.name)
-        if label:
-            return self._signs.radius(label, surface.factor)
-        return self._signs.coefficient(reduced(surface.name), surface.factor)
-
-    def _turn(self, surface: Surface) -> Product:
-        """Return the sign of the slip in the motion that is meant."""
-        sign = self._signs.of(f"sigma_{surface.name}", surface.slip)
-        return sign.scaled(self._sense * surface.turn)
-
-    # -------------------------------------------------------------------------- bodies
-
     def _lever(self, body: str, unknown: BodyForce, known: Sequence[BodyForce]) -> Product:
         surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
-        bearing = Bearing(pivot, self._factor(surface), self._turn(surface)) if surface else None
+        lines, bearing = self._lines, None
+        if surface:
+            bearing = Bearing(pivot, lines.factor(surface), lines.slip(surface))
         arms = self._bodies.arms(body)
         size, turns, quadratic = on_lever(unknown, known, arms, bearing, self._signs)
         if quadratic:
@@ -177,7 +98,7 @@ class SequentialSolver:
         self._determine(unknown, size)
         if turns.factors:
             self.conditions.append(Condition(ONE, turns))
-        return self._resistance(surface) if surface else ZERO
+        return lines.resistance(surface) if surface else ZERO
 
     def _slider(self, body: str, unknown: BodyForce, known: Sequence[BodyForce]) -> Product:
         """Σ F·(e − σ c n) = 0 along the guide e, n its normal on the side that is pressed.
@@ -193,7 +114,7 @@ class SequentialSolver:
             free = -(add(p.along(guide) for p in known) / unknown.along(guide))
             pushed = add(p.across(guide) for p in (*known, unknown.scaled(free)))
             side = self._signs.of(f"s_{body}", canonical(pushed))
-            against = self._resistance(surface) * side
+            against = self._lines.resistance(surface) * side
 
         def along(force: BodyForce) -> Product:
             return add((force.along(guide), -(against * force.across(guide))))
@@ -228,8 +149,8 @@ class SequentialSolver:
         if force.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
             size = self._signs.named(force.name, size)
         self.sizes[force.name] = size
-        if rod and self._surfaces(rod):
-            self._keep(self._pressed(rod) * self._counted(rod), self.sizes[force.name])
+        if rod and self._lines.surfaces(rod):
+            self._keep(self._lines.sense_of(rod) * self._lines.counted(rod), self.sizes[force.name])
         touch = self._bodies.touch(force.name)
         if touch and (surface := self._bodies.face(touch)):
             side = self._signs.of(f"s_{touch.point}", surface.pressed)

@@ -1,0 +1,100 @@
+"""The lines along which bodies act on each other, turned by the friction between them.
+
+A rod's force is along the common tangent of the friction circles at its ends, that on a face
+along the normal turned by the angle of friction. Neither depends on how large the forces are.
+"""
+
+from collections.abc import Iterator
+
+from ..algebra.angle import Angle
+from ..algebra.product import ONE, ZERO, Product
+from ..algebra.sums import add
+from ..model.mechanism import Link
+from ..pose.pose import PointContact
+from .free_bodies import HALF_TURN, Bodies, BodyForce, Surface, under
+from .notes import Notes
+from .pairs import radii, reduced
+from .signs import Signs
+
+
+class ForceLines:
+    """The forces on each body under a unit of their size; each line is found, and noted, once."""
+
+    def __init__(self, bodies: Bodies, signs: Signs, sense: int, notes: Notes) -> None:
+        self._bodies, self._signs, self._sense, self._notes = bodies, signs, sense, notes
+        self._radii = radii(p.pair for p in bodies.task.pressed)
+        self._lines: dict[str, Angle] = {}
+
+    def on(self, body: str) -> Iterator[BodyForce]:
+        """Yield the forces on a body, those of rods under a unit of force."""
+        yield from self._bodies.loads_on(body)
+        for rod, point in self._bodies.rods_at(body):
+            yield self._rod_force(rod, point)
+        for touch, is_under in self._bodies.touches_at(body):
+            line = self._face(touch)
+            place, ahead = (under(touch), line + HALF_TURN) if is_under else (touch.point, line)
+            yield BodyForce(f"R_{touch.point}", place, ahead)
+
+    def _rod_force(self, rod: Link, point: str) -> BodyForce:
+        """Return the force of a rod, under a unit axial force, on the body at a point."""
+        line, surface = self._line(rod), self._bodies.surface(point, rod)
+        pressed, counted = self.sense_of(rod), self.counted(rod)
+        couple = pressed * counted * self.resistance(surface) if surface else ZERO
+        is_ahead = (point == rod.points[1]) == (counted == ONE)
+        return BodyForce(
+            f"S_{rod.name}", point, line if is_ahead else line + HALF_TURN, ONE, couple
+        )
+
+    def counted(self, rod: Link) -> Product:
+        """Return 1 where compression counts as positive, -1 where people read of tension."""
+        is_tension = self._signs.is_read and self.sense_of(rod) == -ONE
+        return -ONE if is_tension else ONE
+
+    def _line(self, rod: Link) -> Angle:
+        """Return the line of a rod's force: the tangent of the friction circles at its ends."""
+        if rod.name not in self._lines:
+            direction, length = self._bodies.vector(rod)
+            surfaces = self.surfaces(rod)
+            offset = add(map(self.resistance, surfaces))
+            turn = -(self.sense_of(rod) * offset) / length if offset else ZERO
+            self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, "asin", turn)
+            if surfaces and self._signs.is_read:
+                resistances = [self.resistance(s) for s in surfaces]
+                self._notes.rod(rod, self.sense_of(rod), resistances, turn)
+        return self._lines[rod.name]
+
+    def _face(self, touch: PointContact) -> Angle:
+        """Return the line of the force on a pin: the normal turned by the angle of friction."""
+        name, surface = f"R_{touch.point}", self._bodies.face(touch)
+        if surface and name not in self._lines:
+            side = self._signs.of(f"s_{touch.point}", surface.pressed)
+            turn = -(self.resistance(surface) * side)
+            label = f"phi_{touch.point}"
+            self._lines[name] = self._signs.turned(label, touch.normal, "atan", turn)
+            if self._signs.is_read:
+                self._notes.face(touch.point)
+        return self._lines.get(name, touch.normal)
+
+    def surfaces(self, rod: Link) -> list[Surface]:
+        """Return the frictions of a rod, at one or both of its ends."""
+        return [s for p in rod.points if (s := self._bodies.surface(p, rod))]
+
+    def sense_of(self, rod: Link) -> Product:
+        """Return the sign of a rod's force in the ideal mechanism, 1 for compression."""
+        return self._signs.of(f"s_{rod.name}", self._bodies.compression(rod))
+
+    def resistance(self, surface: Surface) -> Product:
+        """Return the factor of friction with the sign of the slip."""
+        return self.factor(surface) * self.slip(surface)
+
+    def factor(self, surface: Surface) -> Product:
+        """Return the factor of friction, the radius of a friction circle by its name."""
+        label = self._radii.get(surface.name)
+        if label:
+            return self._signs.radius(label, surface.factor)
+        return self._signs.coefficient(reduced(surface.name), surface.factor)
+
+    def slip(self, surface: Surface) -> Product:
+        """Return the sign of the slip in the motion that is meant."""
+        sign = self._signs.of(f"sigma_{surface.name}", surface.slip)
+        return sign.scaled(self._sense * surface.turn)
