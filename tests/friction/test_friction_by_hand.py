@@ -13,7 +13,7 @@ from mechc.formula.walk import evaluate
 from mechc.friction import pairs
 from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives
-from mechc.friction.free_bodies import Bodies, BodyForce, EquationsCoupled, Task
+from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
 from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever import Bearing, moment, on_lever
 from mechc.friction.linear import LinearSolver
@@ -222,7 +222,7 @@ def chained(pose, driving, sense, **given):
     pressed = loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
     owners = {load.name: equations.owner(load.name) for load in pose.mechanism.loads}
     task = Task(pose, driving, given, owners, pressed, Reactions(pose, (driving,)))
-    solver = SequentialSolver(Bodies(task, False), signs, sense)
+    solver = SequentialSolver(cut_free(task, False), signs, sense)
     return value(solver.solve(), signs)
 
 

@@ -11,10 +11,12 @@ from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
 from ..model.mechanism import Link
 from ..pose.pose import PointContact
-from .free_bodies import HALF_TURN, Bodies, BodyForce, Surface, under
+from . import surfaces
+from .free_bodies import HALF_TURN, Bodies, BodyForce, under
 from .notes import Notes
 from .pairs import radii, reduced
 from .signs import Signs
+from .surfaces import Surface
 
 
 class ForceLines:
@@ -24,6 +26,7 @@ class ForceLines:
         self._bodies, self._signs, self._sense, self._notes = bodies, signs, sense, notes
         self._radii = radii(p.pair for p in bodies.task.pressed)
         self._lines: dict[str, Angle] = {}
+        self._senses: dict[str, Product] = {}
 
     def on(self, body: str) -> Iterator[BodyForce]:
         """Yield the forces on a body, those of rods under a unit of force."""
@@ -37,7 +40,7 @@ class ForceLines:
 
     def _rod_force(self, rod: Link, point: str) -> BodyForce:
         """Return the force of a rod, under a unit axial force, on the body at a point."""
-        line, surface = self._line(rod), self._bodies.surface(point, rod)
+        line, surface = self._line(rod), surfaces.of_rod(self._bodies, rod, point)
         pressed, counted = self.sense_of(rod), self.counted(rod)
         couple = pressed * counted * self.resistance(surface) if surface else ZERO
         is_ahead = (point == rod.points[1]) == (counted == ONE)
@@ -54,18 +57,18 @@ class ForceLines:
         """Return the line of a rod's force: the tangent of the friction circles at its ends."""
         if rod.name not in self._lines:
             direction, length = self._bodies.vector(rod)
-            surfaces = self.surfaces(rod)
-            offset = add(map(self.resistance, surfaces))
+            ends = self.surfaces(rod)
+            offset = add(map(self.resistance, ends))
             turn = -(self.sense_of(rod) * offset) / length if offset else ZERO
             self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, "asin", turn)
-            if surfaces and self._signs.is_read:
-                resistances = [self.resistance(s) for s in surfaces]
+            if ends and self._signs.is_read:
+                resistances = [self.resistance(s) for s in ends]
                 self._notes.rod(rod, self.sense_of(rod), resistances, turn)
         return self._lines[rod.name]
 
     def _face(self, touch: PointContact) -> Angle:
         """Return the line of the force on a pin: the normal turned by the angle of friction."""
-        name, surface = f"R_{touch.point}", self._bodies.face(touch)
+        name, surface = f"R_{touch.point}", surfaces.of_face(self._bodies, touch)
         if surface and name not in self._lines:
             side = self._signs.of(f"s_{touch.point}", surface.pressed)
             turn = -(self.resistance(surface) * side)
@@ -77,11 +80,14 @@ class ForceLines:
 
     def surfaces(self, rod: Link) -> list[Surface]:
         """Return the frictions of a rod, at one or both of its ends."""
-        return [s for p in rod.points if (s := self._bodies.surface(p, rod))]
+        return [s for p in rod.points if (s := surfaces.of_rod(self._bodies, rod, p))]
 
     def sense_of(self, rod: Link) -> Product:
         """Return the sign of a rod's force in the ideal mechanism, 1 for compression."""
-        return self._signs.of(f"s_{rod.name}", self._bodies.compression(rod))
+        if rod.name not in self._senses:
+            force = surfaces.compression(self._bodies, rod)
+            self._senses[rod.name] = self._signs.of(f"s_{rod.name}", force)
+        return self._senses[rod.name]
 
     def resistance(self, surface: Surface) -> Product:
         """Return the factor of friction with the sign of the slip."""

@@ -18,7 +18,7 @@ from .case import Case
 from .closed_form import Named
 from .coupled import Coupled, Sizes, coupled, true_sizes
 from .default import DefaultPose
-from .free_bodies import Bodies, Task
+from .free_bodies import Bodies, Task, cut_free
 from .naming import Endings, Meanings, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, LoadedPair, Undetermined, loaded_pairs
 from .pairs import pairs
@@ -154,7 +154,7 @@ class Problem:
         """
         key = *_loads(case), cranks
         if key not in self._bodies:
-            self._bodies[key] = Bodies(self._task(case, loaded), cranks)
+            self._bodies[key] = cut_free(self._task(case, loaded), cranks)
         return self._bodies[key]
 
     def _task(self, case: Case, loaded: Loaded) -> Task:

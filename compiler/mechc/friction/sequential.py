@@ -20,6 +20,7 @@ from typing import assert_never
 from ..algebra.factors import Opaque
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
+from . import surfaces
 from .closed_form import Condition
 from .force_lines import ForceLines
 from .free_bodies import Bodies, BodyForce, EquationsCoupled, Kind
@@ -87,7 +88,7 @@ class SequentialSolver:
                 assert_never(kind)
 
     def _lever(self, body: str, unknown: BodyForce, known: Sequence[BodyForce]) -> Product:
-        surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
+        surface, pivot = surfaces.of_pivot(self._bodies, body), self._bodies.pivot(body)
         lines, bearing = self._lines, None
         if surface:
             bearing = Bearing(pivot, lines.factor(surface), lines.slip(surface))
@@ -106,7 +107,7 @@ class SequentialSolver:
         Which side that is does not depend on the guide's own friction, so it follows from
         the balance without that, in which the lines of rods and faces are turned already.
         """
-        guide, surface = self._bodies.guide(body), self._bodies.sliding(body)
+        guide, surface = self._bodies.guide(body), surfaces.of_guide(self._bodies, body)
         against, side = ZERO, ZERO
         if not unknown.along(guide):
             raise EquationsCoupled
@@ -132,7 +133,7 @@ class SequentialSolver:
                 raise EquationsCoupled
             parts = add(p.across(other.line) for p in known)
             self._determine(one, -(parts / one.across(other.line)))
-        if self._bodies.has_friction(body) and not self._are_alike(body):
+        if surfaces.at_pin(self._bodies, body) and not self._are_alike(body):
             raise EquationsCoupled
         return ZERO
 
@@ -152,7 +153,7 @@ class SequentialSolver:
         if rod and self._lines.surfaces(rod):
             self._keep(self._lines.sense_of(rod) * self._lines.counted(rod), self.sizes[force.name])
         touch = self._bodies.touch(force.name)
-        if touch and (surface := self._bodies.face(touch)):
+        if touch and (surface := surfaces.of_face(self._bodies, touch)):
             side = self._signs.of(f"s_{touch.point}", surface.pressed)
             self._keep(side, self.sizes[force.name])
 

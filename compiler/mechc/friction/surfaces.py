@@ -1,0 +1,102 @@
+"""The friction between free bodies: at the ends of rods, on pivots, on faces and along guides."""
+
+from ..algebra.product import ZERO, Product
+from ..algebra.sums import add
+from ..kinematics.joint_refs import JointRef, held_end
+from ..model.mechanism import Link
+from ..named import NamedTuple
+from ..pose.pose import PointContact
+from ..power.definitions import bound_names
+from .free_bodies import HALF_TURN, Bodies, EquationsCoupled
+from .normal_forces import LoadedPair
+
+
+class Surface(NamedTuple):
+    """Friction of a body at a joint: its factor, its slip, and 1, or -1 for a slip turned round.
+
+    ``pressed`` is, of a guide, the ideal force across it.
+    """
+
+    name: str
+    factor: Product
+    slip: Product
+    turn: int = 1
+    pressed: Product = ZERO
+
+
+def of_rod(bodies: Bodies, rod: Link, point: str) -> Surface | None:
+    """Return the friction of a rod at one of its ends: in what carries the pin, or about it."""
+    own = bodies.loaded.get(JointRef("pin", point, rod.name))
+    if own:
+        return _surface(own)
+    others = [p for b, p in bodies.loaded.items() if b.kind == "pin" and b.point == point]
+    if bodies.carriers.get(point) != rod.name or not others:
+        return None
+    if len(others) > 1 or _is_pressed_besides(bodies, point):
+        raise EquationsCoupled
+    return _surface(others[0])._replace(turn=-1)
+
+
+def _is_pressed_besides(bodies: Bodies, point: str) -> bool:
+    """Return whether a pin has a guide, or is on a lever and in a slot or contact.
+
+    Then two links press one another at the pin with other forces than it has from them.
+    """
+    slides = bool(bodies.mechanism.slides_at(point))
+    turning = any(point in k.points for k in bodies.levers.values())
+    touching = any(touch.point == point for touch in bodies.pose.touches)
+    return point in bodies.guides or slides or (turning and touching)
+
+
+def of_face(bodies: Bodies, touch: PointContact) -> Surface | None:
+    """Return the friction of a pin on the body under it, with the ideal force on the pin."""
+    pressed = bodies.loaded.get(JointRef("touch", touch.point))
+    if pressed is None:
+        return None
+    (component,) = pressed.components
+    return _surface(pressed)._replace(pressed=component.ideal)
+
+
+def at_pin(bodies: Bodies, point: str) -> bool:
+    """Return whether there is friction at a pin."""
+    return any(b.kind == "pin" and b.point == point for b in bodies.loaded)
+
+
+def of_pivot(bodies: Bodies, lever: str) -> Surface | None:
+    """Return the friction of a lever on its pivot."""
+    pressed = bodies.loaded.get(JointRef("pin", bodies.pivot(lever), lever))
+    return _surface(pressed) if pressed else None
+
+
+def of_guide(bodies: Bodies, body: str) -> Surface | None:
+    """Return the friction on the guide of a slider or slide, and the ideal force across it."""
+    joint_refs = [
+        JointRef("ground", body),
+        *(JointRef("slide", p, body) for p in bodies.points(body)),
+    ]
+    pressed = next((bodies.loaded[b] for b in joint_refs if b in bodies.loaded), None)
+    if pressed is None:
+        return None
+    (component,) = pressed.components
+    return _surface(pressed)._replace(pressed=-component.ideal)
+
+
+def compression(bodies: Bodies, rod: Link) -> Product:
+    """Return the ideal force by which a rod is pressed.
+
+    Raises :class:`EquationsCoupled` where that is not known, or is a long sum.
+    """
+    end = held_end(bodies.mechanism, rod)
+    found = bodies.task.reactions.of(JointRef("pin", end, rod.name))
+    if found is None:
+        raise EquationsCoupled
+    outwards = bodies.vector(rod)[0]
+    along = found.along(outwards if end == rod.points[1] else outwards + HALF_TURN)
+    pressed = -add(along[n] * size for n, size in bodies.task.given.items() if n in along)
+    if any(bound_names(pressed)):
+        raise EquationsCoupled
+    return pressed
+
+
+def _surface(pressed: LoadedPair) -> Surface:
+    return Surface(pressed.pair.name, pressed.pair.factor, pressed.slip)
