@@ -6,6 +6,7 @@ from ..model.result import Drive, Result
 from ..model.targets import SIGNS
 from ..power.definitions import bound_sums
 from .assumptions import asks_for_loads
+from .case import case_of_force, without_friction
 from .joint_forces import ForceWithFriction
 from .load_results import in_closed_form, iterated
 from .problem import Problem
@@ -18,7 +19,7 @@ def force_with_friction(
     problem: Problem, find: Find, ideal: Result, force: Reaction | Axial | Normal, sense: Sense
 ) -> SolvedWithFriction | None:
     """Return a force at a joint; None where equilibrium leaves it open, or friction does."""
-    case = problem.case_of_force(ideal)
+    case = case_of_force(problem.driving, ideal, problem.equations)
     loaded = problem.loaded(find, case)
     if loaded is None:
         return None
@@ -33,7 +34,7 @@ def force_with_friction(
     printed = problem.default.printed(found.at_one_pose, endings)
     named = replace(found.at_any_pose(), case=printed)
     result = result_of(problem, find, replace(ideal, where=()), loaded, named)
-    without = problem.without_friction(case)
+    without = without_friction(case, problem.equations)
     load = iterated(problem, without.formula(), loaded, sizes).formula
     drive = Drive(without.formula(), load)
     known = resting_on(problem, ideal, drive.ideal, bound_sums(problem.plan, [without]))

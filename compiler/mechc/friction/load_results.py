@@ -11,7 +11,7 @@ from ..model.result import Result
 from ..model.targets import SIGNS
 from ..power.numbers import value_of
 from ..power.speeds import magnitude
-from .case import Case
+from .case import Case, case_of_loads, without_friction
 from .closed_form import ClosedFormSolver, Named, closed_form, printed_form
 from .coupled import Sizes
 from .efficiency import Drives
@@ -44,7 +44,7 @@ def by_coefficients(
     problem: Problem, find: Find, ideal: Result, of: Of, sense: Sense, order: str = "exact"
 ) -> SolvedWithFriction | None:
     """Return the solution with friction alone, without efficiencies that are given."""
-    case = problem.case(of, ideal)
+    case = case_of_loads(of, ideal, problem.equations)
     loaded = problem.loaded(find, case)
     if loaded is None:
         return None
@@ -154,7 +154,7 @@ def ways(
     """Yield the ways in which the driving load may be found in closed form."""
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, False), signs, sense)
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, True), signs, sense)
-    ideal = problem.without_friction(case)
+    ideal = without_friction(case, problem.equations)
     yield lambda signs: LinearSolver(case.driving, ideal, loaded, signs, sense)
 
 

@@ -7,8 +7,11 @@ friction is its factor times the size of a pressing force is not linear.
 
 from collections.abc import Mapping, Sequence
 
+from ..algebra.from_formula import to_product
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
+from ..formula.tree import Formula
+from ..formula.walk import substitute, symbols
 from ..frozen import frozen, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Torque
@@ -16,7 +19,6 @@ from ..power.balance import Equations, Term
 from ..power.reactions import ForceTerm, Reactions
 from .pairs import FrictionPair
 from .standing import without_standing
-from .thrusts import thrust_under
 
 Given = Mapping[str, Product]
 """The size of each given load."""
@@ -86,7 +88,7 @@ def loaded_pairs(
     pressed = []
     for pair, slip in zip(pairs, slips, strict=True):
         if pair.thrust is not None:
-            ideal = thrust_under(pair.thrust, equations, given)
+            ideal = _thrust_under(pair.thrust, equations, given)
             if isinstance(ideal, str):
                 raise LoadedByAnother(ideal)
             pressed.append(LoadedPair(pair, slip, (Component(ideal, {}),), ()))
@@ -136,3 +138,16 @@ def _component(
 def scaled(pressed: Sequence[LoadedPair], factor: Product) -> tuple[LoadedPair, ...]:
     """Return the loaded pairs with their slips multiplied by a factor."""
     return tuple(replace(p, slip=p.slip * factor) for p in pressed)
+
+
+def _thrust_under(
+    thrust: Formula, equations: Equations, given: Mapping[str, Product]
+) -> Product | str:
+    """Return a force along an axis under given loads, or the load that is not among them."""
+    sizes = {}
+    for load in sorted(symbols(thrust) & equations.owners.keys()):
+        base, factor = equations.owner(load)
+        if base not in given:
+            return load
+        sizes[load] = (factor * given[base]).formula()
+    return to_product(substitute(thrust, sizes))

@@ -2,13 +2,11 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from ..algebra.product import ONE, Product
-from ..algebra.sums import add, canonical
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..formula.tree import Formula
-from ..model.mechanism import Find, LoadForm, LoadRatio, Mechanism, Sense
-from ..model.result import Definition, Result
+from ..model.mechanism import Find, Mechanism, Sense
+from ..model.result import Definition
 from ..power.balance import Balance
 from ..power.definitions import bound_sums
 from ..power.loads import given_size
@@ -62,37 +60,8 @@ class Problem:
             if size is not None and self.equations.owner(load.name)[0] == load.name:
                 yield load.name, size
 
-    # ------------------------------------------------------------------------- cases
-
-    def case(self, of: LoadRatio | LoadForm, ideal: Result) -> Case:
-        """Return the loads under which a ratio or a form of loads is looked at."""
-        match of:
-            case LoadRatio(above, below):
-                upper, factor = self.equations.owner(above)
-                lower, share = self.equations.owner(below)
-                return Case(ideal, upper, factor, {lower: ONE / share})
-            case LoadForm(load):
-                return Case(ideal, load, ONE, self._others(load))
-
-    def case_of_force(self, ideal: Result) -> Case:
-        """Return the loads under which a force at a joint is looked at: all of them."""
-        return Case(ideal, self.driving, ONE, self._others(self.driving))
-
-    def _others(self, driving: str) -> Mapping[str, Product]:
-        """Return all other free loads as they stand: one that does no work presses, too."""
-        names = (*self.equations.columns, *self.equations.idle_loads)
-        return {n: Product.symbol(n) for n in names if n != driving}
-
-    def without_friction(self, case: Case) -> Product:
-        """Return the driving load that balances those given."""
-        columns = self.equations.columns
-        works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
-        return canonical(-(add(works) / columns[case.driving][0]))
-
-    # ---------------------------------------------------------------- how hard pairs press
-
     def loaded(self, find: Find, case: Case) -> Loaded | None:
-        """Return how pairs are pressed under the loads of a case; None where that is open.
+        """Return the loaded pairs under the loads of a case; None where that is open.
 
         Reports E510 … E514 there.
         """
@@ -103,7 +72,7 @@ class Problem:
         return self._loaded[key]
 
     def _is_clear(self, find: Find, driving: str) -> bool:
-        """Return whether there is one motion, and every pair is pressed as a result can say."""
+        """Return whether there is one motion, and every pair is loaded as a result can say."""
         if self.equations.number != 1:
             self.report.add(messages.several_degrees_of_freedom(find.span, self.equations.number))
             return False
@@ -124,7 +93,7 @@ class Problem:
         return None
 
     def sums(self, loaded: Loaded) -> tuple[Definition, ...]:
-        """Return the named sums that slips and pressing forces rest on."""
+        """Return the named sums that slips and normal forces rest on."""
         key = id(loaded)
         if key not in self._sums:
             self._sums[key] = tuple(self._bound_sums(loaded))
@@ -137,7 +106,7 @@ class Problem:
                 yield from bound_sums(plan, [component.ideal, *component.by.values()])
 
     def sizes(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Sizes:
-        """Return the true sizes of pressing forces, once for all results that rest on them."""
+        """Return the true sizes of normal forces, once for all results that rest on them."""
         here, key = id(loaded), (id(loaded), sense)
         if here not in self._coupled:
             self._coupled[here] = coupled(loaded, self.taken)
@@ -177,7 +146,7 @@ class Problem:
 
 
 def _loads(case: Case) -> tuple[object, ...]:
-    """Return what tells one case's loads from another's, as there may be no pairs to do so."""
+    """Return the loads of a case, by which it is known: there may be no pairs with friction."""
     return case.driving, tuple(case.given.items())
 
 
