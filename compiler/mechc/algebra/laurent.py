@@ -4,10 +4,7 @@ A real sum of products of lengths, sines and cosines has one such form: that mak
 equality decidable and lets factors z^u ± z^-u be found and turned back into cosines
 and sines.
 
-A term's exponents are packed into one integer, so that multiplying terms is adding
-integers and comparing them is the lexicographic order of exponents. The lowest field
-holds the constant part of the angle, in units of a common part of 90°, and is always
-wrapped into [0°, 90°): a quarter turn is a factor i of the coefficient.
+A term's exponents are packed into one integer: see :mod:`.exponents`.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -18,12 +15,10 @@ from ..named import NamedTuple
 from ..work import spend
 from .angle import Angle, Rational, rational
 from .cyclotomic import Directions, Gaussian, accumulate, rotated, short, stars, unique
+from .exponents import Exponents
 from .factors import Factor, Trig
 from .product import Product, Sum
 from .trigonometry import cosine, sine
-
-SPARE = 10
-"""Bits of a field beyond the largest coefficient of an angle: products of 500 such fit."""
 
 LONGEST = 256
 """Terms of a quotient that is still simpler: sin(1000001·u)/sin u is not multiplied out."""
@@ -48,8 +43,8 @@ class Binomial(NamedTuple):
     down_power: int
 
 
-class Ring:
-    """The exponents that some products need, and the arithmetic on their packed form.
+class Ring(Exponents):
+    """The arithmetic on sums of terms, with the exponents that some products need.
 
     >>> from .trigonometry import sine, cosine
     >>> a, b = Angle.of("alpha"), Angle.of("beta")
@@ -59,117 +54,8 @@ class Ring:
     """
 
     def __init__(self, products: Sequence[Product], deep: bool = True) -> None:
+        super().__init__(*_generators(products, deep))
         self.deep = deep
-        angles, factors = _generators(products, deep)
-        self._names = sorted({name for a in angles for name, _ in a.terms})
-        self._factors = sorted(factors, key=lambda f: f.order())
-        self._scale = lcm(*(c.denominator for a in angles for _, c in a.terms))
-        self._part = _common_part(angles)
-        self._wrap = int(90 / self._part) if self._part else 0
-        places = (*self._names, *self._factors)
-        largest = max((abs(int(c * self._scale)) for a in angles for _, c in a.terms), default=1)
-        self._bits = largest.bit_length() + SPARE
-        self._low = self._wrap.bit_length() + 2
-        self._fields: dict[object, int] = {
-            x: self._low + self._bits * i for i, x in enumerate(places)
-        }
-        self._half, self._mask = 1 << (self._bits - 1), (1 << self._bits) - 1
-        self._bias = sum(self._half << field for field in self._fields.values())
-
-    # -------------------------------------------------------------------- packing
-
-    def _packed(self, angle: Angle) -> tuple[int, int]:
-        """Return the packed exponents of exp(i·angle) and the power of i that goes with it."""
-        key = 0
-        for name, c in angle.terms:
-            key += int(c * self._scale) << self._fields[name]
-        if not self._wrap:
-            return key, int(angle.degrees // 90)
-        quarters, part = divmod(int(Fraction(angle.degrees) / self._part), self._wrap)
-        return key + part, quarters
-
-    def factor_shift(self, factor: Factor, exponent: int) -> int:
-        """Return the packed exponents of a power of a factor."""
-        return exponent << self._fields[factor]
-
-    def packed(self, exponents: Iterable[int], constant: int) -> int:
-        """Return the key of a term: the reverse of :meth:`exponents` and :meth:`constant`."""
-        fields = zip(exponents, self._fields.values(), strict=True)
-        return constant + sum(e << field for e, field in fields)
-
-    def exponents(self, key: int) -> list[int]:
-        """Return all exponents but the constant's, symbols of angles first, as integers."""
-        biased, mask, half = key + self._bias, self._mask, self._half
-        return [(biased >> field & mask) - half for field in self._fields.values()]
-
-    def _exponent(self, key: int, field: int) -> int:
-        """Return one exponent, that of the symbol whose field begins there."""
-        return (key + self._bias >> field & self._mask) - self._half
-
-    def constant(self, key: int) -> int:
-        """Return the constant of a term's angle, in parts of 90°/``parts``."""
-        return key & ((1 << self._low) - 1)
-
-    def split(self, key: int) -> tuple[int, int]:
-        """Return the packed factors and the packed angle of a term."""
-        width = self._low + self._bits * len(self._names)
-        half = 1 << (width - 1)
-        angle = ((key + half) & ((1 << width) - 1)) - half
-        return key - angle, angle
-
-    def angle(self, key: int) -> Angle:
-        """Return the angle of a term."""
-        turns = self.exponents(key)
-        terms = (
-            (name, rational(Fraction(c, self._scale)))
-            for name, c in zip(self._names, turns, strict=False)
-            if c
-        )
-        constant = self.constant(key) * self._part if self._wrap else 0
-        return Angle(tuple(terms), rational(constant))
-
-    def monomial(self, key: int) -> dict[Factor, int]:
-        """Return the powers of factors of a term."""
-        powers = self.exponents(key)[len(self._names) :]
-        return {f: e for f, e in zip(self._factors, powers, strict=True) if e}
-
-    def width(self, terms: Terms) -> dict[object, Fraction]:
-        """Return how far the exponents of a sum reach, for each symbol and factor."""
-        columns = zip(*map(self.exponents, terms), strict=True)
-        parts = [self._scale] * len(self._names) + [1] * len(self._factors)
-        places = zip(self._fields, columns, parts, strict=True)
-        return {x: Fraction(max(c) - min(c), part) for x, c, part in places}
-
-    @property
-    def scale(self) -> int:
-        """Return the common denominator of the coefficients of angles."""
-        return self._scale
-
-    @property
-    def angles(self) -> int:
-        """Return how many of the exponents are those of symbols of angles."""
-        return len(self._names)
-
-    @property
-    def parts(self) -> int:
-        """Return how many steps of the constants make a quarter turn."""
-        return self._wrap or 1
-
-    @property
-    def has_constants(self) -> bool:
-        """Return whether some angle has a constant that is no multiple of 90°."""
-        return bool(self._wrap)
-
-    def holds(self, angle: Angle) -> bool:
-        """Return whether the constant of an angle is one of the ring's."""
-        return not (angle.degrees % self._part if self._wrap else angle.degrees % 90)
-
-    def shifted(self, key: int, value: Gaussian, shift: int, power: int) -> tuple[int, Gaussian]:
-        """Return a term times i^power and a packed shift, its constant wrapped."""
-        key += shift
-        if self._wrap and self.constant(key) >= self._wrap:
-            key, power = key - self._wrap, power + 1
-        return key, rotated(value, power) if power & 3 else value
 
     def unique(self, terms: Terms) -> Terms:
         """Return a sum of terms in the form that no other sum of the same value has."""
@@ -181,13 +67,13 @@ class Ring:
 
     def _rewritten(self, terms: Terms, rule: Callable[[Directions, int], Directions]) -> Terms:
         """Rewrite the constants that stand before each monomial."""
-        if not self._wrap or not stars(self._wrap):
+        if not self.wrap or not stars(self.wrap):
             return terms
         groups: dict[int, Directions] = {}
         for key, value in terms.items():
             constant = self.constant(key)
             groups.setdefault(key - constant, {})[constant] = value
-        rewritten = ((base, rule(group, self._wrap)) for base, group in groups.items())
+        rewritten = ((base, rule(group, self.wrap)) for base, group in groups.items())
         return {base + c: value for base, group in rewritten for c, value in group.items()}
 
     # ------------------------------------------------------------------ expansion
@@ -227,11 +113,11 @@ class Ring:
 
     def binomial(self, trig: Trig) -> Binomial:
         """Return twice a cosine, z^u + z^-u, or twice a sine, −i·z^u + i·z^-u."""
-        up, up_power = self._packed(trig.angle)
-        down, down_power = self._packed(-trig.angle)
+        up, up_power = self.packed_angle(trig.angle)
+        down, down_power = self.packed_angle(-trig.angle)
         if trig.function == "sin":
             up_power, down_power = up_power - 1, down_power + 1
-        if up >> self._low < down >> self._low:
+        if up >> self.low < down >> self.low:
             return Binomial(down, down_power, up, up_power)
         return Binomial(up, up_power, down, down_power)
 
@@ -262,14 +148,14 @@ class Ring:
         below, so this ends.
         """
         by = self.binomial(trig)
-        field = max(self._fields[name] for name, _ in trig.angle.terms)
-        lowest = min(self._exponent(key, field) for key in terms)
-        lowest += abs(self._exponent(by.up, field))
+        field = max(self.fields[name] for name, _ in trig.angle.terms)
+        lowest = min(self.exponent(key, field) for key in terms)
+        lowest += abs(self.exponent(by.up, field))
         rest, quotient = dict(terms), Terms()
         while rest:
             for key, value in self._top(rest).items():
                 k, value = self._lowered(key, value, by)
-                if self._exponent(k, field) < lowest or len(quotient) == LONGEST:
+                if self.exponent(k, field) < lowest or len(quotient) == LONGEST:
                     return None
                 quotient[k] = value
                 re, im = value
@@ -279,14 +165,14 @@ class Ring:
     def _top(self, terms: Terms) -> Terms:
         """Take the terms with the highest exponents out of a sum."""
         spend(len(terms))
-        top = max(terms) >> self._low
-        return self.unique({k: terms.pop(k) for k in [k for k in terms if k >> self._low == top]})
+        top = max(terms) >> self.low
+        return self.unique({k: terms.pop(k) for k in [k for k in terms if k >> self.low == top]})
 
     def _lowered(self, key: int, value: Gaussian, by: Binomial) -> tuple[int, Gaussian]:
         """Return a term divided by the leading term of a binomial."""
         key, power = key - by.up, -by.up_power
-        if self._wrap and self.constant(key) >= self._wrap:
-            key, power = key + self._wrap, power - 1
+        if self.wrap and self.constant(key) >= self.wrap:
+            key, power = key + self.wrap, power - 1
         return key, rotated(value, power)
 
     # -------------------------------------------------------------------- reading
@@ -321,15 +207,6 @@ def _generators(products: Iterable[Product], deep: bool) -> tuple[list[Angle], l
             else:
                 factors[factor] = None
     return angles, list(factors)
-
-
-def _common_part(angles: Iterable[Angle]) -> Fraction:
-    """Return a part of 90° of which all halves of constants are multiples; 0 if none is needed."""
-    constants = [Fraction(a.degrees) for a in angles if a.degrees % 90]
-    if not constants:
-        return Fraction(0)
-    below = lcm(*(c.denominator for c in constants))
-    return Fraction(gcd(90 * below, *(int(c * below) for c in constants)), 2 * below)
 
 
 ENDLESS = 1 << 30
