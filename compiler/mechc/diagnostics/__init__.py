@@ -34,7 +34,7 @@ if not TYPE_CHECKING:
 
     WORDS = {
         *("check", "closures", "derivation", "drawing", "drawn", "emission", "files", "friction"),
-        *("joining", "kinematics", "open_loops", "plot", "pose", "power", "sheets", "statics"),
-        *("stroke", "syntax", "syntax_limits", "syntax_yaml", "uses"),
+        *("joining", "kinematics", "open_loops", "plot", "pose", "power", "reactions"),
+        *("sheets", "statics", "stroke", "syntax", "syntax_limits", "syntax_yaml", "uses"),
     }
     __getattr__ = waiting(__name__, WORDS | {"render"})

@@ -1,8 +1,101 @@
-"""Hints about the closures of a loop: which lines, or which drawing, tells them apart."""
+"""Words of how a loop closes: lines of `assembly`, and hints at what decides between closures."""
 
 from collections.abc import Mapping, Sequence
 
+from ..source import Span
+from .diagnostic import Message, Related, coded
+
 MEET = "the closures meet there, in one line: change a length or the default pose"
+
+
+@coded("E307")
+def closure_open(at: Span, loop: str, number: int, hint: str) -> Message:
+    """A loop closes in two ways or more, and the description does not say which is meant.
+
+    With its lengths and the drive given, a triangle can lie on either side of its base,
+    and a slider can stand on either side along its guide::
+
+        OA = a @ phi
+        AB = b
+        CB = c
+        assembly ABC ccw     # A, B, C turn counter-clockwise at the default pose
+
+    ``assembly B forward`` takes the place of B farther along its guide, ``back`` the other.
+    A point as it is drawn says as much: ``B at (80 mm, 60 mm)`` takes the nearest closure.
+    """
+    ways = "two" if number == 2 else str(number)
+    message = f"the loop {loop} closes in {ways} ways, and nothing says which is meant"
+    return Message(at, message, hint)
+
+
+@coded("E308")
+def assembly_undecided(at: Span, points: str, hint: str) -> Message:
+    """An ``assembly`` line does not tell the closures of its loop apart at the default pose.
+
+    Either both closures have the turn that it asks for, or none has, or the default pose
+    is a dead centre, where the two are one::
+
+        assembly OAB ccw     # wrong: O, A, B turn alike in both closures
+        assembly ABC ccw     # right: the turn at the pin that closes the loop
+
+    A default pose away from the dead centre helps where the line is right.
+    """
+    message = f"the assembly of {points} does not tell the closures apart at the default pose"
+    return Message(at, message, hint)
+
+
+@coded("W301")
+def assembly_idle(at: Span, points: str) -> Message:
+    """An ``assembly`` line decides nothing: all its points are placed without it.
+
+    Only a loop that two closures fit asks for one. Here the directions are given, or the
+    points do not hang together::
+
+        OA = a @ phi
+        AB = b @ beta
+        assembly OAB ccw     # decides nothing: both directions are given
+    """
+    return Message(
+        at,
+        f"the assembly of {points} decides nothing",
+        "leave it out, or name the points of a loop that mechc is to close",
+    )
+
+
+@coded("E318")
+def assembly_refuted(at: Span, points: str, mode: str) -> Message:
+    """An ``assembly`` line says of given points what they are not.
+
+    The directions given, or loops that close in one way only, place its points, and they
+    turn the other way round at the default pose::
+
+        OB = l @ 100 deg
+        BK = l @ 80 deg
+        assembly OBK ccw     # wrong: O, B, K turn clockwise
+    """
+    return Message(
+        at,
+        f"{points} turns {mode} at the default pose, whatever an assembly says",
+        "leave the line out, or correct the directions",
+    )
+
+
+@coded("E319")
+def assemblies_contradict(at: Span, points: str, other: str, first: Span) -> Message:
+    """Two ``assembly`` lines ask for opposite closures.
+
+    Which way round three points turn is said once; the order in which a line begins with
+    them does not matter, the sense does::
+
+        assembly ABC ccw
+        assembly CBA ccw     # wrong: then A, B, C turn clockwise
+    """
+    return Message(
+        at,
+        f"the assembly of {points} contradicts that of {other}",
+        "leave one of the two out",
+        (Related(first, "the other one"),),
+    )
 
 
 def one_of(closures: Sequence[str]) -> str:
@@ -40,7 +133,7 @@ def one_row(
     return "\n".join([advice, *("  ".join(row).rstrip() for row in padded)])
 
 
-def no_line_tells(closures: Sequence[str], drive: str) -> str:
+def no_line_decides(closures: Sequence[str], drive: str) -> str:
     """Return the hint where closures have all turns alike: how they differ, what may help."""
     named = f"the default of {drive}" if drive else "the default pose"
     return (

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import friction as messages
-from ..diagnostics import power as power_messages
+from ..diagnostics import reactions as reaction_messages
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.joint_refs import unclear
@@ -28,7 +28,7 @@ def unsuited(
         if pair.thrust is not None:
             yield from _thrust(find, driving, point, pair.thrust, equations)
         elif pair.joint.kind == "pin" and point in pressed_on:
-            yield power_messages.transmission_presses(
+            yield reaction_messages.transmission_presses(
                 lines.get(point, find.span), point, has_friction=True
             )
 

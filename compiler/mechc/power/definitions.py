@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ..algebra.product import Bound, Product, Sum
 from ..diagnostics import Report
 from ..diagnostics import power as messages
+from ..diagnostics import reactions as reaction_messages
 from ..formula.tree import Formula
 from ..formula.walk import reached, symbols
 from ..frozen import replace
@@ -103,7 +104,7 @@ def _refuse_circles(
         defined = {**needs[let.name], let.name: let.value}
         for load in (name for name in loads if name in defined):
             if through := _back_to(load, defined):
-                report.add(messages.found_from_itself(let.span, let.name, load, through))
+                report.add(reaction_messages.found_from_itself(let.span, let.name, load, through))
                 break
     report.stop_on_errors()
 

@@ -1,7 +1,7 @@
 """Forces at joints that are asked for: reactions, forces along rods, normal forces."""
 
 from ..diagnostics import Diagnostic
-from ..diagnostics import power as messages
+from ..diagnostics import reactions as messages
 from ..formula.walk import symbols
 from ..kinematics.joint_refs import unclear
 from ..model.mechanism import Axial, Find, Normal, Reaction

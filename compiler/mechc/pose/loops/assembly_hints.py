@@ -69,7 +69,7 @@ class AssemblyHints:
         if alike and self._is_one(alike):
             return messages.MEET
         if alike:
-            return messages.no_line_tells(self._apart(alike), drive)
+            return messages.no_line_decides(self._apart(alike), drive)
         if len(poses) > FEW and not refuted:
             return self._table(poses, lines)
         found = (self._described(p, own) for p, own in zip(poses, lines, strict=True))

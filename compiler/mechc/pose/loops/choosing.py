@@ -4,6 +4,7 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 
 from ...diagnostics import MechcError, Report
+from ...diagnostics import closures as closure_messages
 from ...diagnostics import pose as messages
 from ...model.mechanism import Assembly
 from ..samples import Values
@@ -167,10 +168,10 @@ class Choice:
         if decisive:
             self._report.stop_on_errors()
             at = decisive[0]
-            self._report.add(messages.assembly_undecided(at.span, "".join(at.points), hint))
+            self._report.add(closure_messages.assembly_undecided(at.span, "".join(at.points), hint))
         else:
             loop, number = loop_name(group.cycle), len(poses)
-            self._report.add(messages.closure_open(group_span(group), loop, number, hint))
+            self._report.add(closure_messages.closure_open(group_span(group), loop, number, hint))
 
 
 def _doubled_area(a: Corner, b: Corner, c: Corner) -> float:
