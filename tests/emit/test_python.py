@@ -145,6 +145,9 @@ def test_golden(sample: str, golden: Callable[[str, str], None]) -> None:
     golden(f"code/{sample}.py", text(sample))
 
 
+FEW = 300
+"""Fewer poses than those (512) from which the emitted module takes sines from vector tangents."""
+
 ANGLES = np.concatenate(
     [
         np.random.default_rng(1).uniform(-7.0, 7.0, 4000),
@@ -178,7 +181,7 @@ def test_many_poses_have_the_values_of_one(sample: str) -> None:
 
     An arc sine next to a right angle turns one ulp into 1e-8, for one pose as well.
     """
-    space, poses = module(sample), 2000
+    space, poses = module(sample), 2 * FEW
     for function in solved(sample).routine.functions:
         if any(isinstance(p, Call) and p.function == "asin" for p in walk(function.formula)):
             continue
@@ -201,10 +204,10 @@ def random_values(item: Input, poses: int) -> np.ndarray:
 
 
 def parts_of(call: Callable[..., Any], columns: dict[str, np.ndarray], poses: int) -> np.ndarray:
-    """Return values a hundred poses at a time, which are too few for another way of computing."""
+    """Return values FEW poses at a time."""
     return np.concatenate(
         [
-            np.broadcast_to(call(*(c[i : i + 100] for c in columns.values())), 100)
-            for i in range(0, poses, 100)
+            np.broadcast_to(call(*(c[i : i + FEW] for c in columns.values())), FEW)
+            for i in range(0, poses, FEW)
         ]
     )
