@@ -175,3 +175,29 @@ def test_a_pin_between_twins_is_counted():
     assert one == two
     values = next(iter(candidates(compilation.pose, 1)))
     assert missed(without(compilation, "K"), values) == ["K on BK", "K on BK'"]
+
+
+ENDS = """
+pivot O at (0 m, 0 m)
+pivot C at (1 m, -0.5 m)
+link OBA
+telescope CB
+A at (4 m, 3 m)
+B at (2 m, 1.2 m)
+drive CB from 1.8 m to 2.4 m
+force W at A along -y
+actuator P between C and B
+find k = P/W, R_B on OBA, R_C
+"""
+
+
+@pytest.mark.parametrize("friction", ["", "friction pins 0.2 diameter 200 mm"])
+def test_a_telescope_passes_on_to_the_link_what_the_ground_does_to_it(friction):
+    """Nothing but its pins acts on it, so that the forces there are equal, couples or not."""
+    mechanism = mechc.loads(f"mechanism jib\n{ENDS}{friction}\n")
+    found = mechanism.evaluate(W=1000.0)
+    for part in ("_x", "_y", "", "_direction"):
+        for ending in ("", "_f") if friction else ("",):
+            on_link, on_telescope = found[f"R_B_on_OBA{part}{ending}"], found[f"R_C{part}{ending}"]
+            assert on_link == pytest.approx(on_telescope, rel=1e-12)
+    assert found["R_C"] == pytest.approx(1000.0 * found["k"], rel=1e-12)

@@ -1,5 +1,7 @@
 """Pictures of a report: each at its place, in the language, and only where they are asked for."""
 
+import re
+
 import pytest
 
 import mechc
@@ -50,6 +52,28 @@ def test_the_table_has_the_values_of_the_plot_in_the_language(clamp):
     assert "$2$ & $0{,}0315411$" in text
     assert "ymin=0.0" in text
     assert "$0{,}05$" in text
+
+
+JIB = """mechanism jib "Jib"
+pivot O at (0 m, 0 m)
+pivot C at (1 m, -0.5 m)
+link OBA
+telescope CB
+A at (4 m, 3 m)
+B at (2 m, 1.2 m)
+drive CB from 1.8 m to 2.4 m
+force W at A along -y
+let W = 1 kN
+actuator P between C and B
+find k = P/W, R_B on OBA
+"""
+
+
+def test_lengths_and_directions_of_forces_read_in_pictures_and_tables_as_in_formulas():
+    text = mechc.loads(JIB).emit("latex", pictures=True)
+    assert r"$\phi_{{R_B^{OBA}}}$, $^\circ$" in text
+    assert "direction" not in text
+    assert not re.search(r"len(?!gth)", text)
 
 
 def test_none_unless_asked_for(clamp, capsys):

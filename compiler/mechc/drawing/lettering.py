@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 
-from ..formula.names import GREEK, split_name, split_points, split_ratio
+from ..formula.names import GREEK, JointForce, split_force, split_name, split_points, split_ratio
 from ..patterns import pattern
 from ..units import LENGTH, UNITS
 from .drawing import Run
@@ -50,11 +50,31 @@ def name(written: str) -> tuple[Run, ...]:
 
     >>> [run.text for run in name("O1'")], [run.text for run in name("alpha_max")]
     (["O'", '1'], ['α', 'max'])
-    >>> [run.text for run in name("M_over_F")]
-    ['M', '/', 'F']
+    >>> [run.text for run in name("M_over_F")], [run.text for run in name("len_AB")]
+    (['M', '/', 'F'], ['A', 'B'])
     """
-    above, *below = (tuple(_points(n)) or tuple(_quantity(n)) for n in split_ratio(written))
+    above, *below = (tuple(_one(n)) for n in split_ratio(written))
     return (*above, *(run for part in below for run in (Run("/"), *part)))
+
+
+def _one(written: str) -> Iterator[Run]:
+    if split_points(written.removeprefix("len_")):
+        yield from _points(written.removeprefix("len_"))
+    elif force := split_force(written):
+        yield from _force(force)
+    else:
+        yield from _quantity(written)
+
+
+def _force(force: JointForce) -> Iterator[Run]:
+    """Yield a force with its link above, its direction as an angle."""
+    if force.is_direction:
+        yield Run(GREEK["phi"], italic=True)
+        yield from (run._replace(level=-1) for run in _quantity(force.name))
+    else:
+        yield from _quantity(force.name)
+    if force.link:
+        yield from (run._replace(level=1) for run in _points(force.link))
 
 
 def _points(written: str) -> Iterator[Run]:

@@ -26,6 +26,7 @@ _SHORT = {"lam": "lambda", "eps": "epsilon"}
 
 _POINTS = pattern(r"(?:[A-Z][0-9]*'*)+")
 _POINT = pattern(r"([A-Z])([0-9]*)('*)")
+_FORCE = pattern(r"(R_[A-Z][0-9]*'*)(?:_on_((?:[A-Z][0-9]*'*)+))?(_direction)?((?:_.+)?)")
 _HEAD = pattern(r"(.*?)([0-9]*)('*)", re.DOTALL)
 
 
@@ -43,6 +44,14 @@ class Name(NamedTuple):
     head: str
     primes: str
     indices: tuple[str, ...]
+
+
+class JointForce(NamedTuple):
+    """A force at a joint by its name: what stands without the link, the link, what it measures."""
+
+    name: str
+    link: str
+    is_direction: bool
 
 
 def split_name(name: str) -> Name:
@@ -90,3 +99,18 @@ def split_points(name: str) -> tuple[Point, ...]:
     if not _POINTS.fullmatch(name):
         return ()
     return tuple(Point(*groups) for groups in _POINT.findall(name))
+
+
+def split_force(name: str) -> JointForce | None:
+    """Split the name of a force at a joint that has a link or is a direction; None for others.
+
+    >>> split_force("R_B_on_BC_x")
+    JointForce(name='R_B_x', link='BC', is_direction=False)
+    >>> split_force("R_O_direction_f")
+    JointForce(name='R_O_f', link='', is_direction=True)
+    >>> split_force("R_max")
+    """
+    match = _FORCE.fullmatch(name)
+    if match is None or not (match[2] or match[3]):
+        return None
+    return JointForce(match[1] + match[4], match[2] or "", bool(match[3]))

@@ -61,7 +61,8 @@ def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -
     if point not in link.points:
         scope.report.add(messages.point_of_another(symbol.span, point, link.name))
         return False
-    joined = len(points.carried[point]) > 1 or any(point in s for s in points.slides)
+    bodies = [*points.slides, *points.telescopes]
+    joined = len(points.carried[point]) > 1 or any(point in ends for ends in bodies)
     if not joined and point not in points.fixed | points.guided | points.touching.keys():
         scope.report.add(messages.no_joint(symbol.span, point, link.name))
         return False

@@ -31,7 +31,12 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
     known.made.take(_names(mechanism, results))
     known.made.take_points(_points(mechanism))
     known = replace(known, spellings=spellings(_names(mechanism, results), known))
-    forces = {called(r): of_force(r.name, force, known) for r in results if (force := reaction(r))}
+    forces = {
+        name: of_force(r.name, force, known)
+        for r in results
+        if (force := reaction(r))
+        for name in (r.name, called(r))
+    }
     firsts = {
         r.name: of_first_order(r.name, known)
         for r in results
