@@ -5,9 +5,11 @@ from fractions import Fraction
 
 import pytest
 
+from mechc.algebra.angle import Angle
 from mechc.algebra.product import ONE, ZERO, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, product
 from mechc.formula.walk import evaluate
 from mechc.friction import pairs
@@ -17,7 +19,7 @@ from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_fr
 from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever import Bearing, moment, on_lever
 from mechc.friction.linear import LinearSolver
-from mechc.friction.naming import Endings, Meanings
+from mechc.friction.naming import Endings, Meanings, OwnNames
 from mechc.friction.normal_forces import Component, Idle, LoadedPair, loaded_pairs, scaled
 from mechc.friction.pairs import FrictionPair
 from mechc.friction.sequential import SequentialSolver
@@ -69,8 +71,8 @@ def any_pose():
     return AtAnyPose(set(), Meanings(), ())
 
 
-def one_pose(**values):
-    return AtOnePose(set(), Meanings(), (), {**VALUES, "rho": RHO, **values}, {})
+def one_pose(own=(), **values):
+    return AtOnePose(set(), Meanings(), (), {**VALUES, "rho": RHO, **values}, {}, OwnNames(own))
 
 
 def value(size, signs):
@@ -320,6 +322,27 @@ def test_a_line_is_turned_by_the_arc_of_a_sine_either_way(sense):
     turned = signs.turned("delta", at(phi=1), "asin", Product.symbol("rho").scaled(sense))
     known = completed({**VALUES, "rho": RHO}, signs.definitions)
     assert turned.evaluate(known) == pytest.approx(PHI + sense * math.asin(RHO))
+
+
+def test_what_the_users_formulas_stand_for_bears_their_names():
+    """β = asin(f·d/L) is the turn by asin(2ρ/L) with ρ = d·f/2, whatever it is called here."""
+    f, d, length = map(Symbol, "fdL")
+    own = [
+        Definition("beta", Call("asin", (product([(f, 1), (d, 1), (length, -1)]),))),
+        Definition("f_r", product([(d, 1), (f, 1), (Symbol("D"), -1)])),
+        Definition("f_too", f),
+    ]
+    signs = one_pose(own, f=0.1, d=0.01, L=0.08, D=0.03)
+    f, d, length = map(Product.symbol, "fdL")
+    turn = signs.radius("rho", (f * d).scaled(Fraction(1, 2))).scaled(-2) / length
+    assert signs.turned("delta", at(phi=1), "asin", turn) == at(phi=1) - Angle.of("beta")
+    assert signs.coefficient("mu", d * f / Product.symbol("D")) == Product.symbol("f_r")
+    assert signs.coefficient("mu", f) == f
+    assert [text(definition.formula) for definition in signs.definitions] == [
+        "d*f/2",
+        "asin(2*rho/L)",
+        "d*f/D",
+    ]
 
 
 def test_names_get_endings_where_they_mean_something_else():

@@ -37,6 +37,15 @@ def test_units_that_do_not_cancel_stand():
     assert items["theta"].value.unit == "deg"
 
 
+def test_what_an_account_calls_by_the_users_name_has_its_value_before_the_result():
+    """Fedoriv: W = Q/(tan(α + β) + tan φ₁ᵣ), β the user's own, as is the roller's f_r."""
+    items = shown("fedoriv_fig1_with_friction")
+    names = list(items)
+    assert text(items["k_f"].numbers) == "tan(53581*pi/900000) + 0.0333333"  # 10.7162 deg
+    assert names.index("beta") < names.index("f_r") < names.index("k_f")
+    assert [text(item.left) for item in found("fedoriv_fig1_with_friction")] == names
+
+
 def test_they_can_be_switched_off():
     compilation = compiled("crank_rocker")
     derivation, mechanism = compilation.derivation, compilation.mechanism

@@ -1,15 +1,17 @@
 """A result with friction as it is printed: its case at the default pose."""
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box
+from ..model.result import Definition
+from ..model.values import Chain
 from ..power.numbers import default_values
 from .closed_form import Printed
 from .free_bodies import EquationsCoupled
-from .naming import Meanings
+from .naming import Meanings, OwnNames
 from .signs import AtOnePose
 
 
@@ -28,11 +30,23 @@ class DefaultPose:
         values, box = self.values(), allowed_box(self._mechanism)
         taken = values.keys() | self._taken
         try:
-            found = way(AtOnePose(taken, self.meanings, endings, values, box))
+            found = way(
+                AtOnePose(taken, self.meanings, endings, values, box, OwnNames(self._own()))
+            )
         except (KeyError, EquationsCoupled):
             return None
         self.meanings.note(found.where)
         return found
+
+    def _own(self) -> Iterator[Definition]:
+        """Yield the user's own formulas of parameters alone, each after those it needs."""
+        known = {p.name for p in (*self._mechanism.parameters, *self._mechanism.literals)}
+        for name, formula in Chain(
+            {let.name: let.value for let in self._mechanism.lets}
+        ).definitions:
+            if symbols(formula) <= known:
+                known.add(name)
+                yield Definition(name, formula)
 
     def values(self) -> dict[str, float]:
         """Return the values, with loads of unknown size near 1, none like another.

@@ -7,7 +7,9 @@ results of a ratio m.
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from ..formula.tree import Formula, Symbol
+from ..algebra.from_formula import to_product
+from ..algebra.sums import canonical
+from ..formula.tree import Call, Formula, Symbol
 from ..formula.walk import substitute
 from ..model.mechanism import Sense
 from ..model.result import Definition
@@ -27,6 +29,40 @@ class Meanings:
     def note(self, definitions: Iterable[Definition]) -> None:
         """Keep what names stand for from now on."""
         self._formulas.update(definitions)
+
+
+class OwnNames:
+    """The names that the user's formulas give to what friction is made of: β = asin(f·d/L).
+
+    ``lets`` are these formulas, each after those it needs. One that is a symbol alone gives no
+    name: what it stands for has one.
+    """
+
+    def __init__(self, lets: Iterable[Definition]) -> None:
+        self._whole: dict[str, Formula] = {}
+        self._names: dict[Formula, str] = {}
+        for name, formula in lets:
+            found = self.note(name, formula)
+            if not isinstance(formula, Symbol):
+                self._names.setdefault(found, name)
+
+    def note(self, name: str, formula: Formula) -> Formula:
+        """Keep what a name stands for, and return that without the names kept before."""
+        self._whole[name] = _normal(substitute(formula, self._whole))
+        return self._whole[name]
+
+    def of(self, formula: Formula) -> str:
+        """Return the user's own name of a formula, or ''."""
+        if not self._names:
+            return ""
+        return self._names.get(_normal(substitute(formula, self._whole)), "")
+
+
+def _normal(formula: Formula) -> Formula:
+    """Return a formula as all that are equal to it are written, an arc by its sine or tangent."""
+    if isinstance(formula, Call):
+        return Call(formula.function, tuple(map(_normal, formula.arguments)))
+    return canonical(to_product(formula)).formula()
 
 
 class Endings:

@@ -19,7 +19,7 @@ from ..formula.tree import Call, Formula
 from ..formula.walk import evaluate
 from ..model.result import Definition
 from ..power.tolerances import VANISHED
-from .naming import Meanings
+from .naming import Meanings, OwnNames
 from .tolerances import ACUTE_MARGIN
 
 Inverse = Literal["asin", "atan"]
@@ -85,12 +85,12 @@ class _Names:
     def define(self, name: str, formula: Formula) -> str:
         """Return the name of a formula from now on."""
         if formula not in self._known:
-            name = self._with_one_meaning(name, formula)
+            name = self._named_once(name, formula)
             self._known[formula] = name
             self.definitions.append(Definition(name, formula))
         return self._known[formula]
 
-    def _with_one_meaning(self, name: str, formula: Formula) -> str:
+    def _named_once(self, name: str, formula: Formula) -> str:
         """Return a name that is free here and means nothing else in other results."""
         ways = (name, *(f"{name}_{ending}" for ending in self._endings))
         allowed = (n for n in ways if n not in self._taken and self._meanings.allow(n, formula))
@@ -155,7 +155,7 @@ class AtOnePose(_Names):
     """Signs as numbers, and turns as positive angles, as they are at one pose.
 
     ``box`` are ranges that parameters keep to, so that what has one sign in it needs no
-    condition.
+    condition. What a formula of the user's ``own`` stands for bears its name.
     """
 
     is_read = True
@@ -167,8 +167,10 @@ class AtOnePose(_Names):
         endings: Sequence[str],
         values: Mapping[str, float],
         box: Box,
+        own: OwnNames,
     ) -> None:
         super().__init__(taken, meanings, endings)
+        self._own = own
         self._values, self._box = dict(values), dict(box)
         self.conditions: dict[Formula, int] = {}
 
@@ -177,9 +179,10 @@ class AtOnePose(_Names):
         return Product.symbol(self.define(name, factor.formula())) if factor else factor
 
     def coefficient(self, name: str, factor: Product) -> Product:
-        """Return the coefficient, by a name where it has sums in it."""
+        """Return the coefficient, by a name where it has sums in it, or one of the user's own."""
         has_sums = any(isinstance(f, Sum | Opaque) for f in factor.factors)
-        return self.radius(name, factor) if has_sums else factor
+        is_named = has_sums or self._own.of(factor.formula())
+        return self.radius(name, factor) if is_named else factor
 
     def of(self, name: str, value: Product) -> Product:
         """Return 1, 0 or -1, and note what the sign was taken of."""
@@ -223,8 +226,12 @@ class AtOnePose(_Names):
     def define(self, name: str, formula: Formula) -> str:
         """Return the name of a formula from now on, and note its value."""
         known = super().define(name, formula)
+        self._own.note(known, formula)
         self._values[known] = evaluate(formula, self._values)
         return known
+
+    def _named_once(self, name: str, formula: Formula) -> str:
+        return self._own.of(formula) or super()._named_once(name, formula)
 
 
 def _angle_of(tangent: Product) -> Angle | None:

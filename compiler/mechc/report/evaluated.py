@@ -42,11 +42,11 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     for name, formula in _definitions(whole):
         yield from _of_definition(name, formula, given)
     usual = usual_length(mechanism)
-    shown = _named(whole, mechanism)
+    shown, early = _named(whole, mechanism), _own_met_early(whole)
     for section in whole.results:
         for name, formula in _accounted(section, shown):
             yield from _of_definition(name, formula, given)
-        for result in section.results:
+        for result in (r for r in section.results if r.name not in early):
             if line := section.lines.get(result.name):
                 yield from _of_line(line)
             else:
@@ -97,7 +97,18 @@ def _named(whole: Outline, mechanism: Mechanism) -> set[str]:
     """Return the names that have a place of their own among the values, or are given."""
     results = {result.name for section in whole.results for result in section.results}
     given = {load.name for load in given_loads(mechanism)}
-    return results | given | {definition.name for definition in _definitions(whole)}
+    return (
+        (results - _own_met_early(whole))
+        | given
+        | {definition.name for definition in _definitions(whole)}
+    )
+
+
+def _own_met_early(whole: Outline) -> set[str]:
+    """Return the user's own formulas by whose names an account of friction has called its parts."""
+    own = {name for section in whole.results for name in section.lines}
+    accounts = (s for s in whole.results if s.paragraphs)
+    return {d.name for s in accounts for d in _accounted(s, set()) if d.name in own}
 
 
 def _accounted(section: Section, shown: set[str]) -> Iterator[Definition]:
