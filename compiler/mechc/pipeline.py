@@ -135,6 +135,7 @@ class Pipeline:
     def _used(self, source: Source, is_part: bool) -> Used:
         """Return a used description: a sheet, a part, or a mechanism with its solution."""
         from .calculation.from_solution import solved
+        from .model.uses.driven import with_driven
 
         used = Pipeline(source, users=self.users)
         file, mechanism = used.composed, used.mechanism
@@ -143,6 +144,7 @@ class Pipeline:
             return Used(file, mechanism, used.source, inner.solved, mechanisms=inner.mechanisms)
         used.verdict  # noqa: B018 - what the free bodies refute is not handed on
         pose = used.pose
+        file = with_driven(file, pose.mechanism)
         return Used(file, pose.mechanism, used.source, solved(pose, used.solution.results))
 
     @Stage

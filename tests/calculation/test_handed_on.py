@@ -22,8 +22,8 @@ def handed_on(*more: Parameter, requires: tuple[Require, ...] = ()) -> Pose:
 
 
 LITERAL = Parameter("n_1", NUMBER, HERE, number(3))
-DRAWN = Parameter("phi_AB", ANGLE, HERE, number(2))
-LONG = Parameter("len_AB", LENGTH, HERE, number(5))
+DRAWN = Parameter("phi_AB", ANGLE, HERE, number(2), dependent=True)
+LONG = Parameter("len_AB", LENGTH, HERE, number(5), dependent=True)
 
 
 def test_definitions_of_the_pose_come_first_and_keep_their_order() -> None:
@@ -45,6 +45,11 @@ def test_what_a_loop_defines_is_not_defined_twice() -> None:
 def test_angles_and_lengths_of_the_drawing_are_numbers_with_names() -> None:
     assert solved(handed_on(), ()).literals == (LITERAL,)
     assert solved(handed_on(DRAWN, LONG), ()).literals == (LITERAL, DRAWN, LONG)
+
+
+def test_what_drives_is_a_parameter_and_no_number() -> None:
+    found = solved(handed_on(replace(DRAWN, dependent=False)), ())
+    assert (found.literals, found.definitions) == ((LITERAL,), (Definition(*PSI),))
 
 
 def test_what_follows_or_is_open_is_no_number_of_the_drawing() -> None:

@@ -28,9 +28,9 @@ def solved(pose: Pose, results: tuple[Result, ...]) -> Solved:
 
 
 def _drawn(pose: Pose) -> Iterator[Parameter]:
-    """Yield the angles and lengths of links that the drawing gives: they keep their values."""
+    """Yield the angles and lengths of links that the drawing gives, and nothing drives."""
     for parameter in pose.mechanism.parameters:
-        made_up = parameter.name.startswith(("phi_", "len_"))
+        made_up = parameter.dependent and parameter.name.startswith(("phi_", "len_"))
         if made_up and parameter.value and not symbols(parameter.value):
             yield parameter
 
