@@ -315,3 +315,19 @@ def test_a_number_is_squared_with_its_unit(formula: str, shown: str) -> None:
     line = next(s for s in render(found.mechanism, found.results, spell).splitlines() if "p =" in s)
     assert shown in line
     assert not re.search(r"\d mm\^", line)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "not known without a value of F"),
+        ("uk", "невідомо без значення F"),
+        ("ru", "неизвестно без значения F"),
+    ],
+)
+def test_a_condition_without_numbers_says_what_it_lacks(language: str, said: str) -> None:
+    lacks = sheet("sheet s\nparam F: force\nlet tau = F/(2 mm^2)\nrequire tau < 9 MPa\n")
+    spell = speller(lacks.results, lacks.mechanism, False, language, 80)
+    assert render(lacks.mechanism, lacks.results, spell).splitlines()[-1].endswith(f": {said}")
+    (file,) = load("latex").emit(lacks, Options("s", language=language))
+    assert f"& {said.replace('F', '$F$')} &" in file.text

@@ -269,15 +269,15 @@ use tongs_fig4_9_forces as L (N = 500 N)
 
 
 @pytest.mark.parametrize(
-    ("lang", "rod", "joint"),
+    ("lang", "rod", "joint", "across"),
     [
-        ("en", "force in a rod", "force at a joint"),
-        ("uk", "зусилля в стрижні", "реакція в шарнірі"),
-        ("ru", "усилие в стержне", "реакция в шарнире"),
+        ("en", "force in the rod KE", "force at A", "x component"),
+        ("uk", "зусилля в стрижні KE", "реакція в шарнірі A", "проєкція на вісь x"),
+        ("ru", "усилие в стержне KE", "реакция в шарнире A", "проекция на ось x"),
     ],
 )
 def test_results_say_what_they_are_and_of_which_mechanism(
-    tmp_path: Path, capfd: pytest.CaptureFixture[str], lang: str, rod: str, joint: str
+    tmp_path: Path, capfd: pytest.CaptureFixture[str], lang: str, rod: str, joint: str, across: str
 ) -> None:
     path = tmp_path / "jaw.mech"
     path.write_text(TONGS, encoding="utf-8")
@@ -285,6 +285,7 @@ def test_results_say_what_they_are_and_of_which_mechanism(
     rows = {line.split()[0]: line for line in capfd.readouterr().out.splitlines()}
     assert rows["L_N_KE"].endswith(f"{rod} (tongs_fig4_9_forces)")
     assert rows["L_R_A"].endswith(f"{joint} (tongs_fig4_9_forces)")
+    assert rows["L_R_A_x"].endswith(f"{joint}, {across} (tongs_fig4_9_forces)")
     assert rows["L_N"].split() == ["L_N", "=", "500", {"en": "N"}.get(lang, "Н")]
 
 

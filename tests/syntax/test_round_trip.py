@@ -131,3 +131,13 @@ def test_a_question_mark_in_a_flow_mapping_is_quoted():
     tree = read(from_dsl, 'param a = 2 mm in 1 mm .. 3 mm about "what?why"\n', "a.mech")
     assert "'what?why'" in to_yaml(tree)
     read(from_yaml, to_yaml(tree), "a.yaml")
+
+
+@pytest.mark.parametrize("word", ["drive", "slot", "at", "mirror", "mechanism", "sheet"])
+def test_a_description_may_be_called_by_a_word_of_the_language(word):
+    """No line refers to its name, so none can be read two ways."""
+    for heading in ("mechanism", "sheet"):
+        tree = read(from_dsl, f'{heading} {word} "T"\n', "a.mech")
+        assert tree.statements[0].name.text == word
+        assert read(from_dsl, to_dsl(tree), "a.mech") == tree
+        assert read(from_yaml, to_yaml(tree), "a.yaml") == tree

@@ -91,11 +91,31 @@ def unknown_function(span: Span, name: str, known: Iterable[str]) -> Message:
     """
     known = list(known)
     hint = (
-        near_miss(name, known)
+        _WRITTEN_OTHERWISE.get(name.lower(), "")
+        or near_miss(name, known)
         or near_miss(name.lower(), known)
         or f"for a product write {name}*(…), for a table {name} at …"
     )
     return Message(span, f"'{name}' is not a function", hint)
+
+
+_WRITTEN_OTHERWISE = {
+    "cbrt": "a cube root is written x^(1/3)",
+    "root": "a root is written sqrt(x), or x^(1/3)",
+    "pow": "a power is written x^3",
+    "power": "a power is written x^3",
+    "sqr": "a square is written x^2",
+    "log10": "the logarithm to base 10 is log(x)/log(10)",
+    "lg": "the logarithm to base 10 is log(x)/log(10)",
+    "rad": "an angle carries its unit, as in 12 deg",
+    "radians": "an angle carries its unit, as in 12 deg",
+    "deg": "an angle carries its unit, as in 12 deg",
+    "degrees": "an angle carries its unit, as in 12 deg",
+    "if": "a choice is written: a when x < 1 mm else b",
+    "ceil": "the next of the sizes of a list is written: next d in sizes",
+    "roundup": "the next of the sizes of a list is written: next d in sizes",
+}
+"""Functions of other languages, and what there is here in their place."""
 
 
 @coded("E105")

@@ -23,7 +23,7 @@ from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .between import Tables, line_between, tables_of
 from .on_the_way import Found, on_the_way
 from .put_in import Quantity, put_in, usual_unit
-from .unused import unused
+from .unused import below, rests_on, unused
 
 COMPUTED = 12
 """Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""
@@ -73,7 +73,10 @@ class NoteLine(NamedTuple):
 
 
 class NoteCheck(NamedTuple):
-    """A condition, its sides in numbers, and by what factor it holds, if that has a meaning."""
+    """A condition, its sides in numbers, and by what factor it holds, if that has a meaning.
+
+    There are no numbers where ``missing`` parameters, that it rests on, have no value.
+    """
 
     label: str
     left: Formula
@@ -82,6 +85,7 @@ class NoteCheck(NamedTuple):
     values: tuple[Quantity, Quantity] | None
     reserve: float | None
     decides: bool
+    missing: tuple[str, ...] = ()
 
 
 class Note(NamedTuple):
@@ -107,6 +111,7 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     lets = {let.name: let.value for let in mechanism.lets}
     inputs = {p.name for p in mechanism.parameters}
     checks = [_check(r, given, lets, inputs) for r in mechanism.requires if not r.subject]
+    checks = [_with_missing(check, mechanism, results) for check in checks]
     return Note(
         tuple(p for p in mechanism.parameters if p.name not in aside),
         tuple(t for t in mechanism.tables if t.name not in aside),
@@ -290,6 +295,15 @@ def _check(
     compared = values if not _is_range(require, lets, inputs) else None
     reserve = _reserve(compared[0].value, compared[1].value, require.operator) if compared else None
     return NoteCheck(label, left, require.operator, right, values, reserve, decides=False)
+
+
+def _with_missing(check: NoteCheck, mechanism: Mechanism, results: Sequence[Result]) -> NoteCheck:
+    """Return a check; one without numbers has the parameters that have no value."""
+    if check.values:
+        return check
+    used = below(symbols(check.left, check.right), rests_on(mechanism, results))
+    missing = (p.name for p in mechanism.parameters if p.value is None and p.name in used)
+    return check._replace(missing=tuple(missing))
 
 
 def _is_range(require: Require, lets: Mapping[str, Formula], inputs: Container[str]) -> bool:

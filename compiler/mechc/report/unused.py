@@ -18,17 +18,17 @@ def unused(mechanism: Mechanism, results: Sequence[Result]) -> tuple[str, ...]:
     lets = [let.name for let in mechanism.lets]
     if not set(lets) - mechanism.brought:
         return ()
-    rests = _rests_on(mechanism, results)
+    rests = rests_on(mechanism, results)
     quantities = [*(p.name for p in mechanism.parameters), *lets]
     own = {*quantities, *(taken.name for taken in mechanism.taken)} - mechanism.brought
     conditions = (r for r in mechanism.requires if not r.subject)
     checked = {name for r in conditions for side in (r.left, r.right) for name in symbols(side)}
-    shown = _below(_above(own, rests) | checked, rests)
+    shown = below(_above(own, rests) | checked, rests)
     names = (*quantities, *(table.name for table in mechanism.tables))
     return tuple(name for name in names if name in mechanism.brought - shown)
 
 
-def _rests_on(mechanism: Mechanism, results: Iterable[Result]) -> Mapping[str, Names]:
+def rests_on(mechanism: Mechanism, results: Iterable[Result]) -> Mapping[str, Names]:
     """Return what each quantity rests on: other quantities, and a table that it is looked up in."""
     rests = {p.name: symbols(p.value) for p in mechanism.parameters if p.value}
     for let in mechanism.lets:
@@ -48,7 +48,7 @@ def _above(names: Names, rests: Mapping[str, Names]) -> Names:
     return found
 
 
-def _below(names: Names, rests: Mapping[str, Names]) -> Names:
+def below(names: Names, rests: Mapping[str, Names]) -> Names:
     """Return names, with all that they rest on."""
     found = set(names)
     while more := {n for name in found & rests.keys() for n in rests[name]} - found:

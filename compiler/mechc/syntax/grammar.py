@@ -88,6 +88,10 @@ A value of YAML stands by what it is read as, in place of a first word.
 """
 
 
+HEADINGS = frozenset({"mechanism", "sheet"})
+"""What a description begins with: any word behind it is its name, which no line refers to."""
+
+
 def with_names(line: Sequence[Token], start: Start) -> list[Token]:
     """Return a line with what only looks like a word of the language made a name.
 
@@ -97,11 +101,16 @@ def with_names(line: Sequence[Token], start: Start) -> list[Token]:
     """
     begun = (line[0], " ".join(line[:2])) if line and start == "statement" else (start,)
     return [
-        Token("NAME", token, *span_of(token))
-        if token in SOFT and not _stands(token, place, begun, line)
-        else token
+        Token("NAME", token, *span_of(token)) if _names(token, place, begun, line) else token
         for place, token in enumerate(line)
     ]
+
+
+def _names(token: str, place: int, begun: Sequence[str], line: Sequence[Token]) -> bool:
+    """Return whether a word that the grammar knows is a name where it stands."""
+    if place == 1 and begun[0] in HEADINGS:
+        return token.isalpha()
+    return token in SOFT and not _stands(token, place, begun, line)
 
 
 def _stands(word: str, place: int, begun: Sequence[str], line: Sequence[Token]) -> bool:

@@ -41,6 +41,7 @@ def points(least: int, most: int | None = None) -> Schema:
 
 KINDS: dict[Kind, Schema] = {
     Kind.NAME: {"type": "string", "pattern": ANY_NAME},
+    Kind.HEADING: {"type": "string", "pattern": ANY_NAME},
     Kind.POINT: points(1, 1),
     Kind.POINTS: points(2),
     Kind.ROD: points(2, 2),

@@ -15,6 +15,7 @@ class Kind(Enum):
     """What a value is, and so how it is read, printed and described in the schema."""
 
     NAME = auto()
+    HEADING = auto()  # a name that may be any word
     POINT = auto()
     POINTS = auto()
     ROD = auto()

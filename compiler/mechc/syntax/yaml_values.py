@@ -94,13 +94,24 @@ def name(node: Node, source: Source) -> Fields:
     return (name_of(scalar.text, scalar.span),)
 
 
+def heading(node: Node, source: Source) -> Fields:
+    """Read the name of a description, which may be a word of the language."""
+    scalar = scalar_of(node, "a name")
+    return (_spelled(scalar.text, scalar.span),)
+
+
 def name_of(text: str, span: Span) -> ast.Name:
-    """Return a name that the user gives; it is a letter with letters, digits, underscores."""
+    """Return a name that the user gives and lines refer to: no word of the language."""
+    if text in keywords():
+        raise Fault(syntax.reserved_word(span, text))
+    return _spelled(text, span)
+
+
+def _spelled(text: str, span: Span) -> ast.Name:
+    """Return a name; it is a letter with letters, digits, underscores."""
     if not NAME.fullmatch(text):
         expected = "a name of Latin letters, digits and underscores"
         raise Fault(syntax.not_a_name(span, text, expected))
-    if text in keywords():
-        raise Fault(syntax.reserved_word(span, text))
     return expressions.new_name(text, span)
 
 
@@ -284,6 +295,7 @@ def points_as(kind: str) -> Callable[[Node, Source], Fields]:
 
 READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.NAME: name,
+    Kind.HEADING: heading,
     Kind.POINT: points_as("point"),
     Kind.POINTS: points_as("points"),
     Kind.ROD: points_as("rod"),

@@ -211,11 +211,13 @@ def slides_in_itself(at: Span, point: str, body: str) -> Message:
         link AB
         slot B in OC         # right: B is of AB
         slot C in OC         # wrong
+
+    A line on the body is named by two points of it, ``slide EF along y`` and ``slot D in EF``.
     """
     return Message(
         at,
         f"point {point} belongs to {body} and cannot slide along it",
-        "name a pin of another body",
+        f"name a pin of another body, or name {body} by other points than {point}",
     )
 
 

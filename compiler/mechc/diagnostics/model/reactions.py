@@ -85,6 +85,22 @@ def nothing_normal(span: Span, point: str) -> Message:
     return Message(span, message, f"the force on a pin is R_{point}")
 
 
+@coded("W259")
+def force_of_the_ground(span: Span, point: str, links: Sequence[str]) -> Message:
+    """The force of the ground is asked for at a pivot of several links, or of both halves.
+
+    They press on each other through the pin, and what they press so does not reach the
+    ground: of pliers ``R_O`` is zero, and a pin must not be sized by it.
+
+        mirror across x sharing O
+        find R_O            # what the ground gives to the whole
+        find R_O on OCA     # what the pin gives to link OCA: for its strength
+    """
+    hint = " or ".join(f"'find R_{point} on {link}'" for link in links[:3])
+    message = f"R_{point} is the force of the ground alone, not what links give each other there"
+    return Message(span, message, f"for the strength of the pin write {hint}")
+
+
 @coded("E255")
 def ask_first(span: Span, name: str) -> Message:
     """A force at a joint may stand in a formula once it is asked for.

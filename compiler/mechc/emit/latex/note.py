@@ -176,4 +176,11 @@ def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> Check
     verdict = words["least" if check.decides else "holds"] if values else ""
     condition = spaced(math(sign.join(sides)))
     label = f"{translated(check.label, style)}: " if check.label else ""
-    return CheckRow(label + condition, math(sign.join(values)) if values else "", reserve, verdict)
+    numbers = math(sign.join(values)) if values else _unknown(check.missing, words, style)
+    return CheckRow(label + condition, numbers, reserve, verdict)
+
+
+def _unknown(missing: Iterable[str], words: Mapping[str, str], style: Notation) -> str:
+    """Return that a condition has no numbers, and what it lacks."""
+    names = ", ".join(math(name(n, style)) for n in missing)
+    return words["missing"].format(names=names) if names else words["unknown"]

@@ -119,6 +119,16 @@ def check_rods(mechanism: Mechanism, scope: Scope) -> None:
                 scope.report.add(messages.loaded_at_both_ends(find.span, link))
 
 
+def warn_of_shared_pivots(mechanism: Mechanism, scope: Scope) -> None:
+    """Warn of forces of the ground where several links, or those of both halves, share a pivot."""
+    for find in mechanism.finds:
+        match find.target:
+            case Reaction(point, "", "size") if point in mechanism.fixed:
+                links = [link.name for link in mechanism.links if point in link.points]
+                if len(links) > 1 or (links and point in mechanism.shared):
+                    scope.report.add(messages.force_of_the_ground(find.span, point, links))
+
+
 def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
     if scope.points.touching[point] > 1:
         scope.report.add(messages.several_touch(symbol.span, point))

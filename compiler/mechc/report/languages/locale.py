@@ -90,6 +90,9 @@ class Locale(NamedTuple):
     joint_forces: Mapping[str, str]
     """The headings of forces at joints, in rods and in ropes, without friction and with it."""
 
+    at_joints: Mapping[str, str]
+    """Such a force with its joint, rod or rope, as calculation notes have it."""
+
     with_friction: Mapping[str, str]
     efficiency: str
     where: str

@@ -193,6 +193,18 @@ LOCALE = Locale(
         "rope": "Натяг каната",
         "rope with friction": "Натяг каната з урахуванням тертя",
     },
+    at_joints={
+        "joint": "реакція в шарнірі {point}",
+        "on": "реакція в шарнірі {point} на ланку {link}",
+        "normal": "нормальна реакція в точці {point}",
+        "rod": "зусилля в стрижні {line}",
+        "rope": "натяг каната {line}",
+        "size": "{force}",
+        "x": "{force}, проєкція на вісь x",
+        "y": "{force}, проєкція на вісь y",
+        "direction": "{force}, її напрям",
+        "with friction": "{force}, з урахуванням тертя",
+    },
     with_friction={
         "drives": "З урахуванням тертя, прямий хід "
         "({of_drive:рушійна сила|рушійний момент} {drive})",
@@ -282,6 +294,7 @@ LOCALE = Locale(
         "list": "найближчий не менший розмір ряду {name}",
         "between": "лінійна інтерполяція між двома рядками: {source}",
         "unknown": "невідомо",
+        "missing": "невідомо без значення {names}",
         "unused": "Тут не використано: {names}.",
         "least of all": "найменший",
         "decides": "визначальним є {formula}",

@@ -80,14 +80,14 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
         case SpeedRatio():
             return locale.speed_ratio
         case Reaction() | Normal() | Axial():
-            return locale.joint_forces[_carrier(result.target)]
+            return locale.joint_forces[carrier(result.target)]
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             ways = {None: sense, True: "driven", False: "drives"}
             said = locale.with_friction["first" if order == "first" else ways[result.driven]]
             of_drive = LoadWords([drive], spell.couples)
             return said.format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
         case WithFriction(force):
-            return locale.joint_forces[f"{_carrier(force)} with friction"]
+            return locale.joint_forces[f"{carrier(force)} with friction"]
         case Efficiency():
             return locale.efficiency
         case None:
@@ -109,7 +109,7 @@ def headings(firsts: Iterable[Analysis], locale: Locale, spell: Speller) -> list
     return said
 
 
-def _carrier(force: Target) -> str:
+def carrier(force: Target) -> str:
     """Return what passes a force on, by its name among links and ropes if it has a line."""
     match force:
         case Axial(link):

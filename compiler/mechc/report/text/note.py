@@ -158,6 +158,12 @@ def _unused(names: Sequence[str], signs: Signs, words: Words) -> str:
     return words["unused"].format(names=said) if names else ""
 
 
+def _unknown(missing: Sequence[str], signs: Signs, words: Words) -> str:
+    """Return that a condition has no numbers, and what it lacks."""
+    names = ", ".join(print_name(name, signs) for name in missing)
+    return words["missing"].format(names=names) if names else words["unknown"]
+
+
 def _line(line: NoteLine, signs: Signs, spell: Speller, in_numbers: bool) -> Row:
     """Return a formula, the numbers put in if they are wanted, and its value."""
     angle, words = line.dimension == ANGLE, spell.locale.calculation
@@ -194,7 +200,7 @@ def _check(check: NoteCheck, signs: Signs, words: Words) -> Row:
     operator = f" {signs.relations.get(check.operator, check.operator)} "
     said = operator.join(_set(side, signs) for side in (check.left, check.right))
     if check.values is None:
-        return Row(f"{said}: {words['unknown']}", check.label)
+        return Row(f"{said}: {_unknown(check.missing, signs, words)}", check.label)
     said += f": {operator.join(_value(side, signs) for side in check.values)}"
     if check.reserve is not None:
         least = f", {words['least of all']}" if check.decides else ""

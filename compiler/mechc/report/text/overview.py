@@ -18,7 +18,7 @@ from ...model.mechanism import (
     Slider,
     Telescope,
 )
-from ...model.values import range_of
+from ...model.values import is_constant, range_of
 from ...pose.pose import Pose
 from ...source import Source
 from ...units import USUAL_UNITS, in_unit, si_unit
@@ -72,7 +72,8 @@ def _parameters(
         found = parameter.value is None and after[parameter.name].dependent
         drives = mechanism.drive and mechanism.drive.parameter == parameter.name
         said = [spell.locale.checked["found"] if found else _value(parameter, spell)]
-        said += [_stroke(parameter, mechanism, spell)] if drives else []
+        said += [_stroke(parameter, mechanism, spell)] if drives else _range(parameter, spell)
+        said += [spell.text(parameter.label)] if parameter.label else []
         yield parameter.name, ", ".join(said)
 
 
@@ -81,9 +82,15 @@ def _value(parameter: Parameter, spell: Speller) -> str:
         usual = USUAL_UNITS.get(parameter.dimension, "") or si_unit(parameter.dimension)
         unit = f" ({spell.unit(usual)})" if usual else ""
         return spell.locale.checked["open"].format(unit=unit)
-    if parameter.dependent:
+    if parameter.dependent and not is_constant(parameter):
         return f"= {text(parameter.value)}"
     return f"= {_measured(evaluate(parameter.value, {}), parameter, spell)}"
+
+
+def _range(parameter: Parameter, spell: Speller) -> list[str]:
+    """Return the range of a parameter in words, if it has one."""
+    ends = [_measured(evaluate(end, {}), parameter, spell) for end in parameter.range or ()]
+    return [f"{spell.locale.range.lower()} {' .. '.join(ends)}"] if ends else []
 
 
 def _stroke(parameter: Parameter, mechanism: Mechanism, spell: Speller) -> str:
