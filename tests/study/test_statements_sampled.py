@@ -153,6 +153,14 @@ def test_a_slope_rests_on_what_its_result_rests_on():
     assert k.slopes.keys() == k.derivatives.keys() == {"phi"}
 
 
+@pytest.mark.parametrize("seed", [53, 80140006])
+def test_slopes_go_by_the_angles_of_a_side_that_turns_round_where_it_passes_zero(seed):
+    """Its direction in its body is 0 or 180 deg; no loop gives that a rate."""
+    mechanism, (k,) = results(swept(Grown(seed)))
+    assert list(followed(None, mechanism, k)) == []
+    assert k.slopes.keys() == k.derivatives.keys() == {"phi"}
+
+
 @pytest.mark.slow
 def test_what_is_said_of_hundreds_of_closed_mechanisms_holds():
     closed_hold(range(1000, 1080))

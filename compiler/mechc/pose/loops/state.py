@@ -18,10 +18,11 @@ from ..pose import Arm, ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vec
 from ..samples import Values, poses_nearby
 from ..terms import Terms
 from ..tolerances import SAME_ANGLE
-from .continuation import given_rates
+from .continuation import given_rates, rate_of
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .rates import loop_rates
+from .triangle import is_of_vector
 from .vector_graph import Edge, Names, VectorGraph, mentioned
 
 MANY = 3
@@ -31,7 +32,8 @@ MANY = 3
 class State:
     """The unknowns found, in order; ``values`` are the default pose and poses near it.
 
-    ``angles`` are the unknown directions, ``named`` the unknowns that the user named.
+    ``angles`` are the unknown directions, ``named`` the unknowns that the user named. What has no
+    rate does not move with the drive, but for the ``_unrated``, of which the rate is not known.
     """
 
     def __init__(
@@ -50,6 +52,7 @@ class State:
         self.found: set[str] = set()
         drive = mechanism.drive.parameter if mechanism.drive else ""
         self.rates = given_rates(terms.definitions, drive) if drive else {}
+        self._unrated: set[str] = set()
         self.limits: list[Limit] = []
         self.loops: list[ClosedLoop] = []
         self.solved: list[SolvedLoop] = []
@@ -117,11 +120,7 @@ class State:
 
         ``kind`` and ``points`` are those of the loop that it closes.
         """
-        moving = [turned_by(loop, closure.directions) for loop in loops]
-        fresh = {d.name for d in closure.definitions} & frozenset().union(*map(mentioned, moving))
-        self.rates |= loop_rates(moving, sorted(fresh), self.rates)
-        self._rate_twins(closure)
-        self._rates_by_one_name(closure)
+        self._rate(closure, [turned_by(loop, closure.directions) for loop in loops])
         self.values = [self.tried(closure, values) for values in self.values]
         self.definitions.extend(closure.definitions)
         directions = dict(closure.directions)
@@ -136,6 +135,37 @@ class State:
         self.graph.sought.difference_update(unknown)
         names = (*(d.name for d in closure.definitions), *self._name_directions())
         self.solved.append(SolvedLoop(kind, points, names, turn))
+
+    def _rate(self, closure: Closure, loops: Sequence[Vector]) -> None:
+        """Enter the rates of what a closure finds; note what moves at a rate that is not known."""
+        met = frozenset().union(*map(mentioned, loops))
+        fresh = {d.name for d in closure.definitions} & met
+        if len(fresh) > 2 * len(loops):
+            fresh -= self._rate_turns(closure, fresh)
+        if self._unrated.isdisjoint(met):
+            self.rates |= loop_rates(loops, sorted(fresh), self.rates)
+        self._rate_twins(closure)
+        self._rates_by_one_name(closure)
+        for name, formula in closure.definitions:
+            rests = symbols(formula)
+            moves = any(self.rates.get(n) for n in rests) or not rests.isdisjoint(self._unrated)
+            if moves and name not in self.rates:
+                self._unrated.add(name)
+
+    def _rate_turns(self, closure: Closure, fresh: set[str]) -> set[str]:
+        """Enter the rates of directions that a known side has within its body; return the names.
+
+        No loop gives them: a side whose length passes zero is turned round there.
+        """
+        own = {d.name for d in closure.definitions}
+        found = {
+            name: rate_of(formula, self.rates)
+            for name, formula in closure.definitions
+            if name in fresh and is_of_vector(formula)
+            if symbols(formula).isdisjoint(own | self._unrated)
+        }
+        self.rates |= found
+        return found.keys() & fresh
 
     def _rate_twins(self, closure: Closure) -> None:
         """Enter the rates of sides of which what a loop gives is but a multiple."""
@@ -165,7 +195,9 @@ class State:
 
     def _define_direction(self, name: str, angle: Angle) -> None:
         self.definitions.append(Definition(name, angle.formula()))
-        if moving := [self.rates[n].scaled(c) for n, c in angle.terms if n in self.rates]:
+        if not self._unrated.isdisjoint(angle.names):
+            self._unrated.add(name)
+        elif moving := [self.rates[n].scaled(c) for n, c in angle.terms if n in self.rates]:
             self.rates[name] = add(moving)
         for values in self.values:
             values[name] = angle.evaluate(values)
