@@ -78,6 +78,7 @@ def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
     assert hold(closed(70081)) == 1
 
 
+@pytest.mark.slow
 def test_an_efficiency_that_is_highest_at_a_kink():
     """It rises to 0.842 and falls by a hundredth within 0.0002 rad, as a pin is pressed anew."""
     assert hold(opened(6000195)) == 1
@@ -151,12 +152,11 @@ def test_what_is_said_of_closed_mechanisms_with_friction():
     assert hold(of(closed, range(400, 403))) > 1
 
 
-def test_what_is_said_of_open_mechanisms_with_friction():
-    assert hold(of(opened, range(401, 403))) > 0
+def test_what_is_said_of_an_open_chain_with_friction():
     assert hold([chain(400)]) == 1
 
 
 @pytest.mark.slow
 def test_what_is_said_of_many_mechanisms_with_friction():
     assert hold(of(closed, [70160, 70299, *range(410, 430)])) > 5
-    assert hold(of(opened, [311051, *range(410, 418)])) > 2
+    assert hold(of(opened, [311051, 401, 402, *range(410, 418)])) > 3

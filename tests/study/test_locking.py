@@ -841,6 +841,7 @@ find M
 """
 
 
+@pytest.mark.slow
 def test_where_iteration_finds_nothing_between_places_that_are_stuck_it_is_stuck():
     """A whole turn later the same is stated: 4 degrees beyond the end of the loop."""
     found = within(sampled(SHORT_ROD)["M_f"], "phi")
@@ -903,6 +904,7 @@ find k = P/F
 """
 
 
+@pytest.mark.slow
 def test_beside_a_place_at_which_a_slip_is_infinite_and_k_is_not_friction_is_looked_at():
     """At -90 degrees P is perpendicular to the path of B, and cos(alpha) cancels in k."""
     found = within(sampled(WINGED)["k_f"], "alpha")
