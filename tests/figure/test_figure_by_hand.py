@@ -9,6 +9,7 @@ from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
 from mechc.figure.ropes import rope_runs
 from mechc.figure.ways import Linear, Way, Ways, along
+from mechc.figure.wheels import Circle, pitch_point
 from mechc.formula.tree import Symbol
 from mechc.frozen import replace
 from mechc.model.mechanism import Arrow, Mirror
@@ -156,3 +157,9 @@ def test_a_rope_runs_on_the_outside_of_a_bend(down, touches):
         assert math.hypot(*rim) == pytest.approx(0.5)
         assert rim.y * touches > 0.4
         assert run.end.minus(run.start).dot(rim) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_gears_touch_on_the_line_of_their_centres_wherever_it_leads():
+    small, large = Circle(Plane(1.0, 1.0), 1.0), Circle(Plane(1.0, 4.0), 2.0)
+    assert pitch_point(small, large, inner=False) == pytest.approx((1, 2))
+    assert pitch_point(large, small, inner=False) == pytest.approx((1, 2))

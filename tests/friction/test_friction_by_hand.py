@@ -13,6 +13,7 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, product
 from mechc.formula.walk import evaluate
 from mechc.friction import pairs
+from mechc.friction.closed_form import readable
 from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives
 from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
@@ -415,3 +416,10 @@ def test_a_given_efficiency_divides_what_drives_and_multiplies_what_follows(sens
 def test_what_adds_to_a_multiple_of_the_drive_slips_as_much_more():
     (found,) = scaled([single(ONE, slip=Product(3))], Product(2))
     assert found.slip == Product(6)
+
+
+def test_a_sum_over_a_cosine_is_divided_term_by_term():
+    """cos φ/(sin φ + c·cos φ) reads as 1/(tan φ + c)."""
+    phi = at(phi=1)
+    whole = cosine(phi) / add([sine(phi), Product.symbol("c") * cosine(phi)])
+    assert text(readable(whole)) == "1/(tan(phi) + c)"

@@ -161,6 +161,14 @@ def test_of_two_rods_that_stand_alike_the_longer_one_carries_the_pin():
         assert carrier(SLIDERS.format(first=81, second=80, links=order), "B") == "AB"
 
 
+@pytest.mark.parametrize(("first", "second"), [("AB", "CB"), ("CB", "AB")])
+def test_of_two_rods_that_are_alike_the_couples_on_them_decide(first, second):
+    couples = f"torque T on {first}\ntorque U = 2*P*10 mm on {second}"
+    for order in ("link AB\nlink CB", "link CB\nlink AB"):
+        drawn = SLIDERS.format(first=80, second=80, links=order) + couples
+        assert carrier(drawn, "B") == first
+
+
 def test_the_force_along_a_rod_is_that_of_the_pin_without_a_load():
     """F acts on the rod itself at C, so the pin at B gives the whole of N."""
     text = KNEE.format(first=80, second=80, links="link OB\nlink BC\nfind N_BC\nfind R_C on BC")

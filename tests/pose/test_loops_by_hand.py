@@ -1,6 +1,7 @@
 """Loops of two unknowns closed by hand-built edges: each kind of dyad against coordinates."""
 
 import math
+from types import SimpleNamespace
 
 import pytest
 
@@ -14,6 +15,7 @@ from mechc.pose.loops.dyad_sides import Sides
 from mechc.pose.loops.dyads import Loop
 from mechc.pose.loops.margins import in_closed_form
 from mechc.pose.loops.rates import loop_rates, rate
+from mechc.pose.loops.redundant import closure_of
 from mechc.pose.loops.triangle import along, common_turn, heron, principal
 from mechc.pose.loops.vector_graph import Edge, chained, known_span, loop_name, mentioned
 from mechc.pose.pose import Arm, Definition, Limit, gathered, reverse, turned_by
@@ -208,3 +210,16 @@ def test_what_rests_on_a_name_without_a_rate_has_none():
     assert rates.of(product([(Symbol("phi"), 1), (Symbol("psi"), 1)])) is None
     assert rates.of(Symbol("r")) == ZERO
     assert rates.of(product([(Symbol("r"), 1), (Symbol("phi"), 1)])) == Symbol("r")
+
+
+def test_what_turns_as_one_body_has_the_direction_that_closes_its_loop():
+    """r along phi + 90° and, 30° ahead of it, one vector of unknown direction theta2."""
+    known = arm("r", at(90, phi=1))
+    moving = [*arm("l", at(30, theta2=1))]
+    state = SimpleNamespace(angles={"theta2"}, named=set(), free_name=lambda stem: stem)
+    found = closure_of("theta2", known, moving, state)
+    values = completed(VALUES, found.definitions)
+    turned = found.directions["theta2"].evaluate(values)
+    assert math.remainder(turned + math.pi / 6 - (PHI + math.pi / 2) - math.pi, math.tau) == (
+        pytest.approx(0, abs=1e-12)
+    )

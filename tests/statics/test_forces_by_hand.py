@@ -10,6 +10,7 @@ from mechc.model.mechanism import (
     Contact,
     ForcePair,
     LoadRatio,
+    Mirror,
     Normal,
     Reaction,
     Speed,
@@ -18,13 +19,15 @@ from mechc.model.mechanism import (
 from mechc.model.result import Result
 from mechc.pose.pose import PointContact
 from mechc.statics.acts import Acts
+from mechc.statics.assembly import Assembly, Cylinder, Plane, Push, Transfer
 from mechc.statics.balanced import Balanced
 from mechc.statics.cases import sizes_of
 from mechc.statics.contacts import pulling
 from mechc.statics.counted import uncounted
-from mechc.statics.free_bodies import Unknown
+from mechc.statics.free_bodies import Unknown, equilibrium
 from mechc.statics.joint_forces import joint_force
 from mechc.statics.speeds import speed_ratio
+from mechc.statics.transfers import both
 from mechc.statics.unfold import Unfolding
 from mechc.units import NUMBER
 from small_poses import (
@@ -161,3 +164,24 @@ def test_a_pin_on_which_no_friction_acts_is_named():
     pins = list(uncounted(Unfolding(slider_crank(), ALL), ()))
     assert pins == ["O on OA", "A on OA", "A on AB", "B on AB"]
     assert list(uncounted(Unfolding(lever(), ALL), ())) == ["O on OAB"]
+
+
+def test_the_parts_of_a_telescope_turn_one_another_oppositely():
+    along = Plane(0.0, 1.0)
+    cylinder = Cylinder("T", ("A", "B"), 0.5, along)
+    system = equilibrium(Assembly((), (), (), (), (), (), (cylinder,), {}, {}))
+    column = system.unknowns.index(Unknown("T", "", "couple"))
+    couples = sorted(row[column] for row in system.rows if column in row)
+    assert couples == [-1.0, 1.0]
+    side = system.unknowns.index(Unknown("T", "", "side"))
+    arms = [row[side] for row in system.rows if abs(row.get(side, 0.0)) not in (0.0, 1.0)]
+    assert arms == [-0.5]
+
+
+def test_the_twin_of_a_rope_has_a_label_and_that_of_gears_has_none():
+    pose = two_bars(mirror=Mirror(ALONG, ("K",), HERE), axis=at())
+    halves = Unfolding(pose, ALL)
+    for label, twin in (("", ""), ("B-O", "B-O'")):
+        acting = (Push("B", Plane(1.0, 0.0)),)
+        (own, other) = both(halves, Transfer("rope", "r", acting, label=label))
+        assert (own.label, other.label) == (label, twin)

@@ -11,7 +11,7 @@ from mechc.formula.tree import Call, Formula, Symbol, degrees, number, power, pr
 from mechc.model.mechanism import Expect, Interval, Mechanism, Parameter, Require
 from mechc.model.result import Definition, Result
 from mechc.source import Source, Span
-from mechc.study.expectations import Finding, compare
+from mechc.study.expectations import Finding, compare, likely_a_formula
 from mechc.study.poses import complete, default_pose, random_poses
 from mechc.units import ANGLE, LENGTH, NUMBER
 
@@ -190,3 +190,12 @@ expect k = 2 m at a = 2 m
     solved = mechc.loads(text, "lever.mech")
     assert [f.outcome for f in solved._compilation.findings] == ["agrees"]
     assert solved.warnings == []
+
+
+def test_only_a_figure_without_a_pose_may_have_been_compared_as_a_formula():
+    twice = product([(number(2), 1), (A, 1)])
+    slips = []
+    for value, at in ((number(2), {}), (twice, {}), (number(2), {"a": number(1)})):
+        expect = Expect("k", value, at, Fraction(0), HERE)
+        slips.append(likely_a_formula(Finding(expect, "refuted", 3.0, 2.0, {"a": 1.0}), {"a": 0.1}))
+    assert slips == ["figure", "", ""]

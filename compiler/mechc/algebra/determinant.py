@@ -22,6 +22,12 @@ def determinant(matrix: Matrix) -> Product:
     return _expanded(matrix, add)
 
 
+def with_column(matrix: Matrix, place: int, column: Sequence[Product]) -> Matrix:
+    """Return a matrix with one column replaced, as Cramer's rule takes it."""
+    rows = zip(matrix, column, strict=True)
+    return [[*row[:place], value, *row[place + 1 :]] for row, value in rows]
+
+
 def shortest_determinant(matrix: Matrix) -> Product:
     """Return a determinant as it is shortest to read, of all orders of its rows and columns.
 

@@ -6,8 +6,8 @@ give as many forces together. What the load does not rest on is left out again.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ..algebra.determinant import determinant
-from ..algebra.product import ZERO, Product
+from ..algebra.determinant import determinant, with_column
+from ..algebra.product import ZERO
 from ..algebra.rank import numeric_rank
 from ..algebra.sums import add
 from ..formula.operations import count_operations
@@ -129,17 +129,11 @@ def _solved(taken: Sequence[Candidate], names: Sequence[str]) -> Iterator[Found]
     known = dict.fromkeys(name for form in forms for name in form if name not in names)
     for column, name in enumerate(names):
         parts = {
-            other: -determinant(_replaced(matrix, column, [f.get(other, ZERO) for f in forms]))
+            other: -determinant(with_column(matrix, column, [f.get(other, ZERO) for f in forms]))
             for other in known
         }
         terms = {other: add([part / whole]) for other, part in parts.items() if part}
         yield Found(name, {other: part for other, part in terms.items() if part})
-
-
-def _replaced(
-    matrix: Sequence[Sequence[Product]], column: int, side: Sequence[Product]
-) -> list[list[Product]]:
-    return [[*row[:column], s, *row[column + 1 :]] for row, s in zip(matrix, side, strict=True)]
 
 
 def _without_zeros(steps: Iterable[Step]) -> Iterator[Step]:

@@ -6,7 +6,7 @@ n = s·(ideal + Σ D·n) is a linear system, and the driving load a quotient of 
 
 from collections.abc import Mapping, Sequence
 
-from ..algebra.determinant import determinant
+from ..algebra.determinant import determinant, with_column
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
 from ..formula.tree import Formula, Symbol, number, product, total
@@ -74,7 +74,9 @@ class LinearSolver:
             matrix.append(row)
         right = [p.components[0].ideal * s for p, s in zip(self._pressed, sides, strict=True)]
         whole = determinant(matrix)
-        return [canonical(_replaced(matrix, i, right) / whole) for i in range(len(right))]
+        return [
+            canonical(determinant(with_column(matrix, i, right)) / whole) for i in range(len(right))
+        ]
 
     def _share(self, by: Mapping[str, Product], name: str, side: Product) -> Product:
         """Return by how much a unit of another pressing force presses less here."""
@@ -111,11 +113,3 @@ def _size(pressed: LoadedPair) -> Formula:
 
 def _slip(pressed: LoadedPair) -> Formula:
     return Symbol(f"v_{pressed.pair.name}")
-
-
-def _replaced(
-    matrix: Sequence[Sequence[Product]], place: int, column: Sequence[Product]
-) -> Product:
-    """Return the determinant of a matrix with one column replaced."""
-    rows = zip(matrix, column, strict=True)
-    return determinant([[*row[:place], value, *row[place + 1 :]] for row, value in rows])

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from ..algebra.determinant import determinant
+from ..algebra.determinant import determinant, with_column
 from ..algebra.modular import PRIME, Point
 from ..algebra.product import ZERO, Bound, Product, Sum
 from ..algebra.sums import add
@@ -91,7 +91,7 @@ def solve(
         return [tuple(add([s[0] / matrix[0][0]]) for s in sides)]
     whole = determinant(matrix)
     return [
-        tuple(determinant(_replaced(matrix, column, s)) / whole for s in sides)
+        tuple(determinant(with_column(matrix, column, s)) / whole for s in sides)
         for column in range(len(unknowns))
     ]
 
@@ -99,9 +99,3 @@ def solve(
 def _side(form: Form, unknowns: Sequence[int], known: Mapping[int, Speeds], drive: int) -> Product:
     """Return the right-hand side of a relation, made of the known speeds."""
     return add(-(p * known[u][drive]) for u, p in form.items() if u not in unknowns)
-
-
-def _replaced(
-    matrix: Sequence[Sequence[Product]], column: int, side: Sequence[Product]
-) -> list[list[Product]]:
-    return [[*row[:column], s, *row[column + 1 :]] for row, s in zip(matrix, side, strict=True)]

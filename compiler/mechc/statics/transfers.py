@@ -17,16 +17,16 @@ def transfers(halves: Halves) -> Iterator[Transfer]:
     for joint in halves.pose.mechanism.joints:
         match joint:
             case WheelPair():
-                yield from _both(halves, _rims(halves, joint))
+                yield from both(halves, _rims(halves, joint))
             case Rack():
-                yield from _both(halves, Transfer("rack", joint.id, _teeth(halves, joint)))
+                yield from both(halves, Transfer("rack", joint.id, _teeth(halves, joint)))
             case Screw():
-                yield from _both(halves, Transfer("screw", joint.id, _thread(halves, joint)))
+                yield from both(halves, Transfer("screw", joint.id, _thread(halves, joint)))
             case Rope():
-                yield from _both(halves, _falls(halves, joint))
+                yield from both(halves, _falls(halves, joint))
             case Slot(link=link, guided=guided) if guided:
                 couples = Couple(guided, 1.0), Couple(link, -1.0)
-                yield from _both(halves, Transfer("slot", joint.id, couples))
+                yield from both(halves, Transfer("slot", joint.id, couples))
             case Pivot() | Slider() | Slot() | Contact():
                 pass  # they press on one point: see :mod:`.unfolded`
             case _:
@@ -87,7 +87,7 @@ def rope_forces(halves: Halves, rope: Rope, tensions: Sequence[float] = ()) -> I
         yield Push(head, way.times(-size))
 
 
-def _both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:
+def both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:
     """Yield a transfer and its twin in the other half."""
     yield transfer
     if halves.axis is not None and not all(map(halves.acts_on_shared, transfer.actions)):

@@ -227,7 +227,7 @@ def _remark(finding: Finding, mechanism: Mechanism, unit: str) -> Diagnostic | N
         case "refuted":
             at = _in_units(finding.at, mechanism)
             found, expected = _figures(finding, unit)
-            slip = _slip(finding) or _beside_the_values(finding, default_pose(mechanism))
+            slip = _slip(finding) or likely_a_formula(finding, default_pose(mechanism))
             return messages.expectation_refuted(span, subject, found, expected, at, slip)
         case "undecided" if finding.missing:
             return messages.expectation_without_pose(span, subject, finding.missing)
@@ -247,8 +247,8 @@ def _figures(finding: Finding, unit: str) -> tuple[str, str]:
     return found, expected
 
 
-def _beside_the_values(finding: Finding, given: Values) -> Slip:
-    """Return that a figure was compared as a formula, where it agrees at the values given."""
+def likely_a_formula(finding: Finding, given: Values) -> Slip:
+    """Return that a figure was compared as a formula, and refuted at other values than given."""
     expect = finding.expect
     is_figure = not expect.at and not symbols(expect.value)
     elsewhere = any(given.get(name, value) != value for name, value in finding.at.items())

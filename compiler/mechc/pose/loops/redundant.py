@@ -32,7 +32,7 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
         points = loop_name(cycle)
         return messages.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")
     unknown = frozenset({name})
-    closure = _closure(name, known, moving, state)
+    closure = closure_of(name, known, moving, state)
     familiar = [a.angle for e in cycle for a in e.arms]
     closure = state.recognised(closure, unknown, familiar)
     state.take(closure, unknown, [], "vector", points_around(cycle))
@@ -67,7 +67,7 @@ def _side_gap(known: Vector, moving: list[Arm], values: dict[str, float]) -> tup
     return longest, y * math.cos(theta) - x * math.sin(theta)
 
 
-def _closure(name: str, known: Vector, moving: list[Arm], state: State) -> Closure:
+def closure_of(name: str, known: Vector, moving: list[Arm], state: State) -> Closure:
     """Return the unknown; what turns as one body has a direction within it, ``delta``."""
     if name not in state.angles:
         theta = moving[0].angle

@@ -1,0 +1,23 @@
+"""Formulas as lines of text: where parentheses are needed, and where not."""
+
+import pytest
+
+from mechc.formula.to_text import text
+from mechc.formula.tree import Symbol, number, power, product, total
+
+A, B = Symbol("a"), Symbol("b")
+TWICE, LESS = product([(number(2), 1), (B, 1)]), product([(number(-2), 1), (B, 1)])
+
+
+@pytest.mark.parametrize(
+    ("formula", "line"),
+    [
+        (total([A, TWICE]), "a + 2*b"),
+        (total([A, LESS]), "a - 2*b"),
+        (LESS, "-2*b"),
+        (product([(A, 1), (total([A, B]), 1)]), "a*(a + b)"),
+        (power(total([A, B]), number(2)), "(a + b)^2"),
+    ],
+)
+def test_parentheses_stand_where_they_are_needed(formula, line):
+    assert text(formula) == line
