@@ -118,7 +118,7 @@ def _vector_row(
             return VectorRow(_vector(tail, head), size, along)
         case Offset(tail, head, x, y):
             across, up = (length_of(part, locale, style, unit) for part in (x, y))
-            return VectorRow(_vector(tail, head), math(rf"({across};\ {up})"), "")
+            return VectorRow(_vector(tail, head), math(f"({across}{style.between}{up})"), "")
         case Turn(first, vertex, second, angle):
             corner = rf"\angle {''.join(map(points, (first, vertex, second)))}"
             return VectorRow(math(corner), "", math(latex(angle, style, angle=True)))

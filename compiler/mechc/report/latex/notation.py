@@ -119,6 +119,11 @@ class Notation:
     subscripts: Mapping[str, str] = MappingProxyType({})
     own: frozenset[str] = frozenset()
 
+    @property
+    def between(self) -> str:
+        """What stands between coordinates, ``(15; 60)`` where decimals have commas."""
+        return "," if self.decimal == "." else r";\ "
+
 
 def notation(language: str) -> Notation:
     """Return the notation of a language's books, for one document."""

@@ -198,10 +198,9 @@ class _Latex(Typesetter[Box]):
         return row((plain(written), inner))._replace(open=True)
 
     def called(self, function: str, arguments: Sequence[Box]) -> Box:
-        """Return a function of several arguments, ``atan2(15; 60)`` where decimals have commas."""
-        between = "," if self.style.decimal == "." else r";\ "
+        """Return a function of several arguments."""
         parts = (
-            Box((between if i else "") + part.tex, part.width + 0.5, part.tall)
+            Box((self.style.between if i else "") + part.tex, part.width + 0.5, part.tall)
             for i, part in enumerate(arguments)
         )
         return row((plain(self.style.functions[function]), self.parentheses(row(parts))))
