@@ -141,7 +141,7 @@ class SolvedMechanism(Plotting):
         return self._evaluation.results(values)
 
     def __reduce__(self) -> "tuple[Callable[..., SolvedMechanism], tuple[Compilation, bool]]":
-        """Return what a copy is made by: it makes functions, which no file can hold, anew."""
+        """Return the way a copy is made: functions, which no file can hold, are made anew."""
         return _copied, (self._compilation, self._evaluation.has_machine_code)
 
     def compile(self) -> "SolvedMechanism":

@@ -15,7 +15,7 @@ from force_samples import Compiled, compiled, samples
 from friction_lines import friction_of, points
 from grown import Grown
 from mechc.diagnostics import MechcError
-from mechc.model.locking import Stretch
+from mechc.model.locking import LockingInterval
 from mechc.model.result import Result
 from mechc.study.analysis import DeadCentre, Vanishing
 
@@ -143,7 +143,7 @@ def assert_same_friction(one: Result, two: Result, new: dict[str, str], where: s
         assert figures == pytest.approx((other.least, other.greatest), abs=1e-3), where
 
 
-def ends_of(stretch: Stretch) -> list[float]:
+def ends_of(stretch: LockingInterval) -> list[float]:
     """Return the ends of a stretch, where it has them."""
     return [end.x for end in (stretch.low, stretch.high) if end]
 

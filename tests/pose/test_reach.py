@@ -6,7 +6,7 @@ import mpmath
 import pytest
 
 import mechc
-from mechc.diagnostics.pose import Stretch
+from mechc.diagnostics.pose import AssemblyRange
 from mechc.formula.walk import evaluate
 from mechc.pose.loops import by_groups, choosing
 from mechc.source import Span
@@ -275,7 +275,7 @@ def test_a_group_of_class_three_that_closes_nowhere(refused):
 
 
 def test_a_loop_that_closes_at_one_value_alone_is_said_to_be_held():
-    stretch = Stretch(math.radians(44.907), math.radians(44.907) + 1e-12, ANGLE)
+    stretch = AssemblyRange(math.radians(44.907), math.radians(44.907) + 1e-12, ANGLE)
     stated = choosing.messages.cannot_assemble(Span(0, 1), "O-A-B", "phi", [stretch])
     assert stated.message.endswith("it closes for phi at 44.907 deg alone")
     assert stated.hint == "phi cannot move the loop: leave a length or an angle of it open"

@@ -19,7 +19,7 @@ from mechc.model.mechanism import (
 from mechc.model.result import Result
 from mechc.pose.pose import PointContact
 from mechc.statics.acts import Acts
-from mechc.statics.assembly import Assembly, Cylinder, Plane, Push, Transfer
+from mechc.statics.assembly import Assembly, Cylinder, Plane, PointForce, Transfer
 from mechc.statics.balanced import Balanced
 from mechc.statics.cases import sizes_of
 from mechc.statics.contacts import pulling
@@ -182,6 +182,6 @@ def test_the_twin_of_a_rope_has_a_label_and_that_of_gears_has_none():
     pose = two_bars(mirror=Mirror(ALONG, ("K",), HERE), axis=at())
     halves = Unfolding(pose, ALL)
     for label, twin in (("", ""), ("B-O", "B-O'")):
-        acting = (Push("B", Plane(1.0, 0.0)),)
+        acting = (PointForce("B", Plane(1.0, 0.0)),)
         (own, other) = both(halves, Transfer("rope", "r", acting, label=label))
         assert (own.label, other.label) == (label, twin)

@@ -13,7 +13,7 @@ from mechc.api import SolvedMechanism
 from mechc.cli.main import main
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
-from mechc.model.locking import EfficiencyRange, Locking, LockingIntervals, Stretch
+from mechc.model.locking import EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from mechc.report.languages.en import LOCALE
 from mechc.source import Source
 from mechc.study.analysis import Analysis
@@ -111,7 +111,7 @@ def locking(description: str, name: str) -> Locking:
     return found
 
 
-def stretches(description: str, name: str) -> list[Stretch]:
+def stretches(description: str, name: str) -> list[LockingInterval]:
     (reach,) = locking(description, name).reaches
     return list(reach.stretches)
 
@@ -574,7 +574,7 @@ find k = M / F
 """
 
 
-def reached(description: str, name: str) -> dict[str, Stretch]:
+def reached(description: str, name: str) -> dict[str, LockingInterval]:
     found = {r.parameter: r.stretches for r in locking(description, name).reaches}
     return {parameter: stretch for parameter, (stretch,) in found.items()}
 

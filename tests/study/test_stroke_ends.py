@@ -13,7 +13,7 @@ from mechc.report.text.stroke import to_table
 from mechc.source import Source
 from mechc.study.analysis import DeadCentre
 from mechc.study.stroke.grid import GRADED, graded, looked_at
-from mechc.study.stroke.stroke import Stretch
+from mechc.study.stroke.stroke import StrokeInterval
 from paths import CORPUS
 
 STROKES = CORPUS / "strokes"
@@ -186,8 +186,8 @@ def test_places_next_to_an_end_lie_evenly_by_the_root():
 
 def test_only_cells_next_to_the_end_of_a_loop_are_divided():
     places = [i / 720 for i in range(721)]
-    plain = looked_at(Stretch(0.0, 1.0, "", ""), places)
-    ended = looked_at(Stretch(0.0, 1.0, "", "cannot be assembled"), places)
+    plain = looked_at(StrokeInterval(0.0, 1.0, "", ""), places)
+    ended = looked_at(StrokeInterval(0.0, 1.0, "", "cannot be assembled"), places)
     assert plain == places
     assert [x for x in ended if x <= places[-2]] == places[:-1]
     assert len(ended) == len(places) + GRADED - 1

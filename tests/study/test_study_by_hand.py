@@ -26,7 +26,7 @@ from mechc.study.stroke.extrema import extrema, turns_between
 from mechc.study.stroke.grid import ENOUGH, GRADED, graded, looked_at
 from mechc.study.stroke.reached import with_reached
 from mechc.study.stroke.sides import from_both_sides
-from mechc.study.stroke.stroke import Column, Extremum, Stretch
+from mechc.study.stroke.stroke import Column, Extremum, StrokeInterval
 from mechc.study.stroke.transmission import Transmission, named, transmissions
 from mechc.study.trends import trend
 from mechc.study.zeros import poles, zeros
@@ -191,19 +191,19 @@ def test_places_lie_closer_where_a_loop_ends():
     steps = list(graded(1.0, 2.0))
     assert len(steps) == GRADED - 1
     assert steps[0] == 1 + GRADED**-2
-    free, ended = Stretch(0.0, 1.0, "", ""), Stretch(0.0, 1.0, "loop", "")
+    free, ended = StrokeInterval(0.0, 1.0, "", ""), StrokeInterval(0.0, 1.0, "loop", "")
     many = [i / (2 * ENOUGH) for i in range(1, 2 * ENOUGH)]
     assert looked_at(free, many) == [0.0, *many, 1.0]
     assert len(looked_at(ended, many)) == len(many) + 2 + GRADED - 1
 
 
 def test_what_the_default_pose_is_not_on_cannot_be_reached():
-    first, second = Stretch(0.0, 1.0, "", "loop"), Stretch(2.0, 3.0, "loop", "")
+    first, second = StrokeInterval(0.0, 1.0, "", "loop"), StrokeInterval(2.0, 3.0, "loop", "")
     found = with_reached([first, second], 0.5, "excluded", False)
     assert [s.reached for s in found] == [True, False]
     joined = [first._replace(after="excluded"), second._replace(before="excluded")]
     assert [s.reached for s in with_reached(joined, 0.5, "excluded", False)] == [True, True]
-    round_ = [first, Stretch(2.0, 2 * math.pi, "loop", "")]
+    round_ = [first, StrokeInterval(2.0, 2 * math.pi, "loop", "")]
     assert [s.reached for s in with_reached(round_, 0.5, "excluded", True)] == [True, True]
     assert [s.reached for s in with_reached(round_, 0.5, "excluded", False)] == [True, False]
     assert [s.reached for s in with_reached([first, second], None, "", False)] == [True, True]

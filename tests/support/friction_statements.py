@@ -12,7 +12,7 @@ import numpy as np
 
 from mechc.driver import Compilation
 from mechc.formula.walk import symbols
-from mechc.model.locking import USUAL, EfficiencyRange, LockingIntervals, Stretch
+from mechc.model.locking import USUAL, EfficiencyRange, LockingInterval, LockingIntervals
 from mechc.model.mechanism import Mechanism
 from mechc.model.result import Result
 from mechc.model.targets import SIGNS, Efficiency, WithFriction
@@ -137,7 +137,7 @@ def who_drives(ratios: Ratios, result: Analysis) -> Iterator[str]:
 
 
 def throughout(
-    ratios: Ratios, result: Result, reach: LockingIntervals, stretch: Stretch
+    ratios: Ratios, result: Result, reach: LockingIntervals, stretch: LockingInterval
 ) -> Iterator[str]:
     """Yield where code has another state within a stretch, outside the range or in it."""
     ends = reach.range or (math.nan, math.nan)

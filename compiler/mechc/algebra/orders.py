@@ -34,7 +34,7 @@ PLAIN = 1e-5
 """What is not below this part of a sum's terms is not zero, without looking closer."""
 
 MOST = 64
-"""Roots of one sine: those of 1.234·a and a are not told apart."""
+"""Roots of one sine: those of 1.234·a and a are not distinguished."""
 
 POLE = 1e-5
 """Terms that grow by more than its inverse may have a pole."""
@@ -53,10 +53,10 @@ class Root(NamedTuple):
 
 
 def roots(trig: Trig, product: Product) -> list[Root]:
-    """Return the roots of a sine or cosine, as far as a product may tell them apart.
+    """Return the roots of a sine or cosine, as far as a product may distinguish them.
 
-    Beside sin a, cos 3a has three, at 30°, 90° and 150°; beside sin(a/2) six, up to 360°. A sum
-    may vanish at one end of a diameter only: beside one, roots are told apart up to a whole
+    Next to sin a, cos 3a has three, at 30°, 90° and 150°; next to sin(a/2) six, up to 360°. A sum
+    may vanish at one end of a diameter only: next to one, roots are distinguished up to a whole
     turn of the finest angle. None are returned where these are more than :data:`MOST`.
 
     >>> from .trigonometry import cosine

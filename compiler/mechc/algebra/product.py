@@ -83,7 +83,7 @@ class Product:
         return f"Product({self.coefficient}, {dict(self.factors)!r})"
 
     def written(self) -> "Written":
-        """Return what the product is made of: equal ones may have another order."""
+        """Return coefficient and factors in their order, in which equal products may differ."""
         return self.coefficient, tuple(self.factors.items())
 
     def root(self) -> "Product | None":

@@ -33,7 +33,7 @@ WIDTH = 100
 INDENT = "  "
 
 ROUNDING = 1e-12
-"""A component of a vector that is smaller, beside the other one, is what rounding left of 0."""
+"""A component of a vector that is smaller, relative to the other one, is rounding of 0."""
 
 EQUATIONS = {
     ("name", "formula"),
@@ -220,7 +220,7 @@ def _mathematics(value: object) -> str | None:
 def _equation(value: object) -> str | None:
     """Return the text of a record that is an equation or a condition; None for any other.
 
-    What it has of a default beside is not written.
+    Its defaults are not written.
     """
     own = {n: getattr(value, n) for n, default in _declared(value).items() if default is REQUIRED}
     kept = {name: part for name, part in own.items() if part != "" and not isinstance(part, Span)}

@@ -150,7 +150,7 @@ def option(*names: str, **what: Any) -> Callable[[F], F]:
 
 
 def adding(parameter: Argument | Option) -> Callable[[F], F]:
-    """Return what adds an argument or an option to a function, before those below it."""
+    """Return a decorator that puts an argument or option before those of the lines below it."""
 
     def add(function: F) -> F:
         vars(function).setdefault("parameters", []).insert(0, parameter)

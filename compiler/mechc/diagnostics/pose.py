@@ -9,7 +9,7 @@ from ..units import ANGLE, Dimension
 from .diagnostic import Message, Related, coded
 
 
-class Stretch(NamedTuple):
+class AssemblyRange(NamedTuple):
     """A part of the drive's stroke, in SI, its dimension, and its ends as formulas if known."""
 
     low: float
@@ -133,7 +133,7 @@ def points_coincide(at: Span, points: str) -> Message:
 
 
 @coded("E309")
-def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch]) -> Message:
+def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[AssemblyRange]) -> Message:
     """With the lengths given, a loop cannot be closed at the default pose.
 
     A triangle needs each side to be shorter than the other two together, a rod to reach
@@ -244,19 +244,19 @@ def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Message:
     )
 
 
-def _is_long(stretch: Stretch) -> bool:
+def _is_long(stretch: AssemblyRange) -> bool:
     """Return whether a stretch is more than one pose, by more than rounding."""
     return stretch.high - stretch.low > 1e-7 * max(abs(stretch.low), abs(stretch.high))
 
 
-def _stretch(stretch: Stretch) -> str:
+def _stretch(stretch: AssemblyRange) -> str:
     unit, size = ("deg", math.pi / 180) if stretch.dimension == ANGLE else ("mm", 1e-3)
     if not _is_long(stretch):
         return f"at {stretch.low / size:.6g} {unit} alone"
     return f"from {stretch.low / size:.10g} to {stretch.high / size:.10g} {unit}"
 
 
-def _limits(drive: str, stretches: Iterable[Stretch]) -> str:
+def _limits(drive: str, stretches: Iterable[AssemblyRange]) -> str:
     """Return the shortest formulas of ends, two at most, behind a semicolon."""
     found = {f for s in stretches for f in (s.low_exact, s.high_exact) if f}
     shown = sorted(sorted(found, key=lambda f: (len(f), f))[:2])

@@ -8,7 +8,7 @@ from ..statics.diagram import Acting, FreeBody
 from .acting import LEAST, Forces
 from .drawing import FORCE, HATCH, Drawing
 from .labels import Beside
-from .occupied import Stretch
+from .occupied import LineSegment
 from .sheet import Layer, Sheet
 from .symbols import arrow, line
 
@@ -53,11 +53,11 @@ def force_polygon(forces: Forces, body: FreeBody, scale: float) -> Drawing:
     return sheet.finished("", "")
 
 
-def _sides(steps: Sequence[Plane]) -> list[Stretch]:
+def _sides(steps: Sequence[Plane]) -> list[LineSegment]:
     """Return steps head to tail; where all are parallel, those back beside those ahead."""
     along = max(steps, key=lambda step: math.hypot(*step)).unit() or Plane(1.0, 0.0)
     flat = all(abs(along.turned().dot(step)) < FLAT * math.hypot(*step) for step in steps)
-    at, sides = NOWHERE, list[Stretch]()
+    at, sides = NOWHERE, list[LineSegment]()
     for step in steps:
         back = flat and along.dot(step) * along.dot(steps[0]) < 0
         aside = along.turned().times(ASIDE if back else 0.0)

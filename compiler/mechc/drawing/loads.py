@@ -18,7 +18,7 @@ from ..pose.places import direction
 from .drawing import FORCE, SYMBOL, VELOCITY, Run
 from .labels import Around, Beside
 from .lettering import name
-from .occupied import Occupied, Stretch
+from .occupied import LineSegment, Occupied
 from .paper import Paper
 from .sheet import Layer, Sheet
 from .symbols import (
@@ -92,7 +92,7 @@ def _draw_force(sheet: Sheet, paper: Paper, force: Force) -> None:
     sheet.name(Beside(tail, tip, _times(force.times, force.name), FORCE))
 
 
-def _free_arrow(occupied: Occupied, paper: Paper, force: Force) -> Stretch:
+def _free_arrow(occupied: Occupied, paper: Paper, force: Force) -> LineSegment:
     """Return the tail and the tip of a force's arrow.
 
     It leaves its point or comes to it, whichever meets fewer lines; where velocities lie on
@@ -100,7 +100,7 @@ def _free_arrow(occupied: Occupied, paper: Paper, force: Force) -> Stretch:
     """
     at, gap = paper.at(force.point), GAP + _reach(paper, force)
 
-    def arrow_from(start: float, across: float = 0.0) -> Stretch:
+    def arrow_from(start: float, across: float = 0.0) -> LineSegment:
         ends = start, start + ARROW
         return off(at, force.along, ends[0], across), off(at, force.along, ends[1], across)
 

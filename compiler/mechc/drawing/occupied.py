@@ -20,7 +20,7 @@ TOUCH = 0.2
 FAINT = (AXIS, COPY, HATCH)
 """Lines that others may cross."""
 
-Stretch = tuple[Plane, Plane]
+LineSegment = tuple[Plane, Plane]
 Square = tuple[int, int]
 
 
@@ -40,7 +40,7 @@ class Box:
             and other.low.y < self.high.y
         )
 
-    def cut_by(self, line: Stretch) -> bool:
+    def cut_by(self, line: LineSegment) -> bool:
         """Return whether a straight line passes through the box."""
         start, end = line
         step = end.minus(start)
@@ -55,7 +55,7 @@ class Box:
         return enter <= leave
 
 
-def stretches(shape: Shape) -> Iterator[Stretch]:
+def stretches(shape: Shape) -> Iterator[LineSegment]:
     """Yield the straight lines of a shape; those of an arc are chords."""
     if isinstance(shape, Arc):
         points = shape.way()
@@ -68,7 +68,7 @@ class Occupied:
     """The lines and labels of a drawing that is being made."""
 
     def __init__(self, shapes: Iterable[Shape] = ()) -> None:
-        self._lines: list[Stretch] = []
+        self._lines: list[LineSegment] = []
         self._pens: list[Pen] = []
         self._squares: dict[Square, list[int]] = {}
         self._boxes: list[Box] = []
@@ -107,7 +107,7 @@ class Occupied:
         """Return how many lines shapes would meet."""
         return sum(self.crossings(*line) for shape in shapes for line in stretches(shape))
 
-    def lies_on(self, line: Stretch, pen: Pen) -> bool:
+    def lies_on(self, line: LineSegment, pen: Pen) -> bool:
         """Return whether a straight line and one drawn with that pen lie on each other."""
         near = self._in(_squares(*line))
         return any(self._pens[i] == pen and _lie_on_each_other(line, self._lines[i]) for i in near)
@@ -133,12 +133,12 @@ def _squares(start: Plane, end: Plane) -> set[Square]:
     return {(_cell(p.x + dx), _cell(p.y + dy)) for p in points for dx in (-1, 1) for dy in (-1, 1)}
 
 
-def _meet(one: Stretch, other: Stretch) -> bool:
+def _meet(one: LineSegment, other: LineSegment) -> bool:
     """Return whether two straight lines cross, or lie on each other."""
     return _side_by_side(one, other) and _reaches(one, other) and _reaches(other, one)
 
 
-def _lie_on_each_other(one: Stretch, other: Stretch) -> bool:
+def _lie_on_each_other(one: LineSegment, other: LineSegment) -> bool:
     """Return whether two straight lines are one line, and have more than an end of it in common."""
     start, end = one
     along = end.minus(start).unit()
@@ -151,7 +151,7 @@ def _lie_on_each_other(one: Stretch, other: Stretch) -> bool:
     return low < math.dist(start, end) - TOUCH and high > TOUCH
 
 
-def _side_by_side(one: Stretch, other: Stretch) -> bool:
+def _side_by_side(one: LineSegment, other: LineSegment) -> bool:
     """Return whether the upright rectangles around two straight lines touch."""
     ((ax, ay), (bx, by)), ((cx, cy), (dx, dy)) = one, other
     return (
@@ -162,7 +162,7 @@ def _side_by_side(one: Stretch, other: Stretch) -> bool:
     )
 
 
-def _reaches(line: Stretch, other: Stretch) -> bool:
+def _reaches(line: LineSegment, other: LineSegment) -> bool:
     """Return whether the other's ends are not both clearly on one side of a line."""
     ((ax, ay), (bx, by)), ((cx, cy), (dx, dy)) = line, other
     length = math.hypot(bx - ax, by - ay)

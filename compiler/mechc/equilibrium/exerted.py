@@ -145,7 +145,7 @@ def _touch(touch: PointContact, cut: Cutting) -> Exerted:
 
 
 def _passed_on(joint: Joint, cut: Cutting) -> Exerted | None:
-    """Return what a joint passes on besides what presses at its points, None if nothing."""
+    """Return the forces that a joint passes on, but for those at its points; None without any."""
     match joint:
         case WheelPair():
             return _wheels(joint, cut)

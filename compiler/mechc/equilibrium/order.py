@@ -20,7 +20,7 @@ TOGETHER = 3
 """More sums than this nobody solves together by hand."""
 
 VANISHED = 1e-9
-"""A part of a sum that is smaller, beside the others, is what rounding left of 0."""
+"""A part of a sum that is smaller, relative to the others, is rounding of 0."""
 
 Names = frozenset[str]
 

@@ -1,16 +1,16 @@
 """Pressing forces by their coupled equations: as many as there are pairs of surfaces.
 
 With n the sizes of the pressing forces, n = |φ·ideal + Σ D·n| under loads of the size φ. The
-solution is followed from D = 0, where n is what the loads press alone, while all frictions
+solution is followed from D = 0, where n is what the loads make alone, while all frictions
 grow alike: the friction of a share t of the coefficients is t·D.
 
 The equations are homogeneous in loads and pressing forces, so that the loads need not stay
-the same on the way. Beside a dead centre of the drive φ alone would not do: there D is large,
+the same on the way. Near a dead centre of the drive φ alone would not do: there D is large,
 because the drive that balances a friction is. What is kept near 1 is the size q of the load
 without friction, φ = q - g·Σ κ·n, where κ·n is what a friction adds to the driving load. With
 the g for which D - g·ideal·κ is least, this rest is of order one at a dead centre, too. Where φ
-passes zero the drive would need to be infinitely strong, and behind it the load to be turned
-round: nothing balances. Nor does anything where the branch of solutions ends on the way.
+passes zero the drive would need to be infinitely strong, and behind it the load to be
+reversed: nothing balances. Nor does anything where the branch of solutions ends on the way.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
@@ -48,7 +48,7 @@ They are at the outset, and no longer at the end: on the way a force may turn ro
 TOO_LARGE = Fraction(2) ** 46
 """The sum of squares of D from which nothing follows: about 1e14, and no number of a user's.
 
-Beside a dead centre forces of 1e7 times their sum may cancel, so that Newton's corrections stop
+Near a dead centre forces of 1e7 times their sum may cancel, so that Newton's corrections stop
 to shrink by rounding, as they do where the branch of solutions ends. Code in single precision
 has a limit of its own by this one's digits (``emit.c.real``).
 """
@@ -129,7 +129,7 @@ class Coupled:
 
     @property
     def shares(self) -> list[Share]:
-        """Return what all frictions share in all components."""
+        """Return the shares of all frictions in all components."""
         return [share for row in self.rows for share in row.shares]
 
 
@@ -146,7 +146,7 @@ def coupled(loaded: Sequence[LoadedPair], taken: Set[str]) -> Coupled:
 
 
 def _fresh(taken: Set[str]) -> Callable[[str], str]:
-    """Return what makes names of those that are wanted, each of them once."""
+    """Return a function that gives each name that is wanted, or one like it, once."""
     used = set(taken)
 
     def name(wanted: str) -> str:
@@ -251,7 +251,7 @@ def _solutions(of: Coupled) -> Iterator[Definition]:
 
 
 def _argument(of: Coupled, name: str) -> Formula:
-    """Return what a symbol of the system is at the end of the way."""
+    """Return the value of a symbol of the system at the end of the way."""
     names = of.names
     if name in (names.step, names.left):
         return quotient(ONE, Symbol(names.length))

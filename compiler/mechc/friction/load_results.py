@@ -135,7 +135,7 @@ def _stands(problem: Problem, find: Find, ideal: Result, loaded: Loaded, found: 
 def in_closed_form(
     problem: Problem, case: Case, loaded: Loaded, sense: int, endings: Sequence[str]
 ) -> Named | None:
-    """Return the first closed form that there is; None where all equations hang together."""
+    """Return the first closed form that there is; None where the equations are coupled."""
     for way in ways(problem, case, loaded, sense):
         try:
             signs = AtAnyPose(problem.taken, problem.in_code, endings)

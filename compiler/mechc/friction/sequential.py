@@ -10,8 +10,8 @@ Free bodies are solved one after another, each with one force left unknown:
 - a *pin* between two rods balances both ways. Its friction is exact there only if both
   rods carry the same force, as in a symmetric toggle.
 
-Where a body has more unknowns the chain ends (:class:`EquationsCoupled`): its equations hang
-together, and :mod:`.iterated` solves them.
+Where a body has more unknowns the chain ends (:class:`EquationsCoupled`): its equations are
+coupled, and :mod:`.iterated` solves them.
 """
 
 from collections.abc import Sequence

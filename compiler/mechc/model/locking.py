@@ -36,12 +36,12 @@ class Bound(NamedTuple):
         return self.is_dead_centre or self.left_out
 
 
-class Stretch(NamedTuple):
-    """A stretch of a parameter on which a mechanism is locked, or jammed.
+class LockingInterval(NamedTuple):
+    """A part of a parameter's values on which a mechanism is locked, or jammed.
 
     None is an end at which nothing changes before the parameter's range ends; beyond that,
     and without a range, it ends at the next dead centre at the latest. ``within`` is what of it
-    lies in the range. A stretch is ``sampled`` where it was found by looking at many values and
+    lies in the range. One is ``sampled`` where it was found by looking at many values and
     its ends were narrowed down, not solved for.
     """
 
@@ -54,7 +54,7 @@ class Stretch(NamedTuple):
 
 @frozen
 class LockingIntervals:
-    """All stretches of one parameter, the others at their values; its range, if it has one.
+    """All such intervals of one parameter, the others at their values; its range, if it has one.
 
     ``unit`` is the one that was written; angles have none.
     """
@@ -62,7 +62,7 @@ class LockingIntervals:
     parameter: str
     unit: str
     range: Range | None
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[LockingInterval, ...]
 
 
 @frozen

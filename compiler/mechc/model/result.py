@@ -1,6 +1,6 @@
 """Results, each as a readable formula.
 
-It stands beside what was asked for (``mechanism.Find``): power and friction fill it, statics
+It answers what was asked for (``mechanism.Find``): power and friction fill it, statics
 checks it, and neither needs to know of the other.
 
 All formulas are in SI and radians and mention free parameters and the names in

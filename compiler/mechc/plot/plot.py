@@ -50,7 +50,7 @@ class Zone(NamedTuple):
 
 @frozen
 class Curve:
-    """One result with one setting of the family, in pieces that hang together.
+    """One result with one setting of the family, in pieces without a break.
 
     It is infinite at its ``poles``, and goes from one value to another at its ``jumps``. Of its
     zeros and poles some are ``dead_centres``.

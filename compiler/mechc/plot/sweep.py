@@ -20,7 +20,7 @@ from .quantities import Array, Quantity, unit_of
 from .query import Given, Query
 
 MOST = 12
-"""How many curves a person can tell apart."""
+"""How many curves a person can distinguish."""
 
 
 @frozen
@@ -149,7 +149,7 @@ def columns(sweep: Sweep, asked: Sequence[Quantity], points: int) -> tuple[Colum
 
 
 def refuse_many(number: int) -> None:
-    """Raise E589 where there are more curves than a person can tell apart."""
+    """Raise E589 where there are more curves than a person can distinguish."""
     if number > MOST:
         raise MechcError([messages.too_many_curves(number, MOST)])
 

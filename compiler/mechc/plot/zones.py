@@ -8,10 +8,10 @@ import numpy as np
 from .narrowing import Array, Function, narrowed, on
 from .sampling import traced
 
-Stretch = tuple[float, float]
+Ends = tuple[float, float]
 
 
-def stretches(functions: Sequence[Function], low: float, high: float) -> tuple[Stretch, ...]:
+def stretches(functions: Sequence[Function], low: float, high: float) -> tuple[Ends, ...]:
     """Return the stretches of a range on which no function is negative.
 
     >>> [(round(a, 9), round(b, 9)) for a, b in stretches([np.sin], 1.0, 8.0)]
@@ -36,9 +36,9 @@ def _edges(function: Function, xs: Array) -> list[float]:
     return list(map(float, narrowed(lambda x: on(function, x) >= 0, good, bad)[0]))
 
 
-def _joined(found: Sequence[Stretch]) -> list[Stretch]:
+def _joined(found: Sequence[Ends]) -> list[Ends]:
     """Return stretches with those that touch as one."""
-    joined: list[Stretch] = []
+    joined: list[Ends] = []
     for low, high in found:
         if joined and joined[-1][1] == low:
             joined[-1] = joined[-1][0], high

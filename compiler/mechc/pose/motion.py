@@ -78,7 +78,7 @@ def _taken(pose: Pose) -> Iterator[str]:
 
 
 def _whole(pose: Pose, quantities: Sequence[Quantity], *rates: Rates) -> Motion | None:
-    """Return a motion, its names told apart from those of the pose; None without quantities."""
+    """Return a motion, its names distinct from those of the pose; None without quantities."""
     numbers = {c.name for c in constants(q.formula for q in quantities)}
     taken, kept = {*_taken(pose), *numbers}, {name for name, _ in pose.definitions}
     closing = [d for d in pose.closing if d.name not in kept]

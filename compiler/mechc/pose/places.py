@@ -104,7 +104,7 @@ def placed(edges: Iterable[Edge]) -> dict[str, Place]:
 
 
 def between(places: Sweep, tail: str, head: str) -> Plane | None:
-    """Return the vector between two points, None where they do not hang together."""
+    """Return the vector between two points, None where they are not connected."""
     a, b = places.get(tail), places.get(head)
     if a is None or b is None or a.start != b.start:
         return None

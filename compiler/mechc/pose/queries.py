@@ -55,7 +55,7 @@ def _formulas(mechanism: Mechanism) -> Iterator[tuple[Formula, Span]]:
 
 
 def _answer(form: Form, start: str, vectors: Vectors, span: Span, report: Report) -> Formula | None:
-    """Return what a form asks of the pose; None of another one, and where there is no answer."""
+    """Return the length, direction or coordinate that a form asks for; None without an answer."""
     if form.prefix in COORDINATES:
         return _coordinate(form, start, vectors, span, report)
     return _of_vector(form, vectors, span, report) if form.prefix in ("phi", "len") else None

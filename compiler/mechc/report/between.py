@@ -46,7 +46,7 @@ def _is_one_of(asked: float, *rows: float) -> bool:
 
 
 def _asked(value: float, row: Formula) -> Constant:
-    """Return what is asked for in the unit of a row."""
+    """Return the value asked for in the unit of a row."""
     unit = next((split_quantity(c.name)[1] for c in constants([row])), "")
     return Constant(Quantity(value, unit).text(DIGITS), Number(Fraction(value)))
 

@@ -16,7 +16,7 @@ def found_dimension(
     values: Mapping[str, float],
     dimensions: Mapping[str, Dimension],
 ) -> Dimension | None:
-    """Return what a loop or an account of friction gives measures; None if it is not known."""
+    """Return the dimension of what a loop or friction defines; None if it is not known."""
     if definition.name.startswith("len_"):
         return LENGTH
     if is_angle(definition.formula, set(angles)):

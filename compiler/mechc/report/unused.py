@@ -29,7 +29,7 @@ def unused(mechanism: Mechanism, results: Sequence[Result]) -> tuple[str, ...]:
 
 
 def rests_on(mechanism: Mechanism, results: Iterable[Result]) -> Mapping[str, Names]:
-    """Return what each quantity rests on: other quantities, and a table that it is looked up in."""
+    """Return the quantities that each one rests on, and the table that it is looked up in."""
     rests = {p.name: symbols(p.value) for p in mechanism.parameters if p.value}
     for let in mechanism.lets:
         table = {let.written.of} if let.written else frozenset()

@@ -117,7 +117,7 @@ class Guard:
 
 @frozen
 class Status:
-    """Whether a result with friction moves what it drives: how code tells its poses apart.
+    """Whether a result with friction moves what it drives: how code distinguishes its poses.
 
     ``drive`` is the function of the same without friction, or, of a force at a joint, the load
     that drives, ``sense`` 1 where the motion is that along the drive's arrow, else -1. ``steps``

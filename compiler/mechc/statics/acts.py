@@ -13,7 +13,7 @@ from .assembly import (
     Couple,
     Cylinder,
     Plane,
-    Push,
+    PointForce,
     Transfer,
     Wrench,
     scaled,
@@ -128,7 +128,7 @@ class Acts:
 
     def _from_rope(self, rope: str, action: Action) -> None:
         """Let a rope that slides pull more or less than its mean tension, and turn a drum."""
-        if isinstance(action, Push):
+        if isinstance(action, PointForce):
             self._alone("rope", rope, action)
         else:
             self._alone("friction", "", action)
@@ -144,7 +144,7 @@ class Acts:
     ) -> None:
         """Let something act; a wrench on a body is a force ``at`` the pin where bodies touch."""
         match action:
-            case Push(point, force):
+            case PointForce(point, force):
                 self._pin(kind, by, point, force, size)
             case Couple(body) if body == GROUND:
                 pass
@@ -210,11 +210,11 @@ def _whole(cylinder: Cylinder) -> Body:
 
 
 def _target(action: Action) -> str:
-    return action.point if isinstance(action, Push) else action.body
+    return action.point if isinstance(action, PointForce) else action.body
 
 
 def _point(action: Action) -> str:
-    return action.point if isinstance(action, Push) else ""
+    return action.point if isinstance(action, PointForce) else ""
 
 
 def _acting(

@@ -1,6 +1,6 @@
 """One load ratio out of the equations of equilibrium, with its condition number.
 
-The loads that nothing gives are unknowns beside the reactions; one load is put on with
+The loads that nothing gives are unknowns as the reactions are; one load is put on with
 size 1 and the one asked for is read off.
 """
 

@@ -87,7 +87,7 @@ class Transfer(NamedTuple):
     label: str = ""
 
 
-class Push(NamedTuple):
+class PointForce(NamedTuple):
     """A force on a point, per unit of its load."""
 
     point: str
@@ -109,14 +109,14 @@ class Wrench(NamedTuple):
     moment: float
 
 
-Action = Push | Couple | Wrench
+Action = PointForce | Couple | Wrench
 
 
 def scaled(action: Action, factor: float) -> Action:
     """Return an action times a number."""
     match action:
-        case Push(point, force):
-            return Push(point, force.times(factor))
+        case PointForce(point, force):
+            return PointForce(point, force.times(factor))
         case Couple(body, moment):
             return Couple(body, moment * factor)
         case Wrench(body, force, moment):

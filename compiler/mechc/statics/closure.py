@@ -112,7 +112,7 @@ class Drawing:
         return abs(math.hypot(*found) - abs(evaluate(length, self.values)))
 
     def _line(self, found: Plane, line: Direction | None) -> float:
-        """Return how far a vector reaches beside a line of this direction."""
+        """Return the component of a vector across a line of this direction."""
         along = None if line is None else self._unit(line)
         return 0.0 if along is None else abs(along.turned().dot(found))
 

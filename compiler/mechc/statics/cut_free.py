@@ -109,7 +109,7 @@ def _slotted(rod: FreeBody, bodies: Iterable[FreeBody]) -> Iterator[FreeBody]:
 
 
 def _rounded(bodies: Sequence[FreeBody]) -> Iterator[FreeBody]:
-    """Yield bodies with zeros where only rounding is left of a force, beside the others."""
+    """Yield bodies with zeros where a force is only rounding, relative to the others."""
     sizes = (math.hypot(*a.force) for body in bodies for a in body.forces if a.force)
     least = VANISHED * max(sizes, default=0.0)
     for body in bodies:

@@ -23,7 +23,7 @@ from .assembly import (
     Cylinder,
     PinOnBody,
     Plane,
-    Push,
+    PointForce,
     Transfer,
     Translation,
     Wrench,
@@ -209,7 +209,7 @@ def _load(sums: _Sums, actions: tuple[Action, ...]) -> dict[int, float]:
 def _places(sums: _Sums, actions: tuple[Action, ...]) -> Iterator[tuple[int, float]]:
     for action in actions:
         match action:
-            case Push(point, force):
+            case PointForce(point, force):
                 yield from enumerate(_components(force), sums.pin(point))
             case Couple(name) if name == GROUND:
                 pass

@@ -58,7 +58,7 @@ STARTS = (0.1, 1.0, 10.0, 100.0)
 """How large guessed forces are, against those without friction."""
 
 GUESSES = 1000
-"""Starts at random times pairs: beside a dead centre few lead to the balance that is looked for."""
+"""Starts at random times pairs: near a dead centre few lead to the balance that is looked for."""
 
 TURNED = 0.5
 """The cosine of the angle by which a force may turn in one step: 60 degrees.

@@ -7,7 +7,7 @@ from typing import assert_never
 from ..frozen import frozen
 from ..model.twins import primed
 from ..pose.pose import Pose, evaluate_vector
-from .assembly import GROUND, Action, Couple, Plane, Push, Wrench, direction
+from .assembly import GROUND, Action, Couple, Plane, PointForce, Wrench, direction
 
 
 @frozen
@@ -67,13 +67,13 @@ class Halves:
 
     def acts_on_shared(self, action: Action) -> bool:
         """Return whether an action is on what both halves share."""
-        return self.is_shared(action.point if isinstance(action, Push) else action.body)
+        return self.is_shared(action.point if isinstance(action, PointForce) else action.body)
 
     def mirrored(self, action: Action) -> Action:
         """Return an action as it is in the other half."""
         match action:
-            case Push(point, force):
-                return Push(self.twin(point), self.reflected(force))
+            case PointForce(point, force):
+                return PointForce(self.twin(point), self.reflected(force))
             case Couple(body, moment):
                 return Couple(self.twin_of(body), -moment)
             case Wrench(body, force, moment):

@@ -24,7 +24,7 @@ from ..model.mechanism import (
     WheelPair,
 )
 from ..pose.pose import PointContact, evaluate_vector
-from .assembly import GROUND, Action, Couple, Plane, Push, Wrench, direction
+from .assembly import GROUND, Action, Couple, Plane, PointForce, Wrench, direction
 from .transfers import rope_forces
 from .unfold import Unfolding
 
@@ -124,7 +124,7 @@ def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
 
 
 def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
-    """Push the pin along the face, and the body under it back at the same place."""
+    """PointForce the pin along the face, and the body under it back at the same place."""
     if found := unfolding.pose.mechanism.arc_at(point):
         rod, arc = found
         return _arc(point, size, rod.name, arc, unfolding)
@@ -208,7 +208,7 @@ def _by_link(link: str, point: str, force: Plane, unfolding: Unfolding) -> tuple
     """Return a force on a point by each of the links that drive it: both halves may share it."""
     if unfolding.axis is None or unfolding.is_shared(link):
         return unfolding.push(point, force)
-    return Push(point, force), Push(unfolding.twin(point), unfolding.reflected(force))
+    return PointForce(point, force), PointForce(unfolding.twin(point), unfolding.reflected(force))
 
 
 def _apart(touch: PointContact, along: Plane, unfolding: Unfolding) -> tuple[Action, ...]:
@@ -218,7 +218,7 @@ def _apart(touch: PointContact, along: Plane, unfolding: Unfolding) -> tuple[Act
     reach = evaluate_vector(touch.reach, unfolding.values)
     x, y = base.x + reach[0], base.y + reach[1]
     back = Wrench(touch.body, along.times(-1), y * along.x - x * along.y)
-    push: tuple[Action, ...] = (Push(touch.point, along), back)
+    push: tuple[Action, ...] = (PointForce(touch.point, along), back)
     if unfolding.axis is None or all(map(unfolding.is_shared, (touch.point, touch.body))):
         return push
     return (*push, *map(unfolding.mirrored, push))

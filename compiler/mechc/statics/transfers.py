@@ -8,7 +8,7 @@ from typing import assert_never
 from ..formula.walk import evaluate
 from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..model.twins import primed
-from .assembly import GROUND, Action, Couple, Push, Transfer, Wrench, direction
+from .assembly import GROUND, Action, Couple, PointForce, Transfer, Wrench, direction
 from .halves import Halves
 
 
@@ -55,7 +55,9 @@ def _rims(halves: Halves, pair: WheelPair) -> Transfer:
 def _thread(halves: Halves, screw: Screw) -> tuple[Action, Action]:
     """Return a unit force on a nut along its guide, and the couple that the screw takes."""
     lead = evaluate(screw.pitch, halves.values) / (2 * math.pi)
-    return Push(screw.point, halves.direction_of_guide(screw.point)), Couple(screw.link, -lead)
+    return PointForce(screw.point, halves.direction_of_guide(screw.point)), Couple(
+        screw.link, -lead
+    )
 
 
 def _teeth(halves: Halves, rack: Rack) -> tuple[Action, Action]:
@@ -66,7 +68,7 @@ def _teeth(halves: Halves, rack: Rack) -> tuple[Action, Action]:
     centre = halves.arm(rack.link, first, rack.pivot)
     x, y = centre.x + right.x, centre.y + right.y
     back = Wrench(rack.link, along.times(-1), y * along.x - x * along.y)
-    return Push(rack.point, along), back
+    return PointForce(rack.point, along), back
 
 
 def _falls(halves: Halves, rope: Rope) -> Transfer:
@@ -83,8 +85,8 @@ def rope_forces(halves: Halves, rope: Rope, tensions: Sequence[float] = ()) -> I
     ways = [direction(way.evaluate(halves.values)) for way in halves.pose.falls[rope.id]]
     sizes = tensions or [1.0] * len(ways)
     for (tail, head), way, size in zip(pairwise(rope.route), ways, sizes, strict=True):
-        yield Push(tail, way.times(size))
-        yield Push(head, way.times(-size))
+        yield PointForce(tail, way.times(size))
+        yield PointForce(head, way.times(-size))
 
 
 def both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:

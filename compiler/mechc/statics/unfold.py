@@ -17,7 +17,7 @@ from typing import assert_never
 from ..frozen import frozen
 from ..model.mechanism import Force, ForcePair, Load, Torque
 from ..model.twins import primed
-from .assembly import Action, Assembly, Couple, Plane, Push, Wrench, direction
+from .assembly import Action, Assembly, Couple, Plane, PointForce, Wrench, direction
 from .halves import Halves
 from .transfers import transfers
 from .unfolded import bodies, guides, pivots, point_contacts, slides, telescopes
@@ -31,8 +31,8 @@ class Unfolding(Halves):
         """Return the actions on the whole assembly of a force on a point."""
         share = force.times(self.part_of(point))
         if not self.is_shared(point):
-            return (Push(point, share), Push(self.twin(point), self.reflected(share)))
-        return (Push(point, self.axial(share)),)
+            return (PointForce(point, share), PointForce(self.twin(point), self.reflected(share)))
+        return (PointForce(point, self.axial(share)),)
 
     def on(self, link: str, point: str, force: Plane) -> tuple[Action, ...]:
         """Return the actions on the whole assembly of a force on a link at one of its points.
@@ -107,7 +107,7 @@ class Unfolding(Halves):
     def _end(self, link: str, point: str, push: Plane) -> Action:
         """Return the action of a pair's end on a pin, a link or a part of a telescope."""
         if not link:
-            return Push(point, push)
+            return PointForce(point, push)
         if link in self.cylinders():
             return Wrench(f"{link} at {point}", push, 0.0)
         arm = self.arm(link, next(iter(self.pose.frames[link])), point)

@@ -43,7 +43,7 @@ def remark_on_constant(solution: Solution, report: Report) -> None:
             ideal = next(r for r in solution.results if r.target == find.target.of)
             real = _by_coefficients(problem, find, find.target, ideal)
             if real is not None:
-                _Beside(solution, find, ideal, real).remark(report)
+                _Comparison(solution, find, ideal, real).remark(report)
             elif where := list(_steep(solution, ideal)):
                 report.add(messages.efficiency_near_dead_centre(find.span, ideal.name, where))
 
@@ -58,11 +58,11 @@ def _by_coefficients(
     return found.result if found else None
 
 
-# --------------------------------------------------------------------- beside friction
+# ------------------------------------------------------------------ with friction, too
 
 
-class _Beside:
-    """A constant efficiency beside the one that friction makes."""
+class _Comparison:
+    """A constant efficiency against the one that friction makes."""
 
     def __init__(self, solution: Solution, find: Find, ideal: Result, real: FrictionResult) -> None:
         assert isinstance(find.target, WithFriction)

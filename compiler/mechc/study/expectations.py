@@ -2,7 +2,7 @@
 
 Two formulas that are equal as rational functions of lengths and exp(iα) are proved so
 exactly. Otherwise they are evaluated at the default pose and at random ones that can be
-assembled: the first that tells them apart, by more than rounding does, refutes the
+assembled: the first that separates them, by more than rounding does, refutes the
 expectation, and where none does the finding says only that they agree. A formula is
 compared with what is printed: a result with friction in the case of the default pose. A
 number is compared with what code gives at its pose.
@@ -34,7 +34,7 @@ from .ranges import scale_of
 from .tolerances import SAME_FIGURE, SAME_RATIO
 
 POSES = 12
-"""Random poses beside the default one."""
+"""Random poses in addition to the default one."""
 
 DRAWS = 60
 """How many are drawn, at most, to find so many that can be assembled."""
@@ -237,7 +237,7 @@ def _remark(finding: Finding, mechanism: Mechanism, unit: str) -> Diagnostic | N
 
 
 def _figures(finding: Finding, unit: str) -> tuple[str, str]:
-    """Return both numbers with as many digits as it takes to tell them apart."""
+    """Return both numbers with as many digits as it takes to see the difference."""
     for digits in range(6, 17):
         found, expected = (in_unit(v, unit, digits) for v in (finding.found, finding.expected))
         if found != expected:

@@ -10,7 +10,7 @@ from ..formula.solved import Solution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
-from ..model.locking import Bound, Locking, LockingIntervals, Range, State, Stretch
+from ..model.locking import Bound, Locking, LockingInterval, LockingIntervals, Range, State
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
@@ -51,7 +51,7 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
         moving = study.moving(asked, sense, name)
         looked_at = _window(name, name in moved, moving, study) if moving else None
         if moving and looked_at is not None:
-            stretches = _Stretches(name, moving, printed, range_of(name, mechanism))
+            stretches = _Intervals(name, moving, printed, range_of(name, mechanism))
             unit = unit_of(name, mechanism)
             reaches.append(
                 LockingIntervals(name, unit, stretches.range, tuple(stretches.found(*looked_at)))
@@ -96,7 +96,7 @@ def _next_dead_centre(start: float, beyond: float, moving: Moving) -> float:
 
 
 @frozen
-class _Stretches:
+class _Intervals:
     """Finds the stretches of one parameter on which nothing moves."""
 
     name: str
@@ -104,14 +104,14 @@ class _Stretches:
     printed: Result
     range: Range | None
 
-    def found(self, low: float, high: float) -> Iterator[Stretch]:
+    def found(self, low: float, high: float) -> Iterator[LockingInterval]:
         """Yield the stretches in their order."""
         grid = looked_at(self.moving, low, high, self.range or ()) if low < high else []
         first = 0
         for state, group in groupby(self._states(grid)):
             last = first + len(list(group)) - 1
             if state in ("locked", "jammed"):
-                yield self._stretch(grid, first, last, state)
+                yield self._interval(grid, first, last, state)
             first = last + 1
 
     def _states(self, grid: Sequence[float]) -> list[State | None]:
@@ -162,16 +162,18 @@ class _Stretches:
         state, a, b = self.moving.at(grid[i]).state, *grid[i : i + 2]
         return _are_near(grid, last(lambda x: self.moving.at(x).state == state, a, b, NEARLY), b)
 
-    def _stretch(self, grid: Sequence[float], first: int, last: int, state: State) -> Stretch:
+    def _interval(
+        self, grid: Sequence[float], first: int, last: int, state: State
+    ) -> LockingInterval:
         low, high = self._end(grid, first, -1), self._end(grid, last, 1)
         begins = grid[first] if low is None else low.x
         ends = grid[last] if high is None else high.x
         sampled, within = self._is_sampled(low, high), self._within(begins, ends)
         low, high = low or self._end_of_window(begins), high or self._end_of_window(ends)
-        return Stretch(state, low, high, within, sampled)
+        return LockingInterval(state, low, high, within, sampled)
 
     def _is_sampled(self, *ends: Bound | None) -> bool:
-        """Return whether a stretch was found by sampling, not between ends that are solved for."""
+        """Return whether an interval was found by sampling, its ends not solved for."""
         solved = [end.exact is not None for end in ends if end]
         return self.moving.is_iterated or not solved or not all(solved)
 

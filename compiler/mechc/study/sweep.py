@@ -11,7 +11,7 @@ from ..model.result import Result
 from ..model.values import Chain, allowed, compare, defaults, dependent
 
 VALUE, LEFT, RIGHT = "=", "<", ">"
-"""What a result's value, and the sides of its guards, are called beside its definitions."""
+"""What a result's value, and the sides of its guards, are called, next to its definitions."""
 
 
 class Sweep:

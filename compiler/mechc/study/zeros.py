@@ -297,7 +297,7 @@ def _cause(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, s
 
 
 def _acted(load: Load) -> Acted:
-    """Return what a load acts on."""
+    """Return the point, link or pair that a load acts on."""
     match load:
         case Force():
             return Acted(load.point)

@@ -91,7 +91,7 @@ _SCHEMA: Json = {
 TREE: Kind[Formula] = Kind({"$ref": "#/$defs/tree"}, tree, {"tree": _SCHEMA})
 
 LATEX: Kind[Formula] = Kind({"type": "string"}, lambda formula: formula)
-"""A formula that becomes text with the whole document, whose names are told apart on paper."""
+"""A formula that becomes text with the whole document, whose names are distinct on paper."""
 
 FORMULA: Kind[Formula] = record(
     "formula",

@@ -24,7 +24,7 @@ def defined_once(results: Sequence[Analysis]) -> tuple[Analysis, ...]:
 
 
 def _defined(results: Sequence[Result]) -> Mapping[str, Formula]:
-    """Return what results stand for, and what those that are no lets define on the way."""
+    """Return the formulas of results, and of the definitions of those that are no lets."""
     found = {d.name: d.formula for r in results if r.target is not None for d in r.where}
     return found | {r.name: r.formula for r in results if not r.coefficients}
 

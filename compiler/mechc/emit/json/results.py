@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import get_args
 
-from ...model.locking import Bound, EfficiencyRange, Locking, LockingIntervals, Stretch
+from ...model.locking import Bound, EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from ...model.mechanism import (
     Axial,
     Efficiency,
@@ -91,7 +91,7 @@ BOUND: Kind[Bound] = record(
     member("dead_centre", "The ratio changes its sign.", TRUTH, lambda b: b.is_dead_centre),
 )
 
-STRETCH: Kind[Stretch] = record(
+STRETCH: Kind[LockingInterval] = record(
     "stretch",
     "A stretch on which nothing moves.",
     member("state", "Held, or not to be moved.", one_of(*STATES), lambda s: s.state),

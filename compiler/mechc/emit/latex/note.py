@@ -101,7 +101,7 @@ def _unused(names: Iterable[str], words: Mapping[str, str], style: Notation) -> 
 
 
 def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
-    """Return the notation with this sheet's angles and its names told apart."""
+    """Return the notation with this sheet's angles and with distinct names."""
     parameters = compiled.mechanism.parameters
     angles = {p.name for p in parameters if p.dimension == ANGLE}
     angles |= {line.name for line in found.lines if line.dimension == ANGLE}
@@ -150,7 +150,7 @@ def _lines(
 
 
 def _values(lines: Iterable[NoteLine], style: Notation) -> str:
-    """Return what results come to, to be read as a sentence."""
+    """Return the values of results in one line."""
     said = (
         math(f"{name(line.name, style)}={measure(line.value, style).tex}")
         for line in lines

@@ -44,7 +44,7 @@ TransmissionFriction = (
 
 
 def _kind_and_point(joint: JointFriction) -> tuple[object, ...]:
-    """Return what one line of friction alone may say."""
+    """Return the kind and the point of a friction: one line alone may state it."""
     return type(joint), getattr(joint, "kind", ""), joint.point
 
 

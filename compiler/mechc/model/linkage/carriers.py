@@ -221,7 +221,7 @@ def _bent(mechanism: Mechanism) -> Iterator[str]:
 def refined(labels: Mapping[Node, Hashable], edges: Sequence[Edge]) -> Mapping[Node, int]:
     """Return the place of each node among all, by its label and by those that surround it.
 
-    Nodes that differ are told apart by their neighbours round after round. The number of
+    Nodes that differ are distinguished by their neighbours round after round. The number of
     classes grows in each round but the last, and there are no more classes than nodes.
     """
     ranks = _ranked({node: repr(label) for node, label in labels.items()})

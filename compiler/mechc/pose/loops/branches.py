@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 from random import Random
 
-from ...diagnostics.pose import Stretch
+from ...diagnostics.pose import AssemblyRange
 from ...formula.folds import Curve
 from ...formula.walk import numeric
 from ...model.values import Chain, dependent
@@ -21,19 +21,19 @@ STARTS = 60
 """Random starts from which poses that close are looked for."""
 
 
-def branches(block: Block, state: State) -> list[Stretch]:
+def branches(block: Block, state: State) -> list[AssemblyRange]:
     """Return the stretches of the drive on which a block closes, empty without a drive."""
     drive = state.mechanism.drive
     if drive is None:
         return []
     parameter = state.mechanism.parameter(drive.parameter)
     low, high = limits_of_drive(state, parameter.dimension)
-    found: list[Stretch] = []
+    found: list[AssemblyRange] = []
     curve = _curve(block, state, drive.parameter, parameter.dimension == ANGLE)
     for unknowns, x in _closed(block, state, curve):
         if low <= x <= high and not any(s.low <= x <= s.high for s in found):
             least, greatest = (curve.end(unknowns, x, goal).x for goal in (low, high))
-            found.append(Stretch(least, greatest, parameter.dimension))
+            found.append(AssemblyRange(least, greatest, parameter.dimension))
     return _joined(found)
 
 
@@ -64,9 +64,9 @@ def _closed(block: Block, state: State, curve: Curve) -> Iterator[tuple[list[flo
             yield found
 
 
-def _joined(stretches: list[Stretch]) -> list[Stretch]:
+def _joined(stretches: list[AssemblyRange]) -> list[AssemblyRange]:
     """Return stretches in order, those that overlap as one."""
-    joined: list[Stretch] = []
+    joined: list[AssemblyRange] = []
     for stretch in sorted(stretches, key=lambda s: s.low):
         if joined and stretch.low <= joined[-1].high:
             high = max(stretch.high, joined[-1].high)

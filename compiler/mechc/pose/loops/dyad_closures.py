@@ -3,7 +3,7 @@
 A loop ``D + X + Y = 0`` has a known part D and two unknowns. Their kinds give the
 group: two directions (RRR), a direction and a length along a known one (RRP, and RPR with
 the guide on a moving link), a direction and a length that turns with it (RPR, the
-oscillating cylinder), two lengths (PRP, RPP). Each has at most two closures, told apart
+oscillating cylinder), two lengths (PRP, RPP). Each has at most two closures, distinguished
 by the sign of one root.
 
 Accuracy: the angles of a triangle with sides d, p, q come from the product of the four

@@ -86,7 +86,7 @@ class Loop:
         return [not self.unknown.isdisjoint(mentioned(e.arms)) for e in self.cycle]
 
     def ends_between(self) -> tuple[str, str, str]:
-        """Return three points whose turn tells the closures apart: the pin, and what it joins."""
+        """Return three points whose turn distinguishes the closures: the pin, and what it joins."""
         inner_pin = self.inner_pin()
         loose = [e for e, is_loose in zip(self.cycle, self._loose(), strict=True) if is_loose]
         before = next((e.tail for e in loose if e.head == inner_pin), loose[0].tail)
@@ -119,5 +119,5 @@ class Dyad:
         return self.loop.unknown
 
     def triples(self) -> list[tuple[str, str, str]]:
-        """Return three points of the loop whose turn tells the closures apart."""
+        """Return three points of the loop whose turn distinguishes the closures."""
         return [self.loop.ends_between()]

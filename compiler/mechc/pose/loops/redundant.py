@@ -57,7 +57,7 @@ def _length_gap(
 
 
 def _side_gap(known: Vector, moving: list[Arm], values: dict[str, float]) -> tuple[float, float]:
-    """Return the longest arm of the known side, and how far that side ends beside the line.
+    """Return the longest arm of the known side, and the distance of its end from the line.
 
     The side itself may come to nothing, but for rounding.
     """

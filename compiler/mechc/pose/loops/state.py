@@ -242,7 +242,7 @@ class State:
         """Return a closure with each direction that is a familiar one written as that one.
 
         A parallelogram's coupler stays parallel to its frame: the numbers at several poses
-        tell, each with other lengths.
+        show it, each with other lengths.
         """
         poses = [self.tried(closure, values) for values in self.values]
         known = [a for a in familiar if self.graph.sought.isdisjoint(a.names)]

@@ -1,4 +1,4 @@
-"""The graph of vectors: which points hang together, and the loops that two unknowns close.
+"""The graph of vectors: which points are connected, and the loops that two unknowns close.
 
 Edges are vectors between points, links, guides, slots. Edges without an unknown join
 points into clusters; an Assur group of two links is a cycle of edges that mention two

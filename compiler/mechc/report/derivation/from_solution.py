@@ -15,7 +15,7 @@ from .steps import Derivation
 
 
 def derive(solution: Solution, results: Sequence[Analysis]) -> Derivation:
-    """Return the derivation of what was asked for, with the results as they are concluded."""
+    """Return the derivation of all results, which are given as they were analysed."""
     speeds = SpeedSteps(solution.balance)
     steps = tuple(speeds.steps())
     along = speeds_along(speeds)

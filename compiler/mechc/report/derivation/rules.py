@@ -42,7 +42,7 @@ def rule_of(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
 
 
 def rule_of_component(point: str, load: str, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
-    """Return what gives the component of a point's velocity along a load, and from what."""
+    """Return the rule for the component of a point's velocity along a load, and its names."""
     velocity = graph.velocities[point]
     if all(graph.unknowns[flow.unknown].kind is Kind.COMPONENT for flow in velocity):
         return Rule.COMPONENT_OF_TWO, (point, load)

@@ -139,7 +139,7 @@ def plain(tex: str) -> str:
 
 @cache
 def _escaped() -> re.Pattern[str]:
-    """Return what stands for a letter, Cyrillic, or a letter that not every font has."""
+    """Return the pattern of escaped letters: plain, Cyrillic, or of few fonts."""
     longest_first = sorted(_PLAIN, key=len, reverse=True)
     return re.compile(
         rf"{'|'.join(map(re.escape, longest_first))}|\\mechccyr\{{([^{{}}]*)\}}"

@@ -94,7 +94,7 @@ def _with_cause(said: str, limit: Vanishing, locale: Locale, spell: Speller) -> 
 
 
 def _cause(cause: Cause, locale: Locale, spell: Speller) -> str:
-    """Return what happens there in words, '' where it is not known."""
+    """Return the cause in words, '' where it is not known."""
     if not isinstance(cause, DeadCentre):
         return locale.causes[cause]
     return dead_centre(cause, locale.causes, spell.point)

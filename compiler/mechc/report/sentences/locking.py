@@ -5,7 +5,14 @@ from fractions import Fraction
 
 from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number, Symbol, degrees, number, total
-from ...model.locking import Bound, EfficiencyRange, Locking, LockingIntervals, Range, Stretch
+from ...model.locking import (
+    Bound,
+    EfficiencyRange,
+    Locking,
+    LockingInterval,
+    LockingIntervals,
+    Range,
+)
 from ...study.analysis import Analysis, Extent
 from ...units import behind, size_of
 from ..languages.locale import Locale
@@ -34,7 +41,7 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
         yield locale.why_usual
     reaches = result.locking.reaches if result.locking else ()
     shown = [s for reach in reaches for s in reach.stretches if _is_shown(s, reach)]
-    if result.courses or any(stretch.sampled for stretch in shown):
+    if result.courses or any(part.sampled for part in shown):
         yield locale.sampled
 
 
@@ -50,35 +57,33 @@ def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
     if locking.state and locking.state != "free" and not _holds_throughout(locking):
         yield f"{said[locking.state]} {locale.as_given}."
     for reach in locking.reaches:
-        for stretch in (s for s in reach.stretches if _is_shown(s, reach)):
-            where = locale.where_it_holds.format(
-                condition=_condition(stretch, reach, spell, locale)
-            )
-            yield f"{said[stretch.state]} {where}{_within(stretch, reach, locale, spell)}."
+        for part in (s for s in reach.stretches if _is_shown(s, reach)):
+            where = locale.where_it_holds.format(condition=_condition(part, reach, spell, locale))
+            yield f"{said[part.state]} {where}{_within(part, reach, locale, spell)}."
 
 
 def _holds_throughout(locking: Locking) -> bool:
-    """Return whether a whole range is as the pose given is, which is then told of the range."""
+    """Return whether a whole range has the state of the given pose: then the range is stated."""
     stretches = ((s, r) for r in locking.reaches if r.range for s in r.stretches)
     return any(s.state == locking.state and s.within == r.range for s, r in stretches)
 
 
-def _is_shown(stretch: Stretch, reach: LockingIntervals) -> bool:
-    """Return whether a stretch is of interest.
+def _is_shown(part: LockingInterval, reach: LockingIntervals) -> bool:
+    """Return whether an interval is of interest.
 
     Outside the range it is where a formula gives its ends, unless it is a jam near a dead centre.
     """
-    if reach.range and stretch.within is None and stretch.sampled:
+    if reach.range and part.within is None and part.sampled:
         return False
-    is_solved = any(b and b.exact for b in (stretch.low, stretch.high))
-    return (
-        stretch.state == "locked" or stretch.within is not None or (not reach.range and is_solved)
-    )
+    is_solved = any(b and b.exact for b in (part.low, part.high))
+    return part.state == "locked" or part.within is not None or (not reach.range and is_solved)
 
 
-def _condition(stretch: Stretch, reach: LockingIntervals, spell: Speller, locale: Locale) -> str:
-    """Return a stretch as an inequality, with figures behind its formulas."""
-    low, high = _shown_ends(stretch, reach)
+def _condition(
+    part: LockingInterval, reach: LockingIntervals, spell: Speller, locale: Locale
+) -> str:
+    """Return an interval as an inequality, with figures behind its formulas."""
+    low, high = _shown_ends(part, reach)
     sides: tuple[Formula, ...]
     signs: tuple[str, ...]
     bounds = [b for b in (low, high) if b]
@@ -108,13 +113,15 @@ def _is_figure(formula: Formula) -> bool:
     return isinstance(formula, Number) or in_degrees(formula) is not None
 
 
-def _shown_ends(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None, Bound | None]:
-    """Return the ends of a stretch but for those that the range has, or that lie beyond it.
+def _shown_ends(
+    part: LockingInterval, reach: LockingIntervals
+) -> tuple[Bound | None, Bound | None]:
+    """Return the ends of an interval but for those that the range has, or that lie beyond it.
 
-    An end is shown where the range has it and the stretch leaves it out.
+    An end is shown where the range has it and the part leaves it out.
     """
-    low, high = stretch.low, stretch.high
-    if reach.range is None or stretch.within is None:
+    low, high = part.low, part.high
+    if reach.range is None or part.within is None:
         return low, high
     first, last = reach.range
     low = low if low and (low.x > first or (low.is_strict and low.x == first)) else None
@@ -131,15 +138,15 @@ def _side(bound: Bound, reach: Along, spell: Speller, digits: int = DIGITS) -> F
     return total(positive_first(terms))
 
 
-def _within(stretch: Stretch, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
+def _within(part: LockingInterval, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
     """Return the part of an interval that lies in the range, unless both ends show it."""
-    if reach.range is None or (stretch.within and all(_shown_ends(stretch, reach))):
+    if reach.range is None or (part.within and all(_shown_ends(part, reach))):
         return ""
-    if stretch.within is None:
+    if part.within is None:
         return f", {locale.out_of_range}"
-    if stretch.within == reach.range:
+    if part.within == reach.range:
         return f", {locale.all_of_range}"
-    return f", {locale.in_range.format(condition=span(stretch.within, reach, locale, spell))}"
+    return f", {locale.in_range.format(condition=span(part.within, reach, locale, spell))}"
 
 
 def _course(result: Analysis, course: EfficiencyRange, locale: Locale, spell: Speller) -> str:

@@ -15,7 +15,7 @@ def label(line: NoteLine, text: str, locale: Locale, spell: Speller) -> str:
 
 
 def _kind(result: Analysis, locale: Locale, spell: Speller) -> str:
-    """Return what a result is; of the force at a joint at which, and which component."""
+    """Return the kind of a result in words; of a force its joint and component, too."""
     match result.target:
         case WithFriction(Reaction() | Normal() | Axial() as force):
             said = locale.at_joints["with friction"]

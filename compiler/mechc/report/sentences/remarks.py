@@ -50,7 +50,7 @@ def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
 
 
 def subject(results: Iterable[Analysis], locale: Locale) -> str:
-    """Return what a report is about: how forces or speeds are passed on, or forces alone."""
+    """Return the subject of a report: how forces or speeds are passed on, or forces alone."""
     targets = {type(result.target) for result in results}
     if LoadRatio in targets:
         return locale.subjects["force ratio"]
@@ -71,7 +71,7 @@ def says_what_drives(result: Analysis) -> bool:
 
 
 def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
-    """Return what a result is, without its name; ``""`` for a user-defined formula."""
+    """Return the kind of a result in words; ``""`` for a user-defined formula."""
     match result.target:
         case LoadRatio():
             return locale.force_ratio
@@ -110,7 +110,7 @@ def headings(firsts: Iterable[Analysis], locale: Locale, spell: Speller) -> list
 
 
 def carrier(force: Target) -> str:
-    """Return what passes a force on, by its name among links and ropes if it has a line."""
+    """Return the kind of part that passes a force on: a rope, a rod, or a guide by its normal."""
     match force:
         case Axial(link):
             return "rope" if link.startswith(rope_id(())) else "rod"

@@ -59,7 +59,7 @@ def in_brief(mechanism: Mechanism, results: Sequence[Result], spell: Speller) ->
 
 
 def _without_the_way(line: NoteLine) -> NoteLine:
-    """Return what a mechanism was asked for as its value, if it has one; another line as it is."""
+    """Return the line of a mechanism's result as its value, if it has one; others as they are."""
     is_found = line.result and line.result.target and line.value
     return line._replace(formula=None) if is_found else line
 

@@ -18,8 +18,8 @@ from ...study.stroke.stroke import (
     JammedInterval,
     Row,
     Singular,
-    Stretch,
     Stroke,
+    StrokeInterval,
 )
 from ...study.tolerances import EXACT
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
@@ -180,7 +180,7 @@ def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
         yield "  ".join([*cells, row[-1]]).rstrip()
 
 
-def _stretch(stretch: Stretch, shown: Written) -> Iterator[str]:
+def _stretch(stretch: StrokeInterval, shown: Written) -> Iterator[str]:
     if stretch.before:
         yield shown.says("below", at=_at(stretch.low, shown), why=shown.says(stretch.before))
     if stretch.after:

@@ -13,7 +13,7 @@ from .along import Along
 from .from_balance import run
 from .rounded import is_nil
 from .run import plain_lets
-from .stroke import Stretch, Stroke
+from .stroke import Stroke, StrokeInterval
 
 
 def along_the_stroke(
@@ -34,32 +34,32 @@ def along_the_stroke(
 def _extents(
     stroke: Stroke, ratios: Sequence[Analysis], solution: Solution
 ) -> Iterator[tuple[str, Extent]]:
-    stretch = _home(stroke)
+    part = _home(stroke)
     along = Along(solution.plan, plain_lets(solution.plan.graph.pose.mechanism))
     known = {column.name for column in stroke.columns}
     for result in ratios:
-        if stretch and result.name in known and not is_nil(result, along, stretch):
-            yield result.name, _extent(result, stroke, stretch, along)
+        if part and result.name in known and not is_nil(result, along, part):
+            yield result.name, _extent(result, stroke, part, along)
 
 
-def _home(stroke: Stroke) -> Stretch | None:
+def _home(stroke: Stroke) -> StrokeInterval | None:
     """Return the part of the stroke that the default pose is on."""
     default = stroke.defaults.get(stroke.drive)
     on = (s for s in stroke.stretches if default is not None and s.low <= default <= s.high)
     return next(on, None)
 
 
-def _extent(result: Analysis, stroke: Stroke, stretch: Stretch, along: Along) -> Extent:
-    own = [s for s in stroke.singular if s.result == result.name and _is_on(s.drive, stretch)]
+def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along) -> Extent:
+    own = [s for s in stroke.singular if s.result == result.name and _is_on(s.drive, part)]
     zeros, poles = (tuple(s.drive for s in own if s.value == value) for value in ("0", "infinite"))
     is_open = any(s.value == "undetermined" for s in own) or any(
-        _is_on(b.drive, stretch) for b in stroke.branches
+        _is_on(b.drive, part) for b in stroke.branches
     )
-    extremes = [] if poles or is_open else _extremes(result, stroke, stretch, along)
+    extremes = [] if poles or is_open else _extremes(result, stroke, part, along)
     return Extent(
         stroke.drive,
         "" if stroke.dimension == ANGLE else stroke.unit,
-        (stretch.low, stretch.high),
+        (part.low, part.high),
         zeros,
         poles,
         min(extremes, key=lambda e: e.value, default=None),
@@ -69,16 +69,18 @@ def _extent(result: Analysis, stroke: Stroke, stretch: Stretch, along: Along) ->
     )
 
 
-def _is_on(x: float, stretch: Stretch) -> bool:
-    return stretch.low <= x <= stretch.high
+def _is_on(x: float, part: StrokeInterval) -> bool:
+    return part.low <= x <= part.high
 
 
-def _extremes(result: Analysis, stroke: Stroke, stretch: Stretch, along: Along) -> list[Extreme]:
-    """Return the extrema on a stretch, and the values at its ends."""
+def _extremes(
+    result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along
+) -> list[Extreme]:
+    """Return the extrema on an interval, and the values at its ends."""
     inner = [
         Extreme(e.drive, e.value)
         for e in stroke.extrema
-        if e.result == result.name and _is_on(e.drive, stretch)
+        if e.result == result.name and _is_on(e.drive, part)
     ]
-    ends = (stretch.low, stretch.high)
+    ends = (part.low, part.high)
     return [*inner, *(Extreme(x, along.of(result.formula, result, x)) for x in ends)]

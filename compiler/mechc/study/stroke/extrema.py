@@ -15,14 +15,14 @@ from .grid import SAMPLES
 from .rounded import is_nil, rounded
 from .run import Run
 from .singular import order_of, roots_at
-from .stroke import Branch, Extremum, Singular, Stretch
+from .stroke import Branch, Extremum, Singular, StrokeInterval
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
 
 
 def extrema_along(
     run: Run,
-    stretches: Sequence[Stretch],
+    stretches: Sequence[StrokeInterval],
     singular: Sequence[Singular],
     crossings: Sequence[Branch],
 ) -> tuple[Extremum, ...]:
@@ -43,7 +43,7 @@ def extrema_along(
 
 
 def _on_stretch(
-    run: Run, result: Analysis, stretch: Stretch, singular: Sequence[Singular]
+    run: Run, result: Analysis, stretch: StrokeInterval, singular: Sequence[Singular]
 ) -> Iterator[Extremum]:
     """Yield the extrema of a result on a stretch.
 
@@ -66,7 +66,7 @@ def _poles(run: Run, result: Analysis, singular: Sequence[Singular]) -> list[flo
     return [s.drive for s in singular if s.result in names and s.value == "infinite"]
 
 
-def _own_poles(run: Run, result: Analysis, stretch: Stretch) -> list[float]:
+def _own_poles(run: Run, result: Analysis, stretch: StrokeInterval) -> list[float]:
     """Return where a result that is no ratio of loads is infinite on a stretch."""
     if isinstance(result.target, LoadRatio):
         return []

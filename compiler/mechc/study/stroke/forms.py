@@ -1,4 +1,4 @@
-"""A result, or a formula beside it, as code in what has a value along the drive."""
+"""A result, or a formula of it, as code in what has a value along the drive."""
 
 import math
 from collections.abc import Callable, Sequence, Set

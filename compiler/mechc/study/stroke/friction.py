@@ -6,7 +6,7 @@ from ...formula.tree import Implicit
 from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
-from ...model.locking import EfficiencyRange, Stretch
+from ...model.locking import EfficiencyRange, LockingInterval
 from ...model.targets import Efficiency, WithFriction
 from ..analysis import Analysis
 from .stroke import Extremum, JammedInterval
@@ -41,7 +41,7 @@ def standstills(results: Iterable[Analysis], drive: str) -> Iterator[JammedInter
                         yield JammedInterval(result.name, stretch.state, *stretch.within, left_out)
 
 
-def _left_out(stretch: Stretch, low: float, high: float) -> tuple[bool, bool]:
+def _left_out(stretch: LockingInterval, low: float, high: float) -> tuple[bool, bool]:
     """Return of either end of what lies in the range whether the stretch only reaches up to it."""
     first, last = stretch.low, stretch.high
     return (

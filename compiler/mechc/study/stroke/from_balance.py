@@ -21,7 +21,7 @@ from .rows import columns, row
 from .run import Run, run_of
 from .singular import singular_along
 from .stretches import stretches_of
-from .stroke import Stretch, Stroke
+from .stroke import Stroke, StrokeInterval
 
 Watch = Callable[[Sequence[float]], Iterable[float]]
 
@@ -91,6 +91,6 @@ def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
     )
 
 
-def _looked(run: Run, result: Analysis, stretches: Sequence[Stretch]) -> int:
+def _looked(run: Run, result: Analysis, stretches: Sequence[StrokeInterval]) -> int:
     """Return at how many values of the drive a result was looked at."""
     return sum(len(some(run.within(stretch), result)) for stretch in stretches)

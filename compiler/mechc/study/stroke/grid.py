@@ -7,7 +7,7 @@ values are spaced evenly by that root. Where a loop that lies flat can go on, no
 from collections.abc import Iterator, Sequence
 
 from ...formula.roots import spaced
-from .stroke import Stretch
+from .stroke import StrokeInterval
 
 SAMPLES = 720
 """Cells in which the stroke is looked at for singular poses and extrema."""
@@ -19,7 +19,7 @@ GRADED = 16
 """Cells that one next to the end of a loop is divided into."""
 
 
-def looked_at(stretch: Stretch, grid: Sequence[float]) -> list[float]:
+def looked_at(stretch: StrokeInterval, grid: Sequence[float]) -> list[float]:
     """Return values in a stretch, those that were looked at already where they are enough."""
     inner = [x for x in grid if stretch.low < x < stretch.high]
     if len(inner) < ENOUGH:

@@ -8,14 +8,14 @@ import math
 from collections.abc import Sequence
 
 from ..tolerances import SAME_VALUE
-from .stroke import Stretch
+from .stroke import StrokeInterval
 
 FULL_TURN = 2 * math.pi
 
 
 def with_reached(
-    stretches: Sequence[Stretch], default: float | None, excluded: str, turns: bool
-) -> tuple[Stretch, ...]:
+    stretches: Sequence[StrokeInterval], default: float | None, excluded: str, turns: bool
+) -> tuple[StrokeInterval, ...]:
     """Return the stretches, those marked that cannot be reached from the default pose.
 
     ``excluded`` is what ends a stretch that the loops go on beyond. A drive that ``turns``
@@ -31,9 +31,9 @@ def with_reached(
     return tuple(s._replace(reached=s in home) for s in stretches)
 
 
-def _together(stretches: Sequence[Stretch], excluded: str) -> list[list[Stretch]]:
+def _together(stretches: Sequence[StrokeInterval], excluded: str) -> list[list[StrokeInterval]]:
     """Return runs of stretches between which the loops close."""
-    groups: list[list[Stretch]] = []
+    groups: list[list[StrokeInterval]] = []
     for stretch in stretches:
         if groups and groups[-1][-1].after == stretch.before == excluded:
             groups[-1].append(stretch)
@@ -42,10 +42,10 @@ def _together(stretches: Sequence[Stretch], excluded: str) -> list[list[Stretch]
     return groups
 
 
-def _comes_round(first: Stretch, last: Stretch, turns: bool) -> bool:
+def _comes_round(first: StrokeInterval, last: StrokeInterval, turns: bool) -> bool:
     whole = math.isclose(last.high - first.low, FULL_TURN, rel_tol=SAME_VALUE)
     return turns and whole and not first.before and not last.after
 
 
-def _holds(stretches: Sequence[Stretch], x: float) -> bool:
+def _holds(stretches: Sequence[StrokeInterval], x: float) -> bool:
     return any(s.low <= x <= s.high for s in stretches)

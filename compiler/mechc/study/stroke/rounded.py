@@ -8,7 +8,7 @@ from ...formula.rounding import beyond_rounding
 from ...model.result import Result
 from ..tolerances import LOST, NEGLIGIBLE
 from .along import Along
-from .stroke import Extremum, Stretch
+from .stroke import Extremum, StrokeInterval
 
 FEW = 8
 """Parts of a stretch between which a result that is zero everywhere shows it."""
@@ -28,7 +28,7 @@ def rounded(
         yield found._replace(value=number)
 
 
-def is_nil(result: Result, along: Along, stretch: Stretch) -> bool:
+def is_nil(result: Result, along: Along, stretch: StrokeInterval) -> bool:
     """Return whether a result is zero but for rounding all over a stretch."""
     grid = spaced(stretch.low, stretch.high, FEW)[1:-1]
     values = (along.of(result.formula, result, x) for x in grid)
@@ -40,7 +40,7 @@ def is_nothing(
 ) -> bool:
     """Return whether a result's values at some places are nothing but rounding.
 
-    They are small against what half of those exceed that are not rounding, too: beside what is
+    They are small against what half of those exceed that are not rounding, too: relative to what is
     infinite rounding alone is larger than any value.
     """
     if any(_beyond(value, x, result, along) != 0 for x, value in sides.items()):

@@ -16,7 +16,7 @@ from .points import Asked, path_columns
 from .run import Run
 from .sides import from_both_sides, is_on_a_side
 from .stretches import beyond, trouble
-from .stroke import Column, Row, Stretch
+from .stroke import Column, Row, StrokeInterval
 from .transmission import Transmission, angles_at_pins, named, transmissions
 from .velocities import velocities
 
@@ -67,7 +67,7 @@ def _unit(mechanism: Mechanism, dimension: Dimension) -> str:
     return next((p.unit for p in listed if p.dimension == LENGTH and p.unit), "")
 
 
-def row(run: Run, x: float, filled: Sequence[Filled], stretches: Sequence[Stretch]) -> Row:
+def row(run: Run, x: float, filled: Sequence[Filled], stretches: Sequence[StrokeInterval]) -> Row:
     """Return the row at a value of the drive: values, or why there are none."""
     why = trouble(run, x)
     if run.along.trouble(x):

@@ -14,7 +14,7 @@ from .along import Along
 from .branches import branch_points
 from .friction import in_code
 from .grid import SAMPLES, looked_at
-from .stroke import Branch, Stretch
+from .stroke import Branch, StrokeInterval
 
 
 @frozen
@@ -54,7 +54,7 @@ class Run:
         """Return a formula of a result as a function of the drive."""
         return lambda x: self.along.of(formula, of, x)
 
-    def within(self, stretch: Stretch) -> list[float]:
+    def within(self, stretch: StrokeInterval) -> list[float]:
         """Return the values at which a stretch is looked at."""
         return looked_at(stretch, self.grid)
 

@@ -14,7 +14,7 @@ from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_VALU
 from .along import Along
 from .rounded import is_nil, is_nothing
 from .run import Run
-from .stroke import Branch, Kind, Singular, Stretch
+from .stroke import Branch, Kind, Singular, StrokeInterval
 
 Value = Literal["0", "infinite"]
 
@@ -32,7 +32,7 @@ GROWS = 5.0
 
 
 def singular_along(
-    run: Run, stretches: Sequence[Stretch], branches: Sequence[Branch]
+    run: Run, stretches: Sequence[StrokeInterval], branches: Sequence[Branch]
 ) -> tuple[Singular, ...]:
     """Return the singular poses of every ratio of loads along a stroke."""
     ratios = run.ratios
@@ -59,7 +59,7 @@ def order_of(run: Run, result: Analysis, x: float) -> Order | None:
 
 
 def singular_poses(
-    result: Analysis, drive: str, along: Along, stretch: Stretch, grid: Sequence[float]
+    result: Analysis, drive: str, along: Along, stretch: StrokeInterval, grid: Sequence[float]
 ) -> Iterator[Singular]:
     """Yield the singular poses of a ratio of loads on a stretch, by zeros, then by poles."""
     conditions: list[tuple[Vanishing, Value]] = [(v, "0") for v in result.zeros]
@@ -105,7 +105,7 @@ def roots_at(
     result: Analysis,
     vanishing: Vanishing | Break,
     along: Along,
-    stretch: Stretch,
+    stretch: StrokeInterval,
     grid: Sequence[float],
 ) -> Iterator[Root]:
     """Yield where on a stretch a result's factor vanishes."""
@@ -117,7 +117,7 @@ def roots_at(
     yield from _at_the_ends(factor, stretch)
 
 
-def _at_the_ends(factor: Function, stretch: Stretch) -> Iterator[Root]:
+def _at_the_ends(factor: Function, stretch: StrokeInterval) -> Iterator[Root]:
     """Yield the ends beyond which nothing can be assembled, where the factor goes to zero.
 
     It does so as a square root: it halves where the distance from the end is quartered.

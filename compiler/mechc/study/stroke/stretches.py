@@ -9,7 +9,7 @@ from ..tolerances import AT_BRANCH_POINT, BRANCH_POINT, CROSSING
 from .along import NO_POSE
 from .ends import end_of_branch
 from .run import Run
-from .stroke import Branch, Stretch
+from .stroke import Branch, StrokeInterval
 
 BEYOND = "not followed beyond the branch point"
 
@@ -25,9 +25,9 @@ class End(NamedTuple):
     crossing: Branch | None = None
 
 
-def stretches_of(run: Run) -> tuple[list[Stretch], list[Branch]]:
+def stretches_of(run: Run) -> tuple[list[StrokeInterval], list[Branch]]:
     """Return the stretches in order, and the branch points at which some of them end."""
-    found, crossings = list[Stretch](), list[Branch]()
+    found, crossings = list[StrokeInterval](), list[Branch]()
     start = End(run.grid[0], "") if stands(run, run.grid[0]) else None
     for a, b in pairwise(run.grid):
         if stands(run, b) == stands(run, a):
@@ -35,10 +35,10 @@ def stretches_of(run: Run) -> tuple[list[Stretch], list[Branch]]:
         end = _end(run, a, b) if stands(run, b) else _end(run, b, a)
         crossings += [end.crossing] if end.crossing else []
         if start is not None:
-            found.append(Stretch(start.x, end.x, start.why, end.why))
+            found.append(StrokeInterval(start.x, end.x, start.why, end.why))
         start = end if stands(run, b) else None
     if start is not None:
-        found.append(Stretch(start.x, run.grid[-1], start.why, ""))
+        found.append(StrokeInterval(start.x, run.grid[-1], start.why, ""))
     return found, crossings
 
 
@@ -79,7 +79,7 @@ def _edge(run: Run, bad: float, good: float) -> float:
     return good
 
 
-def beyond(x: float, stretches: Sequence[Stretch]) -> str:
+def beyond(x: float, stretches: Sequence[StrokeInterval]) -> str:
     """Return the remark on a value between stretches one of which ends at a branch point."""
     before = [s.after for s in stretches if s.high < x]
     after = [s.before for s in stretches if s.low > x]

@@ -39,7 +39,7 @@ class Column(NamedTuple):
     unit: str = ""
 
 
-class Stretch(NamedTuple):
+class StrokeInterval(NamedTuple):
     """A part of the stroke that can be run; what ends it at either side, '' at the stroke's end.
 
     It is ``reached`` unless the loops would have to be taken apart to get there from the
@@ -119,7 +119,7 @@ class Stroke:
     high: float
     columns: tuple[Column, ...]
     rows: tuple[Row, ...]
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[StrokeInterval, ...]
     singular: tuple[Singular, ...]
     branches: tuple[Branch, ...]
     extrema: tuple[Extremum, ...]

@@ -85,7 +85,7 @@ def named(
 
 
 def angles_at_pins(pose: Pose) -> dict[str, frozenset[str]]:
-    """Return what closing the loops has named, with the two points that each angle is seen between.
+    """Return the definitions of closed loops, each with the two points that its angle lies between.
 
     There are none where the name is not that of a triangle's angle.
     """
