@@ -95,6 +95,13 @@ def test_what_a_sum_shares_with_a_sine_across_the_line_counts_by_its_order():
     assert list(refuted(mechanism, k, 4400156)) == list(missing(mechanism, k, 4400156)) == []
 
 
+def test_two_roots_of_a_double_angle_have_two_causes():
+    """k is cos(45 deg + t) cos(45 deg - t): a point stands still at -45 deg, not at 45 deg."""
+    mechanism, (k,) = results(Chain(80100075).text)
+    assert {text(v.factor) for v in k.zeros} == {"cos(t + pi/4)", "sin(t + pi/4)"}
+    assert list(followed(tree_of(Chain(80100075).text), mechanism, k, 80100075)) == []
+
+
 @pytest.mark.parametrize("seed", [910196, 910228])
 def test_a_pole_that_a_sum_hides_for_the_lengths_given_is_stated_with_the_sum(seed):
     mechanism, (k,) = results(Chain(seed, equal=True).text)

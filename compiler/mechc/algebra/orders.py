@@ -52,8 +52,8 @@ class Root(NamedTuple):
     value: Angle
 
 
-def roots(trig: Trig, product: Product) -> list[Root]:
-    """Return the roots of a sine or cosine, as far as a product may distinguish them.
+def roots(trig: Trig, *products: Product) -> list[Root]:
+    """Return the roots of a sine or cosine, as far as products may distinguish them.
 
     Next to sin a, cos 3a has three, at 30°, 90° and 150°; next to sin(a/2) six, up to 360°. A sum
     may vanish at one end of a diameter only: next to one, roots are distinguished up to a whole
@@ -64,7 +64,7 @@ def roots(trig: Trig, product: Product) -> list[Root]:
     >>> [str(r.value) for r in roots(c, Product.of(c) * sine(Angle.of("a")))]
     ['30°', '90°', '150°']
     """
-    step = _common_step(trig, product)
+    step = _gcd(_common_step(trig, product) for product in products)
     own = [(n, c) for n, c in trig.angle.terms if n != RADIAN]
     parts = int(_gcd(c for _, c in own) / step)
     if parts > MOST:

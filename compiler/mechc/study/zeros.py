@@ -113,12 +113,12 @@ def _at_roots(
     side: int,
     chain: Chain,
 ) -> Iterator[Vanishing]:
-    """Yield a sine or cosine where the value has its order at every root; else single roots.
+    """Yield a sine or cosine where every root has one order and one cause; else single roots.
 
-    cos 3a/cos² a vanishes at 30° and at 150°, not at 90°.
+    cos 3a/cos² a vanishes at 30° and at 150°, not at 90°; where cos(45° + a)·cos(45° - a) is
+    zero, that is cos 2a/2, a point may stand still at -45° only.
     """
-    assert item.value is not None
-    found = roots(trig, item.value)
+    found = _roots(trig, item, balance, side)
     proved = [r for r in found if _has_order(item, r, near, side, chain)]
     causes = [_cause(r.factor, (r,), item, balance, side) for r in proved]
     if len(proved) == len(found) and len({*causes}) == 1:
@@ -129,6 +129,13 @@ def _at_roots(
     for root in found:
         if root not in proved:
             yield from _but_by_chance(root, item, balance, near, side)
+
+
+def _roots(trig: Trig, item: Solved, balance: Balance, side: int) -> list[Root]:
+    """Return the roots of a sine or cosine that the value tells apart, or what stands still."""
+    assert item.value is not None
+    across = _across_of(item, balance, side)
+    return (roots(trig, item.value, across) if across else []) or roots(trig, item.value)
 
 
 def _but_by_chance(
@@ -282,18 +289,36 @@ def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
 
 def _cause(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Cause:
     """Return whether the point of a load stands still or moves across it, if that is known."""
-    still, moving = (item.below, item.above) if side > 0 else (item.above, item.below)
-    tied = {name for t in balance.terms if t.tie for name in (t.load.name, t.tie[0])}
-    if not still or still in tied or balance.plan.mobility != 1:
+    ratio = _across_of(item, balance, side)
+    if ratio is None:
         return "other"
-    terms = {t.load.name: t for t in balance.terms}
-    if not terms[moving].power[0]:
-        return "other"
-    across = _across(balance.plan, terms[still])
-    ratio = canonical(across / terms[moving].power[0]) if across else across
     if ratio and not _vanishes(ratio, factor, at):
         return "perpendicular load"
-    return DeadCentre(_acted(terms[still].load), _acted(terms[moving].load))
+    loads = {t.load.name: t.load for t in balance.terms}
+    still, moving = _still_and_moving(item, side)
+    return DeadCentre(_acted(loads[still]), _acted(loads[moving]))
+
+
+def _still_and_moving(item: Solved, side: int) -> tuple[str, str]:
+    """Return the load of which the power is zero, and the other one."""
+    return (item.below, item.above) if side > 0 else (item.above, item.below)
+
+
+def _across_of(item: Solved, balance: Balance, side: int) -> Product | None:
+    """Return the velocity of a load's point across it, per power of the other load.
+
+    0 for a torque, whose power is zero where its link stands still; None where there is no one
+    motion that both have a part in.
+    """
+    still, moving = _still_and_moving(item, side)
+    tied = {name for t in balance.terms if t.tie for name in (t.load.name, t.tie[0])}
+    if not still or still in tied or balance.plan.mobility != 1:
+        return None
+    terms = {t.load.name: t for t in balance.terms}
+    if not terms[moving].power[0]:
+        return None
+    across = _across(balance.plan, terms[still])
+    return canonical(across / terms[moving].power[0]) if across else across
 
 
 def _acted(load: Load) -> Acted:
