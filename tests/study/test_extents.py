@@ -1,5 +1,7 @@
 """What a report says of ratios along the stroke, and over ranges, against dense sampling."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -25,6 +27,14 @@ def wide(grown):
     return "\n".join([*lines, stroke])
 
 
+def without_drive(description):
+    """Return a description whose drive is an angle with a range, and no drive."""
+    (line,) = re.findall(r"^drive (\w+) from (.+) to (.+)$", description, re.MULTILINE)
+    name, low, high = line
+    ranged = re.sub(rf"(?m)^(param {name} .+)$", rf"\1 in {low} .. {high}", description)
+    return re.sub(r"(?m)^drive .+\n?", "", ranged)
+
+
 def of_library(name):
     return Compilation(Source(name, (LIBRARY / name).read_text(encoding="utf-8")))
 
@@ -47,13 +57,13 @@ def refuted(compilation):
             yield from extent_refuted(extent, at)
 
 
-def hold(seeds):
+def hold(seeds, changed=lambda description: description):
     stated = 0
     for seed in seeds:
         grown = Grown(seed)
         if "triad" in grown.kinds:
             continue
-        compilation = Compilation(Source("grown.mech", wide(grown)))
+        compilation = Compilation(Source("grown.mech", changed(wide(grown))))
         try:
             stated += sum(len(r.extents) for r in compilation.reported.results)
         except MechcError:
@@ -85,6 +95,29 @@ def test_what_is_said_along_random_strokes():
 @pytest.mark.slow
 def test_what_is_said_along_many_random_strokes():
     assert hold(range(4, 40)) > 8
+
+
+def test_a_loop_is_followed_along_a_range_as_along_a_stroke():
+    path = LIBRARY / "crank_rocker.mech"
+    text = re.sub(r" in \d+ deg \.\. \d+ deg", "", path.read_text(encoding="utf-8"))
+    driven, ranged = (
+        Compilation(Source("a.mech", t)).reported.results[0] for t in (text, without_drive(text))
+    )
+    (found,), (expected,) = ranged.extents, driven.extents
+    assert found.least == pytest.approx(expected.least)
+    assert found.greatest == pytest.approx(expected.greatest)
+    for size in ("least", "greatest"):
+        found, expected = (replace(e, **{size: None}) for e in (found, expected))
+    assert found == expected
+
+
+def test_what_is_said_along_random_ranges():
+    assert hold(range(40, 44), without_drive) > 1
+
+
+@pytest.mark.slow
+def test_what_is_said_along_many_random_ranges():
+    assert hold(range(44, 80), without_drive) > 8
 
 
 def test_the_sampler_refutes_what_is_false():

@@ -7,10 +7,10 @@ from ..diagnostics import Report
 from ..formula.roots import lowest, spaced
 from ..friction.solution import Solution
 from ..frozen import replace
-from ..model.mechanism import LoadRatio
+from ..model.mechanism import Drive, LoadRatio
 from ..model.values import range_of
 from .analysis import Analysis, Extent, Extreme
-from .ranges import scale_of, unit_of
+from .ranges import moved, scale_of, unit_of
 from .stroke import extent
 from .sweep import Sweep
 
@@ -21,15 +21,43 @@ CELLS = 192
 def with_extents(
     solution: Solution, results: Sequence[Analysis], report: Report
 ) -> tuple[Analysis, ...]:
-    """Return the results with the extents of ratios along the stroke, or over ranges."""
-    drive = solution.plan.graph.pose.mechanism.drive
-    stroke = extent.along_the_stroke(solution, results, report) if drive else {}
+    """Return the results with the extents of ratios along the stroke, or over ranges.
+
+    Without a drive a loop is followed along each angle that has a range, as if that were one.
+    """
+    mechanism = solution.plan.graph.pose.mechanism
+    moving = {mechanism.drive.parameter: results} if mechanism.drive else _turned(solution, results)
+    found: dict[str, list[Extent]] = {}
+    for name in moving:
+        along = solution if mechanism.drive else _driven_by(name, solution)
+        for result, one in extent.along_the_stroke(along, moving[name], report).items():
+            found.setdefault(result, []).append(one)
     return tuple(
-        replace(result, extents=(stroke[result.name],))
-        if result.name in stroke
-        else replace(result, extents=tuple(_over_ranges(solution, result)))
-        for result in results
+        replace(r, extents=tuple(found.get(r.name) or _over_ranges(solution, r))) for r in results
     )
+
+
+def _turned(solution: Solution, results: Sequence[Analysis]) -> dict[str, list[Analysis]]:
+    """Return the ratios that rest on a loop, by the angles with ranges that move them."""
+    pose = solution.plan.graph.pose
+    closed = {definition.name for definition in pose.definitions}
+    found: dict[str, list[Analysis]] = {}
+    for result in results:
+        if isinstance(result.target, LoadRatio) and any(d.name in closed for d in result.where):
+            for name in moved(pose.mechanism, [result]):
+                if name in pose.free and range_of(name, pose.mechanism) is not None:
+                    found.setdefault(name, []).append(result)
+    return found
+
+
+def _driven_by(name: str, solution: Solution) -> Solution:
+    """Return the solution as if a drive stood in the description."""
+    plan = solution.plan
+    graph, mechanism = plan.graph, plan.graph.pose.mechanism
+    drive = Drive(name, None, None, mechanism.span, turns=True)
+    pose = replace(graph.pose, mechanism=replace(mechanism, drive=drive))
+    plan = replace(plan, graph=replace(graph, pose=pose))
+    return replace(solution, balance=replace(solution.balance, plan=plan))
 
 
 def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
