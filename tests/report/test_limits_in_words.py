@@ -8,6 +8,8 @@ import pytest
 import good_mechanisms
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
+from mechc.frozen import replace
+from mechc.report.sentences.extents import extent_remarks
 from mechc.report.sentences.limits import passed_by
 from mechc.report.sentences.remarks import remarks
 from mechc.report.text.derivation import render
@@ -42,6 +44,16 @@ def test_what_is_neither_zero_nor_infinite_is_stated_once():
     assert sum("sampling finds none for 2° ≤ θ ≤ 40°" in line for line in lines) == 2
     assert not any("neither 0 nor infinite" in line for line in lines)
     assert any("neither 0 nor infinite" in line for line in said("peaucellier_closed"))
+
+
+def test_a_place_that_is_rounding_beside_its_range_is_zero():
+    found = good_mechanisms.compiled("peaucellier_closed")
+    (k,) = (r for r in found.reported.results if r.extents)
+    least = k.extents[0].least._replace(x=1.3e-14)
+    extent = replace(k.extents[0], least=least)
+    spell = speller([k], found.mechanism, True, "en")
+    (line,) = extent_remarks(replace(k, extents=(extent,)), "k", spell.locale, spell)
+    assert "at φ = 0;" in line
 
 
 @pytest.mark.parametrize("name", ["crank_rocker", "toggle_clamp", "watt_closed", "whitworth"])

@@ -587,7 +587,7 @@ def test_the_command(tmp_path, capsys):
     file.write_text(CLAW, encoding="utf-8")
     assert main(["stroke", str(file), "-n", "3"]) == 0
     shown = capsys.readouterr().out
-    assert "k has a minimum 1.37277366985" in shown
+    assert "k has a minimum 1.37277 at phi = 1.38056 rad" in shown
     assert main(["stroke", str(file), "-n", "3", "--csv"]) == 0
     head, *rows = capsys.readouterr().out.splitlines()
     assert head == (

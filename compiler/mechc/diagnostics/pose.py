@@ -20,7 +20,9 @@ class AssemblyRange(NamedTuple):
 
 
 @coded("E301")
-def missing_direction(at: Span, points: str, for_what: str) -> Message:
+def missing_direction(
+    at: Span, points: str, for_what: str, guided: str = "", near: str = ""
+) -> Message:
     """A direction is needed and nothing gives it.
 
     Velocities are related through the directions of links, so the direction of every
@@ -30,13 +32,19 @@ def missing_direction(at: Span, points: str, for_what: str) -> Message:
         OB = a               # wrong: only the length
         OB = a @ alpha       # right: length and direction
 
-    A direction may also come from a turn (``angle ABC = gamma``) or from other vectors
-    that lead from one point to the other.
+    A direction may also come from a turn (``angle ABC = gamma``), from other vectors
+    that lead from one point to the other, or from a loop of given lengths, which closes
+    through a slider only where its guide has a place::
+
+        slider B along x             # wrong: on which line does B run?
+        slider B along x through O   # right
     """
+    line = f"`{points} = @ alpha`"
+    place = f"say where the guide of {guided} lies, `slider {guided} along … through {near}`"
     return Message(
         at,
         f"{for_what} needs the direction of {points}, and nothing gives it",
-        f"add a line such as `{points} = @ alpha`",
+        f"{place}, or add a line such as {line}" if guided else f"add a line such as {line}",
     )
 
 

@@ -44,7 +44,9 @@ def explained(
     # With a drive one missing pivot or vector opens every loop that it is in.
     for name, link in [*needed.items()][: 1 if mechanism.drive else None]:
         tail, head, _ = sought[name]
-        yield plain.missing_direction(link.span, f"{tail}{head}", f"link {link.name}")
+        guided = next((s.point for s in _rails(mechanism, {tail, head})), "")
+        what, near = f"link {link.name}", _near(mechanism)
+        yield plain.missing_direction(link.span, f"{tail}{head}", what, guided, near)
 
 
 def unfound_angles(
@@ -102,19 +104,27 @@ def _beside(ground: Collection[str]) -> str:
 
 
 def _without_line(mechanism: Mechanism) -> Iterator[Diagnostic]:
-    near = _beside(mechanism.fixed) or "(0 mm, 0 mm)"
     for slider in mechanism.each(Slider):
         if not slider.through:
-            yield messages.guide_without_line(slider.span, slider.point, near)
+            yield messages.guide_without_line(slider.span, slider.point, _near(mechanism))
 
 
 def _without_rail(mechanism: Mechanism, vectors: Sequence[tuple[str, str]]) -> Iterator[Diagnostic]:
     """Yield the guides without a line at which rods end whose directions a drive is to give."""
     ends = {point for pair in vectors for point in pair}
-    near = _beside(mechanism.fixed) or "(0 mm, 0 mm)"
-    for slider in mechanism.each(Slider) if mechanism.drive else ():
-        if slider.point in ends and not slider.through:
-            yield messages.guide_without_line(slider.span, slider.point, near)
+    for slider in _rails(mechanism, ends) if mechanism.drive else ():
+        yield messages.guide_without_line(slider.span, slider.point, _near(mechanism))
+
+
+def _rails(mechanism: Mechanism, ends: Collection[str]) -> Iterator[Slider]:
+    """Yield the sliders among some points whose guides have no line."""
+    sliders = mechanism.each(Slider)
+    return (s for s in sliders if s.point in ends and not s.through)
+
+
+def _near(mechanism: Mechanism) -> str:
+    """Return a place for a line to go through."""
+    return _beside(mechanism.fixed) or "(0 mm, 0 mm)"
 
 
 def _without_input(

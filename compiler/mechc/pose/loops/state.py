@@ -220,20 +220,24 @@ class State:
         """Return a closure with each angle of the user's within half a turn of the default pose.
 
         Where it stands in a multiple that is no whole one, or in a length, it may not jump by
-        a turn where the direction that it is found by passes 180°.
+        a turn where the direction that it is found by passes 180°. Other directions are within
+        a turn there.
         """
         here = self.tried(closure, self.base)
         definitions = (
             Definition(name, self._unwound(name, formula, here[name]))
-            if name in self.named & self.angles and math.isfinite(here.get(name, math.nan))
+            if name in self.angles and math.isfinite(here.get(name, math.nan))
             else Definition(name, formula)
             for name, formula in closure.definitions
         )
         return closure._replace(definitions=tuple(definitions))
 
     def _unwound(self, name: str, formula: Formula, value: float) -> Formula:
+        is_within, turns = -math.pi < value < math.tau, round(value / math.tau)
         if all(_turns_whole(name, arm) for edge in self.graph.edges for arm in edge.arms):
-            return turned_back(formula, round(value / math.tau))
+            return turned_back(formula, turns if name in self.named or not is_within else 0)
+        if name not in self.named:
+            return formula
         middle = degrees(90 * round(math.remainder(value, math.tau) / (math.pi / 2)))
         apart = total([formula, negative(middle)])
         return total([middle, Call("atan2", (Call("sin", (apart,)), Call("cos", (apart,))))])

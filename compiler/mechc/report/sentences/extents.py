@@ -17,6 +17,9 @@ MANY = 8
 DIGITS = 5
 """Significant digits of an extreme value."""
 
+AS_NOTHING = 1e-8
+"""Places are found to so small a part of the range: one that is less than that is 0."""
+
 
 def extent_remarks(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield a sentence for each range or stroke of which there is something to say."""
@@ -58,7 +61,9 @@ def _extreme(extent: Extent, symbol: str, locale: Locale, spell: Speller) -> Ite
 
 def _at(x: float, extent: Extent, locale: Locale, spell: Speller) -> str:
     """Return ``α = 45°``."""
-    sides = (Symbol(extent.parameter), rounded_value(x, extent, spell))
+    low, high = extent.range
+    at = 0.0 if abs(x) < AS_NOTHING * (high - low) else x
+    sides = (Symbol(extent.parameter), rounded_value(at, extent, spell))
     shown = spell.relation(sides, ("=",), extent.parameter in spell.angles)
     return shown + behind(locale.units.get(extent.unit, extent.unit))
 

@@ -36,6 +36,13 @@ ENDS = {
 """The words for the ends of an interval that are left out, lower and upper."""
 
 
+FIGURES = 6
+"""Significant digits of values in sentences, as reports have them; a :class:`Stroke` has all."""
+
+MOST = 13
+"""Digits beyond which the ends of an interval are one place."""
+
+
 class Written(NamedTuple):
     """A stroke and the words, numbers and units of the language in which it is written."""
 
@@ -168,9 +175,9 @@ def _value(x: float, shown: Written, digits: int = 9) -> str:
     return shown.number(_in(x, unit_of(stroke.dimension, stroke.unit), digits))
 
 
-def _at(x: float, shown: Written) -> str:
+def _at(x: float, shown: Written, digits: int = FIGURES) -> str:
     unit = unit_of(shown.stroke.dimension, shown.stroke.unit)
-    return f"{shown.stroke.drive} = {shown.number(in_unit(x, unit, 13))}"
+    return f"{shown.stroke.drive} = {shown.number(in_unit(x, unit, digits))}"
 
 
 def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
@@ -205,7 +212,7 @@ KINDS = {"branch point": "zero and infinite", "other": ""}
 def _singular(found: Singular, shown: Written) -> str:
     does, names = f"is {found.value}", {"name": found.result, "at": _at(found.drive, shown)}
     if found.sides is not None:
-        low, high = (_measured(side, found.result, shown, 6) for side in found.sides)
+        low, high = (_measured(side, found.result, shown, FIGURES) for side in found.sides)
         does, names = "jumps", {**names, "low": low, "high": high}
     whole = shown.says(does, **names)
     if found.exact is not None:
@@ -219,7 +226,7 @@ def _singular(found: Singular, shown: Written) -> str:
 
 
 def _extremum(found: Extremum, shown: Written) -> str:
-    value = _measured(found.value, found.result, shown, 13)
+    value = _measured(found.value, found.result, shown, FIGURES)
     return shown.says(found.kind, name=found.result, value=value, at=_at(found.drive, shown))
 
 
@@ -261,4 +268,9 @@ def _looked(shown: Written) -> Iterator[str]:
 
 
 def _span(low: float, high: float, shown: Written) -> str:
-    return shown.says("span", low=_at(low, shown), high=_at(high, shown))
+    """Return an interval, with as many digits as its ends take to be two."""
+    for digits in range(FIGURES, MOST + 1):
+        ends = _at(low, shown, digits), _at(high, shown, digits)
+        if len({*ends}) == 2:
+            break
+    return shown.says("span", low=ends[0], high=ends[1])
