@@ -65,14 +65,14 @@ def companions(found: Compiled) -> tuple[str, ...]:
     return (*(f.name for f in listed), *(["status"] if found.routine.checks else []))
 
 
-def built(found: Compiled, folder: Path) -> SimpleNamespace:
+def built(found: Compiled, folder: Path, compiler: str | None = COMPILER) -> SimpleNamespace:
     """Return the compiled library and the linker's names in order: singles and batches."""
     source, header = C.emit(found, Options("code"))
     for file in (source, header):
         (folder / file.name).write_text(file.text, encoding="utf-8")
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror"]
     made = folder / "code.so"
-    command = [COMPILER, *strict, "-O1", "-fPIC", "-shared", "code.c", "-o", made, "-lm"]
+    command = [compiler, *strict, "-O1", "-fPIC", "-shared", "code.c", "-o", made, "-lm"]
     subprocess.run(command, cwd=folder, check=True)
     positional = header.text.split("typedef struct")[0].splitlines()
     heads = [line for line in positional if line.startswith(("double ", "void "))]
