@@ -15,6 +15,7 @@ from force_samples import Compiled, compiled, samples
 from friction_lines import friction_of, points
 from grown import Grown
 from mechc.diagnostics import MechcError
+from mechc.formula.to_text import text as written
 from mechc.model.locking import LockingInterval
 from mechc.model.result import Result
 from mechc.study.analysis import DeadCentre, Vanishing
@@ -84,6 +85,8 @@ def agree(one: Compiled | list[str], text: str, new: dict[str, str], label: str)
     found, again = one.results(one.values() | loads), two.results(two.values() | others)
     if not label.startswith("components"):
         assert_same_statements(one, two, new, f"{label}\n{text}")
+    if label.startswith("order"):
+        assert conditions(one) == conditions(two), f"{label}\n{text}"
     for name, value in found.items():
         if "_direction" not in name:
             assert same(value, again[renamed(name, new)]), f"{label}, {name}\n{text}"
@@ -91,6 +94,14 @@ def agree(one: Compiled | list[str], text: str, new: dict[str, str], label: str)
 
 
 # -------------------------------------------------------------------------- statements
+
+
+def conditions(made: Compiled) -> dict[str, list[str]]:
+    """Return what each result holds while, as it is printed."""
+    return {
+        r.name: [f"{written(h.left)} {h.operator} {written(h.right)}" for h in r.holds]
+        for r in made.compilation.results
+    }
 
 
 def assert_same_statements(one: Compiled, two: Compiled, new: dict[str, str], label: str) -> None:
@@ -254,6 +265,31 @@ def test_a_change_of_words_changes_nothing_of_many(first):
 @pytest.mark.slow
 def test_a_change_of_words_changes_nothing_of_many_closed_loops():
     assert hold(closed(range(8, 30))) >= 24
+
+
+TOGGLE = """
+param phi = atan2(-0.4, 2) in -40 deg .. 10 deg
+pivot H at (-2.6 m, 1.9 m)
+pivot N at (-1.4 m, -0.6 m)
+link HE
+link EP
+link NP
+HE = 2.04 m @ phi
+EP = 2.48 m
+NP = 3.15 m
+assembly EPN cw
+drive phi from -40 deg to 10 deg
+torque M on HE
+force F at P on NP along -y
+friction pins 0.1 diameter 200 mm
+find k = M/F
+"""
+
+
+def test_no_order_of_links_changes_the_order_of_conditions():
+    swapped = TOGGLE.replace("link EP\nlink NP\n", "link NP\nlink EP\n")
+    assert swapped != TOGGLE
+    assert agree(outcome(TOGGLE), swapped, {}, "order of links")
 
 
 KNEE = """

@@ -7,6 +7,7 @@ from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
 from ..algebra.sums import canonical
 from ..formula.operations import count_operations
+from ..formula.to_text import text
 from ..formula.tree import Formula, product, total
 from ..frozen import frozen
 from ..model.result import Definition
@@ -101,6 +102,11 @@ def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
     """Return the conditions under which signs stay what they are."""
     operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
     return tuple((value, operators[sign]) for value, sign in signs.conditions.items())
+
+
+def sorted_conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
+    """Return the same for joints that are looked at all at once, whatever order they stand in."""
+    return tuple(sorted(conditions(signs), key=lambda c: (count_operations(c[0]), text(c[0]))))
 
 
 def readable(value: Product) -> Formula:
