@@ -81,10 +81,11 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
         for remark in remarks(assembly, vectors, default):
             report.add(remark)
     given = {p.name for p in pose.mechanism.parameters} - closed.found
+    lets = {let.name for let in pose.mechanism.lets}
     for condition in pose.mechanism.requires:
         is_given = symbols(condition.left) | symbols(condition.right) <= given
         if not is_given and not holds(condition, default):
-            report.add(failures.broken(condition, default, report.source))
+            report.add(failures.broken(condition, default, report.source, lets))
     for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
         report.add(fault)
     for misfit in misfits(pose, vectors, default):

@@ -15,7 +15,7 @@ from .fault import Fault
 from .grammar import lexed
 from .lalr import Token
 from .spans import span_of
-from .vocabulary import RANGE, split_quantity
+from .vocabulary import CHOICE, RANGE, split_quantity
 
 Sweep = Callable[[int], int]
 
@@ -214,6 +214,7 @@ def check_unit(number: Token, behind: Token) -> None:
         if unit not in ("", "in") and not meant and behind not in UNITS:
             return  # the number has its unit, so that this is no other
         hint = f"did you mean {meant!r}?" if meant else RANGE if unit == "in" else ""
+        hint = CHOICE if behind == "if" else hint
         if unit and behind in UNITS:
             hint = f"a compound unit has no spaces, as in {unit}*{behind}"
         raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain, hint))

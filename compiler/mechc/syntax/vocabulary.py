@@ -62,6 +62,9 @@ TWINS = {
 RANGE = "a range has two dots: in LOW .. HIGH"
 """What is said where ``in`` is followed by what is no range."""
 
+CHOICE = "a choice is written with 'when', as in 1.1 when v < 1 m/s else 1.3"
+"""What is said where ``if`` follows a number."""
+
 CONSTANTS = frozenset({"pi"})
 
 POINT = pattern(r"[A-Z][0-9]*'*")

@@ -91,7 +91,7 @@ class Points:
 
     def link(self, name: ast.Name) -> Link | None:
         """Return the link that two or more of its points name; report none or several."""
-        points = self.known(name)
+        points = None if self._is_strange(name) else self.known(name)
         if points is None:
             return None
         exact = self.bodies.get(frozenset(points))
@@ -104,6 +104,16 @@ class Points:
                 candidates = [link.name for link in several]
                 self.report.add(messages.ambiguous_link(name.span, name.text, candidates))
         return None
+
+    def _is_strange(self, name: ast.Name) -> bool:
+        """Return whether several points name a link and none is known; report them once, as one."""
+        points = self.split(name) or ()
+        if len(points) < 2 or not self.places.keys().isdisjoint(points):
+            return False
+        if not self._strange.issuperset(points):
+            self._report_no_link(name, points)
+        self._strange.update(points)
+        return True
 
     def coaxial(self, point: str) -> frozenset[str]:
         """Return a point together with the pivots that are given the same place as it."""

@@ -60,7 +60,9 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         conditions = [Require(*pair, place, dimension=dimension) for pair in pairs]
         for condition in conditions if not scope.sheet else ():
             if not holds(condition, values):
-                scope.report.add(failures.broken(condition, values, scope.report.source))
+                scope.report.add(
+                    failures.broken(condition, values, scope.report.source, found.lets)
+                )
         requires += conditions
     if not scope.sheet:
         _refuse_without(found.requires, values, scope)

@@ -1,6 +1,6 @@
 """What is said of a condition that fails, with the values of its sides."""
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from ...diagnostics import Diagnostic
 from ...diagnostics import sheets as messages
@@ -36,10 +36,13 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
             return messages.no_single_case(span, name, round(sides[0]))
 
 
-def broken(condition: Require, values: Values, source: Source) -> Diagnostic:
-    """Return the warning at a condition of use of a mechanism that fails at these values."""
+def broken(condition: Require, values: Values, source: Source, lets: Container[str]) -> Diagnostic:
+    """Return the warning at a condition of use of a mechanism that fails at these values.
+
+    ``lets`` are the user's own formulas, by their names in the text.
+    """
     sides = evaluate(condition.left, values), evaluate(condition.right, values)
-    left, right = _with_values(condition, sides, source)
+    left, right = _with_values(condition, sides, source, lets)
     compared = messages.held_against(*_found_first(condition, left, right))
     return quantities.condition_broken(condition.span, compared)
 
@@ -51,17 +54,19 @@ def _found_first(condition: Require, left: str, right: str) -> tuple[str, str, s
     return right, condition.operator.translate(_TURNED), left
 
 
-def _with_values(condition: Require, sides: tuple[float, float], source: Source) -> Iterator[str]:
+def _with_values(
+    condition: Require, sides: tuple[float, float], source: Source, lets: Container[str] = ()
+) -> Iterator[str]:
     """Yield the sides of a condition with their values: ``sigma = 182 MPa``."""
     dimension = condition.dimension
     unit = condition.unit or _USUAL.get(dimension) or si_unit(dimension)
-    formulas, spelled = (condition.left, condition.right), _as_written(condition, source)
+    formulas, spelled = (condition.left, condition.right), _as_written(condition, source, lets)
     for formula, value, words in zip(formulas, sides, spelled, strict=True):
         shown = in_unit(value, unit, 6)
         yield f"{words} = {shown}" if symbols(formula) else shown
 
 
-def _as_written(condition: Require, source: Source) -> tuple[str, str]:
+def _as_written(condition: Require, source: Source, lets: Container[str]) -> tuple[str, str]:
     """Return the sides of a condition as they stand in the text, else as formulas.
 
     A condition of a used sheet has names with a prefix, that of a chain has neighbours.
@@ -70,18 +75,22 @@ def _as_written(condition: Require, source: Source) -> tuple[str, str]:
     formulas = condition.left, condition.right
     if found := _ASKED.fullmatch(written):
         asked = found[1] or found[2]
-        left, right = (asked if symbols(f) and _mentions(asked, f) else text(f) for f in formulas)
+        left, right = (
+            asked if symbols(f) and _mentions(asked, f, lets) else text(f) for f in formulas
+        )
         return left, right
     sides = [part.strip(" '\"") for part in _OPERATOR.split(written)]
-    if len(sides) == len(formulas) and all(map(_mentions, sides, formulas)):
+    if len(sides) == len(formulas) and all(
+        _mentions(side, formula, lets) for side, formula in zip(sides, formulas, strict=True)
+    ):
         return sides[0], sides[1]
     return text(condition.left), text(condition.right)
 
 
-def _mentions(written: str, formula: Formula) -> bool:
-    """Return whether the names of a formula are written, or what of the pose it came from."""
+def _mentions(written: str, formula: Formula, lets: Container[str]) -> bool:
+    """Return whether the names of a formula are written, or what it came from: pose, or lets."""
     names = _NAME.findall(written)
-    return symbols(formula) <= {*names} or any(map(form_of_pose, names))
+    return symbols(formula) <= {*names} or any(n in lets or form_of_pose(n) for n in names)
 
 
 _USUAL = {ANGLE: "deg", LENGTH: "mm"}
