@@ -7,7 +7,7 @@ back as rational numbers (Wang 1981). Proof: numerator times the other's cofacto
 same both ways, multiplied out exactly.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from math import gcd, isqrt, lcm
@@ -78,18 +78,25 @@ def conjugates(parts: int) -> tuple[int, ...]:
 
 
 def _images(ring: Ring, p: Polynomial, units: Sequence[int]) -> Images:
+    """Return a sum under each choice of ζ, its exponents counted from the lowest."""
     exponents = {key: ring.exponents(key) for key in p.terms}
     lowest = tuple(min(column) for column in zip(*exponents.values(), strict=True))
-    polys: list[Poly] = []
-    for unit in units:
-        image: Poly = {}
-        for key, (re, im) in p.terms.items():
-            place = tuple(map(int.__sub__, exponents[key], lowest))
-            turned = re * _root(ring, unit * ring.constant(key))
-            turned += im * _root(ring, unit * (ring.constant(key) + ring.parts))
-            image[place] = (image.get(place, 0) + turned) % PRIME
-        polys.append({e: v for e, v in image.items() if v})
-    return Images(polys, lowest)
+    places = {
+        key: tuple(e - least for e, least in zip(own, lowest, strict=True))
+        for key, own in exponents.items()
+    }
+    return Images([_image(ring, p, places, unit) for unit in units], lowest)
+
+
+def _image(ring: Ring, p: Polynomial, places: Mapping[int, Place], unit: int) -> Poly:
+    """Return a sum under one choice of ζ: i is ζ turned by as many parts as a quarter has."""
+    image: Poly = {}
+    for key, (re, im) in p.terms.items():
+        constant, place = ring.constant(key), places[key]
+        turned = re * _root(ring, unit * constant)
+        turned += im * _root(ring, unit * (constant + ring.parts))
+        image[place] = (image.get(place, 0) + turned) % PRIME
+    return {place: value for place, value in image.items() if value}
 
 
 def _root(ring: Ring, power: int) -> int:

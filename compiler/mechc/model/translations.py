@@ -32,7 +32,7 @@ def read_translations(file: ast.File, report: Report) -> Translations:
             first.setdefault((line.text, language), line.span)
             found.setdefault(language, {})[line.text] = text
         if not spoken(line):
-            report.add(messages.into_no_language(line.span, line.text))
+            report.add(messages.into_no_language(line.span, line.text, LANGUAGES))
     return MappingProxyType({k: MappingProxyType(v) for k, v in found.items()})
 
 

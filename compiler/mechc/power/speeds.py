@@ -44,6 +44,7 @@ def speed(plan: Plan, wanted: Speed) -> Rate:
 
 
 def _about_pivot(plan: Plan, point: str) -> Rate | None:
+    """Return the speed of a point of a link on a pivot, ω·r; None of other points."""
     pose = plan.graph.pose
     fixed = pose.mechanism.fixed - {point}
     for link in pose.mechanism.links:

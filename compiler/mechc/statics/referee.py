@@ -246,7 +246,7 @@ def _cross_check(question: Question, poses: Iterator[Balanced]) -> CrossChecked:
 
 
 def _try(question: Question, at: Balanced) -> Trial | str:
-    """Return both answers at one pose, or why it does not do."""
+    """Return both answers at one pose, or the reason that they cannot be compared there."""
     power = _evaluate(question, at)
     if not math.isfinite(power):
         return NO_VALUE

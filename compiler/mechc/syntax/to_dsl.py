@@ -67,7 +67,7 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Sizes: "list {name}[ {source}] = {sizes}",
     ast.Use: "use {used} as {prefix}[ ({given})][ at {at}][ turned {turned}]"
     "[ joining {joining}][ without {without}]",
-    ast.Translate: "translate {text}[ en {en}][ uk {uk}][ ru {ru}]",
+    ast.Translate: "translate {text}" + "".join(f"[ {code} {{{code}}}]" for code in LANGUAGES),
     ast.Let: "let {name}|= {value}[ in {unit}][ as {label}]",
 }
 

@@ -1,17 +1,20 @@
 """Messages for translations of a description's texts."""
 
+from collections.abc import Sequence
+
 from ...source import Span
 from ..diagnostic import Message, Related, coded
+from ..syntax import listed
 
 
 @coded("E328")
-def into_no_language(span: Span, text: str) -> Message:
+def into_no_language(span: Span, text: str, languages: Sequence[str]) -> Message:
     """A text is translated into no language: name one.
 
     translate "handle"                  # wrong
     translate "handle" uk "рукоятка"    # right
     """
-    hint = "name a language: en, uk or ru, and the text in it"
+    hint = f"name a language: {listed(languages, 'or')}, and the text in it"
     return Message(span, f"'{text}' is translated into no language", hint)
 
 

@@ -45,29 +45,35 @@ def in_pairs(
     found = _named(statements, ends, _varying(statements, own), {*own, *given})
     lines: list[Statement | Pair] = []
     paired = set[Formula]()
-
-    def pairs(formula: Formula) -> Iterator[Pair]:
-        for call in _calls(formula):
-            (angle,) = call.arguments
-            if call in found and angle not in paired:
-                paired.add(angle)
-                cosine, sine = (found.get(Call(f, (angle,)), "_") for f in ("cos", "sin"))
-                yield Pair(cosine, sine, angle)
-
     for statement in statements:
-        for formula in formulas_of(statement):
-            lines.extend(pairs(formula))
-        if not isinstance(statement, Step):
-            lines.append(statement)
-        elif not _is_named(statement, found):
-            lines.append(Step(statement.name, _taken(statement.formula, found)))
-    for end in ends:
-        lines.extend(pairs(end))
+        lines += _new_pairs(formulas_of(statement), found, paired)
+        lines += _rewritten(statement, found)
+    lines += _new_pairs(ends, found, paired)
     return InPairs(
         lines,
         [_taken(end, found) for end in ends],
         [name for name in found.values() if name not in given],
     )
+
+
+def _new_pairs(
+    formulas: Iterable[Formula], found: Circular, paired: set[Formula]
+) -> Iterator[Pair]:
+    """Yield the pair of each angle that formulas mention and that has none; note the angle."""
+    for call in (call for formula in formulas for call in _calls(formula) if call in found):
+        (angle,) = call.arguments
+        if angle not in paired:
+            paired.add(angle)
+            cosine, sine = (found.get(Call(f, (angle,)), "_") for f in ("cos", "sin"))
+            yield Pair(cosine, sine, angle)
+
+
+def _rewritten(statement: Statement, found: Circular) -> Iterator[Statement]:
+    """Yield a statement in variables; none of one that only names a sine or a cosine."""
+    if not isinstance(statement, Step):
+        yield statement
+    elif not _is_named(statement, found):
+        yield Step(statement.name, _taken(statement.formula, found))
 
 
 def _varying(statements: Iterable[Statement], inputs: Iterable[str]) -> set[str]:

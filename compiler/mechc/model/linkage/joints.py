@@ -132,6 +132,7 @@ def read_drawn(file: ast.File, scope: Scope) -> tuple[list[Drawn], list[Offset]]
 
 
 def _drawn(statement: ast.Drawn, place: Offset) -> Drawn:
+    """Return a point as it is drawn, and how far it may be off by the last digits written."""
     parts = (leaf for part in (statement.at.x, statement.at.y) for leaf in leaves(part))
     lengths = [
         number

@@ -1,0 +1,42 @@
+"""Newton's method for many poses at a time, on one equation."""
+
+import numpy as np
+import pytest
+
+from mechc.frozen import replace
+from mechc.routine.newton import eliminate, follow
+from mechc.routine.steps import Solver
+
+SOLVER = Solver(("x",), ("p",), (), (-1.0,), (1.0,), 200, -1, (), (), ())
+"""The negative root of ``x² = p``, from p = 1 on."""
+
+
+def root(unknowns, known):
+    """Return ``x² - p`` and its slope."""
+    (x,), (p,) = unknowns, known
+    return np.array([x * x - p]), np.array([[2 * x]])
+
+
+def test_the_branch_of_the_start_is_followed_to_the_last_digits():
+    squares = np.geomspace(1e-2, 25, 97)
+    status, (found,) = follow(root, SOLVER, [squares])
+    assert not status.any()
+    assert found == pytest.approx(-np.sqrt(squares), rel=1e-15, abs=0)
+
+
+def test_where_the_branch_ends_there_is_no_number():
+    status, (found,) = follow(root, SOLVER, [np.array([-1.0, 4.0])])
+    assert list(status) == [1.0, 0.0]
+    assert np.isnan(found[0])
+
+
+def test_too_few_corrections_give_no_number():
+    status, _ = follow(root, replace(SOLVER, corrections=1), [np.array([9.0])])
+    assert list(status) == [2.0]
+
+
+def test_elimination_gives_the_sign_of_the_determinant():
+    matrix = np.array([[[0.0], [2.0]], [[3.0], [1.0]]])
+    right = np.array([[4.0], [5.0]])
+    assert list(eliminate(matrix, right)) == [-1.0]
+    assert right[:, 0] == pytest.approx([1.0, 2.0])
