@@ -4,46 +4,20 @@ A derived length, direction or angle has a name and is a parameter: a constant w
 coordinates are numbers, or a formula of the parameters that they rest on.
 """
 
-import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Mapping
 
-from ...algebra.from_formula import to_product
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...formula.names import another
-from ...formula.tree import ZERO, Call, Formula, Number, Symbol, degrees, negative, total
-from ...formula.walk import evaluate, substitute, symbols
+from ...formula.tree import Call, Formula, Number, Symbol, degrees, negative, total
+from ...formula.walk import symbols
 from ...named import NamedTuple
-from ...source import Span
-from ...units import ANGLE, LENGTH, Dimension, in_unit
+from ...units import ANGLE, LENGTH, Dimension
 from ..constants import number_of, rational
-from ..entries import points_of, unit_of_drawing
-from ..mechanism import Absolute, Direction, Geometry, Mechanism, Offset, Parameter
-from ..tolerances import SAME_PLACE, SAME_VECTOR
+from ..mechanism import Absolute, Mechanism, Parameter
 from .commensurable import Lengths
-from .led_points import led_points
+from .drawn_points import Components, DrawnPoints
 from .polar import Polar, polar
-
-
-class Place(NamedTuple):
-    """Where a point is drawn: its coordinates as formulas, and in metres."""
-
-    x: Formula
-    y: Formula
-    at: tuple[float, float]
-    span: Span
-
-    @property
-    def symbols(self) -> frozenset[str]:
-        """Return the parameters in the coordinates."""
-        return symbols(self.x) | symbols(self.y)
-
-
-ORIGIN = Place(ZERO, ZERO, (0.0, 0.0), Span(0, 0))
-"""Where the ground's coordinates begin; its name is empty."""
-
-Components = tuple[Product, Product]
 
 
 class _Vector(NamedTuple):
@@ -71,105 +45,24 @@ MIRRORED = (Image(-1, 180), Image(-1, 0), Image(-1, 90), Image(-1, -90))
 IMAGES = (*PARALLELS, *MIRRORED, Image(1, 90), Image(1, -90))
 
 
-class Sketch:
-    """The drawn points, the pivots with a place, and where vectors lead from these.
-
-    ``parameters`` are the named quantities so far, ``unit`` is that of the drawing.
-    """
+class Sketch(DrawnPoints):
+    """The drawn points, and the quantities that were named by them so far: ``parameters``."""
 
     def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
-        self.values = values
-        self.pivots = mechanism.fixed
-        self.places: dict[str, Place] = {}
+        super().__init__(mechanism, values)
         self.parameters: dict[str, Parameter] = {}
         self._taken = {p.name for p in mechanism.parameters} | {p.name for p in mechanism.loads}
-        self.unit = unit_of_drawing(mechanism)
         self._vectors: list[_Vector] = []
         self._lengths = Lengths()
-        for entry in mechanism.geometry:
-            if isinstance(entry, Offset) and not entry.tail:
-                self._place(entry.head, entry.x, entry.y, entry.span)
-        for drawn in mechanism.drawn:
-            self._place(drawn.point, drawn.x, drawn.y, drawn.span)
-        placed = {name: (place.x, place.y) for name, place in self.places.items()}
-        led = led_points(mechanism.geometry, placed, values) if mechanism.drawn else {}
-        self.led = frozenset(led)
-        for point, ((x, y), span) in led.items():
-            self._place(point, x, y, span)
-
-    def _place(self, point: str, x: Formula, y: Formula, span: Span) -> None:
-        if symbols(x) | symbols(y) <= self.values.keys():
-            at = evaluate(x, self.values), evaluate(y, self.values)
-            self.places[point] = Place(x, y, at, span)
-
-    def put(self, values: Mapping[str, Formula]) -> None:
-        """Put values for parameters into the coordinates."""
-        for point, place in self.places.items():
-            if not place.symbols.isdisjoint(values):
-                x, y = substitute(place.x, values), substitute(place.y, values)
-                self._place(point, x, y, place.span)
-
-    def has_all(self, points: Iterable[str]) -> bool:
-        """Return whether points are drawn."""
-        return self.places.keys() >= set(points)
-
-    def has(self, entry: Geometry) -> bool:
-        """Return whether the points of an entry are drawn; the origin is in every drawing."""
-        return self.has_all(set(points_of(entry)) - {""})
-
-    def span(self, point: str) -> Span:
-        """Return where a point's place is written."""
-        return self.places[point].span
-
-    @property
-    def size(self) -> float:
-        """Return the width or height of the drawing, whichever is greater."""
-        far = [place.at for place in self.places.values()]
-        wide, high = ([at[i] for at in far] for i in (0, 1))
-        return max(max(wide) - min(wide), max(high) - min(high))
-
-    @property
-    def rounding(self) -> float:
-        """Return the gap in metres below which places are one."""
-        return SAME_PLACE * self.size
-
-    def shown(self, gap: float) -> str:
-        """Return a length in the unit of the drawing."""
-        return in_unit(gap, self.unit or "m", 3)
-
-    def coincide(self, first: str, second: str) -> bool:
-        """Return whether two points are drawn at one place."""
-        gap = math.dist(self.places[first].at, self.places[second].at)
-        return gap <= self.rounding
-
-    def way(self, tail: str, head: str) -> tuple[float, float]:
-        """Return the vector between two points in metres; the origin's name is empty."""
-        ax, ay = self.places[tail].at if tail else (0.0, 0.0)
-        bx, by = self.places[head].at
-        return bx - ax, by - ay
-
-    def arms(self, points: Sequence[str]) -> Iterator[tuple[str, str]]:
-        """Yield the arms of a body's drawn points, from a pivot where it has one."""
-        known = [p for p in points if p in self.places]
-        hub = next((p for p in known if p in self.pivots), known[0] if known else "")
-        yield from ((hub, p) for p in known if p != hub)
-
-    def turned(self, direction: Direction) -> float | None:
-        """Return a direction in radians where it is an angle with a value."""
-        if isinstance(direction, Absolute) and symbols(direction.angle) <= self.values.keys():
-            return evaluate(direction.angle, self.values)
-        return None
-
-    # ------------------------------------------------------------------ named quantities
 
     def offset(self, tail: str, head: str) -> tuple[Formula, Formula]:
         """Return the vector between two points by its components."""
-        x, y = self._components(tail, head)
+        x, y = self.components(tail, head)
         return x.formula(), y.formula()
 
     def length(self, tail: str, head: str) -> Formula:
         """Return the distance of two points, ``len_AB`` unless it is a parameter by itself."""
-        x, y = self._components(tail, head)
+        x, y = self.components(tail, head)
         if not (x and y):
             value = self._positive(x or y).formula()
         elif found := self.polar(tail, head):
@@ -190,7 +83,7 @@ class Sketch:
 
     def direction(self, tail: str, head: str) -> Absolute:
         """Return the direction between two points: along an axis, or named."""
-        x, y = self._components(tail, head)
+        x, y = self.components(tail, head)
         angle = self._axis(x, y)
         if angle is None and (found := self.polar(tail, head)):
             angle = found.angle.formula()
@@ -201,7 +94,7 @@ class Sketch:
 
     def start(self, tail: str, head: str) -> Formula:
         """Return the drawn direction between two points that turn on: ``phi_AB_0``."""
-        x, y = self._components(tail, head)
+        x, y = self.components(tail, head)
         angle = self._axis(x, y)
         if angle is not None:
             return angle
@@ -214,7 +107,7 @@ class Sketch:
 
     def polar(self, tail: str, head: str) -> Polar | None:
         """Return the vector between two points that is written by its length and angle."""
-        x, y = self._components(tail, head)
+        x, y = self.components(tail, head)
         return polar(x, y, self.values) if x and y else None
 
     def vector(self, tail: str, head: str) -> tuple[Formula, Absolute]:
@@ -224,11 +117,11 @@ class Sketch:
         across an axis, the later has the direction of the first, and its length if it is equal:
         what moves only since it is symmetric must be seen to be so.
         """
-        components, span = self._components(tail, head), self.span(head)
+        components, span = self.components(tail, head), self.span(head)
         found = self._image(components)
         if found:
             first, angle = found
-            is_equal = self._same_size(first.components, components)
+            is_equal = self.are_equal(first.components, components)
             length = first.length if is_equal else self.length(tail, head)
             direction = Absolute(angle, span)
         else:
@@ -242,8 +135,8 @@ class Sketch:
         One that is equal comes before one that is only parallel, and this before an image.
         """
         for image in IMAGES:
-            alike = [v for v in self._vectors if self._along(image.of(v.components), components)]
-            equal = (v for v in alike if self._same_size(v.components, components))
+            alike = [v for v in self._vectors if self.are_along(image.of(v.components), components)]
+            equal = (v for v in alike if self.are_equal(v.components, components))
             if first := next(equal, alike[0] if alike else None):
                 turned = first.angle if image.sense > 0 else negative(first.angle)
                 return first, total([turned, degrees(image.turned)] if image.turned else [turned])
@@ -251,7 +144,7 @@ class Sketch:
 
     def turn(self, first: str, vertex: str, second: str) -> Formula:
         """Return the counter-clockwise angle at a point between two others."""
-        (ax, ay), (bx, by) = self._components(vertex, first), self._components(vertex, second)
+        (ax, ay), (bx, by) = self.components(vertex, first), self.components(vertex, second)
         ahead, across = add([ax * bx, ay * by]), add([ax * by, -(ay * bx)])
         axis = self._axis(ahead, across)
         if axis is not None:
@@ -259,46 +152,15 @@ class Sketch:
         value = Call("atan2", (across.formula(), ahead.formula()))
         return self._named(f"delta_{first}{vertex}{second}", value, ANGLE, "deg", second)
 
-    def lay_on_line(self, point: str, tail: str, head: str) -> None:
-        """Move a drawn point to the line through two others, where it is not quite on it."""
-        x, y = self._components(tail, head)
-        px, py = self._components(tail, point)
-        if not add([x * py, -(y * px)]):
-            return
-        part = self._value(add([x * px, y * py])) / self._value(add([x * x, y * y]))
-        start, share = self.places[tail], Product(Fraction(part))
-        ends = ((start.x, x), (start.y, y))
-        moved = [add([to_product(at), step * share]).formula() for at, step in ends]
-        self._place(point, moved[0], moved[1], self.span(point))
-
-    def _components(self, tail: str, head: str) -> Components:
-        start, end = self.places[tail] if tail else ORIGIN, self.places[head]
-        x = add([to_product(end.x), -to_product(start.x)])
-        return x, add([to_product(end.y), -to_product(start.y)])
-
     def _axis(self, x: Product, y: Product) -> Formula | None:
         """Return the direction of a vector along an axis."""
         if x and y:
             return None
         quarter = 90 if y else 0
-        return degrees(quarter if self._value(x or y) > 0 else quarter - 180)
-
-    def _along(self, one: Components, other: Components) -> bool:
-        """Return whether two vectors have one direction but for rounding."""
-        ahead = add([a * b for a, b in zip(one, other, strict=True)])
-        across = add([one[0] * other[1], -(one[1] * other[0])])
-        sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
-        return abs(self._value(across)) <= SAME_VECTOR * math.prod(sizes) and self._value(ahead) > 0
-
-    def _same_size(self, one: Components, other: Components) -> bool:
-        sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
-        return math.isclose(*sizes, rel_tol=SAME_VECTOR)
+        return degrees(quarter if self.value(x or y) > 0 else quarter - 180)
 
     def _positive(self, length: Product) -> Product:
-        return length if self._value(length) >= 0 else -length
-
-    def _value(self, product: Product) -> float:
-        return product.evaluate(self.values)
+        return length if self.value(length) >= 0 else -length
 
     def _named(
         self, name: str, value: Formula, dimension: Dimension, unit: str, point: str

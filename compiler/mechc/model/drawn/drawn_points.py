@@ -1,0 +1,159 @@
+"""The places of points as they are drawn, as formulas and in metres."""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+
+from ...algebra.from_formula import to_product
+from ...algebra.product import Product
+from ...algebra.sums import add
+from ...formula.tree import ZERO, Formula
+from ...formula.walk import evaluate, substitute, symbols
+from ...named import NamedTuple
+from ...source import Span
+from ...units import in_unit
+from ..entries import points_of, unit_of_drawing
+from ..mechanism import Absolute, Direction, Geometry, Mechanism, Offset
+from ..tolerances import SAME_PLACE, SAME_VECTOR
+from .led_points import led_points
+
+
+class Place(NamedTuple):
+    """Where a point is drawn: its coordinates as formulas, and in metres."""
+
+    x: Formula
+    y: Formula
+    at: tuple[float, float]
+    span: Span
+
+    @property
+    def symbols(self) -> frozenset[str]:
+        """Return the parameters in the coordinates."""
+        return symbols(self.x) | symbols(self.y)
+
+
+ORIGIN = Place(ZERO, ZERO, (0.0, 0.0), Span(0, 0))
+"""Where the ground's coordinates begin; its name is empty."""
+
+Components = tuple[Product, Product]
+
+
+class DrawnPoints:
+    """Where points are drawn, and the vectors between them.
+
+    ``values`` are those of parameters, ``led`` the points that arrows lead to, and ``unit`` is
+    that of the drawing.
+    """
+
+    def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
+        self.values = values
+        self.pivots = mechanism.fixed
+        self.places: dict[str, Place] = {}
+        self.unit = unit_of_drawing(mechanism)
+        for entry in mechanism.geometry:
+            if isinstance(entry, Offset) and not entry.tail:
+                self._place(entry.head, entry.x, entry.y, entry.span)
+        for drawn in mechanism.drawn:
+            self._place(drawn.point, drawn.x, drawn.y, drawn.span)
+        placed = {name: (place.x, place.y) for name, place in self.places.items()}
+        led = led_points(mechanism.geometry, placed, values) if mechanism.drawn else {}
+        self.led = frozenset(led)
+        for point, ((x, y), span) in led.items():
+            self._place(point, x, y, span)
+
+    def _place(self, point: str, x: Formula, y: Formula, span: Span) -> None:
+        if symbols(x) | symbols(y) <= self.values.keys():
+            at = evaluate(x, self.values), evaluate(y, self.values)
+            self.places[point] = Place(x, y, at, span)
+
+    def put(self, values: Mapping[str, Formula]) -> None:
+        """Put values for parameters into the coordinates."""
+        for point, place in self.places.items():
+            if not place.symbols.isdisjoint(values):
+                x, y = substitute(place.x, values), substitute(place.y, values)
+                self._place(point, x, y, place.span)
+
+    def has_all(self, points: Iterable[str]) -> bool:
+        """Return whether points are drawn."""
+        return self.places.keys() >= set(points)
+
+    def has(self, entry: Geometry) -> bool:
+        """Return whether the points of an entry are drawn; the origin is in every drawing."""
+        return self.has_all(set(points_of(entry)) - {""})
+
+    def span(self, point: str) -> Span:
+        """Return where a point's place is written."""
+        return self.places[point].span
+
+    @property
+    def size(self) -> float:
+        """Return the width or height of the drawing, whichever is greater."""
+        far = [place.at for place in self.places.values()]
+        wide, high = ([at[i] for at in far] for i in (0, 1))
+        return max(max(wide) - min(wide), max(high) - min(high))
+
+    @property
+    def rounding(self) -> float:
+        """Return the gap in metres below which places are one."""
+        return SAME_PLACE * self.size
+
+    def shown(self, gap: float) -> str:
+        """Return a length in the unit of the drawing."""
+        return in_unit(gap, self.unit or "m", 3)
+
+    def coincide(self, first: str, second: str) -> bool:
+        """Return whether two points are drawn at one place."""
+        gap = math.dist(self.places[first].at, self.places[second].at)
+        return gap <= self.rounding
+
+    def way(self, tail: str, head: str) -> tuple[float, float]:
+        """Return the vector between two points in metres; the origin's name is empty."""
+        ax, ay = self.places[tail].at if tail else (0.0, 0.0)
+        bx, by = self.places[head].at
+        return bx - ax, by - ay
+
+    def arms(self, points: Sequence[str]) -> Iterator[tuple[str, str]]:
+        """Yield the arms of a body's drawn points, from a pivot where it has one."""
+        known = [p for p in points if p in self.places]
+        hub = next((p for p in known if p in self.pivots), known[0] if known else "")
+        yield from ((hub, p) for p in known if p != hub)
+
+    def turned(self, direction: Direction) -> float | None:
+        """Return a direction in radians where it is an angle with a value."""
+        if isinstance(direction, Absolute) and symbols(direction.angle) <= self.values.keys():
+            return evaluate(direction.angle, self.values)
+        return None
+
+    def lay_on_line(self, point: str, tail: str, head: str) -> None:
+        """Move a drawn point to the line through two others, where it is not quite on it."""
+        x, y = self.components(tail, head)
+        px, py = self.components(tail, point)
+        if not add([x * py, -(y * px)]):
+            return
+        part = self.value(add([x * px, y * py])) / self.value(add([x * x, y * y]))
+        start, share = self.places[tail], Product(Fraction(part))
+        ends = ((start.x, x), (start.y, y))
+        moved = [add([to_product(at), step * share]).formula() for at, step in ends]
+        self._place(point, moved[0], moved[1], self.span(point))
+
+    def components(self, tail: str, head: str) -> Components:
+        """Return the vector between two points; the origin's name is empty."""
+        start, end = self.places[tail] if tail else ORIGIN, self.places[head]
+        x = add([to_product(end.x), -to_product(start.x)])
+        return x, add([to_product(end.y), -to_product(start.y)])
+
+    def are_along(self, one: Components, other: Components) -> bool:
+        """Return whether two vectors have one direction but for rounding."""
+        ahead = add([a * b for a, b in zip(one, other, strict=True)])
+        across = add([one[0] * other[1], -(one[1] * other[0])])
+        sizes = (math.hypot(*map(self.value, vector)) for vector in (one, other))
+        return abs(self.value(across)) <= SAME_VECTOR * math.prod(sizes) and self.value(ahead) > 0
+
+    def are_equal(self, one: Components, other: Components) -> bool:
+        """Return whether two vectors have one length but for rounding."""
+        sizes = (math.hypot(*map(self.value, vector)) for vector in (one, other))
+        return math.isclose(*sizes, rel_tol=SAME_VECTOR)
+
+    def value(self, product: Product) -> float:
+        """Return the value of a product as it is drawn."""
+        return product.evaluate(self.values)
