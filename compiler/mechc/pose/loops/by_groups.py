@@ -30,6 +30,7 @@ from .dyad_sides import Sides
 from .dyads import Loop
 from .groups import closures, left_open, remaining_blocks
 from .margins import in_closed_form, iterated
+from .recognition import recognised, unwound
 from .redundant import check_fit
 from .state import State
 from .vector_graph import Cycle, Names, loop_name, mentioned, points_around
@@ -190,14 +191,14 @@ class _Closing:
             return False
         self._check_values(cycle)
         familiar = self._familiar(cycle)
-        candidates = [state.recognised(c, wanted, familiar) for c in group.closures]
+        candidates = [recognised(c, wanted, familiar, state) for c in group.closures]
         chosen = self._choice.choose(candidates, group, within)
         state.limits += [group.limit] if group.limit else []
         if group.root is not None and any(chosen is each for each in group.closures):
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
         points = group.triples()[0] if group.kind == "triangle" else points_around(cycle)
         side = tuple(arm for edge in cycle for arm in edge.arms)
-        state.take(state.unwound(chosen), wanted, [side], group.kind, points)
+        state.take(unwound(chosen, state), wanted, [side], group.kind, points)
         return True
 
     def _familiar(self, cycle: Cycle) -> list[Angle]:

@@ -10,6 +10,7 @@ from ...formula.tree import Call
 from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
 from ..tolerances import LOOP_GAP
 from .dyads import Closure
+from .recognition import recognised
 from .state import State
 from .triangle import common_turn, principal
 from .vector_graph import Cycle, loop_name, mentioned, points_around
@@ -34,7 +35,7 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     unknown = frozenset({name})
     closure = closure_of(name, known, moving, state)
     familiar = [a.angle for e in cycle for a in e.arms]
-    closure = state.recognised(closure, unknown, familiar)
+    closure = recognised(closure, unknown, familiar, state)
     state.take(closure, unknown, [], "vector", points_around(cycle))
     return None
 

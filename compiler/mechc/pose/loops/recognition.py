@@ -1,0 +1,114 @@
+"""Closures as people write them: with angles that stay near, and directions that are known."""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+
+from ...algebra.angle import Angle
+from ...algebra.from_formula import to_angle
+from ...formula.tree import Call, Formula, Sum, degrees, negative, total
+from ...formula.walk import symbols
+from ..pose import Arm, Definition
+from ..samples import Values
+from ..tolerances import SAME_ANGLE
+from .dyads import Closure
+from .state import State
+from .vector_graph import Names
+
+
+def unwound(closure: Closure, state: State) -> Closure:
+    """Return a closure with each angle of the user's within half a turn of the default pose.
+
+    Where it stands in a multiple that is no whole one, or in a length, it may not jump by
+    a turn where the direction that it is found by passes 180°. Other directions are within
+    a turn there.
+    """
+    here = state.tried(closure, state.base)
+    definitions = (
+        Definition(name, _unwound(name, formula, here[name], state))
+        if name in state.angles and math.isfinite(here.get(name, math.nan))
+        else Definition(name, formula)
+        for name, formula in closure.definitions
+    )
+    return closure._replace(definitions=tuple(definitions))
+
+
+def _unwound(name: str, formula: Formula, value: float, state: State) -> Formula:
+    is_within, turns = -math.pi < value < math.tau, round(value / math.tau)
+    if all(_turns_whole(name, arm) for edge in state.graph.edges for arm in edge.arms):
+        return turned_back(formula, turns if name in state.named or not is_within else 0)
+    if name not in state.named:
+        return formula
+    middle = degrees(90 * round(math.remainder(value, math.tau) / (math.pi / 2)))
+    apart = total([formula, negative(middle)])
+    return total([middle, Call("atan2", (Call("sin", (apart,)), Call("cos", (apart,))))])
+
+
+def recognised(
+    closure: Closure, unknown: Names, familiar: Iterable[Angle], state: State
+) -> Closure:
+    """Return a closure with each direction that is a familiar one written as that one.
+
+    A parallelogram's coupler stays parallel to its frame: the numbers at several poses
+    show it, each with other lengths.
+    """
+    poses = [state.tried(closure, values) for values in state.values]
+    known = [a for a in familiar if state.graph.sought.isdisjoint(a.names)]
+    for name in sorted(unknown & state.angles):
+        if same := next((s for a in known if (s := _alike(name, a, poses))), None):
+            closure = _rewritten(closure, name, same, name in state.named)
+    return closure
+
+
+def _turns_whole(name: str, arm: Arm) -> bool:
+    """Return whether a vector is the same where an angle is a full turn greater."""
+    factor = dict(arm.angle.terms).get(name, Fraction(0))
+    return factor.denominator == 1 and name not in symbols(arm.length.formula())
+
+
+def _alike(name: str, angle: Angle, poses: Iterable[Values]) -> Angle | None:
+    """Return an angle, or its opposite, turned by quarters, if the unknown is it at all poses."""
+    known = [v for v in poses if name in v and angle.names <= v.keys()]
+    for sense in (1, -1):
+        gaps = [values[name] - sense * angle.evaluate(values) for values in known]
+        if (quarters := _quarters(gaps)) is not None:
+            return angle * sense + Angle.constant(quarters % 4 * 90)
+    return None
+
+
+def _quarters(gaps: Sequence[float]) -> int | None:
+    """Return how many quarters of a turn all gaps are, None where they are not alike."""
+    if len(gaps) < 3 or not all(map(math.isfinite, gaps)):
+        return None
+    quarters = round(gaps[0] / (math.pi / 2))
+    turned = quarters * math.pi / 2
+    if any(abs(math.remainder(gap - turned, 2 * math.pi)) > SAME_ANGLE for gap in gaps):
+        return None
+    return quarters
+
+
+def _rewritten(closure: Closure, name: str, angle: Angle, keep: bool) -> Closure:
+    """Return a closure in which a direction is another one."""
+    others = tuple(d for d in closure.definitions if d.name != name)
+    directions = {n: a for n, a in closure.directions.items() if n != name}
+    if keep:
+        return Closure((*others, Definition(name, angle.formula())), directions)
+    put: Callable[[Angle], Angle] = lambda a: a.put({name: angle})  # noqa: E731
+    return Closure(others, {**{n: put(a) for n, a in directions.items()}, name: angle})
+
+
+def turned_back(formula: Formula, turns: int) -> Formula:
+    """Return an angle less full turns, which are gathered with its own constants.
+
+    >>> from ...formula.to_text import text
+    >>> from ...formula.tree import Symbol
+    >>> text(turned_back(total([Symbol("mu_B"), degrees(90)]), 1))
+    'mu_B - 3*pi/2'
+    """
+    if not turns:
+        return formula
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    known = [(term, to_angle(term)) for term in terms]
+    rest = [term for term, angle in known if angle is None or angle.terms]
+    constant = sum(angle.degrees for _, angle in known if angle and not angle.terms)
+    return total([*rest, degrees(constant - 360 * turns)])
