@@ -5,7 +5,8 @@ import re
 import pytest
 
 from conclusions import refuted as followed
-from force_samples import tree_of
+from force_mechanisms import given
+from force_samples import pushing, tree_of
 from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
@@ -206,6 +207,18 @@ def test_a_pole_is_stated_where_the_default_pose_is_next_to_where_it_cancels():
 def test_the_sampler_refutes_what_is_false(trend):
     mechanism, (k,) = results(POLE)
     assert list(refuted(mechanism, replace(k, trends={"alpha": trend})))
+
+
+def test_no_dead_centre_is_that_of_a_load_tied_to_another():
+    """T = 0.3*F acts at D, which alone is infinitely fast where ABC and H stand still."""
+    sample = pushing(given(80120056))
+    mechanism, (k,) = results(sample.text)
+    tree = tree_of(sample.text)
+    assert {text(v.factor): v.cause == "other" for v in k.poles} == {
+        "sin(t7 - t9)": False,
+        "cos(t3 - t4)": True,
+    }
+    assert list(followed(tree, mechanism, k, 80120056)) == []
 
 
 def test_conclusions_that_are_false_are_refuted():

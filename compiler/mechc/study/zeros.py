@@ -2,25 +2,21 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import assert_never
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.halving import without
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
-from ..algebra.sums import canonical
 from ..algebra.vanishing import vanishing_value
 from ..formula.tree import Call, Formula
 from ..formula.walk import evaluate, symbols, walk
-from ..kinematics.forms import QUARTER
-from ..kinematics.plan import Plan
 from ..model.boxes import stroke_box
-from ..model.mechanism import Force, ForcePair, Load, Torque
 from ..model.values import Chain
-from ..power.balance import Balance, Solved, Term
+from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
-from .analysis import Acted, Cause, DeadCentre, Vanishing
+from .analysis import Cause, Vanishing
 from .breaks import divisors, may_vanish
+from .causes import across_of, cause
 from .ranges import moving_first, with_range
 from .tolerances import SAME_RATIO, VANISHED_SUM
 from .trends import is_free_of_zeros
@@ -88,7 +84,7 @@ def _of_sum(
     At what it shares it may have the higher order: cos(3t/2)/(1 - 2 cos t)² is infinite at 60°.
     """
     assert item.value is not None
-    cause = _cause(factor, (), item, balance, side)
+    why = cause(factor, (), item, balance, side)
     across = _roots_across(factor, item.value)
     shared = [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
     left = _without_shared(factor, across, shared, near)
@@ -97,11 +93,11 @@ def _of_sum(
         if isinstance(part, Trig):
             yield from _at_roots(part, item, balance, near, side, chain)
         elif may_vanish(part, near):
-            yield Vanishing(part.formula(), None, cause, _is_outside(part, balance), but)
+            yield Vanishing(part.formula(), None, why, _is_outside(part, balance), but)
     for root in shared:
         in_rest = any(order(Product.of(part), root.name, root.value) != 0 for part in left)
         if not in_rest and _has_order(item, root, near, side, chain):
-            there = _cause(root.factor, (root,), item, balance, side)
+            there = cause(root.factor, (root,), item, balance, side)
             yield _vanishing(root.factor, there, item, balance, near)
 
 
@@ -120,12 +116,12 @@ def _at_roots(
     """
     found = _roots(trig, item, balance, side)
     proved = [r for r in found if _has_order(item, r, near, side, chain)]
-    causes = [_cause(r.factor, (r,), item, balance, side) for r in proved]
+    causes = [cause(r.factor, (r,), item, balance, side) for r in proved]
     if len(proved) == len(found) and len({*causes}) == 1:
         yield _vanishing(trig, causes[0], item, balance, near)
     else:
-        for root, cause in zip(proved, causes, strict=True):
-            yield _vanishing(root.factor, cause, item, balance, near)
+        for root, why in zip(proved, causes, strict=True):
+            yield _vanishing(root.factor, why, item, balance, near)
     for root in found:
         if root not in proved:
             yield from _but_by_chance(root, item, balance, near, side)
@@ -134,7 +130,7 @@ def _at_roots(
 def _roots(trig: Trig, item: Solved, balance: Balance, side: int) -> list[Root]:
     """Return the roots of a sine or cosine that the value tells apart, or what stands still."""
     assert item.value is not None
-    across = _across_of(item, balance, side)
+    across = across_of(item, balance, side)
     return (roots(trig, item.value, across) if across else []) or roots(trig, item.value)
 
 
@@ -150,12 +146,12 @@ def _but_by_chance(
     across = [f for f, e in item.value.factors.items() if e * side < 0]
     nil = tuple(f.formula() for f in across if _is_nil(f, root, near))
     if nil and known is not None and known * side > 0:
-        cause = _cause(root.factor, (root,), item, balance, side)
-        yield Vanishing(root.factor.formula(), None, cause, _is_outside(root.factor, balance), nil)
+        why = cause(root.factor, (root,), item, balance, side)
+        yield Vanishing(root.factor.formula(), None, why, _is_outside(root.factor, balance), nil)
 
 
 def _vanishing(
-    trig: Trig, cause: Cause, item: Solved, balance: Balance, near: Mapping[str, float]
+    trig: Trig, why: Cause, item: Solved, balance: Balance, near: Mapping[str, float]
 ) -> Vanishing:
     """Return a condition solved for what moves; not for, nor by, what loops find."""
     mechanism = balance.plan.graph.pose.mechanism
@@ -163,7 +159,7 @@ def _vanishing(
     box = stroke_box(mechanism)
     at = None if found else vanishing_value(trig, near, box, moving_first(mechanism))
     but = tuple(t.formula() for t in _at_folds(trig, item, near))
-    return Vanishing(trig.formula(), at, cause, _is_outside(trig, balance), but)
+    return Vanishing(trig.formula(), at, why, _is_outside(trig, balance), but)
 
 
 def _at_folds(trig: Trig, item: Solved, near: Mapping[str, float]) -> list[Trig]:
@@ -285,64 +281,3 @@ def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
     x = root.value.evaluate(near)
     here, there = (abs(factor.evaluate({**near, root.name: x + h})) for h in (0, 1))
     return here < VANISHED_SUM * there
-
-
-def _cause(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Cause:
-    """Return whether the point of a load stands still or moves across it, if that is known."""
-    ratio = _across_of(item, balance, side)
-    if ratio is None:
-        return "other"
-    if ratio and not _vanishes(ratio, factor, at):
-        return "perpendicular load"
-    loads = {t.load.name: t.load for t in balance.terms}
-    still, moving = _still_and_moving(item, side)
-    return DeadCentre(_acted(loads[still]), _acted(loads[moving]))
-
-
-def _still_and_moving(item: Solved, side: int) -> tuple[str, str]:
-    """Return the load of which the power is zero, and the other one."""
-    return (item.below, item.above) if side > 0 else (item.above, item.below)
-
-
-def _across_of(item: Solved, balance: Balance, side: int) -> Product | None:
-    """Return the velocity of a load's point across it, per power of the other load.
-
-    0 for a torque, whose power is zero where its link stands still; None where there is no one
-    motion that both have a part in.
-    """
-    still, moving = _still_and_moving(item, side)
-    tied = {name for t in balance.terms if t.tie for name in (t.load.name, t.tie[0])}
-    if not still or still in tied or balance.plan.mobility != 1:
-        return None
-    terms = {t.load.name: t for t in balance.terms}
-    if not terms[moving].power[0]:
-        return None
-    across = _across(balance.plan, terms[still])
-    return canonical(across / terms[moving].power[0]) if across else across
-
-
-def _acted(load: Load) -> Acted:
-    """Return the point, link or pair that a load acts on."""
-    match load:
-        case Force():
-            return Acted(load.point)
-        case Torque():
-            return Acted(load.link)
-        case ForcePair():
-            return Acted(f"{load.first}{load.second}", is_distance=True)
-        case _:
-            assert_never(load)
-
-
-def _vanishes(ratio: Product, factor: Factor, at: Sequence[Root]) -> bool:
-    """Return whether a ratio is zero with a factor: by its order where that has roots."""
-    if at:
-        return all((order(ratio, root.name, root.value) or 0) > 0 for root in at)
-    return ratio.factors.get(factor, 0) > 0
-
-
-def _across(plan: Plan, term: Term) -> Product:
-    """Return the component of a load's point velocity across the load; 0 for a torque."""
-    if not isinstance(term.load, Force) or term.line is None:
-        return Product(0)
-    return plan.component(term.load.point, term.line + QUARTER)[0]

@@ -1,0 +1,89 @@
+"""Why a ratio of loads is zero or infinite: what stands still, or moves across its load."""
+
+from collections.abc import Sequence
+from typing import assert_never
+
+from ..algebra.factors import Factor
+from ..algebra.orders import Root, order
+from ..algebra.product import Product
+from ..algebra.sums import canonical
+from ..kinematics.forms import QUARTER
+from ..kinematics.plan import Plan
+from ..model.mechanism import Force, ForcePair, Load, Torque
+from ..power.balance import Balance, Solved, Term
+from .analysis import Acted, Cause, DeadCentre
+
+
+def cause(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Cause:
+    """Return whether the point of a load stands still or moves across it, if that is known."""
+    ratio = across_of(item, balance, side)
+    if ratio is None or not _is_theirs(factor, at, item, balance, side):
+        return "other"
+    if ratio and not _vanishes(ratio, factor, at):
+        return "perpendicular load"
+    loads = {t.load.name: t.load for t in balance.terms}
+    still, moving = _still_and_moving(item, side)
+    return DeadCentre(_acted(loads[still]), _acted(loads[moving]))
+
+
+def _is_theirs(
+    factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int
+) -> bool:
+    """Return whether the two loads do it by themselves, not one that is tied to the other.
+
+    With T = 0.3*F at D, a torque may stand still while D moves, and the point of F does not.
+    """
+    terms = {t.load.name: t for t in balance.terms}
+    still, moving = (terms[name] for name in _still_and_moving(item, side))
+    if not any(t.tie and t.tie[0] == moving.load.name for t in balance.terms):
+        return True
+    return _vanishes(canonical(still.power[0] / moving.power[0]), factor, at)
+
+
+def _still_and_moving(item: Solved, side: int) -> tuple[str, str]:
+    """Return the load of which the power is zero, and the other one."""
+    return (item.below, item.above) if side > 0 else (item.above, item.below)
+
+
+def across_of(item: Solved, balance: Balance, side: int) -> Product | None:
+    """Return the velocity of a load's point across it, per power of the other load.
+
+    0 for a torque, whose power is zero where its link stands still; None where there is no one
+    motion that both have a part in.
+    """
+    still, moving = _still_and_moving(item, side)
+    tied = {name for t in balance.terms if t.tie for name in (t.load.name, t.tie[0])}
+    if not still or still in tied or balance.plan.mobility != 1:
+        return None
+    terms = {t.load.name: t for t in balance.terms}
+    if not terms[moving].power[0]:
+        return None
+    across = _across(balance.plan, terms[still])
+    return canonical(across / terms[moving].power[0]) if across else across
+
+
+def _acted(load: Load) -> Acted:
+    """Return the point, link or pair that a load acts on."""
+    match load:
+        case Force():
+            return Acted(load.point)
+        case Torque():
+            return Acted(load.link)
+        case ForcePair():
+            return Acted(f"{load.first}{load.second}", is_distance=True)
+        case _:
+            assert_never(load)
+
+
+def _vanishes(ratio: Product, factor: Factor, at: Sequence[Root]) -> bool:
+    """Return whether a ratio is zero with a factor: by its order where that has roots."""
+    if at:
+        return all((order(ratio, root.name, root.value) or 0) > 0 for root in at)
+    return ratio.factors.get(factor, 0) > 0
+
+
+def _across(plan: Plan, term: Term) -> Product:
+    """Return the component of a load's point velocity across the load; 0 for a torque."""
+    if not isinstance(term.load, Force) or term.line is None:
+        return Product(0)
+    return plan.component(term.load.point, term.line + QUARTER)[0]
