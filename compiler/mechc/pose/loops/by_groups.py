@@ -44,7 +44,7 @@ def closed(state: State, directions: Directions, vectors: Vectors, report: Repor
     return Closed(
         mechanism=_with_solved(state.mechanism, state, report),
         found=frozenset(state.found),
-        rates=state.rates,
+        rates=state.rated.rates,
         limits=tuple(state.limits),
         loops=tuple(state.loops),
         left=left_open(state),

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ...algebra.angle import Angle, rational
 from ...algebra.derivative import derivative
-from ...algebra.determinant import determinant
+from ...algebra.determinant import determinant, with_column
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
@@ -31,14 +31,8 @@ def loop_rates(loops: Sequence[Vector], unknown: Sequence[str], known: Rates) ->
     if len(matrix) != len(unknown) or not (whole := determinant(matrix)):
         return {}
     return {
-        name: determinant(_replaced(matrix, i, right)) / whole for i, name in enumerate(unknown)
+        name: determinant(with_column(matrix, i, right)) / whole for i, name in enumerate(unknown)
     }
-
-
-def _replaced(
-    matrix: Sequence[Sequence[Product]], column: int, right: Sequence[Product]
-) -> list[list[Product]]:
-    return [[*row[:column], r, *row[column + 1 :]] for row, r in zip(matrix, right, strict=True)]
 
 
 def _single(loop: Vector, unknown: str, known: Rates) -> dict[str, Product]:

@@ -1,27 +1,22 @@
 """What closing the loops has found so far: definitions, directions, numbers."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from fractions import Fraction
 
 from ...algebra.angle import Angle
-from ...algebra.factors import Length
-from ...algebra.from_formula import to_product
-from ...algebra.sums import add
 from ...formula.names import another
-from ...formula.tree import Formula, Symbol
-from ...formula.walk import evaluate, substitute, symbols
+from ...formula.tree import Formula
+from ...formula.walk import evaluate
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ...units import LENGTH
 from ..pose import ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vector, turned_by
 from ..samples import Values, poses_nearby
 from ..terms import Terms
-from .continuation import given_rates, rate_of
+from .continuation import given_rates
 from .dyads import Closure
 from .guide_lines import GuideLine
-from .rates import loop_rates
-from .triangle import is_of_vector
-from .vector_graph import Edge, Names, VectorGraph, mentioned
+from .rated import Rated
+from .vector_graph import Edge, Names, VectorGraph
 
 MANY = 3
 """The angles that a direction is the sum of, from which on it keeps its name."""
@@ -30,8 +25,7 @@ MANY = 3
 class State:
     """The unknowns found, in order; ``values`` are the default pose and poses near it.
 
-    ``angles`` are the unknown directions, ``named`` the unknowns that the user named. What has no
-    rate does not move with the drive, but for the ``_unrated``, of which the rate is not known.
+    ``angles`` are the unknown directions, ``named`` the unknowns that the user named.
     """
 
     def __init__(
@@ -49,8 +43,7 @@ class State:
         self.directions: dict[str, Angle] = {}
         self.found: set[str] = set()
         drive = mechanism.drive.parameter if mechanism.drive else ""
-        self.rates = given_rates(terms.definitions, drive) if drive else {}
-        self._unrated: set[str] = set()
+        self.rated = Rated(given_rates(terms.definitions, drive) if drive else {})
         self.limits: list[Limit] = []
         self.loops: list[ClosedLoop] = []
         self.solved: list[SolvedLoop] = []
@@ -118,7 +111,8 @@ class State:
 
         ``kind`` and ``points`` are those of the loop that it closes.
         """
-        self._rate(closure, [turned_by(loop, closure.directions) for loop in loops])
+        moving = [turned_by(loop, closure.directions) for loop in loops]
+        self.rated.enter(closure.definitions, moving)
         self.values = [self.tried(closure, values) for values in self.values]
         self.definitions.extend(closure.definitions)
         directions = dict(closure.directions)
@@ -134,54 +128,6 @@ class State:
         names = (*(d.name for d in closure.definitions), *self._name_directions())
         self.solved.append(SolvedLoop(kind, points, names, turn))
 
-    def _rate(self, closure: Closure, loops: Sequence[Vector]) -> None:
-        """Enter the rates of what a closure finds; note what moves at a rate that is not known."""
-        met = frozenset().union(*map(mentioned, loops))
-        fresh = {d.name for d in closure.definitions} & met
-        if len(fresh) > 2 * len(loops):
-            fresh -= self._rate_turns(closure, fresh)
-        if self._unrated.isdisjoint(met):
-            self.rates |= loop_rates(loops, sorted(fresh), self.rates)
-        self._rate_twins(closure)
-        self._rates_by_one_name(closure)
-        for name, formula in closure.definitions:
-            rests = symbols(formula)
-            moves = any(self.rates.get(n) for n in rests) or not rests.isdisjoint(self._unrated)
-            if moves and name not in self.rates:
-                self._unrated.add(name)
-
-    def _rate_turns(self, closure: Closure, fresh: set[str]) -> set[str]:
-        """Enter the rates of directions that a known side has within its body; return the names.
-
-        No loop gives them: a side whose length passes zero is turned round there.
-        """
-        own = {d.name for d in closure.definitions}
-        found = {
-            name: rate_of(formula, self.rates)
-            for name, formula in closure.definitions
-            if name in fresh and is_of_vector(formula)
-            if symbols(formula).isdisjoint(own | self._unrated)
-        }
-        self.rates |= found
-        return found.keys() & fresh
-
-    def _rate_twins(self, closure: Closure) -> None:
-        """Enter the rates of sides of which what a loop gives is but a multiple."""
-        sides = {d.name for d in closure.definitions} - self.rates.keys()
-        for name, formula in closure.definitions:
-            value = to_product(formula)
-            match list(value.factors.items()):
-                case [(Length(twin), 1)] if name in self.rates and twin in sides:
-                    self.rates[twin] = self.rates[name].scaled(1 / Fraction(value.coefficient))
-
-    def _rates_by_one_name(self, closure: Closure) -> None:
-        """Write a side that is another one by the name of that one in all rates."""
-        twins = {d.name: d.formula for d in closure.definitions if isinstance(d.formula, Symbol)}
-        for name, rate in self.rates.items() if twins else ():
-            formula = rate.formula()
-            if not twins.keys().isdisjoint(symbols(formula)):
-                self.rates[name] = to_product(substitute(formula, twins))
-
     def _name_directions(self) -> Iterator[str]:
         """Name the directions that are sums of many angles, all of them known by now."""
         open_ = self.angles - self.found
@@ -193,10 +139,7 @@ class State:
 
     def _define_direction(self, name: str, angle: Angle) -> None:
         self.definitions.append(Definition(name, angle.formula()))
-        if not self._unrated.isdisjoint(angle.names):
-            self._unrated.add(name)
-        elif moving := [self.rates[n].scaled(c) for n, c in angle.terms if n in self.rates]:
-            self.rates[name] = add(moving)
+        self.rated.define(name, angle)
         for values in self.values:
             values[name] = angle.evaluate(values)
 

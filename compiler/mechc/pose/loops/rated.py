@@ -1,0 +1,83 @@
+"""How fast what closing the loops finds moves with the drive."""
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from ...algebra.angle import Angle
+from ...algebra.factors import Length
+from ...algebra.from_formula import to_product
+from ...algebra.product import Product
+from ...algebra.sums import add
+from ...formula.tree import Symbol
+from ...formula.walk import substitute, symbols
+from ..pose import Definition, Vector
+from .continuation import rate_of
+from .rates import loop_rates
+from .triangle import is_of_vector
+from .vector_graph import mentioned
+
+
+class Rated:
+    """The rates found so far, per unit of the drive.
+
+    What has no rate does not move, but for the ``unknown``, of which the rate is not known.
+    """
+
+    def __init__(self, given: Mapping[str, Product]) -> None:
+        self.rates = dict(given)
+        self.unknown: set[str] = set()
+
+    def define(self, name: str, angle: Angle) -> None:
+        """Enter the rate of a name that a sum of angles has got."""
+        if not self.unknown.isdisjoint(angle.names):
+            self.unknown.add(name)
+        elif moving := [self.rates[n].scaled(c) for n, c in angle.terms if n in self.rates]:
+            self.rates[name] = add(moving)
+
+    def enter(self, found: Sequence[Definition], loops: Sequence[Vector]) -> None:
+        """Enter the rates of what closing loops found; note what moves at one that is not known."""
+        met = frozenset().union(*map(mentioned, loops))
+        fresh = {d.name for d in found} & met
+        if len(fresh) > 2 * len(loops):
+            fresh -= self._rate_turns(found, fresh)
+        if self.unknown.isdisjoint(met):
+            self.rates |= loop_rates(loops, sorted(fresh), self.rates)
+        self._rate_twins(found)
+        self._rates_by_one_name(found)
+        for name, formula in found:
+            rests = symbols(formula)
+            moves = any(self.rates.get(n) for n in rests) or not rests.isdisjoint(self.unknown)
+            if moves and name not in self.rates:
+                self.unknown.add(name)
+
+    def _rate_turns(self, found: Sequence[Definition], fresh: set[str]) -> set[str]:
+        """Enter the rates of directions that a known side has within its body; return the names.
+
+        No loop gives them: a side whose length passes zero is turned round there.
+        """
+        own = {d.name for d in found}
+        turns = {
+            name: rate_of(formula, self.rates)
+            for name, formula in found
+            if name in fresh and is_of_vector(formula)
+            if symbols(formula).isdisjoint(own | self.unknown)
+        }
+        self.rates |= turns
+        return turns.keys() & fresh
+
+    def _rate_twins(self, found: Sequence[Definition]) -> None:
+        """Enter the rates of sides of which what a loop gives is but a multiple."""
+        sides = {d.name for d in found} - self.rates.keys()
+        for name, formula in found:
+            value = to_product(formula)
+            match list(value.factors.items()):
+                case [(Length(twin), 1)] if name in self.rates and twin in sides:
+                    self.rates[twin] = self.rates[name].scaled(1 / Fraction(value.coefficient))
+
+    def _rates_by_one_name(self, found: Sequence[Definition]) -> None:
+        """Write a side that is another one by the name of that one in all rates."""
+        twins = {d.name: d.formula for d in found if isinstance(d.formula, Symbol)}
+        for name, rate in self.rates.items() if twins else ():
+            formula = rate.formula()
+            if not twins.keys().isdisjoint(symbols(formula)):
+                self.rates[name] = to_product(substitute(formula, twins))
