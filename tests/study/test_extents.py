@@ -88,6 +88,19 @@ def test_a_ratio_that_turns_in_a_range_is_least_and_greatest_where_it_is_said_to
     assert "the least k is 4.1915 mm, at phi = 150 deg" in said
 
 
+def test_a_ratio_of_speeds_is_followed_as_one_of_loads_is():
+    compilation = of_library("triple_rocker.mech")
+    k, i = compilation.reported.results
+    (extent,) = i.extents
+    assert extent.looked
+    assert extent.zeros == extent.poles == ()
+    assert (extent.least.x, extent.greatest.x) == (k.extents[0].least.x, k.extents[0].greatest.x)
+    assert list(refuted(compilation)) == []
+    rocker = of_library("crank_rocker.mech").reported.results
+    zeros = [result.extents[0].zeros for result in rocker]
+    assert zeros[0] == pytest.approx(zeros[1])
+
+
 def test_what_is_said_along_random_strokes():
     assert hold(range(6)) > 1
 

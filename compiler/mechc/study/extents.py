@@ -7,7 +7,7 @@ from ..diagnostics import Report
 from ..formula.roots import lowest, spaced
 from ..friction.solution import Solution
 from ..frozen import replace
-from ..model.mechanism import Drive, LoadRatio
+from ..model.mechanism import Drive, LoadRatio, SpeedRatio
 from ..model.values import range_of
 from .analysis import Analysis, Extent, Extreme
 from .ranges import moved, scale_of, unit_of
@@ -43,7 +43,8 @@ def _turned(solution: Solution, results: Sequence[Analysis]) -> dict[str, list[A
     closed = {definition.name for definition in pose.definitions}
     found: dict[str, list[Analysis]] = {}
     for result in results:
-        if isinstance(result.target, LoadRatio) and any(d.name in closed for d in result.where):
+        is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
+        if is_ratio and any(d.name in closed for d in result.where):
             for name in moved(pose.mechanism, [result]):
                 if name in pose.free and range_of(name, pose.mechanism) is not None:
                     found.setdefault(name, []).append(result)
@@ -66,7 +67,8 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
     Nothing where it may be infinite there.
     """
     bounded = all(pole.outside for pole in result.poles) and not result.breaks
-    if not isinstance(result.target, LoadRatio) or not bounded or result.default is None:
+    is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
+    if not is_ratio or not bounded or result.default is None:
         return
     mechanism = solution.plan.graph.pose.mechanism
     for name, trend in (result.trends or {}).items():

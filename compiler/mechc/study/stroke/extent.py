@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from ...diagnostics import Report
 from ...friction.solution import Solution
-from ...model.mechanism import LoadRatio
+from ...model.mechanism import LoadRatio, SpeedRatio
 from ...model.values import range_of
 from ...units import ANGLE
 from ..analysis import Analysis, Extent, Extreme
@@ -24,7 +24,7 @@ def along_the_stroke(
     Nothing where there is no stroke.
     """
     mechanism = solution.plan.graph.pose.mechanism
-    ratios = [r for r in results if isinstance(r.target, LoadRatio)]
+    ratios = [r for r in results if isinstance(r.target, LoadRatio | SpeedRatio)]
     drive = mechanism.drive
     if not ratios or drive is None or range_of(drive.parameter, mechanism) is None:
         return {}

@@ -6,7 +6,7 @@ from itertools import product
 from typing import Literal
 
 from ...formula.roots import lowest, roots
-from ...model.mechanism import LoadRatio
+from ...model.mechanism import LoadRatio, SpeedRatio
 from ..analysis import Analysis
 from ..tolerances import BRANCH_POINT, CONSTANT
 from .along import Along
@@ -62,13 +62,13 @@ def _on_stretch(
 def _poles(run: Run, result: Analysis, singular: Sequence[Singular]) -> list[float]:
     """Return where a result is infinite, or what it is with friction."""
     ideal = getattr(result.target, "of", result.target)
-    names = {ratio.name for ratio in run.ratios if ratio.target == ideal}
+    names = {ratio.name for ratio in run.quotients if ratio.target == ideal}
     return [s.drive for s in singular if s.result in names and s.value == "infinite"]
 
 
 def _own_poles(run: Run, result: Analysis, stretch: StrokeInterval) -> list[float]:
     """Return where a result that is no ratio of loads is infinite on a stretch."""
-    if isinstance(result.target, LoadRatio):
+    if isinstance(result.target, LoadRatio | SpeedRatio):
         return []
     grid = run.within(stretch)
     return [

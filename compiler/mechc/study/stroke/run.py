@@ -7,7 +7,7 @@ from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...frozen import frozen
-from ...model.mechanism import LoadRatio, Mechanism, Parameter
+from ...model.mechanism import LoadRatio, Mechanism, Parameter, SpeedRatio
 from ...pose.pose import Pose
 from ..analysis import Analysis
 from .along import Along
@@ -49,6 +49,11 @@ class Run:
     def ratios(self) -> list[Analysis]:
         """Return the results that are ratios of loads."""
         return [result for result in self.results if isinstance(result.target, LoadRatio)]
+
+    @property
+    def quotients(self) -> list[Analysis]:
+        """Return the results that are ratios of loads or of speeds."""
+        return [r for r in self.results if isinstance(r.target, LoadRatio | SpeedRatio)]
 
     def values(self, formula: Formula, of: Analysis) -> Callable[[float], float]:
         """Return a formula of a result as a function of the drive."""

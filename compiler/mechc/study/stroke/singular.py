@@ -34,8 +34,8 @@ GROWS = 5.0
 def singular_along(
     run: Run, stretches: Sequence[StrokeInterval], branches: Sequence[Branch]
 ) -> tuple[Singular, ...]:
-    """Return the singular poses of every ratio of loads along a stroke."""
-    ratios = run.ratios
+    """Return the singular poses of every ratio of loads, or of speeds, along a stroke."""
+    ratios = run.quotients
     found = [
         pose
         for stretch in stretches
