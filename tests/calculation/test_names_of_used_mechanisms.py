@@ -42,6 +42,8 @@ def sheet(folder: Path, line: str) -> Path:
         ("C_R_P_f_y", "did you mean 'C_R_P_y_f'?"),
         ("C_R_O", "bent.mech gives it once it has a line `find R_O`; as it is, it gives C_R_P"),
         ("C_N_KA", "bent.mech gives it once it has a line `find N_KA`"),
+        ("C_len_KA", "with a line `let q = len_KA` bent.mech gives it as 'C_q'"),
+        ("C_y_J", "with a line `let q = y_J` bent.mech gives it as 'C_q'"),
     ],
 )
 def test_a_force_by_another_name(tmp_path: Path, asked: str, hint: str) -> None:
@@ -56,3 +58,15 @@ def test_a_force_has_a_reserve(tmp_path: Path) -> None:
     compilation = Compilation(files.read(path))
     (check,) = note(compilation.mechanism, compilation.results).checks
     assert check.reserve == pytest.approx(9e3 / mechc.load(path).evaluate()["C_R_P_f"])
+
+
+def test_a_number_of_the_drawing_is_given_by_a_let(tmp_path: Path) -> None:
+    """It is a constant under its name there: its row is no fault."""
+    path = sheet(tmp_path, "let a = 2*C_q in mm")
+    (tmp_path / "bent.mech").write_text(f"{BENT}let q = len_OJ in mm\n", "utf-8")
+    compilation = Compilation(files.read(path))
+    rows = {line.name: line for line in note(compilation.mechanism, compilation.results).lines}
+    value = rows["C_q"].value
+    assert not rows["C_q"].is_number
+    assert value
+    assert value.text(6) == "110.653 mm"

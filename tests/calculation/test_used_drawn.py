@@ -92,3 +92,17 @@ def test_a_failed_requirement_on_a_drawn_mechanism_writes_nothing(tmp_path: Path
     with pytest.raises(MechcError) as refused:
         mechc.load(path)
     assert [d.code for d in refused.value.diagnostics] == ["E550"]
+
+
+def test_a_weight_is_given_by_a_let(tmp_path: Path) -> None:
+    """It has the value of its mass; without the line a hint says so."""
+    used = TIPPER.format(low="4 deg", high="40 deg")
+    path = written(tmp_path, used)
+    path.write_text(path.read_text() + "let w = T_W\n")
+    with pytest.raises(MechcError) as refused:
+        mechc.load(path)
+    (found,) = refused.value.diagnostics
+    assert found.hint == "with a line `let q = W` used.mech gives it as 'T_q'"
+    path = written(tmp_path, f"{used}let q = W in kN\n")
+    assert mechc.load(path).evaluate()["T_q"] == pytest.approx(1500 * 9.80665)
+    assert mechc.load(tmp_path / "used.mech").evaluate()["q"] == pytest.approx(1500 * 9.80665)

@@ -10,7 +10,7 @@ from ..formula.tree import Formula
 from ..formula.walk import reached, symbols
 from ..frozen import replace
 from ..kinematics.plan import Plan
-from ..model.mechanism import Let, LoadForm
+from ..model.mechanism import Let, LoadForm, Mechanism
 from ..model.result import Definition, Result
 from ..model.values import Chain
 from ..pose.pose import Pose
@@ -77,7 +77,7 @@ def let_results(pose: Pose, results: Sequence[Result], report: Report) -> Iterat
     where one rests on loads each of which is found from the other.
     """
     mechanism = pose.mechanism
-    lets = {let.name: let.value for let in mechanism.lets}
+    lets = _tied(mechanism, results) | {let.name: let.value for let in mechanism.lets}
     needs = _needs(results, lets)
     if sum(map(len, needs.values())) > MOST_STEPS:
         longest = max(mechanism.lets, key=lambda let: len(needs[let.name]))
@@ -93,6 +93,12 @@ def let_results(pose: Pose, results: Sequence[Result], report: Report) -> Iterat
             changed = _let(let, pose, other[let.name], [r.elsewhere or r for r in used])
             found = replace(found, elsewhere=changed)
         yield found
+
+
+def _tied(mechanism: Mechanism, results: Iterable[Result]) -> dict[str, Formula]:
+    """Return the formulas of loads that have one, such as weights, and are not found otherwise."""
+    found = {result.name for result in results}
+    return {k.name: k.tie for k in mechanism.loads if k.tie is not None and k.name not in found}
 
 
 def _refuse_circles(

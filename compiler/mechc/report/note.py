@@ -66,7 +66,7 @@ class NoteLine(NamedTuple):
         match self.formula:
             case Number():
                 return True
-            case Constant(name) | Product((Number(-1), Constant(name))):
+            case Constant(name) | Product((Number(-1), Constant(name))) if name[0].isdigit():
                 return self.value is None or split_quantity(name)[1] in ("", self.value.unit)
             case _:
                 return False

@@ -84,6 +84,11 @@ def found_if_asked(used: str, result: str, alike: Sequence[str]) -> str:
     return f"{used} gives it once it has a line `find {result}`{has}"
 
 
+def named_by_a_let(used: str, prefix: str, quantity: str) -> str:
+    """Return the hint at what a used mechanism has by itself: a length, a place, a weight."""
+    return f"with a line `let q = {quantity}` {used} gives it as '{prefix}_q'"
+
+
 def without_friction(used: str) -> str:
     """Return the hint at a result with friction of a used mechanism that has none."""
     return f"{used} has no friction"

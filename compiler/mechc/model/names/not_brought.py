@@ -4,10 +4,14 @@ from collections.abc import Collection, Iterable, Mapping
 
 from ...diagnostics.model import names as messages
 from ...syntax import ast
-from .forms import Form, form_of
+from .forms import COORDINATES, Form, form_of, form_of_pose
 
 ENDINGS = ("_f1", "_hold", "_f")
 """What the names of loads and results with friction end with."""
+
+
+OF_THE_POSE = frozenset({"phi", "len", *COORDINATES})
+"""The quantities that a mechanism has without being asked."""
 
 
 def of_a_use(name: str, brought: Mapping[str, ast.Brought]) -> ast.Brought | None:
@@ -30,7 +34,9 @@ def reason(name: str, use: ast.Brought, known: Collection[str]) -> str:
     at_links = [each for each in known if each.startswith(begins) and each.endswith(ending)]
     if at_links:
         return messages.meant(min(at_links, key=len))
-    form = form_of(ideal)
+    form = form_of_pose(ideal)
+    if ideal in use.inner or (form and form.prefix in OF_THE_POSE):
+        return messages.named_by_a_let(use.used, use.prefix, ideal)
     return messages.found_if_asked(use.used, ideal, _alike(form, use, known)) if form else ""
 
 

@@ -113,7 +113,9 @@ class _Composing:
         names = {name.text for statement in found for name in declared(statement)}
         prefix = use.prefix.text
         loads = tuple(name for name in used.loads if f"{prefix}_{name}" not in names)
-        return ast.Brought(use.span, prefix, use.used.text, loads), *found
+        own = (load.name for load in used.mechanism.loads if load.name not in used.loads)
+        inner = tuple(name for name in own if f"{prefix}_{name}" not in names)
+        return ast.Brought(use.span, prefix, use.used.text, loads, inner), *found
 
     def _part(self, use: ast.Use, used: Used) -> Sequence[ast.Statement] | None:
         parts = [s for part in self._parts.values() for s in part.statements]
