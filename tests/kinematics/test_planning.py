@@ -6,9 +6,11 @@ from itertools import pairwise
 import pytest
 
 from mechc.algebra.angle import Angle
+from mechc.algebra.factors import Constant
 from mechc.algebra.product import ONE, ZERO, Bound, Product
 from mechc.algebra.sums import add
 from mechc.diagnostics import MechcError, Report
+from mechc.formula.tree import Number
 from mechc.frozen import replace
 from mechc.kinematics.from_pose import plan_velocities
 from mechc.kinematics.graph import Graph, Kind, Relation, Rule, Unknown
@@ -187,12 +189,22 @@ def test_a_guide_is_named_by_its_point():
 
 def test_a_speed_that_was_met_before_is_known_again_with_its_sign():
     a, b = Product.symbol("a"), Product.symbol("b")
-    memory = Memory()
+    memory = Memory((0,), ())
     memory.note(0, (ONE,))
     memory.note(1, (a / b,))
     assert memory.recall({0: a, 2: b}, 2) == (-a / b,)
     assert memory.recall({0: -a, 2: b}, 2) == (a / b,)
     assert memory.recall({0: b, 2: a}, 2) is None
+
+
+def test_an_angular_velocity_is_no_speed_whatever_the_numbers():
+    """An arm of a metre: V = r·ω is ω by number, and r is not 1."""
+    arm = Product.of(Constant("r", Number(1)))
+    memory = Memory((0,), {0})
+    memory.note(0, (ONE,))
+    assert memory.recall({0: -arm, 1: ONE}, 1) is None
+    memory.note(1, (arm,))
+    assert memory.recall({0: -arm, 2: ONE}, 2) == (arm,)
 
 
 def long_sum(*letters):

@@ -94,7 +94,7 @@ def _solved(
     matched = match(columns)
     speeds: dict[int, Speeds] = {d: tuple(ONE if d == e else ZERO for e in drives) for d in drives}
     binder = Binder(taken.union(p.name for p in graph.pose.mechanism.parameters))
-    memory = Memory()
+    memory = Memory(drives, {*graph.spins.values()})
     for drive in drives:
         memory.note(drive, speeds[drive])
     steps: list[Block] = []

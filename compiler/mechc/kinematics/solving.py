@@ -1,6 +1,6 @@
 """Solving a block: single steps by division, larger ones by determinants."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from ..algebra.determinant import determinant, with_column
 from ..algebra.modular import PRIME, Point
@@ -19,34 +19,48 @@ class Memory:
     A new speed's value there follows from its relation in a few multiplications. If an
     earlier speed has the same, the two are equal, and the earlier form is taken, however
     long the sums that would have to cancel to show it.
+
+    Named numbers have their values there: an angular velocity of ``spins`` and a speed that
+    are equal by number, on an arm of one metre, are not the same. Speeds are by those of the
+    ``drives``, in their order.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, drives: Sequence[int], spins: Collection[int]) -> None:
         self._point = Point()
+        self._drives, self._spins = drives, spins
         self._residues: dict[int, tuple[int, ...]] = {}
-        self._met: dict[int, Product] = {0: ZERO}
+        self._met: dict[tuple[int, int], Product] = {}
 
     def note(self, unknown: int, speeds: Speeds) -> None:
         """Remember a solved speed."""
         residues = tuple(s.residue(self._point) for s in speeds)
         self._residues[unknown] = residues
-        for residue, speed in zip(residues, speeds, strict=True):
-            self._met.setdefault(residue, speed)
-            self._met.setdefault(-residue % PRIME, -speed)
+        for drive, residue, speed in zip(self._drives, residues, speeds, strict=True):
+            metres = self._metres(unknown, drive)
+            self._met.setdefault((metres, residue), speed)
+            self._met.setdefault((metres, -residue % PRIME), -speed)
 
     def recall(self, form: Form, unknown: int) -> Speeds | None:
         """Return the speed that a relation gives, if all its parts are known already."""
         lead = form[unknown].residue(self._point)
         if not lead:
             return None
-        sums = [0] * len(next(iter(self._residues.values())))
+        sums = [0] * len(self._drives)
         for u, size in form.items():
             if u != unknown:
                 part = size.residue(self._point)
                 sums = [s - part * r for s, r in zip(sums, self._residues[u], strict=True)]
         inverse = pow(lead, -1, PRIME)
-        known = [self._met.get(s * inverse % PRIME) for s in sums]
+        values = zip(self._drives, (s * inverse % PRIME for s in sums), strict=True)
+        known = [self._known(self._metres(unknown, drive), value) for drive, value in values]
         return tuple(k for k in known if k is not None) if None not in known else None
+
+    def _known(self, metres: int, residue: int) -> Product | None:
+        return self._met.get((metres, residue)) if residue else ZERO
+
+    def _metres(self, unknown: int, drive: int) -> int:
+        """Return the power of a length that a speed is by that of a drive."""
+        return (drive in self._spins) - (unknown in self._spins)
 
 
 class Binder:
