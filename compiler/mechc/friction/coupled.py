@@ -13,7 +13,7 @@ passes zero the drive would need to be infinitely strong, and behind it the load
 reversed: nothing balances. Nor does anything where the branch of solutions ends on the way.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Sequence, Set
 from fractions import Fraction
 
 from ..formula.names import another
@@ -34,6 +34,7 @@ from ..formula.tree import (
 from ..frozen import frozen
 from ..model.result import Definition
 from ..named import NamedTuple
+from .naming import Sizes
 from .normal_forces import Component, LoadedPair
 
 NOTHING = number(Fraction(1, 10**30))
@@ -52,24 +53,6 @@ Near a dead centre forces of 1e7 times their sum may cancel, so that Newton's co
 to shrink by rounding, as they do where the branch of solutions ends. Code in single precision
 has a limit of its own by this one's digits (``emit.c.real``).
 """
-
-
-@frozen
-class Sizes:
-    """The names of the true sizes of pressing forces, by pair, and what they rest on.
-
-    They balance where ``positive`` is so.
-    """
-
-    names: Mapping[str, str]
-    definitions: tuple[Definition, ...]
-    sense: int
-    positive: tuple[Formula, ...]
-
-    @property
-    def inside(self) -> frozenset[str]:
-        """Return all names of the system, its many coefficients among them."""
-        return frozenset(definition.name for definition in self.definitions)
 
 
 class Share(NamedTuple):

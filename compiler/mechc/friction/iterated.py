@@ -16,7 +16,7 @@ from ..named import NamedTuple
 from ..power.joint_forces import size_of
 from ..power.speeds import even, magnitude
 from .closed_form import Named, Printed, readable, sorted_conditions
-from .coupled import Sizes
+from .naming import Sizes
 from .normal_forces import LoadedPair
 from .pairs import FrictionPair, radii, reduced
 from .signs import AtOnePose, is_root

@@ -16,8 +16,8 @@ from ..power.definitions import bound_sums
 from ..power.joint_forces import component, joint_of, line_of
 from ..power.reactions import Reactions
 from .closed_form import Named, Printed, conditions
-from .coupled import Sizes
 from .iterated import named_factor
+from .naming import Sizes
 from .normal_forces import LoadedPair, load_of, term_of
 from .pairs import FrictionPair, radii
 from .signs import AtOnePose

@@ -13,11 +13,11 @@ from ..power.numbers import value_of
 from ..power.speeds import magnitude
 from .case import Case, case_of_loads, without_friction
 from .closed_form import ClosedFormSolver, Named, closed_form, printed_form
-from .coupled import Sizes
 from .efficiency import Drives
 from .free_bodies import EquationsCoupled
 from .iterated import exact, exact_case, first_order, first_order_case
 from .linear import LinearSolver
+from .naming import Sizes
 from .normal_forces import LoadedPair, scaled
 from .problem import Loaded, Problem
 from .results import result_of

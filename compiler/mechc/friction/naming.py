@@ -5,15 +5,33 @@ name stands for something else already, it gets an ending: ``S_AB_hold``, or ``S
 results of a ratio m.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.from_formula import to_product
 from ..algebra.sums import canonical
 from ..formula.tree import Call, Formula, Symbol
 from ..formula.walk import substitute
+from ..frozen import frozen
 from ..model.mechanism import Sense
 from ..model.result import Definition
-from .coupled import Sizes
+
+
+@frozen
+class Sizes:
+    """The names of the true sizes of pressing forces, by pair, and what they rest on.
+
+    They balance where ``positive`` is so.
+    """
+
+    names: Mapping[str, str]
+    definitions: tuple[Definition, ...]
+    sense: int
+    positive: tuple[Formula, ...]
+
+    @property
+    def inside(self) -> frozenset[str]:
+        """Return all names of the system, its many coefficients among them."""
+        return frozenset(definition.name for definition in self.definitions)
 
 
 class Meanings:

@@ -14,10 +14,10 @@ from ..power.reactions import Reactions
 from .assumptions import assumptions
 from .case import Case
 from .closed_form import Named
-from .coupled import Coupled, Sizes, coupled, true_sizes
+from .coupled import Coupled, coupled, true_sizes
 from .default import DefaultPose
 from .free_bodies import Bodies, Task, cut_free
-from .naming import Endings, Meanings, with_one_meaning
+from .naming import Endings, Meanings, Sizes, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, LoadedPair, Undetermined, loaded_pairs
 from .pairs import pairs
 from .unsuited import unsuited
