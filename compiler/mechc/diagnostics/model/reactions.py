@@ -35,10 +35,10 @@ def point_of_another(span: Span, point: str, link: str) -> Message:
 
 
 @coded("E252")
-def no_joint(span: Span, point: str, link: str) -> Message:
+def no_joint(span: Span, point: str, link: str, fall: str) -> Message:
     """The force of a joint is asked for where nothing is joined to the link.
 
-    A load that acts there is not a force of a joint.
+    A load that acts there is not a force of a joint, nor is the tension of a rope.
 
         link OA
         force F at A along y
@@ -46,7 +46,8 @@ def no_joint(span: Span, point: str, link: str) -> Message:
         find R_O           # right
     """
     message = f"nothing is joined to link {link} at {point}, so no joint exerts a force there"
-    return Message(span, message, "a load that acts there is known by its own name")
+    load = "a load that acts there is known by its own name"
+    return Message(span, message, f"a rope has a tension: 'find N_{fall}'" if fall else load)
 
 
 @coded("E253")

@@ -64,7 +64,8 @@ def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -
     bodies = [*points.slides, *points.telescopes]
     joined = len(points.carried[point]) > 1 or any(point in ends for ends in bodies)
     if not joined and point not in points.fixed | points.guided | points.touching.keys():
-        scope.report.add(messages.no_joint(symbol.span, point, link.name))
+        fall = next(("".join(sorted(ends)) for ends in points.falls if point in ends), "")
+        scope.report.add(messages.no_joint(symbol.span, point, link.name, fall))
         return False
     return True
 
