@@ -1,21 +1,16 @@
 """Files in and out: descriptions read with limits, outputs written whole or not at all."""
 
-import errno
 import os
-import stat
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from itertools import count
 from pathlib import Path, PurePosixPath
-from typing import BinaryIO
 
-from . import witness
+from . import witness, written
 from .data import data
 from .diagnostics import MechcError, near_miss, syntax_limits
 from .diagnostics import files as messages
 from .frozen import replace
-from .named import NamedTuple
 from .source import Source, Span
 
 LARGEST = 1 << 20
@@ -174,81 +169,23 @@ def make_folder(path: Path) -> None:
         raise MechcError([messages.file_unwritable(str(path), reason(error))]) from None
 
 
-class _Pending(NamedTuple):
-    temporary: Path
-    target: Path
-
-
 def write_all(files: Mapping[Path, str | bytes]) -> None:
-    """Write all files or none: each into a temporary file beside its place, then moved.
+    """Write all files or none, as :func:`~.written.write_whole` does.
 
-    Raises :class:`MechcError` (E904) where one cannot be written; files of an earlier
-    run are then as they were. A device or a pipe (``/dev/stdout``) is written directly.
+    Raises :class:`MechcError` (E904) where one cannot be written.
     """
-    pending: list[_Pending] = []
-    try:
-        for path, content in files.items():
-            pending.extend(_prepare(path, _encoded(content)))
-        for temporary, target in pending:
-            temporary.replace(target)
-        for path, content in files.items():
-            witness.report("wrote", str(path), _encoded(content))
-    except OSError as error:
-        raise MechcError([messages.file_unwritable(str(path), reason(error))]) from None
-    finally:
-        for temporary, _ in pending:
-            temporary.unlink(missing_ok=True)
-
-
-def could_write(files: Mapping[str, bytes]) -> bool:
-    """Write all files or none; return whether that could be done."""
-    try:
-        write_all({Path(path): content for path, content in files.items()})
-    except MechcError:
-        return False
-    return True
+    contents = {str(path): _encoded(content) for path, content in files.items()}
+    if failure := written.write_whole(contents):
+        path, error = failure
+        raise MechcError([messages.file_unwritable(path, reason(error))])
+    for path, content in contents.items():
+        witness.report("wrote", path, content)
 
 
 def resolved(path: Path) -> Path:
-    """Return a path with its links followed; ``OSError`` where these form a cycle.
-
-    Python before 3.13 has an error of its own for these.
-    """
-    try:
-        return path.resolve()
-    except RuntimeError:
-        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(path)) from None
+    """Return a path with its links followed; ``OSError`` where these form a cycle."""
+    return Path(written.resolved(str(path)))
 
 
 def _encoded(content: str | bytes) -> bytes:
     return content if isinstance(content, bytes) else content.encode("utf-8", "surrogateescape")
-
-
-def _prepare(path: Path, content: bytes) -> Iterator[_Pending]:
-    target = resolved(path)
-    if target.exists() and not target.is_file():
-        target.write_bytes(content)
-        return
-    with temporary(target) as file:
-        made = Path(file.name)
-        yield _Pending(made, target)
-        file.write(content)
-    made.chmod(_mode(target))
-
-
-def temporary(target: Path) -> BinaryIO:
-    """Return a new file beside another, open for writing, that its owner alone can read."""
-    attempts = count()
-    while True:
-        name = target.with_name(f".{target.name}.{os.getpid()}-{next(attempts)}")
-        with suppress(FileExistsError):
-            return open(name, "xb", opener=lambda path, flags: os.open(path, flags, 0o600))
-
-
-def _mode(target: Path) -> int:
-    """Return the permissions of the file replaced, or those a new file gets."""
-    if target.exists():
-        return stat.S_IMODE(target.stat().st_mode)
-    mask = os.umask(0)
-    os.umask(mask)
-    return 0o666 & ~mask

@@ -13,6 +13,7 @@ BASE = [
     "named",
     "version",
     "kept",
+    "written",
     "witness",
     "frozen",
     "source",

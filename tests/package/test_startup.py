@@ -91,7 +91,7 @@ def test_what_was_answered_before_needs_no_compiler(
     assert "mechc.driver" in imports(*command)
     again = {name for name in imports(*command) if name.startswith(("mechc", "click", "json"))}
     assert again == {
-        *("mechc", "mechc.version", "mechc.kept", "mechc.later"),
+        *("mechc", "mechc.version", "mechc.kept", "mechc.later", "mechc.written"),
         *("mechc.cli", "mechc.cli.main", "mechc.cli.answers"),
     }
 

@@ -14,9 +14,9 @@ import os
 import stat
 import sys
 import zlib
-from importlib import import_module
 
 from ..kept import folder as folder
+from ..written import write_whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ def give(answer: Answer) -> int | None:
     """
     status, events = answer
     written = {path: content for what, path, content in events if what == "wrote"}
-    if written and not import_module("mechc.files").could_write(written):
+    if write_whole(written):
         return None
     streams = {"out": sys.stdout, "err": sys.stderr}
     for what, _, content in events:

@@ -5,7 +5,7 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from ..files import temporary
+from ..written import temporary
 from .answers import SUFFIX, Event, checksum, folder, place
 
 LARGEST = 4 << 20
@@ -38,7 +38,7 @@ def keep(asked: bytes, status: int, events: list[Event]) -> None:
 def _put(path: Path, content: bytes) -> None:
     """Write an answer, for its owner only; whoever reads meanwhile finds the old one, or none."""
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    with temporary(path) as file:
+    with temporary(str(path)) as file:
         try:
             file.write(content)
             file.close()
