@@ -2,21 +2,20 @@
 
 On each pair of surfaces friction is its factor times the force that equilibrium gives
 there, against the slip. What the pressing forces are depends on friction again: see
-:mod:`.friction_sizes`. Slips have their signs from statics too (see
-:mod:`.speeds`): by the motion in which the driving load does work.
+:mod:`.friction_sizes`. Slips have their signs from statics too: by the motion in which the
+driving load does work.
 """
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.targets import SIGNS
 from ..named import NamedTuple
-from . import speeds
 from .answers import Answer
-from .assembly import Action, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
 from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
@@ -131,10 +130,10 @@ def _loaded(
     ideal = question.factors.solve(right)
     if question.factors.gap(ideal, right) > INCONSISTENT:
         return UNBALANCED
-    reference = tuple(_drive(unfolding, tied, drive.base))
-    senses = tuple(-SIGNS[sense] * _slip(unfolding, pair, reference) for pair in pairs)
-    rows = (_against(question, *each) for each in zip(pairs, senses, strict=True))
-    responses = [question.factors.solve(row) for row in rows]
+    responses = [question.factors.solve(_against(question, pair, 1.0)) for pair in pairs]
+    slips = map(partial(_slip, question), pairs, responses)
+    senses = tuple(-SIGNS[sense] * slip for slip in slips)
+    responses = [[s * x for x in r] for s, r in zip(senses, responses, strict=True)]
     thrusts = {p.name: _size(p.thrust, unfolding, tied, given) for p in pairs if p.thrust}
     pressed = _pressed(question, pairs, senses, (ideal, thrusts), responses)
     return Loaded(question, right, pairs, senses, pressed)
@@ -158,13 +157,6 @@ def _size(
     bases = {tied[load].base: size / tied[load].factor for load, size in given.items()}
     loads = {n: bases[tie.base] * tie.factor for n, tie in tied.items() if tie.base in bases}
     return evaluate(thrust, {**unfolding.values, **loads})
-
-
-def _drive(unfolding: Unfolding, tied: Mapping[str, Tie], base: str) -> Iterator[Action]:
-    """Yield the actions of a unit of the driving load, with the loads that are tied to it."""
-    for name, actions in unfolding.assembly().loads.items():
-        if tied[name].base == base:
-            yield from (scaled(action, tied[name].factor) for action in actions)
 
 
 def _weights(
@@ -208,10 +200,16 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Questi
     return Question(system, columns, factor(rows, last + 1, last), last, units[drive])
 
 
-def _slip(unfolding: Unfolding, pair: Pair, reference: tuple[Action, ...]) -> float:
-    """Return the sign of a pair's slip as the driving load moves along its arrow."""
-    slip = speeds.dual_speed(unfolding, pair.actions, reference).value
-    return math.copysign(1.0, slip) if abs(slip) > NO_SLIP else 0.0
+def _slip(question: Question, pair: Pair, response: Found) -> float:
+    """Return the sign of a pair's slip as the driving load moves along its arrow.
+
+    That load balances a friction of 1 alone, so that the slip is minus its size, as :mod:`.speeds`
+    has it.
+    """
+    right, slip = _against(question, pair, 1.0), -question.unit * response[question.drive]
+    sound = all(map(math.isfinite, response))
+    sound = sound and question.factors.gap(response, right) <= INCONSISTENT
+    return math.copysign(1.0, slip) if sound and abs(slip) > NO_SLIP else 0.0
 
 
 def _against(question: Question, pair: Pair, sense: float) -> dict[int, float]:
