@@ -1,12 +1,14 @@
 """Unknowns of systems: the branch that is meant, to the last digits, or no number."""
 
 import math
+import random
 
 import numpy as np
 import pytest
 
+from mechc.formula.continuation import continued
 from mechc.formula.derivative import derivative
-from mechc.formula.newton import eliminate, follow
+from mechc.formula.newton import Way, eliminate
 from mechc.formula.to_sympy import to_sympy
 from mechc.formula.to_text import text
 from mechc.formula.tree import (
@@ -76,6 +78,21 @@ def test_a_triad_keeps_its_branch(seed: int) -> None:
             assert max(map(abs, made.residuals(found, phi=phi))) < 1e-14
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_continuation_comes_to_the_solutions_of_whole_ways_in_any_order(seed: int) -> None:
+    made, chance = triad(seed), random.Random(seed)
+    turns = [chance.uniform(-4, 4) for _ in range(24)] + [0.0, 1 / 32, -1 / 32, 9.0, math.nan]
+    places = [tuple((made.values | {"phi": made.values["phi"] + t}).values()) for t in turns]
+    one, other = (continued(made.system()) for _ in range(2))
+    one(places[0]), other(places[0])
+    found = [one(place) for place in places]
+    assert repr(found[::-1]) == repr([other(place) for place in places[::-1]])
+    whole = [solution(made.system(), place) for place in places]
+    for near, far, turn in zip(found, whole, turns, strict=True):
+        assert near == pytest.approx(far, rel=0, abs=1e-11, nan_ok=True), turn
+    assert sum(not math.isnan(values[0]) for values in found) > 3
+
+
 def test_a_branch_ends_where_its_roots_meet() -> None:
     x = implicit(ROOT, 0)
     for p in (1e-6, 0.3, 1.0, 4.0, 20.0):
@@ -88,11 +105,12 @@ def test_the_status_says_why() -> None:
     def circle(x: list[float], p: list[float]) -> tuple[list[float], list[list[float]]]:
         return [x[0] * x[0] - p[0]], [[2 * x[0]]]
 
-    assert follow(circle, [1.0], [1.0], [9.0]) == (0, (3.0,))
-    assert follow(circle, [1.0], [1.0], [-1.0])[0] == 1
-    assert follow(circle, [0.0], [0.0], [1.0])[0] == 1
-    assert follow(circle, [1.0], [1.0], [4000.0])[0] == 2
-    assert follow(circle, [1.0], [1.0], [math.nan])[0] == 2
+    way = Way(circle, 1, [1.0])
+    assert way.follow([1.0], [1.0], [9.0]) == (0, (3.0,))
+    assert way.follow([1.0], [1.0], [-1.0])[0] == 1
+    assert Way(circle, 0, [1.0]).follow([0.0], [0.0], [1.0])[0] == 1
+    assert way.follow([1.0], [1.0], [4000.0])[0] == 2
+    assert way.follow([1.0], [1.0], [math.nan])[0] == 2
 
 
 def test_elimination_tells_the_determinants_sign() -> None:

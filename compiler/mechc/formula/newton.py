@@ -16,6 +16,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Literal
 
+from ..named import NamedTuple
 from ..work import spend
 
 Matrix = list[list[float]]
@@ -72,45 +73,52 @@ def scale(start: float | str | None) -> float:
     return 1.0 if start is None or isinstance(start, str) else max(1.0, abs(start) / math.pi)
 
 
-def follow(
-    equations: Equations,
-    anchor: Sequence[float],
-    start: Sequence[float],
-    outer: Sequence[float],
-    corrections: int = CORRECTIONS,
-) -> tuple[Status, tuple[float, ...]]:
-    """Return how it went, and the unknowns where it ended.
+class Way(NamedTuple):
+    """What stays the same on all ways to solutions of a system on one branch.
 
-    >>> circle = lambda x, p: ([x[0] * x[0] - p[0]], [[2 * x[0]]])
-    >>> follow(circle, [1.0], [-1.0], [4.0])
-    (0, (-2.0,))
-    >>> follow(circle, [1.0], [-1.0], [-4.0])[0]
-    1
+    ``side`` is the sign of the Jacobian's determinant where the branch is known, ``scales`` are
+    those of the unknowns there; ``corrections`` is how many one way may take.
     """
-    scales = [scale(s) for s in start]
-    side = side_of(equations, start, anchor)
-    longest = _longest(anchor, outer)
-    if longest == 0.0:
-        return 2, tuple(start)
-    base, found = list(start), list(start)
-    reached, step, last = 0.0, longest, 0.0
-    for _ in range(corrections):
-        aim = reached + step
-        here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
-        sign, correction = _correction(equations, found, here)
-        size = _norm(correction, scales)
-        if not (sign == side != 0 and _shrinks(size, last)):
-            found, step, last = base, step / 2, 0.0
-            continue
-        found = [x - c for x, c in zip(found, correction, strict=True)]
-        if not (_is_precise(size, last) or (aim < 1.0 and size <= ROUGH)):
-            last = size
-        elif aim == 1.0:
-            return 0, tuple(found)
-        else:
-            base, reached, last = found, aim, 0.0
-            step = min(2 * step, longest, 1.0 - reached)
-    return 1 if step < SHORTEST else 2, tuple(base)
+
+    equations: Equations
+    side: int
+    scales: Sequence[float]
+    corrections: int = CORRECTIONS
+
+    def follow(
+        self, anchor: Sequence[float], start: Sequence[float], outer: Sequence[float]
+    ) -> tuple[Status, tuple[float, ...]]:
+        """Return how it went from a solution that is known, and the unknowns where it ended.
+
+        >>> circle = lambda x, p: ([x[0] * x[0] - p[0]], [[2 * x[0]]])
+        >>> way = Way(circle, -1, [1.0])
+        >>> way.follow([1.0], [-1.0], [4.0])
+        (0, (-2.0,))
+        >>> way.follow([1.0], [-1.0], [-4.0])[0]
+        1
+        """
+        longest = _longest(anchor, outer)
+        if longest == 0.0:
+            return 2, tuple(start)
+        base, found = list(start), list(start)
+        reached, step, last = 0.0, longest, 0.0
+        for _ in range(self.corrections):
+            aim = reached + step
+            here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
+            sign, correction = _correction(self.equations, found, here)
+            size = _norm(correction, self.scales)
+            if not (sign == self.side != 0 and _shrinks(size, last)):
+                found, step, last = base, step / 2, 0.0
+                continue
+            found = [x - c for x, c in zip(found, correction, strict=True)]
+            if not (_is_precise(size, last) or (aim < 1.0 and size <= ROUGH)):
+                last = size
+            elif aim == 1.0:
+                return 0, tuple(found)
+            else:
+                base, reached, last = found, aim, 0.0
+                step = min(2 * step, longest, 1.0 - reached)
+        return 1 if step < SHORTEST else 2, tuple(base)
 
 
 def side_of(equations: Equations, unknowns: Sequence[float], outer: Sequence[float]) -> int:

@@ -1,6 +1,6 @@
 """Zeros and turning points of a function of the drive: sampled, bracketed, refined.
 
-A sign change is halved to the last bit. A zero that is only touched is a minimum of the
+A sign change is narrowed down to the last bit. A zero that is only touched is a minimum of the
 absolute value that is nil against the size of the function.
 """
 
@@ -42,6 +42,12 @@ NARROW, BESIDE = 1e-11, 1e-8
 What is infinite at the pole itself is rounded worse, the nearer that is.
 """
 
+CLOSE = 4
+"""So many units in the last place are stepped to where a zero must be next to a value."""
+
+MOST_CUTS = 40
+"""An interval that is not narrowed by so many values is halved from there on."""
+
 HALF_DIGITS = 1e-8
 """How exact a zero is that is touched, as a part of it: a minimum is known to half the digits."""
 
@@ -55,6 +61,9 @@ GOLDEN = (math.sqrt(5) - 1) / 2
 
 ALL_SECTIONS = 90
 """Golden sections that leave nothing between two ends."""
+
+FEW_SECTIONS, MISSED = 16, 1e-3
+"""After so many golden sections what is above this part of the size misses zero for certain."""
 
 
 def spaced(low: float, high: float, parts: int) -> list[float]:
@@ -85,7 +94,7 @@ def roots(function: Function, grid: Sequence[float]) -> list[Root]:
     found = [Root(grid[i], 0.0) for i in range(len(grid)) if _alone(values, i, size)]
     for (a, b), (u, v) in zip(pairwise(grid), pairwise(values), strict=True):
         if u * v < 0 and max(abs(u), abs(v)) > NOISE * size:
-            root = halved(function, a, b)
+            root = narrowed(function, a, b)
             if abs(function(root.x)) <= JUMP * max(abs(u), abs(v)):
                 found.append(root)
     found.extend(_touched(function, grid, values, size))
@@ -152,18 +161,47 @@ def _alone(values: Sequence[float], i: int, size: float) -> bool:
     return values[i] == 0 and any(v > NOISE * size for v in beside)
 
 
-def halved(function: Function, a: float, b: float) -> Root:
-    """Halve an interval over which the sign changes until nothing is left between its ends."""
-    below = function(a)
-    while (middle := (a + b) / 2) not in (a, b):
-        value = function(middle)
+class _At(NamedTuple):
+    """A value of a function, and where it has it."""
+
+    x: float
+    y: float
+
+
+def narrowed(function: Function, a: float, b: float) -> Root:
+    """Narrow an interval over which the sign changes until nothing is left between its ends.
+
+    It is divided where three values say that the zero is, or halved where they may mislead (T. R.
+    Chandrupatla, A new hybrid quadratic/bisection algorithm, *Adv. Eng. Software* 28, 1997).
+    """
+    here, far = _At(a, function(a)), _At(b, function(b))
+    last, cuts = far, 0
+    while (x := _cut(here, far, last, cuts)) not in (here.x, far.x):
+        value, cuts = function(x), cuts + 1
         if value == 0:
-            return Root(middle, 0.0)
-        if (value < 0) == (below < 0):
-            a = middle
+            return Root(x, 0.0)
+        if (value < 0) == (here.y < 0):
+            last = here
         else:
-            b = middle
-    return Root(a if abs(function(a)) < abs(function(b)) else b, abs(b - a))
+            last, far = far, here
+        here = _At(x, value)
+    return Root((here if abs(here.y) < abs(far.y) else far).x, abs(far.x - here.x))
+
+
+def _cut(here: _At, far: _At, last: _At, cuts: int) -> float:
+    """Return where to divide the interval between two values of unlike sign."""
+    width, least = far.x - here.x, CLOSE * math.ulp(max(abs(here.x), abs(far.x)))
+    if last is not far and cuts < MOST_CUTS and abs(width) > 2 * least:
+        along, up = (here.x - far.x) / (last.x - far.x), (here.y - far.y) / (last.y - far.y)
+        if up * up < along and (1 - up) * (1 - up) < 1 - along:
+            inverse = here.y / (far.y - here.y) * last.y / (far.y - last.y)
+            inverse += (
+                (last.x - here.x) / width
+                * here.y / (last.y - here.y) * far.y / (last.y - far.y)
+            )  # fmt: skip
+            part = least / abs(width)
+            return here.x + min(max(inverse, part), 1 - part) * width
+    return (here.x + far.x) / 2
 
 
 def _touched(
@@ -184,10 +222,13 @@ def _lowest(
     ``beside`` is a value of the function nearby.
     """
     sense = math.copysign(1.0, beside)
+    x = lowest(lambda x: sense * function(x), *within, FEW_SECTIONS)
+    if sense * function(x) > MISSED * size:
+        return
     x = lowest(lambda x: sense * function(x), *within)
     least = sense * function(x)
     if least < -NOISE * size:
-        yield from (halved(function, *sorted((end, x))) for end in within)
+        yield from (narrowed(function, *sorted((end, x))) for end in within)
     elif least < TOUCHED * size:
         yield Root(x, HALF_DIGITS * max(abs(x), SMALL))
 

@@ -102,19 +102,19 @@ class Rounding:
 
     def _compute(self, formula: Formula) -> Rounded:
         match formula:
-            case Constant(_, known):
-                return self._of(known)
+            case Product(factors):
+                return _product(map(self._of, factors))
+            case Sum(terms):
+                return _sum(map(self._of, terms))
+            case Power(base, exponent):
+                return _power(self._of(base), self._of(exponent))
             case Number(value):
                 number = value.numerator / value.denominator
                 return Rounded(number, EPS / 2 * abs(number))
+            case Constant(_, known):
+                return self._of(known)
             case Pi():
                 return Rounded(math.pi, EPS * math.pi)
-            case Sum(terms):
-                return _sum(map(self._of, terms))
-            case Product(factors):
-                return _product(map(self._of, factors))
-            case Power(base, exponent):
-                return _power(self._of(base), self._of(exponent))
             case Call("choose", arguments):
                 part = chosen(arguments, lambda p: self._of(p).value)
                 return Rounded(math.nan, 0.0) if part is None else self._of(part)
@@ -173,33 +173,35 @@ def without_value(
 def _with_error(
     formula: Formula, where: Iterable[tuple[str, Formula]], rounding: Rounding
 ) -> Rounded:
+    new = [definition for definition in where if definition[0] not in rounding.values]
+    if not new:
+        return rounding.of(formula)
     inner = Rounding({})
     inner.values.update(rounding.values)
-    inner.define(where)
+    inner.define(new)
     return inner.of(formula)
 
 
 def _sum(terms: Iterable[Rounded]) -> Rounded:
-    parts = list(terms)
-    poles = sum(part.is_infinite for part in parts)
-    if poles > 1:
-        raise ZeroDivisionError
-    if poles:
+    values, errors = zip(*terms, strict=True)
+    if poles := values.count(math.inf) + values.count(-math.inf):
+        if poles > 1:
+            raise ZeroDivisionError
         return INFINITE
-    value = math.fsum(p.value for p in parts)
-    return Rounded(value, math.fsum(p.error for p in parts) + EPS * abs(value))
+    value = math.fsum(values)
+    return Rounded(value, math.fsum(errors) + EPS * abs(value))
 
 
 def _product(factors: Iterable[Rounded]) -> Rounded:
     parts = list(factors)
-    if any(part.is_infinite for part in parts):
-        if any(part.is_zero for part in parts):
-            raise ZeroDivisionError
-        return INFINITE
     value, error = 1.0, 0.0
-    for factor in parts:
-        error = abs(value) * factor.error + abs(factor.value) * error + error * factor.error
-        value *= factor.value
+    for size, lost in parts:
+        if math.isinf(size):
+            if any(part.is_zero for part in parts):
+                raise ZeroDivisionError
+            return INFINITE
+        error = abs(value) * lost + abs(size) * error + error * lost
+        value *= size
         error += EPS * abs(value)
     return Rounded(value, error)
 

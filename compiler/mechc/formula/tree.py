@@ -47,22 +47,29 @@ class Constant(Symbol):
     value: "Formula"
 
 
+class Compound:
+    """A formula of parts; the names in it are kept with it once they were looked for."""
+
+    __slots__ = ("names_in_it",)
+    names_in_it: frozenset[str]
+
+
 @frozen
-class Sum:
+class Sum(Compound):
     """Two or more terms; a subtracted term is a Product with a negative leading Number."""
 
     terms: tuple["Formula", ...]
 
 
 @frozen
-class Product:
+class Product(Compound):
     """Two or more factors in reading order; a divisor is a Power with a negative exponent."""
 
     factors: tuple["Formula", ...]
 
 
 @frozen
-class Power:
+class Power(Compound):
     """``base ** exponent``."""
 
     base: "Formula"
@@ -70,7 +77,7 @@ class Power:
 
 
 @frozen
-class Call:
+class Call(Compound):
     """One of :data:`~.functions.FUNCTIONS` applied to its arguments."""
 
     function: str
@@ -105,7 +112,7 @@ class System:
 
 
 @frozen
-class Implicit:
+class Implicit(Compound):
     """One unknown of a system's solution, where the outer symbols have these values.
 
     It is the solution that is reached from ``start`` when the outer symbols go from the

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import assert_never
 
 from ..named import NamedTuple
@@ -10,10 +10,11 @@ from ..work import LIMIT, Allowance, at_most, spend
 from .choices import chosen
 from .derivative import jacobian
 from .functions import FUNCTIONS
-from .newton import Equations, Matrix, Status, follow, side_of
+from .newton import Equations, Matrix, Status, Way, scale, side_of
 from .straight_line import Solution, StraightLine
 from .tree import (
     Call,
+    Compound,
     Constant,
     Formula,
     Implicit,
@@ -28,6 +29,9 @@ from .tree import (
     product,
     total,
 )
+
+SYSTEMS = 256
+"""Of so many systems the code is kept."""
 
 
 def children(formula: Formula) -> tuple[Formula, ...]:
@@ -76,22 +80,47 @@ def walk(formula: Formula) -> Iterator[Formula]:
 
 
 def symbols(*formulas: Formula) -> frozenset[str]:
-    """Return the names that formulas depend on; a number under a name is none of them.
+    """Return the names that formulas depend on; a number under a name is none of them."""
+    return frozenset[str]().union(*map(_names_in, formulas))
 
-    What several share is walked over once: parts, and the arguments of a system's unknowns.
+
+def _names_in(formula: Formula) -> frozenset[str]:
+    """Return the names that one formula depends on, which are looked for once."""
+    if not isinstance(formula, Compound):
+        return frozenset(_own_name(formula))
+    names: frozenset[str] | None = getattr(formula, "names_in_it", None)
+    if names is None:
+        names = _looked_for(formula)
+        object.__setattr__(formula, "names_in_it", names)
+    return names
+
+
+def _looked_for(formula: Formula) -> frozenset[str]:
+    """Return the names in a formula.
+
+    What it shares is walked over once: parts, and the arguments of a system's unknowns.
     """
-    names, met, stack = set[str](), set[int](), list(formulas)
+    names, met, stack = set[str](), set[int](), [formula]
     while stack:
         node = stack.pop()
-        if isinstance(node, Symbol):
-            if not isinstance(node, Constant):
-                names.add(node.name)
+        if not isinstance(node, Compound):
+            names.update(_own_name(node))
+            continue
+        if known := getattr(node, "names_in_it", None):
+            names |= known
             continue
         shared = node.arguments if isinstance(node, Implicit) else node
         if id(shared) not in met:
             met.add(id(shared))
             stack.extend(children(node))
     return frozenset(names)
+
+
+def _own_name(formula: Formula) -> tuple[str, ...]:
+    """Return the name of a symbol; what else has no parts has none."""
+    if isinstance(formula, Symbol) and not isinstance(formula, Constant):
+        return (formula.name,)
+    return ()
 
 
 class Mentions:
@@ -281,7 +310,7 @@ def straight_line(
     return StraightLine(formulas, names, solver, definitions)
 
 
-@cache
+@lru_cache(maxsize=SYSTEMS)
 def solver(system: System) -> Solution:
     """Return a system's unknowns as a function of the outer symbols' values."""
     followed = _followed(system)
@@ -294,7 +323,7 @@ def solver(system: System) -> Solution:
     return unknowns
 
 
-class _Way(NamedTuple):
+class _Ended(NamedTuple):
     """Where a way ended, and the work that it took, which counts however often it is asked."""
 
     status: Status
@@ -302,21 +331,26 @@ class _Way(NamedTuple):
     work: int
 
 
-@cache
-def _followed(system: System) -> Callable[[tuple[float, ...]], _Way]:
-    equations = numeric(system)
+@lru_cache(maxsize=SYSTEMS)
+def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
+    way = way_of(system)
 
     @lru_cache(maxsize=64)
-    def followed(outer: tuple[float, ...]) -> _Way:
-        anchor, start = _beginning(system, outer)
+    def followed(outer: tuple[float, ...]) -> _Ended:
         with at_most(Allowance()) as allowance:
-            ended, found = follow(equations, anchor, start, outer, system.corrections)
-        return _Way(ended, found, LIMIT - allowance.left)
+            ended, found = way.follow(*beginning(system, outer), outer)
+        return _Ended(ended, found, LIMIT - allowance.left)
 
     return followed
 
 
-def _beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:
+def way_of(system: System) -> Way:
+    """Return what stays the same on all ways to a system's solutions."""
+    scales = [scale(value) for value in system.start]
+    return Way(numeric(system), side(system), scales, system.corrections)
+
+
+def beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:
     """Return the values of outer symbols and unknowns where the way begins."""
     pairs = zip(system.anchor, outer, strict=True)
     anchor = {name: end if value is None else value for (name, value), end in pairs}
@@ -328,11 +362,11 @@ def side(system: System) -> int:
 
     It does not depend on what stays the same along it.
     """
-    anchor, start = _beginning(system, (0.0,) * len(system.anchor))
+    anchor, start = beginning(system, (0.0,) * len(system.anchor))
     return side_of(numeric(system), start, anchor)
 
 
-@cache
+@lru_cache(maxsize=SYSTEMS)
 def numeric(system: System) -> Equations:
     """Return residuals and Jacobian as a function of floats."""
     rows = jacobian(system.equations, system.unknowns)

@@ -7,8 +7,9 @@ import math
 import operator
 from collections.abc import Callable, Iterable, Mapping
 
-from ..formula.tree import Formula, Number, Symbol
-from ..formula.walk import Evaluation, Mentions, evaluate, straight_line, symbols
+from ..formula.straight_line import Solution, StraightLine
+from ..formula.tree import Formula, Number, Symbol, System
+from ..formula.walk import Evaluation, Mentions, evaluate, solver, symbols
 from ..units import ANGLE, LENGTH
 from .formulas.order import ordered
 from .mechanism import Mechanism, Parameter, Require
@@ -36,8 +37,12 @@ class Chain:
     ({'a': 3.0, 'b': 6.0, 'c': 6.0}, {'b': 1.0, 'c': 1.0}, {})
     """
 
-    def __init__(self, formulas: Mapping[str, Formula]) -> None:
+    def __init__(
+        self, formulas: Mapping[str, Formula], solved: Callable[[System], Solution] = solver
+    ) -> None:
+        """Take the formulas, and how systems in them are ``solved`` from the second time on."""
         mentions = Mentions()
+        self._solved = solved
         needs = {name: mentions.of(formula) for name, formula in formulas.items()}
         order, _ = ordered({name: set(n & formulas.keys()) for name, n in needs.items()})
         self._steps = [(name, formulas[name], needs[name]) for name in order]
@@ -86,15 +91,20 @@ class Chain:
             if name not in found and needs <= found:
                 found.add(name)
                 followed.append((name, formula))
-        return _Code(sorted(known), followed)
+        return _Code(sorted(known), followed, self._solved)
 
 
 class _Code:
     """Definitions in order as straight-line code."""
 
-    def __init__(self, known: list[str], followed: list[tuple[str, Formula]]) -> None:
+    def __init__(
+        self,
+        known: list[str],
+        followed: list[tuple[str, Formula]],
+        solved: Callable[[System], Solution],
+    ) -> None:
         self._known, self._names = known, [name for name, _ in followed]
-        self._code = straight_line(list(map(Symbol, self._names)), known, followed)
+        self._code = StraightLine(list(map(Symbol, self._names)), known, solved, followed)
 
     def complete(self, values: Values) -> dict[str, float]:
         """Return values with those that follow from them."""

@@ -5,7 +5,7 @@ from ..friction.solution import Solution
 from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Sense, WithFriction
 from ..model.result import FrictionResult, Result
 from .states import Moving
-from .sweep import Sweep
+from .sweep import Code, Sweep
 
 
 class Study:
@@ -14,6 +14,7 @@ class Study:
     def __init__(self, solution: Solution) -> None:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
+        self._code = Code(solution.plan)
         self._moving: dict[tuple[str, Sense, str], Moving] = {}
         self._sweep: dict[tuple[str, frozenset[str]], Sweep] = {}
 
@@ -41,7 +42,7 @@ class Study:
         """Return the sweep along a parameter: poses are the same in both senses of motion."""
         key = parameter, frozenset(loads)
         if key not in self._sweep:
-            self._sweep[key] = Sweep(self.solution.plan, parameter, loads)
+            self._sweep[key] = Sweep(self.solution.plan, parameter, loads, self._code)
         return self._sweep[key]
 
 

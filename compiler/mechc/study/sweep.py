@@ -14,19 +14,34 @@ VALUE, LEFT, RIGHT = "=", "<", ">"
 """What a result's value, and the sides of its guards, are called, next to its definitions."""
 
 
+class Code:
+    """The formulas of a pose and of results as code, the same whatever parameter varies."""
+
+    def __init__(self, plan: Plan) -> None:
+        pose = plan.graph.pose
+        lets = {let.name: let.value for let in pose.mechanism.lets}
+        self.formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
+        self.pose = Chain(self.formulas)
+        self._results: dict[int, tuple[Result, Chain]] = {}
+
+    def of(self, result: Result) -> Chain:
+        """Return a result's definitions, its value and the sides of its guards."""
+        if id(result) not in self._results:
+            self._results[id(result)] = result, Chain(_formulas(result))
+        return self._results[id(result)][1]
+
+
 class Sweep:
     """Evaluates results; ``loads`` are sizes of loads that nobody gives."""
 
-    def __init__(self, plan: Plan, parameter: str, loads: Mapping[str, float]) -> None:
-        pose = plan.graph.pose
-        self._mechanism = pose.mechanism
+    def __init__(
+        self, plan: Plan, parameter: str, loads: Mapping[str, float], code: Code | None = None
+    ) -> None:
+        self._mechanism = plan.graph.pose.mechanism
         self._parameter = parameter
-        self.defaults = {**loads, **defaults(pose.mechanism)}
-        lets = {let.name: let.value for let in pose.mechanism.lets}
-        self._formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
-        self._chain = Chain(self._formulas)
+        self.defaults = {**loads, **defaults(self._mechanism)}
+        self._code = code or Code(plan)
         self._known: dict[float, dict[str, float]] = {}
-        self._chains: dict[int, tuple[Result, Chain]] = {}
         self._found: dict[tuple[int, float], float] = {}
         self._sizes: dict[tuple[int, float], float | None] = {}
         self._rounding: dict[float, Rounding] = {}
@@ -35,7 +50,7 @@ class Sweep:
     def values(self, x: float) -> dict[str, float]:
         """Return the values of all names that have one; nothing where no pose is allowed."""
         if x not in self._known:
-            values = self._chain.complete({**self.defaults, self._parameter: x})
+            values = self._code.pose.complete({**self.defaults, self._parameter: x})
             self._known[x] = values if allowed(self._mechanism, values) else {}
         return self._known[x]
 
@@ -56,13 +71,13 @@ class Sweep:
     def _rounding_at(self, x: float) -> Rounding:
         if x not in self._rounding:
             rounding = Rounding({**self.defaults, self._parameter: x})
-            rounding.define(self._chain.definitions)
+            rounding.define(self._code.pose.definitions)
             self._rounding[x] = rounding
         return self._rounding[x]
 
     def varying(self, result: Result) -> set[str]:
         """Return the parameter and the names that vary with it, those of a result among them."""
-        formulas = {**self._formulas, **dict(result.where)}
+        formulas = {**self._code.formulas, **dict(result.where)}
         needed = {name: symbols(formula) for name, formula in formulas.items()}
         varying, before = {self._parameter}, 0
         while len(varying) > before:
@@ -81,10 +96,7 @@ class Sweep:
         """Return the values at ``x``, those of the names in a result among them."""
         if self._last and self._last[0] is result and self._last[1] == x:
             return self._last[2]
-        key = id(result)
-        if key not in self._chains:
-            self._chains[key] = result, Chain(_formulas(result))
-        found = self._chains[key][1].complete(self.values(x))
+        found = self._code.of(result).complete(self.values(x))
         self._last = result, x, found
         return found
 

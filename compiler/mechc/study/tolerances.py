@@ -103,5 +103,8 @@ DIFFERENCE = 1e-6
 A difference quotient is best where rounding and curvature cost the same, at half the digits.
 """
 
+STILL = 1e-12
+"""A velocity below this part of the speeds that it is the sum of is none."""
+
 SAME_RATE = 1e-5
 """Rates that differ by less than this part are equal: differences lose half the digits."""

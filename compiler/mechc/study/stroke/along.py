@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 
 from ...algebra.product import Product
+from ...formula.continuation import continued
 from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.tree import Formula, Implicit
 from ...formula.walk import status
@@ -32,7 +33,8 @@ class Along:
         self._drive = pose.mechanism.drive.parameter
         self.defaults = defaults(pose.mechanism)
         self._definitions = dict(pose.definitions)
-        self._chain = Chain({**dependent(pose.mechanism), **self._definitions, **lets})
+        formulas = {**dependent(pose.mechanism), **self._definitions, **lets}
+        self._chain = Chain(formulas, continued)
         bound = {name: value.formula() for name, value in plan.bindings}
         self._inner = Chain({**dict(pose.closing), **bound})
         self._open = dict.fromkeys(pose.placeholders, 1.0)
@@ -41,6 +43,7 @@ class Along:
         self._known_inside: dict[float, Values] = {}
         self._troubles: dict[float, str] = {}
         self._forms: dict[tuple[int, int], _Known] = {}
+        self._codes: dict[int, tuple[Product, Form]] = {}
 
     @property
     def closing(self) -> Iterable[str]:
@@ -85,12 +88,23 @@ class Along:
 
     def inside(self, value: Product, x: float) -> float:
         """Return the value of something that the compiler found on its way, NaN at a pole."""
-        if x not in self._known_inside:
-            self._known_inside[x] = self._inner.complete(self.values(x))
         try:
-            return value.evaluate(self._known_inside[x])
+            return value.evaluate(self._inside(x))
         except (KeyError, ZeroDivisionError, ValueError, OverflowError):
             return math.nan
+
+    def in_code(self, value: Product, x: float) -> float:
+        """Return the same, but for rounding, from code that is made once for a whole stroke."""
+        values = self._inside(x)
+        if id(value) not in self._codes:
+            self._codes[id(value)] = value, form(value.formula(), None, values.keys())
+        return self._codes[id(value)][1](values)
+
+    def _inside(self, x: float) -> Values:
+        """Return the values of names that the compiler found on its way, too."""
+        if x not in self._known_inside:
+            self._known_inside[x] = self._inner.complete(self.values(x))
+        return self._known_inside[x]
 
     def trouble(self, x: float) -> str:
         """Return why there is no pose at a value of the drive, '' where there is one."""

@@ -40,7 +40,7 @@ def branch_points(pose: Pose, along: Along, grid: Sequence[float]) -> tuple[Bran
 
 def _touched(product: Product, pose: Pose, along: Along, grid: Sequence[float]) -> Iterator[Root]:
     def margin(x: float) -> float:
-        return along.inside(product, x)
+        return along.in_code(product, x)
 
     size = max((abs(v) for v in map(margin, grid) if v == v), default=0.0)
     for root in _turning(margin, _slope(product, pose), along, grid):
@@ -53,7 +53,7 @@ def _turning(
 ) -> Iterator[Root]:
     """Yield where a margin may be least; one that only changes its sign is the end of a loop."""
     if slope is not None:
-        yield from roots(lambda x: along.inside(slope, x), grid)
+        yield from roots(lambda x: along.in_code(slope, x), grid)
         return
     values = [margin(x) for x in grid]
     for i in range(1, len(grid) - 1):

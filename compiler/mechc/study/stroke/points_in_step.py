@@ -1,6 +1,6 @@
 """Whether points stand where the drive takes them: only then do their positions make a path."""
 
-import math
+import cmath
 from collections.abc import Collection, Iterator, Mapping
 
 from ...algebra.angle import Angle
@@ -9,7 +9,7 @@ from ...model.mechanism import Link
 from ...model.values import Chain, Values
 from ...pose import paths
 from ...pose.pose import Vector, evaluate_vector
-from ..tolerances import DIFFERENCE, SAME_RATE
+from ..tolerances import DIFFERENCE, SAME_RATE, STILL
 from .along import Along
 from .in_step import at_default, links_astray
 
@@ -65,9 +65,25 @@ def _demanded(plan: Plan, known: Values) -> Velocities:
         return found
     for point in plan.graph.velocities:
         try:
-            x, y = (plan.component(point, Angle.constant(a))[0].evaluate(values) for a in (0, 90))
+            velocity = _velocity(plan, point, values)
         except (KeyError, ZeroDivisionError):
             continue
-        if math.isfinite(x) and math.isfinite(y):
-            found[point] = complex(x, y)
+        if cmath.isfinite(velocity):
+            found[point] = velocity
     return found
+
+
+def _velocity(plan: Plan, point: str, values: Values) -> complex:
+    """Return a point's velocity per unit of the drive, 0 where the sum of its parts is rounding."""
+    try:
+        parts = [
+            cmath.rect(
+                size.evaluate(values) * plan.speeds[u][0].evaluate(values), d.evaluate(values)
+            )
+            for size, d, u in plan.graph.velocities[point]
+        ]
+    except ZeroDivisionError:  # of two poles that cancel algebra alone knows
+        x, y = (plan.component(point, Angle.constant(a))[0] for a in (0, 90))
+        return complex(x.evaluate(values), y.evaluate(values))
+    velocity = sum(parts)
+    return velocity if abs(velocity) > STILL * sum(map(abs, parts)) else 0j
