@@ -8,10 +8,10 @@ from . import usage
 from .checked import overview_of, report
 from .inputs import expanded, settings_option, stdin_option
 from .open import begin
+from .proposals import descriptions
 from .session import session, session_options, status
 from .terminal import line_width, say
 from .usage import Word
-from .words import descriptions
 
 
 @usage.command("check", repeatable=True)

@@ -23,10 +23,10 @@ from .inputs import (
 )
 from .open import begin
 from .outputs import Output, makefile_rule, outputs, placed
+from .proposals import beginning, paths
 from .session import session, session_options
 from .terminal import give
 from .usage import Word
-from .words import beginning, paths
 
 Text = tuple[Path, str]
 """A file to be written."""

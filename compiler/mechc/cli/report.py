@@ -10,10 +10,10 @@ from . import usage
 from .collisions import refuse_collisions
 from .inputs import NAMELESS, claim_of, expanded
 from .open import begin
+from .proposals import descriptions, paths
 from .session import session, session_options
 from .terminal import give
 from .usage import Word
-from .words import descriptions, paths
 
 
 @usage.command("report")
