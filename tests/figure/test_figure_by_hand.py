@@ -1,10 +1,12 @@
 """Figures of linkages built by hand: open lengths, points, joints and what stands beside them."""
 
 import math
+from types import SimpleNamespace
 
 import pytest
 
-from mechc.figure.figure import Dimension, Rack
+from mechc.figure import layout
+from mechc.figure.figure import Dimension, MirrorLine, Rack
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
 from mechc.figure.ropes import rope_runs
@@ -163,3 +165,23 @@ def test_gears_touch_on_the_line_of_their_centres_wherever_it_leads():
     small, large = Circle(Plane(1.0, 1.0), 1.0), Circle(Plane(1.0, 4.0), 2.0)
     assert pitch_point(small, large, inner=False) == pytest.approx((1, 2))
     assert pitch_point(large, small, inner=False) == pytest.approx((1, 2))
+
+
+@pytest.mark.parametrize(
+    ("gaps", "chosen"),
+    [
+        ({1.0: 0.02, 1.3: 0.03, 1.6: 0.4}, 1.6),  # twins that nearly meet are no layout
+        ({1.0: 0.02, 1.3: 0.4}, 1.3),
+        ({1.0: 0.4}, 1.0),
+        ({1.0: 0.0}, 1.0),  # a point on the mirror line is its own twin
+    ],
+)
+def test_open_lengths_grow_until_twins_are_apart(monkeypatch, gaps, chosen):
+    def laid_out(ways, factor):
+        points = {"B": Plane(gaps.get(factor, 1.0), 0.0)}
+        return layout.Layout(points, MirrorLine(Plane(0.0, 0.0), Y), {"a": factor}, 1.0, 0.0)
+
+    monkeypatch.setattr(layout, "_laid_out", laid_out)
+    mirror = SimpleNamespace(mirror=SimpleNamespace(sharing=()))
+    found = layout.lay_out(SimpleNamespace(pose=SimpleNamespace(mechanism=mirror)))
+    assert found.lengths == {"a": chosen}
