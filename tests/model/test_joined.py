@@ -350,3 +350,54 @@ def test_errors_of_what_a_part_says(tmp_path: Path) -> None:
     assert "whole.mech" in text
     whole = JOINED.replace("toggle.mech", "whole.mech")
     assert "E555" in refused(written(tmp_path, whole))
+
+
+CRANK_BESIDE = """
+mechanism crank
+param r = 30 mm
+param b = 150 mm
+param phi = 100 deg
+pivot A at (150 mm, 50 mm)
+link AC
+link CB
+AC = r @ phi
+CB = b
+drive phi from 80 deg to 120 deg
+torque M on AC
+use "half.mech" as T (l = 110 mm) at (0 mm, 0 mm) joining T.B = B without P, alpha
+assembly O1BC cw
+find k = M/T_F
+"""
+
+HALF = """
+mechanism half
+param l = 100 mm
+param alpha = 20 deg in 0 deg .. 40 deg
+pivot O at (0 mm, 0 mm)
+slider K along y
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+force P at B along x
+force F at K along -y
+find k = P/F
+"""
+
+
+def test_an_angle_that_rests_on_one_turned_back_is_not_a_turn_beyond_its_range(
+    tmp_path: Path,
+) -> None:
+    """It was 361.09 deg where its range ends at 40 deg, and the code had no value there."""
+    found = mechc.load(written(tmp_path, CRANK_BESIDE, half=HALF))
+    assert np.isfinite(found.evaluate()["k"])
+    assert [w.code for w in found.warnings if w.code in ("W221", "W601")] == []
+
+
+def test_a_wrong_unit_and_a_pivot_without_place_of_a_part(tmp_path: Path) -> None:
+    wrong = CRANK_BESIDE.replace("l = 110 mm", "l = 2 kN")
+    text = refused(written(tmp_path, wrong, half=HALF))
+    assert_says({"E559", "l = 2 kN", "param l = 100 mm"}, text)
+    without = HALF.replace("pivot O at (0 mm, 0 mm)", "pivot O")
+    text = refused(written(tmp_path, CRANK_BESIDE.replace("assembly O1BC cw\n", ""), half=without))
+    assert_says({"E312", "write `pivot O at (0 mm, 0 mm)`"}, text)

@@ -7,7 +7,7 @@ from .diagnostic import Message, coded
 
 
 @coded("E312")
-def pivot_without_place(at: Span, pivot: str, other: str) -> Message:
+def pivot_without_place(at: Span, pivot: str, other: str, own: str) -> Message:
     """A pivot has no place, so no loop closes through it.
 
     With lengths and a ``drive`` the directions follow from loops, and a loop goes over the
@@ -18,12 +18,14 @@ def pivot_without_place(at: Span, pivot: str, other: str) -> Message:
 
         pivot O at (0 mm, 0 mm)      # right; or a vector, OC = (100 mm, 0 mm)
         pivot C at (100 mm, 0 mm)
+
+    Of a part that is joined the pivot's ``own`` name, in its file, is proposed.
     """
     seen = f", seen from {other}" if other else ""
     return Message(
         at,
         f"{pivot} has no place{seen}, and no loop closes through it",
-        f"write `pivot {pivot} at (0 mm, 0 mm)`",
+        f"write `pivot {own} at (0 mm, 0 mm)`",
     )
 
 

@@ -15,7 +15,7 @@ from ...diagnostics import Report
 from ...diagnostics import joining as messages
 from ...frozen import replace
 from ...syntax import ast, moved
-from ...units import DIMENSIONS
+from ...units import DIMENSIONS, UNITS, Dimension
 from ..forces.force_pairs import spring_name
 from ..linkage.carriers import is_held
 from ..names.forms import COORDINATES, form_of, form_of_pose
@@ -184,13 +184,20 @@ def _parameter(
     known, value = joining.used.parameters[name], given.get(name)
     word = next((w for w, kind in DIMENSIONS.items() if kind == known.dimension), None)
     measures = ast.Name(word, there.span) if word else None
-    if value and word and literal(value):
+    if value and word and _is_literal(value, known.dimension):
         yield replace(there, value=value, tolerance=None, dimension=measures)
     elif name not in joining.freed:
         yield parameter(there, known, value, joining.use)
     else:
         yield replace(there, value=None, low=None, high=None, tolerance=None, dimension=measures)
         yield from kept_range(there, known)
+
+
+def _is_literal(value: ast.Expr, dimension: Dimension) -> bool:
+    """Return whether a value is a number of a dimension; one of another is given amiss."""
+    found = literal(value)
+    unit = UNITS.get(found[1]) if found else None
+    return found is not None and (unit is None or unit.dimension == dimension)
 
 
 def _coming(

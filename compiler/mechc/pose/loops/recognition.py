@@ -7,7 +7,7 @@ from fractions import Fraction
 from ...algebra.angle import Angle
 from ...algebra.from_formula import to_angle
 from ...formula.tree import Call, Formula, Sum, degrees, negative, total
-from ...formula.walk import symbols
+from ...formula.walk import evaluate, symbols
 from ..pose import Arm, Definition
 from ..samples import Values
 from ..tolerances import SAME_ANGLE
@@ -23,13 +23,15 @@ def unwound(closure: Closure, state: State) -> Closure:
     a turn where the direction that it is found by passes 180°. Other directions are within
     a turn there.
     """
-    here = state.tried(closure, state.base)
-    definitions = (
-        Definition(name, _unwound(name, formula, here[name], state))
-        if name in state.angles and math.isfinite(here.get(name, math.nan))
-        else Definition(name, formula)
-        for name, formula in closure.definitions
-    )
+    here = dict(state.tried(closure, state.base))
+    definitions = []
+    for name, formula in closure.definitions:
+        kept = formula
+        if name in state.angles and math.isfinite(here.get(name, math.nan)):
+            # What is defined before may have been turned back: this follows it.
+            kept = _unwound(name, formula, evaluate(formula, here), state)
+            here[name] = evaluate(kept, here)
+        definitions.append(Definition(name, kept))
     return closure._replace(definitions=tuple(definitions))
 
 
