@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from extents import refuted as extent_refuted
-from grown import Grown
+from grown import Grown, wide
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.frozen import replace
@@ -15,16 +15,6 @@ from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from mechc.work import Allowance
 from paths import LIBRARY
-
-WIDE = {"phi": (2.6, "rad"), "s": (0.05, "m")}
-
-
-def wide(grown):
-    """Return a description with a stroke that goes beyond what the loops allow."""
-    (size, unit), start = WIDE[grown.drive], grown.start
-    stroke = f"drive {grown.drive} from {start - size!r} {unit} to {start + size!r} {unit}"
-    lines = [line for line in grown.text().split("\n") if not line.startswith("drive ")]
-    return "\n".join([*lines, stroke])
 
 
 def without_drive(description):

@@ -17,6 +17,7 @@ from mechc.study.analysis import Acted, DeadCentre
 from mechc.study.stroke.along import Along
 from other_kinds import put_toggle
 from paths import LIBRARY
+from stroke_statements import rate
 
 CLAW = """
 param l_A = 100 mm
@@ -680,22 +681,6 @@ def test_a_column_is_what_the_formulas_call_so(name):
 
 BESIDE = 1e-9
 """At the very end of a stroke there may be no rates."""
-
-
-def rate(rates, drive, acted):
-    """Return how fast, by the drive, a point, the end of a link, or a distance moves, SI.
-
-    Points of the ground have no rates.
-    """
-    if len(split := re.findall(r"[A-Z][0-9]*'*", acted.name)) == 1:
-        return math.hypot(*(rates.get(f"d{c}_{acted.name}_d{drive}", 0.0) for c in "xy"))
-    first, last = split[0], split[1]
-    along = [rates[f"{c}_{last}"] - rates[f"{c}_{first}"] for c in "xy"]
-    names = [(f"d{c}_{last}_d{drive}", f"d{c}_{first}_d{drive}") for c in "xy"]
-    speed = [rates.get(head, 0.0) - rates.get(tail, 0.0) for head, tail in names]
-    if acted.is_distance:
-        return sum(a * v for a, v in zip(along, speed, strict=True)) / math.hypot(*along)
-    return math.hypot(*speed)
 
 
 FOLDED = """

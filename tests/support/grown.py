@@ -339,3 +339,14 @@ GROUPS: dict[Callable[[Grown], None], float] = {
     Grown.triad: 1.5,
 }
 """The groups, and how often each is to grow."""
+
+
+WIDE = {"phi": (2.6, "rad"), "s": (0.05, "m")}
+
+
+def wide(grown: Grown) -> str:
+    """Return a description with a stroke that goes beyond what the loops allow."""
+    (size, unit), start = WIDE[grown.drive], grown.start
+    stroke = f"drive {grown.drive} from {start - size!r} {unit} to {start + size!r} {unit}"
+    lines = [line for line in grown.text().split("\n") if not line.startswith("drive ")]
+    return "\n".join([*lines, stroke])
