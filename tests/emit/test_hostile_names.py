@@ -166,6 +166,16 @@ def test_arithmetic_without_nan_is_refused(compiler, options, works, tmp_path):
     assert works or "MECHC_ALLOW_FAST_MATH" in done.stderr
 
 
+@pytest.mark.skipif(shutil.which("clang") is None, reason="no clang")
+@pytest.mark.parametrize(("more", "works"), [([], True), (["-fno-honor-infinities"], False)])
+def test_clang_states_nothing_of_nan_alone(more, works):
+    """Should it do so one day, README has to say that it is refused."""
+    text = mechc.load("crank_rocker").emit("c")
+    command = ["clang", "-std=c99", "-fno-honor-nans", *more, "-xc", "-c", "-", "-o", "/dev/null"]
+    done = subprocess.run(command, input=text, capture_output=True, text=True)
+    assert (done.returncode == 0) == works
+
+
 def test_the_text_of_a_formula_is_in_code_and_in_the_document():
     text = TOGGLE.format(
         mechanism="m",
