@@ -221,7 +221,7 @@ def test_a_verbose_check_tells_what_is_given_and_what_is_missing(
     good = [" ".join(line.split()) for line in run("check", "-v", "good.mech").out.splitlines()]
     assert "O2 pivot at (d, 0 mm), on O2B" in good
     assert "phi = 60 deg, the drive, from 0 deg to 360 deg" in good
-    assert "psi found by a loop" in good
+    assert "psi found by a loop, coupler, from the loop" in good
     assert "len_AO2 from a, d, phi" in good
     (tmp_path / "open.mech").write_text(
         text.replace("pivot O1 at (0 mm, 0 mm)", "pivot O1").replace("@ psi", "")
@@ -231,7 +231,7 @@ def test_a_verbose_check_tells_what_is_given_and_what_is_missing(
     assert "error[E" in err
     missing = [" ".join(line.split()) for line in out.splitlines()]
     assert "O1 pivot without a place, on O1A" in missing
-    assert "theta without a value (deg)" in missing
+    assert "theta without a value (deg), rocker, from the loop" in missing
     assert "AB = b a loop must give its direction" in missing
     assert run("check", "-v", "wrong.mech").out == ""
 
