@@ -24,6 +24,7 @@ from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, read
 from mechc.formula.derivative import jacobian
+from mechc.formula.evaluate import evaluate, solution
 from mechc.formula.tree import (
     Call,
     Constant,
@@ -36,7 +37,6 @@ from mechc.formula.tree import (
     Sum,
     Symbol,
 )
-from mechc.formula.walk import evaluate, solution
 
 DIGITS = 50
 Wide = Any

@@ -14,6 +14,7 @@ from mechc.algebra.equality import equal
 from mechc.algebra.from_formula import to_angle, to_product
 from mechc.algebra.modular import PARTS, PRIME, Point, direction
 from mechc.algebra.sums import add, canonical
+from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import (
     Call,
     Number,
@@ -26,7 +27,6 @@ from mechc.formula.tree import (
     quotient,
     total,
 )
-from mechc.formula.walk import evaluate
 from product_strategies import VALUES, products
 
 law = settings(max_examples=40, deadline=None, derandomize=True, database=None)

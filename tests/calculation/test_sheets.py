@@ -15,8 +15,8 @@ from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
 from mechc.emit.registry import load
 from mechc.emit.target import Options
+from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
-from mechc.formula.walk import evaluate
 from mechc.report.between import line_between
 from mechc.report.text.note import render
 from mechc.report.text.speller import speller

@@ -17,7 +17,7 @@ from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Compiled, Options
-from mechc.formula.walk import solution
+from mechc.formula.evaluate import solution
 from mechc.report.text.derivation import render
 from mechc.routine.check import broken_promises
 from mechc.routine.evaluate import evaluate

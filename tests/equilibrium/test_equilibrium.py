@@ -8,7 +8,7 @@ from good_mechanisms import ALL, begun
 from mechc.cli import main
 from mechc.driver import Compilation
 from mechc.equilibrium.equilibrium import Equilibrium
-from mechc.formula.walk import evaluate
+from mechc.formula.evaluate import evaluate
 from mechc.model.mechanism import LoadForm, LoadRatio
 from mechc.model.values import completed
 from mechc.power.loads import given_size

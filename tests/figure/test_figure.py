@@ -17,7 +17,7 @@ from mechc.emit.json.to_json import TARGET
 from mechc.emit.target import Options
 from mechc.figure import figure as drawn
 from mechc.figure.joints import joints_shown
-from mechc.formula.walk import evaluate
+from mechc.formula.evaluate import evaluate
 from mechc.model import parts as kinds
 from mechc.source import Source
 from mechc.syntax import ast

@@ -7,9 +7,9 @@ from fractions import Fraction
 
 import pytest
 
+from mechc.formula.evaluate import evaluate, straight_line
 from mechc.formula.straight_line import OFTEN
 from mechc.formula.tree import Call, Formula, Number, Power, Product, Sum, Symbol
-from mechc.formula.walk import evaluate, straight_line
 
 X, Y = Symbol("x"), Symbol("y")
 

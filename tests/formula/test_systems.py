@@ -8,6 +8,7 @@ import pytest
 
 from mechc.formula.continuation import continued
 from mechc.formula.derivative import derivative
+from mechc.formula.evaluate import evaluate, solution
 from mechc.formula.newton import Way, eliminate
 from mechc.formula.to_sympy import to_sympy
 from mechc.formula.to_text import text
@@ -24,7 +25,7 @@ from mechc.formula.tree import (
     product,
     total,
 )
-from mechc.formula.walk import Substitution, evaluate, solution, substitute, symbols
+from mechc.formula.walk import Substitution, substitute, symbols
 from mechc.model.values import completed
 from systems import Triad, s, triad
 

@@ -5,9 +5,10 @@ import math
 import pytest
 
 from good_mechanisms import ALL, compiled
+from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import ONE, Call, Symbol, negative, number, power, product, total
-from mechc.formula.walk import evaluate, symbols, walk
+from mechc.formula.walk import symbols, walk
 from mechc.power.numbers import default_values, value_of
 from mechc.routine.evaluate import evaluate as run
 from mechc.routine.unit_vectors import in_unit_vectors

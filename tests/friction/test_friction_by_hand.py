@@ -9,9 +9,9 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.product import ONE, ZERO, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, product
-from mechc.formula.walk import evaluate
 from mechc.friction import pairs
 from mechc.friction.closed_form import readable
 from mechc.friction.coupled import coupled, true_sizes

@@ -12,8 +12,8 @@ from mechc.algebra.product import Product
 from mechc.cli import main
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
+from mechc.formula.evaluate import evaluate, solution, straight_line
 from mechc.formula.tree import Symbol, System, negative, number, power, product, total
-from mechc.formula.walk import evaluate, solution, straight_line
 from mechc.source import Source
 from mechc.study import from_solution
 from mechc.work import LIMIT, Allowance, WorkLimitError, at_most, spend, within_part

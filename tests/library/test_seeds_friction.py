@@ -14,7 +14,8 @@ import pytest
 
 import mechc
 from mechc.api import SolvedMechanism
-from mechc.formula.walk import evaluate, symbols
+from mechc.formula.evaluate import evaluate
+from mechc.formula.walk import symbols
 from mechc.study.analysis import Analysis
 from paths import LIBRARY
 from seed_friction import entries

@@ -7,9 +7,9 @@ import pytest
 from mechc.cli.dump import dump
 from mechc.diagnostics import MechcError, Report
 from mechc.driver import Compilation
+from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import PI, ZERO, Constant, Number, Symbol
-from mechc.formula.walk import evaluate
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import (
     Absolute,

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechc.diagnostics import MechcError, Report
-from mechc.formula.walk import evaluate
+from mechc.formula.evaluate import evaluate
 from mechc.model.formulas.sorts import Nature, Sort, agreed, multiplied, raised
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import Let

@@ -11,7 +11,7 @@ import pytest
 import mechc
 import reference_closed
 from good_mechanisms import ALL, CLOSED, PARTS, compiled, tree_of
-from mechc.formula.walk import evaluate
+from mechc.formula.evaluate import evaluate
 from mechc.model.mechanism import LoadRatio
 from mechc.power.numbers import value_of
 

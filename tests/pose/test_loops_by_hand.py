@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import pytest
 
 from mechc.algebra.product import ONE, Product
+from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import ZERO, Call, Symbol, number, product
-from mechc.formula.walk import evaluate
 from mechc.model.values import completed
 from mechc.pose.loops.continuation import given_rates, moved_by
 from mechc.pose.loops.dyad_closures import dyad

@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 from mechc.diagnostics.pose import AssemblyRange
-from mechc.formula.walk import evaluate
+from mechc.formula.evaluate import evaluate
 from mechc.pose.loops import by_groups, choosing
 from mechc.source import Span
 from mechc.units import ANGLE

@@ -10,9 +10,10 @@ import pytest
 
 from good_mechanisms import compiled
 from mechc.algebra.equality import equal
+from mechc.formula.evaluate import evaluate
 from mechc.formula.operations import count_operations
 from mechc.formula.tree import Formula, Symbol
-from mechc.formula.walk import constants, evaluate, substitute, symbols
+from mechc.formula.walk import constants, substitute, symbols
 from report_samples import formula
 
 BY_HAND: dict[str, tuple[str, dict[str, str]]] = {

@@ -16,7 +16,7 @@ from force_samples import (
     samples,
     sizes_of,
 )
-from mechc.formula.walk import evaluate
+from mechc.formula.evaluate import evaluate
 from mechc.model.mechanism import ForcePair
 from reference_forces import Forces
 

@@ -4,8 +4,9 @@ import pytest
 
 from mechc.driver import compile_source
 from mechc.files import find, library, read
+from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Power, Product, Symbol
-from mechc.formula.walk import evaluate, symbols
+from mechc.formula.walk import symbols
 from mechc.model.targets import Efficiency, WithFriction
 from mechc.power.numbers import default_values
 from mechc.report.derivation.steps import SentenceKind

@@ -5,9 +5,9 @@ import math
 import pytest
 
 from good_mechanisms import CLOSED, compiled
+from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, negative, product, total
-from mechc.formula.walk import evaluate
 from mechc.model.result import Definition
 from mechc.power.numbers import default_values
 from mechc.report.book_forms import book_form, positive_names

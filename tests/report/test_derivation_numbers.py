@@ -12,7 +12,8 @@ import pytest
 
 import reference_geometry
 from good_mechanisms import ALL, begun, compiled, tree_of
-from mechc.formula.walk import evaluate, symbols
+from mechc.formula.evaluate import evaluate
+from mechc.formula.walk import symbols
 from mechc.model.mechanism import Force
 from mechc.power.numbers import default_values
 from reference_geometry import assemble_half, points_of

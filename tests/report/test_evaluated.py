@@ -7,10 +7,11 @@ import pytest
 
 from good_mechanisms import CLOSED, compiled
 from mechc.data import data
+from mechc.formula.evaluate import evaluate
 from mechc.formula.layout import TRIGONOMETRIC
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Constant, Number
-from mechc.formula.walk import children, evaluate, rebuild, symbols
+from mechc.formula.walk import children, rebuild, symbols
 from mechc.report.evaluated import evaluated
 from mechc.report.sections import outline
 from mechc.report.text.derivation import render

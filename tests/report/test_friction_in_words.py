@@ -8,7 +8,7 @@ import mechc
 from mechc.cli.checked import report
 from mechc.driver import compile_source
 from mechc.files import find, read
-from mechc.formula.walk import evaluate
+from mechc.formula.evaluate import evaluate
 from mechc.report.sentences.speller import LoadWords
 from mechc.report.text.derivation import render
 from mechc.source import Source

@@ -7,10 +7,10 @@ from hypothesis import given
 
 from formula_strategies import VALUES, formulas
 from latex_reader import read
+from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import (
     Formula,
 )
-from mechc.formula.walk import evaluate
 from mechc.report.latex.notation import notation
 from mechc.report.latex.printer import latex
 from mechc.report.text.printer import ASCII, print_formula

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from mechc.formula.evaluate import evaluate as value_of
 from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Formula, Power, degrees, number, product, total
-from mechc.formula.walk import evaluate as value_of
 from mechc.formula.walk import walk
 from mechc.frozen import replace
 from mechc.model.mechanism import Mechanism, Require

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from mechc.algebra.angle import Angle
+from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Symbol
-from mechc.formula.walk import evaluate
 from mechc.routine.unit import WANTED, Unit, plain, whole
 
 VALUES = {"alpha": 0.4, "beta": 1.1, "x": 3.0, "y": 4.0, "d": 5.0}

@@ -13,7 +13,7 @@ from good_mechanisms import ALL, compiled
 from mechc.driver import Compilation
 from mechc.emit.json.to_json import TARGET
 from mechc.emit.target import Options
-from mechc.formula.walk import evaluate
+from mechc.formula.evaluate import evaluate
 from mechc.model.joint_friction import FaceFriction, GuideFriction, PinFriction
 from mechc.model.mechanism import LoadForm, LoadRatio, WithFriction
 from mechc.report.text.free_bodies import describe

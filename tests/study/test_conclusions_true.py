@@ -8,7 +8,8 @@ import pytest
 
 import reference_geometry
 from good_mechanisms import ALL, begun, tree_of
-from mechc.formula.walk import evaluate, symbols
+from mechc.formula.evaluate import evaluate
+from mechc.formula.walk import symbols
 from mechc.model.mechanism import Force
 from reference_geometry import assemble_half
 from reference_kinematics import Motion

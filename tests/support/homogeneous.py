@@ -11,8 +11,9 @@ from itertools import count
 from random import Random
 
 from mechc.driver import Compilation
+from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Constant, Formula, Implicit, Symbol
-from mechc.formula.walk import evaluate, substitute, walk
+from mechc.formula.walk import substitute, walk
 from mechc.model.result import Result
 from mechc.units import ANGLE, Dimension
 

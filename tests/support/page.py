@@ -12,7 +12,8 @@ from latex_reader import read
 from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
-from mechc.formula.walk import evaluate, symbols
+from mechc.formula.evaluate import evaluate
+from mechc.formula.walk import symbols
 from mechc.model.values import completed, holds
 from mechc.report.latex.document_style import style_of
 from mechc.report.latex.notation import name, notation

@@ -14,8 +14,9 @@ from functools import cached_property, reduce
 from itertools import pairwise
 
 from latex_reader import read
+from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
-from mechc.formula.walk import evaluate, substitute, symbols
+from mechc.formula.walk import substitute, symbols
 from page import NAME
 
 Powers = Mapping[str, Fraction]

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from mechc.formula.walk import evaluate as number
+from mechc.formula.evaluate import evaluate as number
 from mechc.model.mechanism import Slot
 from mechc.pose.places import placed
 from mechc.statics import closure

@@ -10,10 +10,10 @@ from random import Random
 from types import CodeType
 
 from mechc.formula.choices import FUNCTIONS as CHOSEN
+from mechc.formula.evaluate import evaluate as slowly
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Formula, Implicit
 from mechc.formula.walk import FUNCTIONS, constants, substitute, symbols, walk
-from mechc.formula.walk import evaluate as slowly
 from mechc.model.mechanism import Mechanism
 from mechc.model.values import bounds, defaults, dependent, independent
 from mechc.study.analysis import Analysis, Break, Vanishing

@@ -5,9 +5,9 @@ from collections.abc import Hashable, Mapping
 from functools import lru_cache
 from typing import Literal, Protocol
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Number, Pi, Symbol
 from ..formula.tree import Constant as ConstantFormula
-from ..formula.walk import evaluate
 from ..frozen import frozen
 from .angle import Angle
 from .modular import Point

@@ -5,9 +5,10 @@ import math
 from ..diagnostics import Report
 from ..diagnostics import sheets as messages
 from ..diagnostics import uses as uses_messages
+from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Require
 from ..model.result import ClosedLoop, Result, Solved

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.formulas.order import ordered
 from ..model.mechanism import Mechanism, Require

@@ -4,9 +4,10 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from ..driver import Compilation
+from ..formula.evaluate import evaluate
 from ..formula.to_text import text
 from ..formula.tree import Constant, Number
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import (
     GRAVITY,

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 
-from ..formula.walk import evaluate
+from ..formula.evaluate import evaluate
 from ..frozen import frozen, replace
 from ..model.mechanism import Force, ForcePair, Torque
 from ..model.values import Chain

@@ -2,7 +2,8 @@
 
 from typing import assert_never
 
-from ..formula.walk import evaluate, symbols
+from ..formula.evaluate import evaluate
+from ..formula.walk import symbols
 from ..model import mechanism as model
 from ..pose.places import NOWHERE, Plane
 from . import figure as drawn

@@ -6,9 +6,10 @@ from typing import assert_never
 
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.from_formula import to_angle
+from ..formula.evaluate import evaluate
 from ..formula.to_text import text
 from ..formula.tree import Formula, Sum, Symbol, number, product, total
-from ..formula.walk import constants, evaluate, symbols
+from ..formula.walk import constants, symbols
 from ..model.entries import unit_of_drawing
 from ..model.mechanism import (
     Absolute,

@@ -1,6 +1,6 @@
 """Formulas as people read them: the tree that is handed out, and what is done with it.
 
-``tree``: the nodes and their builders. ``walk``: the names in a formula, and its value.
+``tree``: the nodes and their builders. ``walk``: the names in a formula. ``evaluate``: its value.
 ``operations``: its length. ``layout`` and ``names``: how it is set; ``typesetting``: the
 walk over it that the terminal and LaTeX share. ``to_text``, ``to_sympy``: the ways out
 that belong to no target.

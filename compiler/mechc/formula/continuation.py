@@ -9,10 +9,10 @@ gone.
 
 from collections.abc import Sequence
 
+from .evaluate import beginning, solver, way_of
 from .newton import Way, scale
 from .straight_line import Solution
 from .tree import System
-from .walk import beginning, solver, way_of
 
 RUNG = 1 / 32
 """How far apart rungs are, against the symbol's scale: three corrections lead to the next one."""

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 
 from ..named import NamedTuple
 from .choices import chosen
+from .evaluate import solution
 from .functions import FUNCTIONS
 from .tree import (
     Call,
@@ -23,7 +24,7 @@ from .tree import (
     Sum,
     Symbol,
 )
-from .walk import solution, symbols
+from .walk import symbols
 
 EPS = 2.0**-52
 SOLVED = 64 * EPS

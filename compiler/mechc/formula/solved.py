@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from ..named import NamedTuple
+from .evaluate import evaluate
 from .layout import in_degrees
 from .tree import (
     ZERO,
@@ -24,7 +25,7 @@ from .tree import (
     product,
     total,
 )
-from .walk import evaluate, symbols
+from .walk import symbols
 
 CLOSE = 1e-9
 """By how many radians, or parts of it, a formula may miss the value that it is for."""

@@ -8,8 +8,9 @@ from functools import cache, reduce
 from typing import TYPE_CHECKING, Any, assert_never
 
 from .choices import SIGNS, spelled_out
+from .evaluate import solution
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, System
-from .walk import constants, solution
+from .walk import constants
 
 if TYPE_CHECKING:
     import sympy

@@ -5,10 +5,10 @@ from functools import reduce
 from typing import assert_never
 
 from . import choices
+from .evaluate import equations
 from .layout import decimal, is_long
 from .operations import split_fraction
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
-from .walk import equations
 
 
 def text(formula: Formula) -> str:

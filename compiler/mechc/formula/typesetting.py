@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import Generic, TypeVar, assert_never
 
 from .choices import SIGNS
+from .evaluate import equations
 from .layout import (
     TRIGONOMETRIC,
     decimal,
@@ -36,7 +37,6 @@ from .tree import (
     Symbol,
     power,
 )
-from .walk import equations
 
 Piece = TypeVar("Piece")
 

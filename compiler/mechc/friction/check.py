@@ -4,8 +4,9 @@ import math
 from collections.abc import Iterator, Mapping, Sequence, Set
 from typing import Protocol
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..model.mechanism import Efficiency, LoadRatio, Mechanism, Require, Target, WithFriction
 from ..model.result import Definition, FrictionResult, Result
 from ..model.targets import SIGNS

@@ -14,9 +14,9 @@ from ..algebra.factors import Factor, Length, Opaque, Trig
 from ..algebra.intervals import Box, Interval, sign
 from ..algebra.product import Product, Sum
 from ..algebra.trigonometry import cosine, sine
+from ..formula.evaluate import evaluate
 from ..formula.names import another
 from ..formula.tree import Call, Formula
-from ..formula.walk import evaluate
 from ..model.result import Definition
 from ..power.tolerances import VANISHED
 from .naming import Meanings, OwnNames

@@ -3,7 +3,7 @@
 import math
 
 from ..algebra.intervals import LEAST, Box, Interval, widened
-from ..formula.walk import evaluate
+from ..formula.evaluate import evaluate
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter
 from .values import is_constant, range_of

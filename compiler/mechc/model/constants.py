@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import assert_never
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Number, Power, Product, Sum
-from ..formula.walk import evaluate
 from ..syntax import ast
 from ..units import ANGLE, LENGTH, UNITS, Dimension
 

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Diagnostic
 from ..diagnostics.model import doubts as messages
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..source import Span
 from ..units import ANGLE, LENGTH
 from .joint_friction import RopeFriction

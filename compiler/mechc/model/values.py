@@ -7,9 +7,10 @@ import math
 import operator
 from collections.abc import Callable, Iterable, Mapping
 
+from ..formula.evaluate import Evaluation, evaluate, solver
 from ..formula.straight_line import Solution, StraightLine
 from ..formula.tree import Formula, Number, Symbol, System
-from ..formula.walk import Evaluation, Mentions, evaluate, solver, symbols
+from ..formula.walk import Mentions, symbols
 from ..units import ANGLE, LENGTH
 from .formulas.order import ordered
 from .mechanism import Mechanism, Parameter, Require

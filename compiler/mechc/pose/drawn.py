@@ -5,7 +5,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import drawn as messages
-from ..formula.walk import evaluate, symbols
+from ..formula.evaluate import evaluate
+from ..formula.walk import symbols
 from ..model.mechanism import Drawn
 from ..units import in_unit
 from .loops.vector_graph import mentioned

@@ -4,7 +4,8 @@ import math
 from collections.abc import Iterable
 
 from ..algebra.product import Product
-from ..formula.walk import evaluate, symbols
+from ..formula.evaluate import evaluate
+from ..formula.walk import symbols
 from ..model.mechanism import Mechanism, Parameter
 from ..model.values import Chain, bounds, dependent
 from ..units import ANGLE, LENGTH

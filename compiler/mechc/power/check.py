@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from ..algebra.modular import Point
 from ..algebra.product import Product
 from ..algebra.rank import independent
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Implicit, Symbol
-from ..formula.walk import evaluate, substitute, symbols, walk
+from ..formula.walk import substitute, symbols, walk
 from ..model.mechanism import LoadRatio, Mechanism, Parameter, Torque
 from ..model.result import Definition, Result
 from ..units import Dimension

@@ -9,10 +9,11 @@ from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as messages
+from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding, Size, beyond_rounding, without_value
 from ..formula.to_text import text
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Contact, Find, Force, LoadRatio

@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 from itertools import pairwise
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Constant, Formula, Number, negative, product, total
-from ..formula.walk import constants, evaluate
+from ..formula.walk import constants
 from ..model.mechanism import Mechanism
 from ..model.written import WrittenTable
 from ..syntax.vocabulary import split_quantity

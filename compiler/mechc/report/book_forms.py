@@ -12,10 +12,11 @@ from ..algebra.from_formula import is_transparent, to_product
 from ..algebra.product import Product
 from ..algebra.product import Sum as FactoredSum
 from ..algebra.sums import add
+from ..formula.evaluate import evaluate
 from ..formula.layout import has_minus
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Sum, number, power, quotient, total
-from ..formula.walk import children, evaluate, rebuild
+from ..formula.walk import children, rebuild
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
 from ..units import LENGTH

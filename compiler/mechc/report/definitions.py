@@ -4,9 +4,10 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
+from ..formula.evaluate import equations
 from ..formula.layout import decimal, short_decimal
 from ..formula.tree import ZERO, Constant, Formula, Implicit, Number, Product, Symbol
-from ..formula.walk import equations, substitute
+from ..formula.walk import substitute
 from ..frozen import frozen
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
 from ..model.result import Definition, Result

@@ -3,9 +3,10 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping
 
+from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Symbol
-from ..formula.walk import evaluate, symbols, walk
+from ..formula.walk import symbols, walk
 from ..model.mechanism import GRAVITY, Mechanism, Parameter, Torque
 from ..model.result import Definition
 from ..model.values import Chain, defaults, dependent, usual_length

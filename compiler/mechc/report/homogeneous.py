@@ -8,8 +8,8 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
-from ..formula.walk import evaluate
 from ..study.tolerances import SAME_RATIO
 from ..units import LENGTH, MASS, TIME, Dimension
 

@@ -9,8 +9,9 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Literal
 
 from ..formula.choices import chosen, is_choice
+from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol
-from ..formula.walk import constants, evaluate, symbols, walk
+from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
 from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result

@@ -3,7 +3,8 @@
 import math
 from collections.abc import Mapping
 
-from ..formula.walk import evaluate, symbols
+from ..formula.evaluate import evaluate
+from ..formula.walk import symbols
 from ..model.values import Values, completed
 from ..named import NamedTuple
 from ..study.analysis import Analysis

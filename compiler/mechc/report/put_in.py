@@ -4,10 +4,11 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
+from ..formula.evaluate import evaluate
 from ..formula.layout import TRIGONOMETRIC, squares
 from ..formula.tree import Call, Constant, Formula, Number, Power, Product, Symbol, degrees, power
 from ..formula.typesetting import HALF
-from ..formula.walk import children, evaluate, rebuild, symbols
+from ..formula.walk import children, rebuild, symbols
 from ..named import NamedTuple
 from ..units import ANGLE, LENGTH, Dimension, in_unit, si_unit
 

@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import starmap
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Symbol
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..model.mechanism import Load, Mechanism, Parameter
 from ..model.result import Result
 from ..model.sheets import is_sheet

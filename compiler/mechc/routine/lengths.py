@@ -13,6 +13,7 @@ from ..algebra.factors import Length
 from ..algebra.from_formula import is_transparent, to_product
 from ..algebra.product import Product as Factored
 from ..algebra.sums import add
+from ..formula.evaluate import evaluate
 from ..formula.once import Once
 from ..formula.sharing import each_part
 from ..formula.tree import (
@@ -30,7 +31,7 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.walk import children, evaluate, rebuild
+from ..formula.walk import children, rebuild
 
 Definitions = Sequence[tuple[str, Formula]]
 Named = list[tuple[str, Formula]]

@@ -12,6 +12,7 @@ from itertools import count
 from typing import assert_never
 
 from ..formula.derivative import jacobian
+from ..formula.evaluate import side
 from ..formula.sharing import each_part
 from ..formula.tree import (
     Call,
@@ -25,7 +26,7 @@ from ..formula.tree import (
     Symbol,
     System,
 )
-from ..formula.walk import side, symbols
+from ..formula.walk import symbols
 from ..named import NamedTuple
 from . import angle_offsets
 from .steps import Solve, Solver, Statement, Step

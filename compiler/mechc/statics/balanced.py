@@ -3,7 +3,8 @@
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
-from ..formula.walk import Evaluation, evaluate, symbols
+from ..formula.evaluate import Evaluation, evaluate
+from ..formula.walk import symbols
 from ..model.mechanism import Load, Mechanism
 from ..model.result import Definition
 from ..named import NamedTuple

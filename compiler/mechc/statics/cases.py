@@ -2,7 +2,8 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ..formula.walk import evaluate, symbols
+from ..formula.evaluate import evaluate
+from ..formula.walk import symbols
 from ..frozen import frozen
 from ..model.mechanism import Axial, LoadForm, LoadRatio, Mechanism, Normal, Reaction
 from ..model.result import Result

@@ -9,8 +9,9 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import assert_never
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
 from ..named import NamedTuple

@@ -10,8 +10,8 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
-from ..formula.walk import evaluate
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.targets import SIGNS
 from ..named import NamedTuple

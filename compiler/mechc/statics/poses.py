@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from random import Random
 from typing import Generic, TypeVar
 
-from ..formula.walk import evaluate
+from ..formula.evaluate import evaluate
 from ..model.mechanism import Mechanism, Parameter, Require
 from ..model.values import Chain, allowed, bounds, dependent, holds
 from ..pose.pose import Pose

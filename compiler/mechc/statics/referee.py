@@ -12,9 +12,10 @@ from typing import assert_never
 
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics import statics as messages
+from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding
 from ..formula.tree import ONE, Formula
-from ..formula.walk import evaluate, substitute, symbols
+from ..formula.walk import substitute, symbols
 from ..model.mechanism import (
     Axial,
     Efficiency,

@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterator
 from typing import Literal, assert_never
 
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
-from ..formula.walk import evaluate
 from ..frozen import frozen
 from ..model.mechanism import (
     ArcSlot,

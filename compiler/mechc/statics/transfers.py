@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import assert_never
 
-from ..formula.walk import evaluate
+from ..formula.evaluate import evaluate
 from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..model.twins import primed
 from .assembly import GROUND, Action, Couple, PointForce, Transfer, Wrench, direction

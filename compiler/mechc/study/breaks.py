@@ -6,9 +6,10 @@ from ..algebra.angle import RADIAN
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.product import Bound, Sum
+from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Power, Product
 from ..formula.tree import Sum as Terms
-from ..formula.walk import evaluate, symbols, walk
+from ..formula.walk import symbols, walk
 from ..model.result import Definition
 from .analysis import Break
 

@@ -9,8 +9,9 @@ from collections.abc import Iterator
 
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
+from ..formula.evaluate import evaluate
 from ..formula.roots import spaced
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..friction.load_results import by_coefficients
 from ..friction.problem import Problem
 from ..friction.solution import Solution

@@ -19,9 +19,10 @@ from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as messages
 from ..diagnostics.check import Slip
+from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Expect, Mechanism, Torque
 from ..model.result import Definition, Result

@@ -12,8 +12,9 @@ from ..algebra.product import Product
 from ..algebra.sums import add
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
+from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Symbol
-from ..formula.walk import evaluate, substitute, symbols
+from ..formula.walk import substitute, symbols
 from ..friction.solution import Solution, SolvedWithFriction
 from ..frozen import replace
 from ..model.boxes import range_box

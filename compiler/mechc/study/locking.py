@@ -5,10 +5,11 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import chain, groupby, pairwise, takewhile
 
 from ..algebra.from_formula import to_product
+from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
 from ..formula.solved import Solution, poles, zeros
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import frozen
 from ..model.locking import Bound, Locking, LockingInterval, LockingIntervals, Range, State
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction

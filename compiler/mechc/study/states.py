@@ -14,8 +14,9 @@ import math
 from collections.abc import Iterator
 from functools import cached_property
 
+from ..formula.evaluate import status
 from ..formula.tree import ZERO, Call, Formula, Implicit
-from ..formula.walk import status, symbols, walk
+from ..formula.walk import symbols, walk
 from ..frozen import replace
 from ..model.locking import State
 from ..model.result import Definition, FrictionResult, Result

@@ -8,8 +8,9 @@ from ..algebra.halving import without
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.vanishing import vanishing_value
+from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula
-from ..formula.walk import evaluate, symbols, walk
+from ..formula.walk import symbols, walk
 from ..model.boxes import stroke_box
 from ..model.values import Chain
 from ..power.balance import Balance, Solved

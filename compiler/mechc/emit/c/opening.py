@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 
 from ...formula import newton
-from ...formula.walk import evaluate, symbols
+from ...formula.evaluate import evaluate
+from ...formula.walk import symbols
 from ...named import NamedTuple
 from ...routine.steps import Solver
 from .printer import QuickPrinter

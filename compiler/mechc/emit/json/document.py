@@ -3,8 +3,8 @@
 The document and its JSON Schema are both made from what stands here.
 """
 
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
-from ...formula.walk import evaluate
 from ...model.mechanism import (
     Parameter,
 )

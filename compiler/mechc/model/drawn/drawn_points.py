@@ -7,8 +7,9 @@ from fractions import Fraction
 from ...algebra.from_formula import to_product
 from ...algebra.product import Product
 from ...algebra.sums import add
+from ...formula.evaluate import evaluate
 from ...formula.tree import ZERO, Formula
-from ...formula.walk import evaluate, substitute, symbols
+from ...formula.walk import substitute, symbols
 from ...named import NamedTuple
 from ...source import Span
 from ...units import in_unit

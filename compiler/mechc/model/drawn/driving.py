@@ -6,8 +6,9 @@ from typing import assert_never
 
 from ...diagnostics import Diagnostic
 from ...diagnostics import drawn as messages
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...frozen import replace
 from ...units import ANGLE, LENGTH
 from ..constants import decimal

@@ -12,6 +12,7 @@ from typing import assert_never
 
 from ...diagnostics import Report
 from ...diagnostics import drawn as messages
+from ...formula.evaluate import evaluate
 from ...formula.tree import (
     PI,
     ZERO,
@@ -24,7 +25,7 @@ from ...formula.tree import (
     product,
     total,
 )
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...frozen import replace
 from ...named import NamedTuple
 from ..mechanism import (

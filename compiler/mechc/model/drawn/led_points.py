@@ -8,8 +8,9 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, negative, number, total
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...named import NamedTuple
 from ...source import Span
 from ..mechanism import Absolute, Arrow, Geometry, Offset, Turn

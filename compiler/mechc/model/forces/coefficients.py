@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 from ...diagnostics.model import doubts
 from ...diagnostics.model import friction as messages
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...source import Span
 from ...syntax import ast
 from ...units import LENGTH, NUMBER

@@ -6,6 +6,7 @@ from fractions import Fraction
 from ...diagnostics.model import loads as messages
 from ...diagnostics.model import lowering as lowering_messages
 from ...diagnostics.model import names
+from ...formula.evaluate import evaluate
 from ...formula.tree import (
     Call,
     Formula,
@@ -22,7 +23,7 @@ from ...formula.tree import (
     product,
     total,
 )
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...source import Span
 from ...syntax import ast
 from ...units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension

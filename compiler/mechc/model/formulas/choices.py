@@ -5,8 +5,8 @@ from itertools import pairwise
 
 from ...diagnostics.model import sheets as messages
 from ...formula.choices import CONDITIONS
+from ...formula.evaluate import evaluate
 from ...formula.tree import Call, Formula, number
-from ...formula.walk import evaluate
 from ...named import NamedTuple
 from ...syntax import ast
 from ..mechanism import Require, Subject

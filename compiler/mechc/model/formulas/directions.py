@@ -3,8 +3,9 @@
 import math
 
 from ...diagnostics.model import quantities
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, degrees
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...source import Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH, Dimension

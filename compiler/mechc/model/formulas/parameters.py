@@ -5,8 +5,9 @@ from collections.abc import Iterator, Mapping
 from itertools import chain
 
 from ...diagnostics.model import names, quantities
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...frozen import replace
 from ...syntax import ast
 from ...units import DIMENSIONS, MASS, NUMBER, STIFFNESS, UNITS, Dimension

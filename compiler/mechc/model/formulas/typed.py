@@ -1,7 +1,7 @@
 """Values given as text, ``20 deg``, as the value of a ``param`` line is given."""
 
 from ...diagnostics import Report
-from ...formula.walk import evaluate
+from ...formula.evaluate import evaluate
 from ...syntax.settings import parse
 from ...units import Dimension
 from ..names.points import Points

@@ -19,8 +19,9 @@ from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, assert_never
 
+from ...formula.evaluate import evaluate
 from ...formula.tree import Call
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ..mechanism import (
     Absolute,
     Arrow,

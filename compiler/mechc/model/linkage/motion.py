@@ -5,8 +5,8 @@ import math
 from ...diagnostics import Report, drawn, stroke
 from ...diagnostics.model import held
 from ...diagnostics.model import joints as messages
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
-from ...formula.walk import evaluate
 from ...syntax import ast
 from ...syntax.vocabulary import points_of
 from ...units import ANGLE, LENGTH, TIME, in_unit

@@ -6,9 +6,10 @@ from typing import Literal
 
 from ...diagnostics import Report
 from ...diagnostics.model import names as messages
+from ...formula.evaluate import evaluate
 from ...formula.names import Name, another, split_name
 from ...formula.tree import ZERO, Constant, Formula, Number
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast

@@ -8,8 +8,9 @@ from ...diagnostics import Diagnostic, Report
 from ...diagnostics import uses as uses_messages
 from ...diagnostics.model import quantities
 from ...diagnostics.model import results as messages
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
-from ...formula.walk import evaluate, substitute, symbols
+from ...formula.walk import substitute, symbols
 from ...frozen import replace
 from ...syntax import ast
 from ...units import NUMBER, Dimension, in_unit, si_unit

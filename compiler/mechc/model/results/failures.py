@@ -6,9 +6,10 @@ from ...diagnostics import Diagnostic
 from ...diagnostics import sheets as messages
 from ...diagnostics import uses as uses_messages
 from ...diagnostics.model import quantities
+from ...formula.evaluate import evaluate
 from ...formula.to_text import text
 from ...formula.tree import Formula
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...patterns import pattern
 from ...source import Source
 from ...units import ANGLE, LENGTH, in_unit, si_unit

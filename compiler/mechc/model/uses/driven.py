@@ -4,8 +4,8 @@
 uses the mechanism has it among its own, so that it may be given, and set from outside.
 """
 
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
-from ...formula.walk import evaluate
 from ...frozen import replace
 from ...syntax import ast
 from ...units import si_unit, size_of

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 
-from ...formula.walk import evaluate
+from ...formula.evaluate import evaluate
 from ...frozen import replace
 from ...source import Span
 from ...syntax import ast

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from random import Random
 
 from ...diagnostics.pose import AssemblyRange
+from ...formula.evaluate import numeric
 from ...formula.folds import Curve
-from ...formula.walk import numeric
 from ...model.values import Chain, dependent
 from ...units import ANGLE
 from .groups import Block, draw, rows_of, size_of, system_of

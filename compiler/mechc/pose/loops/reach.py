@@ -14,10 +14,11 @@ from ...algebra.factors import Factor, Trig
 from ...algebra.product import Product, Sum
 from ...algebra.sums import add
 from ...diagnostics.pose import AssemblyRange
+from ...formula.evaluate import evaluate
 from ...formula.roots import roots
 from ...formula.to_text import text
 from ...formula.tree import Call, Formula, Number, negative, total
-from ...formula.walk import constants, evaluate, symbols, walk
+from ...formula.walk import constants, symbols, walk
 from ...model.values import Chain, dependent
 from ...named import NamedTuple
 from ...units import ANGLE, Dimension

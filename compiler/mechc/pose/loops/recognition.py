@@ -6,8 +6,9 @@ from fractions import Fraction
 
 from ...algebra.angle import Angle
 from ...algebra.from_formula import to_angle
+from ...formula.evaluate import evaluate
 from ...formula.tree import Call, Formula, Sum, degrees, negative, total
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ..pose import Arm, Definition
 from ..samples import Values
 from ..tolerances import SAME_ANGLE

@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...algebra.angle import Angle
+from ...formula.evaluate import evaluate
 from ...formula.names import another
 from ...formula.tree import Formula
-from ...formula.walk import evaluate
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ...units import LENGTH

@@ -12,9 +12,9 @@ r"""Numbers and quantities with the user's unit, as LaTeX.
 
 from fractions import Fraction
 
+from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Formula, Number
-from ...formula.walk import evaluate
 from ...units import ANGLE, LENGTH, UNITS, Dimension, si_unit, size_of
 from ..languages.locale import Locale
 from ..put_in import in_degrees as rounded

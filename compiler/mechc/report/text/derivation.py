@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
 from ...formula.tree import ZERO, Symbol
-from ...formula.walk import evaluate
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.sheets import is_sheet

@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...formula.choices import is_choice
+from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
 from ...formula.to_text import text
 from ...formula.tree import Formula
-from ...formula.walk import evaluate
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result

@@ -6,8 +6,9 @@ parameters without a value, vectors without a direction.
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from ...formula.evaluate import evaluate
 from ...formula.to_text import text
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...model.mechanism import (
     Arrow,
     Geometry,

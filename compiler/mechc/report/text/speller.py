@@ -4,9 +4,9 @@ from collections.abc import Iterable, Mapping
 from textwrap import wrap
 from types import MappingProxyType
 
+from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
 from ...formula.tree import Formula, Symbol
-from ...formula.walk import evaluate
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result

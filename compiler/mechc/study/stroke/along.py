@@ -5,9 +5,9 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ...algebra.product import Product
 from ...formula.continuation import continued
+from ...formula.evaluate import status
 from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.tree import Formula, Implicit
-from ...formula.walk import status
 from ...kinematics.plan import Plan
 from ...model.result import Result
 from ...model.values import Chain, Values, allowed, defaults, dependent

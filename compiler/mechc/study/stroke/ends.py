@@ -8,9 +8,9 @@ one crosses it: a branch point, at which the drive can go on and the loop in two
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
+from ...formula.evaluate import evaluate, numeric, solution
 from ...formula.folds import Curve
 from ...formula.tree import Formula, Implicit, System
-from ...formula.walk import evaluate, numeric, solution
 from ...model.values import Chain, dependent
 from ...named import NamedTuple
 from ...pose.pose import Pose

@@ -3,8 +3,9 @@
 import math
 from collections.abc import Callable, Sequence, Set
 
+from ...formula.evaluate import straight_line
 from ...formula.tree import Formula
-from ...formula.walk import straight_line, symbols
+from ...formula.walk import symbols
 from ...model.result import Result
 from ...model.values import Values, compare
 

@@ -5,8 +5,9 @@ from functools import partial
 
 from ...diagnostics import MechcError, near_miss
 from ...diagnostics import stroke as messages
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ...model.result import Definition
 from ...model.values import Chain, Values
 from ...named import NamedTuple

@@ -6,9 +6,10 @@ from functools import cache, partial
 from itertools import pairwise
 from typing import Literal
 
+from ...formula.evaluate import evaluate
 from ...formula.roots import Function, Jump, Root, jumps, roots, spaced
 from ...formula.tree import Formula, degrees, number, product, total
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import symbols
 from ..analysis import Analysis, Break, Vanishing
 from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_VALUE, SIDE, STEADY
 from .along import Along

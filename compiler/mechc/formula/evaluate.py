@@ -1,0 +1,208 @@
+"""The value of a formula on floats, and the solutions of its systems."""
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import lru_cache
+from typing import assert_never
+
+from ..named import NamedTuple
+from ..work import LIMIT, Allowance, at_most, spend
+from .choices import chosen
+from .derivative import jacobian
+from .functions import FUNCTIONS
+from .newton import Equations, Matrix, Status, Way, scale, side_of
+from .straight_line import Solution, StraightLine
+from .tree import (
+    Call,
+    Constant,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    System,
+)
+from .walk import substitute
+
+SYSTEMS = 256
+"""Of so many systems the code is kept."""
+
+
+def evaluate(formula: Formula, values: Mapping[str, float]) -> float:
+    """Return the value on floats; NaN where a function is not defined there.
+
+    >>> from .tree import degrees
+    >>> round(evaluate(Call("sin", (degrees(30),)), {}), 12)
+    0.5
+    """
+    return Evaluation(values).of(formula)
+
+
+class Evaluation:
+    """Formulas on floats at one set of values: a part that several share is found once.
+
+    Parts are known by their identity, as large formulas are put together of the same ones.
+    Names may be added to ``values`` later on, but not change.
+    """
+
+    def __init__(self, values: Mapping[str, float]) -> None:
+        self._values = values
+        self._known: dict[int, float] = {}
+        self._outer: dict[int, tuple[float, ...]] = {}
+        self._alive: list[Formula] = []
+
+    def of(self, formula: Formula) -> float:
+        """Return the value of a formula; NaN where a function is not defined there."""
+        self._alive.append(formula)
+        before = len(self._known)
+        try:
+            return self._of(formula)
+        except (ZeroDivisionError, ValueError, OverflowError):
+            return math.nan
+        finally:
+            spend(1 + len(self._known) - before)
+
+    def _of(self, formula: Formula) -> float:
+        match formula:
+            case Constant(_, value):
+                return self._of(value)
+            case Symbol(name):
+                return self._values[name]
+            case Number(value):
+                return value.numerator / value.denominator
+            case Pi():
+                return math.pi
+        known = self._known.get(id(formula))
+        if known is None:
+            known = self._known[id(formula)] = self._compute(formula)
+        return known
+
+    def _compute(self, formula: Sum | Product | Power | Call | Implicit) -> float:
+        match formula:
+            case Sum(terms):
+                return math.fsum(map(self._of, terms))
+            case Product(factors):
+                return math.prod(map(self._of, factors))
+            case Power(base, exponent):
+                result = self._of(base) ** self._of(exponent)
+                return result if isinstance(result, float) else math.nan
+            case Call("choose", arguments):
+                part = chosen(arguments, self._of)
+                return math.nan if part is None else self._of(part)
+            case Call(function, arguments):
+                return float(FUNCTIONS[function](*map(self._of, arguments)))
+            case Implicit(system, index, arguments):
+                return solution(system, self._of_a_system(arguments))[index]
+            case _:
+                assert_never(formula)
+
+    def _of_a_system(self, arguments: tuple[Formula, ...]) -> tuple[float, ...]:
+        """Return the values of what all unknowns of a system have as arguments, found once."""
+        if id(arguments) not in self._outer:
+            self._outer[id(arguments)] = tuple(map(self._of, arguments))
+        return self._outer[id(arguments)]
+
+
+# ------------------------------------------------------------------------- systems
+
+
+def equations(formula: Implicit) -> tuple[Formula, ...]:
+    """Return the left-hand sides of the equations, in the unknowns and the arguments."""
+    names = (name for name, _ in formula.system.anchor)
+    values = dict(zip(names, formula.arguments, strict=True))
+    return tuple(substitute(e, values) for e in formula.system.equations)
+
+
+def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
+    """Return the unknowns at values of the outer symbols; NaN where the branch ends."""
+    return solver(system)(outer)
+
+
+def status(formula: Implicit, values: Mapping[str, float]) -> Status:
+    """Return how a solution was found, or why it was not; the work was counted as it was found."""
+    here = Evaluation(values)
+    return _followed(formula.system)(tuple(map(here.of, formula.arguments))).status
+
+
+def straight_line(
+    formulas: Sequence[Formula],
+    names: Sequence[str],
+    definitions: Iterable[tuple[str, Formula]] = (),
+) -> StraightLine:
+    """Return formulas that are evaluated again and again, as functions of what has a name."""
+    return StraightLine(formulas, names, solver, definitions)
+
+
+@lru_cache(maxsize=SYSTEMS)
+def solver(system: System) -> Solution:
+    """Return a system's unknowns as a function of the outer symbols' values."""
+    followed = _followed(system)
+
+    def unknowns(outer: tuple[float, ...]) -> tuple[float, ...]:
+        status, found, work = followed(outer)
+        spend(work)
+        return found if status == 0 else (math.nan,) * len(found)
+
+    return unknowns
+
+
+class _Ended(NamedTuple):
+    """Where a way ended, and the work that it took, which counts however often it is asked."""
+
+    status: Status
+    unknowns: tuple[float, ...]
+    work: int
+
+
+@lru_cache(maxsize=SYSTEMS)
+def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
+    way = way_of(system)
+
+    @lru_cache(maxsize=64)
+    def followed(outer: tuple[float, ...]) -> _Ended:
+        with at_most(Allowance()) as allowance:
+            ended, found = way.follow(*beginning(system, outer), outer)
+        return _Ended(ended, found, LIMIT - allowance.left)
+
+    return followed
+
+
+def way_of(system: System) -> Way:
+    """Return what stays the same on all ways to a system's solutions."""
+    scales = [scale(value) for value in system.start]
+    return Way(numeric(system), side(system), scales, system.corrections)
+
+
+def beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:
+    """Return the values of outer symbols and unknowns where the way begins."""
+    pairs = zip(system.anchor, outer, strict=True)
+    anchor = {name: end if value is None else value for (name, value), end in pairs}
+    return list(anchor.values()), [anchor[s] if isinstance(s, str) else s for s in system.start]
+
+
+def side(system: System) -> int:
+    """Return the sign of the Jacobian's determinant where the way begins.
+
+    It does not depend on what stays the same along it.
+    """
+    anchor, start = beginning(system, (0.0,) * len(system.anchor))
+    return side_of(numeric(system), start, anchor)
+
+
+@lru_cache(maxsize=SYSTEMS)
+def numeric(system: System) -> Equations:
+    """Return residuals and Jacobian as a function of floats."""
+    rows = jacobian(system.equations, system.unknowns)
+    names = (*system.unknowns, *(name for name, _ in system.anchor))
+    code = straight_line([*system.equations, *(entry for row in rows for entry in row)], names)
+    size = len(system.unknowns)
+    ends = range(size, size * size + 1, size)
+
+    def at(unknowns: Sequence[float], outer: Sequence[float]) -> tuple[list[float], Matrix]:
+        found = code.at((*unknowns, *outer))
+        return found[:size], [found[end : end + size] for end in ends]
+
+    return at
