@@ -11,9 +11,10 @@ from types import CodeType
 
 from mechc.formula.choices import FUNCTIONS as CHOSEN
 from mechc.formula.evaluate import evaluate as slowly
+from mechc.formula.functions import FUNCTIONS
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Formula, Implicit
-from mechc.formula.walk import FUNCTIONS, constants, substitute, symbols, walk
+from mechc.formula.walk import constants, substitute, symbols, walk
 from mechc.model.mechanism import Mechanism
 from mechc.model.values import bounds, defaults, dependent, independent
 from mechc.study.analysis import Analysis, Break, Vanishing
