@@ -62,7 +62,7 @@ def test_without_schemes_and_as_a_fragment(capsys, tmp_path):
 def test_what_friction_rests_on_is_defined_and_more_formulas_stay_in_their_column(capsys):
     assert main(["report", "fedoriv_fig1_with_friction", "--fragment"]) == 0
     text = capsys.readouterr().out
-    assert r"\delta_{AC}&=\arcsin" in text
+    assert r"\boxed{\beta=\arcsin" in text
     beside, below = text.split("& &\n")
     assert "k_{\\mathrm{hold}}=" in beside
     assert "\\eta_k=" in below
