@@ -6,7 +6,7 @@ coordinates are numbers, or a formula of the parameters that they rest on.
 
 from collections.abc import Mapping
 
-from ...algebra.product import Product
+from ...algebra.product import ZERO, Product
 from ...algebra.sums import add
 from ...formula.names import another
 from ...formula.tree import Call, Formula, Number, Symbol, degrees, negative, total
@@ -15,6 +15,7 @@ from ...named import NamedTuple
 from ...units import ANGLE, LENGTH, Dimension
 from ..constants import number_of, rational
 from ..mechanism import Absolute, Mechanism, Parameter
+from ..tolerances import SAME_VECTOR
 from .commensurable import Lengths
 from .drawn_points import Components, DrawnPoints
 from .polar import Polar, polar
@@ -153,11 +154,19 @@ class Sketch(DrawnPoints):
         return self._named(f"delta_{first}{vertex}{second}", value, ANGLE, "deg", second)
 
     def _axis(self, x: Product, y: Product) -> Formula | None:
-        """Return the direction of a vector along an axis."""
+        """Return the direction of a vector along an axis, if it is but for rounding."""
+        x, y = self._rounded(x, y)
         if x and y:
             return None
         quarter = 90 if y else 0
         return degrees(quarter if self.value(x or y) > 0 else quarter - 180)
+
+    def _rounded(self, x: Product, y: Product) -> tuple[Product, Product]:
+        """Return components; one of a vector of numbers that is rounding of the other is 0."""
+        if symbols(x.formula(), y.formula()):
+            return x, y
+        least = SAME_VECTOR * max(abs(self.value(x)), abs(self.value(y)))
+        return x if abs(self.value(x)) > least else ZERO, y if abs(self.value(y)) > least else ZERO
 
     def _positive(self, length: Product) -> Product:
         return length if self.value(length) >= 0 else -length
