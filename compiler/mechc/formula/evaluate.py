@@ -159,13 +159,15 @@ class _Ended(NamedTuple):
 
 @lru_cache(maxsize=SYSTEMS)
 def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
-    way = way_of(system)
+    with at_most(Allowance()) as allowance:
+        way = way_of(system)
+    ahead = LIMIT - allowance.left
 
     @lru_cache(maxsize=64)
     def followed(outer: tuple[float, ...]) -> _Ended:
         with at_most(Allowance()) as allowance:
             ended, found = way.follow(*beginning(system, outer), outer)
-        return _Ended(ended, found, LIMIT - allowance.left)
+        return _Ended(ended, found, ahead + LIMIT - allowance.left)
 
     return followed
 
