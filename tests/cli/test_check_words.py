@@ -34,7 +34,7 @@ def test_check_speaks_three_languages(run: Run) -> None:
         assert f": {words['proved'].split(': ')[1]}\n" in out
         value = "0.0670682245" if language == "en" else "0,0670682245"
         assert words["default"].format(value=value) in out
-        assert words["equilibrium"].format(count=8) in out
+        assert words["equilibrium"].format(count=8, trials=words["trials"]) in out
         verbose = run("check", "-v", "--lang", language, "crank_rocker")
         for key in ("points", "parameters", "vectors", "follows", "found", "condition"):
             assert words[key] in verbose

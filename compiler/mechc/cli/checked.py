@@ -27,7 +27,7 @@ from ..report.text.note import in_brief, in_language
 from ..report.text.overview import overview
 from ..report.text.printer import WRITTEN
 from ..report.text.speller import Speller, speller
-from ..report.text.verdict import said, trials, untried
+from ..report.text.verdict import agreement, said, trials, untried
 from ..source import Source
 from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
@@ -209,6 +209,6 @@ def _of_verdict(verdict: Verdict, spell: Speller, verbose: bool) -> Iterator[str
         yield from (f"  {spell.decimals(row)}" for row in trials(verdict, words))
         lines = [f"  {spell.decimals(line)}" for line in said(verdict, words)]
     else:
-        lines = [f"  {words['equilibrium'].format(count=len(verdict.trials))}"]
+        lines = [f"  {agreement(verdict, words)}"]
         lines += (f"    {remark}" for remark in untried(verdict.remarks, words))
     yield from (part for line in lines for part in spell.broken(line, ""))

@@ -33,15 +33,21 @@ class Replay(Generic[T]):
 def candidates(pose: Pose, number: int) -> Iterator[Values]:
     """Yield the default pose, if it is feasible, and up to ``number`` random feasible ones.
 
-    The draws depend on the mechanism's name only, so that every compile sees the same.
+    Where nothing varies there is no other pose. The draws depend on the mechanism's name only, so
+    that every compile sees the same.
     """
     dice = Random(pose.mechanism.name)
-    for turn in range(number + 1):
+    for turn in range(number + 1 if varies(pose) else 1):
         draw = _at_default if turn == 0 else _near
         parameters = {p.name: draw(p, dice) for p in _free(pose)}
         values = feasible_pose(pose, parameters, dice)
         if values is not None:
             yield values
+
+
+def varies(pose: Pose) -> bool:
+    """Return whether anything is free, so that there are other poses than the default one."""
+    return bool(_free(pose)) or None in pose.placeholders.values()
 
 
 def broken_at_default(pose: Pose) -> Require | None:

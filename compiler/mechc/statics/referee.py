@@ -38,12 +38,12 @@ from .answers import Answer, load_coefficient, load_ratio
 from .balanced import Balanced
 from .closure import worst_gap
 from .contacts import pulling, slack
-from .poses import Replay, Values, broken_at_default, candidates, free_values
+from .poses import Replay, Values, broken_at_default, candidates, free_values, varies
 from .tolerances import SMALLEST
 from .verdict import NEAR_SINGULAR, NO_MORE, NO_VALUE, STANDS, UNSETTLED, Trial, Untried, Verdict
 
 POSES = 4
-"""How many poses a result is checked at: the default one and three more."""
+"""How many poses a result is checked at, where there are others than the default one."""
 
 DRAWS = 40
 """How many poses are drawn, at most, to find them."""
@@ -89,7 +89,7 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     equilibrium at none, or where the pose does not fit the description. A result that no
     pose can decide earns a warning.
     """
-    poses = Replay(candidates(pose, DRAWS))
+    poses, wanted = Replay(candidates(pose, DRAWS)), POSES if varies(pose) else 1
     _measure(pose, poses, report)
     balanced = Replay(Balanced(pose, values) for values in poses)
     for at in islice(balanced, 1):
@@ -100,12 +100,12 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     trials: list[Trial] = []
     remarks: list[Untried] = []
     for question in _questions(results, pose.mechanism):
-        found, troubles = _cross_check(question, iter(balanced))
+        found, troubles = _cross_check(question, iter(balanced), wanted)
         trials.extend(found)
         if one := next((trial for trial in found if trial.is_one_of_several), None):
             report.add(_one_of_several(one, pose))
-        if len(found) < POSES:
-            remarks.append(_untried(question.name, found, troubles))
+        if len(found) < wanted:
+            remarks.append(_untried(question.name, found, troubles, wanted))
         if troubles and not found:
             report.add(_unchecked(question.name, troubles, pose.mechanism.span))
     if remarks and next(iter(poses), None) is None:
@@ -231,7 +231,7 @@ def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
     return {n: substitute(result.formula, {n: ONE}) for n in loads} if len(loads) == 1 else {}
 
 
-def _cross_check(question: Question, poses: Iterator[Balanced]) -> CrossChecked:
+def _cross_check(question: Question, poses: Iterator[Balanced], wanted: int) -> CrossChecked:
     """Try poses until enough of them give an answer by both methods."""
     trials: list[Trial] = []
     troubles: list[str] = []
@@ -241,7 +241,7 @@ def _cross_check(question: Question, poses: Iterator[Balanced]) -> CrossChecked:
             trials.append(trial)
         else:
             troubles.append(trial)
-        if len(trials) == POSES:
+        if len(trials) == wanted:
             break
     return CrossChecked(tuple(trials), tuple(troubles))
 
@@ -303,8 +303,10 @@ def _one_of_several(trial: Trial, pose: Pose) -> Diagnostic:
     return messages.several_balances(span, trial.result, trial.power, place)
 
 
-def _untried(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> Untried:
-    return Untried(name, len(trials), POSES, troubles[-1] if troubles else NO_MORE)
+def _untried(
+    name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...], wanted: int
+) -> Untried:
+    return Untried(name, len(trials), wanted, troubles[-1] if troubles else NO_MORE)
 
 
 def _unchecked(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:

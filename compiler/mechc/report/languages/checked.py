@@ -22,7 +22,7 @@ EN: Words = _with_reasons(
         "independent": "does not depend on {names}",
         "proved": "expect {formula}: proved",
         "agrees": "expect {formula}: agrees ({value})",
-        "equilibrium": "equilibrium of the free bodies agrees in {count} trials",
+        "equilibrium": "equilibrium of the free bodies agrees in {count} {trials}",
         "used": "{prefix} is {name} at the values that it is given here",
         "judged": "{name} was judged at {count} of {poses} poses: {reason}",
         "points": "points",
@@ -73,7 +73,7 @@ UK: Words = _with_reasons(
         "proved": "expect {formula}: доведено",
         "agrees": "expect {formula}: збігається ({value})",
         "equilibrium": "рівняння рівноваги окремих ланок дають той самий результат, "
-        "перевірок: {count}",
+        "{trials}: {count}",
         "used": "{prefix} — механізм {name} за значень, які йому тут задано",
         "judged": "{name}: перевірено положень {count} з {poses}; {reason}",
         "points": "точки",
@@ -125,8 +125,8 @@ RU: Words = _with_reasons(
         "independent": "не зависит от {names}",
         "proved": "expect {formula}: доказано",
         "agrees": "expect {formula}: совпадает ({value})",
-        "equilibrium": "уравнения равновесия отдельных звеньев дают тот же результат, проверок: "
-        "{count}",
+        "equilibrium": "уравнения равновесия отдельных звеньев дают тот же результат, "
+        "{trials}: {count}",
         "used": "{prefix} — механизм {name} при значениях, которые ему здесь заданы",
         "judged": "{name}: проверено положений {count} из {poses}; {reason}",
         "points": "точки",

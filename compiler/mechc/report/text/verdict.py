@@ -38,6 +38,16 @@ def said(verdict: Verdict, words: Words) -> Iterator[str]:
     yield _summary(verdict, words)
 
 
+def agreement(verdict: Verdict, words: Words) -> str:
+    """Return in how many trials the equilibrium of the free bodies agrees.
+
+    >>> agreement(Verdict((Trial("k", {}, 2.0, 2.0, 0.0, 3.1),)), EN)
+    'equilibrium of the free bodies agrees in 1 trial'
+    """
+    number = len(verdict.trials)
+    return words["equilibrium"].format(count=number, trials=_counted(number, words))
+
+
 def untried(remarks: Sequence[Untried], words: Words) -> Iterator[str]:
     """Yield a line on each result that was checked at fewer poses than are wanted, and why."""
     for result, count, poses, reason in remarks:
@@ -72,5 +82,10 @@ def _summary(verdict: Verdict, words: Words) -> str:
     if not number:
         return words["nothing"]
     opinion = words["agree" if verdict.agrees else "disagree"]
-    trials = words["trials" if number > 1 else "trial"]
-    return opinion.format(error=f"{verdict.worst:.2g}", count=number, trials=trials)
+    return opinion.format(
+        error=f"{verdict.worst:.2g}", count=number, trials=_counted(number, words)
+    )
+
+
+def _counted(number: int, words: Words) -> str:
+    return words["trial" if number == 1 else "trials"]
