@@ -65,7 +65,7 @@ IN_LINES = (
     Kind("from without to", r"^(drive .* from .*?) to ", r"\1 "),
     Kind("stroke as a range", r"^(drive .*) from (.*?) to ", r"\1 in \2 .. "),
     Kind("along left out", r"^(slider|force) (.*?) along ", r"\1 \2 "),
-    Kind("in left out", r'^(param [^"#]*?) in ' , r"\1 "),
+    Kind("in left out", r'^(param [^"#]*?) in ', r"\1 "),
     # signs
     Kind("equals twice", r"^((?:param|let|find|\w+) *[\w']*) = ", r"\1 == "),
     Kind("equals of Pascal", r"^((?:param|let) +\w+) += ", r"\1 := "),
