@@ -99,14 +99,13 @@ def _positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
 
 
 def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
-    """Return the conditions under which signs stay what they are."""
+    """Return the conditions under which signs stay what they are, the short ones first.
+
+    They are met in an order that the lines of a description may have a part in.
+    """
     operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
-    return tuple((value, operators[sign]) for value, sign in signs.conditions.items())
-
-
-def sorted_conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
-    """Return the same for joints that are looked at all at once, whatever order they stand in."""
-    return tuple(sorted(conditions(signs), key=lambda c: (count_operations(c[0]), text(c[0]))))
+    met = ((value, operators[sign]) for value, sign in signs.conditions.items())
+    return tuple(sorted(met, key=lambda c: (count_operations(c[0]), text(c[0]))))
 
 
 def readable(value: Product) -> Formula:

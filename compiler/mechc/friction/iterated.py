@@ -15,7 +15,7 @@ from ..model.result import Result
 from ..named import NamedTuple
 from ..power.joint_forces import size_of
 from ..power.speeds import even, magnitude
-from .closed_form import Named, Printed, readable, sorted_conditions
+from .closed_form import Named, Printed, conditions, readable
 from .naming import Sizes
 from .normal_forces import LoadedPair
 from .pairs import FrictionPair, radii, reduced
@@ -55,7 +55,7 @@ def first_order_case(
         defined=tuple(signs.definitions),
     )
     formula = _with(ideal.formula, parts, sense)
-    return Printed(formula, (), sorted_conditions(signs), (step,))
+    return Printed(formula, (), conditions(signs), (step,))
 
 
 def _called(name: str, size: Product, named: dict[Formula, Formula], signs: AtOnePose) -> Formula:
@@ -156,7 +156,7 @@ def exact_case(
     where = (*signs.definitions, *sizes.definitions)
     steps = (Step("iterated"),)
     formula = _sum(ideal, parts, sizes)
-    return Printed(formula, where, sorted_conditions(signs), steps, sizes.positive)
+    return Printed(formula, where, conditions(signs), steps, sizes.positive)
 
 
 def _sum(
