@@ -13,7 +13,7 @@ passes zero the drive would need to be infinitely strong, and behind it the load
 reversed: nothing balances. Nor does anything where the branch of solutions ends on the way.
 """
 
-from collections.abc import Callable, Iterator, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
 from ..formula.names import another
@@ -124,7 +124,8 @@ def coupled(loaded: Sequence[LoadedPair], taken: Set[str]) -> Coupled:
     )
     others = ("n_0", "d_0", "g_0", "e_0", "phi_0", "q_0", "t_0", "t_1", "t_2")
     names = Names(sizes, unknowns, added, alone, *map(name, others))
-    pairs = tuple(tuple(_rows(p, loaded, name)) for p in loaded)
+    places = {p.pair.name: i for i, p in enumerate(loaded)}
+    pairs = tuple(tuple(_rows(p, loaded, places, name)) for p in loaded)
     return Coupled(tuple(loaded), names, pairs, _system(names, pairs))
 
 
@@ -142,19 +143,25 @@ def _fresh(taken: Set[str]) -> Callable[[str], str]:
 
 
 def _rows(
-    pair: LoadedPair, loaded: Sequence[LoadedPair], name: Callable[[str], str]
+    pair: LoadedPair,
+    loaded: Sequence[LoadedPair],
+    places: Mapping[str, int],
+    name: Callable[[str], str],
 ) -> Iterator[Row]:
     """Yield the components of the force that presses a pair."""
     for axis, component in zip("xy", pair.components, strict=False):
         ideal = Definition(name(f"r_{pair.pair.name}{axis}"), component.ideal.formula())
-        shares = _shares(f"d_{pair.pair.name}{axis}", component, loaded, name)
+        shares = _shares(f"d_{pair.pair.name}{axis}", component, loaded, places, name)
         yield Row(ideal, tuple(shares))
 
 
 def _shares(
-    prefix: str, component: Component, loaded: Sequence[LoadedPair], name: Callable[[str], str]
+    prefix: str,
+    component: Component,
+    loaded: Sequence[LoadedPair],
+    places: Mapping[str, int],
+    name: Callable[[str], str],
 ) -> Iterator[Share]:
-    places = {p.pair.name: i for i, p in enumerate(loaded)}
     for other, part in component.by.items():
         place = places[other]
         amount = part * loaded[place].pair.factor
@@ -222,7 +229,8 @@ def _of_the_load(of: Coupled) -> Iterator[Definition]:
 def _solutions(of: Coupled) -> Iterator[Definition]:
     """Yield the loads at the end, and the true sizes where they are as given."""
     names, system = of.names, of.system
-    arguments = tuple(_argument(of, name) for name, _ in system.anchor)
+    ideal = {row.ideal.name for row in of.rows}
+    arguments = tuple(_argument(of, name, name in ideal) for name, _ in system.anchor)
     found = [Implicit(system, i, arguments) for i in range(len(system.unknowns))]
     for name, size in zip(names.unknowns, found, strict=False):
         yield Definition(name, size)
@@ -233,7 +241,7 @@ def _solutions(of: Coupled) -> Iterator[Definition]:
         yield Definition(name, product(parts))
 
 
-def _argument(of: Coupled, name: str) -> Formula:
+def _argument(of: Coupled, name: str, is_ideal: bool) -> Formula:
     """Return the value of a symbol of the system at the end of the way."""
     names = of.names
     if name in (names.step, names.left):
@@ -242,7 +250,6 @@ def _argument(of: Coupled, name: str) -> Formula:
         return NOTHING
     if name in names.added:
         return product([(Symbol(names.turn), 1), (Symbol(name), 1)])
-    is_ideal = any(row.ideal.name == name for row in of.rows)
     return _per_scale(of, name) if is_ideal else Symbol(name)
 
 
