@@ -130,8 +130,9 @@ def _loaded(
     ideal = question.factors.solve(right)
     if question.factors.gap(ideal, right) > INCONSISTENT:
         return UNBALANCED
-    responses = [question.factors.solve(_against(question, pair, 1.0)) for pair in pairs]
-    slips = map(partial(_slip, question), pairs, responses)
+    frictions = [_against(question, pair, 1.0) for pair in pairs]
+    responses = [question.factors.solve(friction) for friction in frictions]
+    slips = map(partial(_slip, question), frictions, responses)
     senses = tuple(-SIGNS[sense] * slip for slip in slips)
     responses = [[s * x for x in r] for s, r in zip(senses, responses, strict=True)]
     thrusts = {p.name: _size(p.thrust, unfolding, tied, given) for p in pairs if p.thrust}
@@ -200,15 +201,15 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Questi
     return Question(system, columns, factor(rows, last + 1, last), last, units[drive])
 
 
-def _slip(question: Question, pair: Pair, response: Found) -> float:
-    """Return the sign of a pair's slip as the driving load moves along its arrow.
+def _slip(question: Question, friction: dict[int, float], response: Found) -> float:
+    """Return the sign of the slip behind a friction of 1 as the load drives along its arrow.
 
-    That load balances a friction of 1 alone, so that the slip is minus its size, as :mod:`.speeds`
+    That load balances the friction alone, so that the slip is minus its size, as :mod:`.speeds`
     has it.
     """
-    right, slip = _against(question, pair, 1.0), -question.unit * response[question.drive]
+    slip = -question.unit * response[question.drive]
     sound = all(map(math.isfinite, response))
-    sound = sound and question.factors.gap(response, right) <= INCONSISTENT
+    sound = sound and question.factors.gap(response, friction) <= INCONSISTENT
     return math.copysign(1.0, slip) if sound and abs(slip) > NO_SLIP else 0.0
 
 

@@ -124,7 +124,7 @@ def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
 
 
 def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
-    """PointForce the pin along the face, and the body under it back at the same place."""
+    """Push the pin along the face, and the body under it back at the same place."""
     if found := unfolding.pose.mechanism.arc_at(point):
         rod, arc = found
         return _arc(point, size, rod.name, arc, unfolding)
