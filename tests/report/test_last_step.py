@@ -63,3 +63,12 @@ def test_a_ratio_with_a_sign_of_its_own_is_not_contradicted():
     (last,) = derivation.last_steps
     (v,) = (r for r in derivation.results if r.name == "v")
     assert last.chain is None or equal(last.chain.product, v.formula)
+
+
+def test_the_power_of_a_cylinder_is_by_the_speed_of_the_end_that_the_lever_rule_names():
+    derivation = compiled("excavator_arm").derivation
+    assert [text(e.left) for e in derivation.balances] == [
+        "P*sin(mu_B)*V_B + F*sin(phi_CB - mu_B)*V_E"
+    ]
+    (last,) = derivation.last_steps
+    assert text(last.ratio.right) == "V_E*sin(mu_B - phi_CB)/(V_B*sin(mu_B))"

@@ -99,3 +99,7 @@ def test_atan2_is_explained_where_it_is_used():
 def test_a_slope_is_in_the_unit_of_lengths():
     (file,) = TARGET.emit(good_mechanisms.compiled("jansen_leg"), Options("jansen"))
     assert re.search(r"26\.1493[^$]*mm", file.text)
+
+
+def test_what_a_result_is_proportional_to_is_written_in_the_order_of_its_formula():
+    assert "k is proportional to gj/(hl)." in said("bolt_cutter")

@@ -52,7 +52,7 @@ def _speed_along(term: Term, speeds: SpeedSteps) -> AlongLoad | None:
             form = parting(graph, term.load, term.line)
             if len(form) < 2:
                 return None
-            said = linear(_moving(form, speeds), speeds.names)
+            said = linear(_moving(form, speeds), speeds.names_at(form, first, second))
             subject = acting_on(term.load, graph)
             symbol, rule = Symbol(f"V_{first}{second}"), Rule.PARTING
         case _:
@@ -70,22 +70,23 @@ def power_terms(speeds: SpeedSteps, along: Mapping[str, AlongLoad]) -> tuple[Pow
 
 def _power_term(term: Term, speeds: SpeedSteps, along: Mapping[str, AlongLoad]) -> PowerTerm:
     load, graph = term.load, speeds.plan.graph
+    at: tuple[str, ...]
     match load:
         case Force(_, point):
             assert term.line is not None
-            form, at = projection(graph.velocities[point], term.line), point
-        case ForcePair(_, first):
+            form, at = projection(graph.velocities[point], term.line), (point,)
+        case ForcePair(_, first, second):
             assert term.line is not None
-            form, at = parting(graph, load, term.line), first
+            form, at = parting(graph, load, term.line), (first, second)
         case Torque(_, link):
-            form, at = spin(graph, link), link
+            form, at = spin(graph, link), (link,)
         case _:
             assert_never(load)
     if load.name in along:
-        return PowerTerm(load.name, at, term.count.formula(), along[load.name].symbol)
+        return PowerTerm(load.name, at[0], term.count.formula(), along[load.name].symbol)
     moving = _moving(form, speeds)
-    speed = linear(moving, speeds.names_at(moving, at))
-    return PowerTerm(load.name, at, term.count.formula(), speed)
+    speed = linear(moving, speeds.names_at(moving, *at))
+    return PowerTerm(load.name, at[0], term.count.formula(), speed)
 
 
 def _moving(form: Form, speeds: SpeedSteps) -> Form:

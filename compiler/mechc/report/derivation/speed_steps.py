@@ -35,9 +35,9 @@ class SpeedSteps:
         """Return the ratios of speeds that the steps so far have given a name."""
         return self._ratios.found
 
-    def names_at(self, form: Form, at: str) -> Names:
-        """Return the names of a form's unknowns, by the speed of a point where it has one."""
-        own = {u: named for u in form if (named := self._notation.of_point(u, at))}
+    def names_at(self, form: Form, *points: str) -> Names:
+        """Return the names of a form's unknowns, by the speed of one of the points if it can be."""
+        own = {u: n for u in form for p in points if (n := self._notation.of_point(u, p))}
         return {**self._names, **own}
 
     def steps(self) -> Iterator[Step]:

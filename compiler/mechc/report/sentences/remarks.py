@@ -216,7 +216,7 @@ def _proportions(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     powers = {n: e for n, e in (result.proportional or {}).items() if e}
     if not powers:
         return []
-    simple = product((Symbol(n), e) for n, e in powers.items())
+    simple = product((Symbol(n), e) for n, e in sorted(powers.items()))
     shown, factor = _spelled(asked(result), spell), _spelled(simple, spell)
     return [locale.proportional.format(result=shown, factor=factor)]
 
