@@ -3,6 +3,7 @@
 import pytest
 
 from good_mechanisms import ALL, compiled
+from mechc.formula.to_text import text
 from mechc.report.derivation.steps import Rule
 from mechc.report.languages.registry import LANGUAGES, locale
 from mechc.report.sentences.wording import sentences
@@ -41,3 +42,9 @@ def test_other_bodies_have_theirs(name):
 @pytest.mark.slow
 def test_no_component_of_the_library_is_without_a_reason():
     assert not [name for name in ALL for s in steps(name) if s.rule is Rule.COMPONENT]
+
+
+def test_the_component_of_a_point_is_by_the_speed_of_the_pole_that_a_step_has_named():
+    (step,) = (s for s in steps("hoeken") if s.rule is Rule.COMPONENT_OF_BODY)
+    (component,) = step.relations
+    assert text(component.right) == "sin(phi)*V_A + 5*a*sin(phi_AB)*omega_ABP"

@@ -45,8 +45,8 @@ def _speed_along(term: Term, speeds: SpeedSteps) -> AlongLoad | None:
             if len(graph.velocities[point]) < 2:
                 return None
             form = projection(graph.velocities[point], term.line)
-            said = linear(form, speeds.names_at(form, point))
             rule, subject = rule_of_component(point, name, graph)
+            said = linear(form, speeds.names_at(form, *subject))
             symbol = Symbol(f"V_{point}_{name}")
         case ForcePair(_, first, second):
             form = parting(graph, term.load, term.line)

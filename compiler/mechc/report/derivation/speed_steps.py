@@ -36,9 +36,10 @@ class SpeedSteps:
         return self._ratios.found
 
     def names_at(self, form: Form, *points: str) -> Names:
-        """Return the names of a form's unknowns, by the speed of one of the points if it can be."""
-        own = {u: n for u in form for p in points if (n := self._notation.of_point(u, p))}
-        return {**self._names, **own}
+        """Return the names of a form's unknowns, by the speed of one of the points if it is met."""
+        met = self._levered | {n.symbol.name for n in self._names.values()}
+        named = ((u, self._notation.of_point(u, point)) for u in form for point in points)
+        return {**self._names, **{u: n for u, n in named if n and n.symbol.name in met}}
 
     def steps(self) -> Iterator[Step]:
         """Yield the steps that what was asked for rests on."""
