@@ -15,6 +15,15 @@ OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRC
 
 DOUBLED = {"*": "a power is written with '^'", "=": "equality is written '='"}
 
+_ENDS = (
+    "a cylinder is a telescope, and the actuator acts between its ends: actuator P between A and B"
+)
+_SQUARE = "a direction stands behind 'along': force F at A along perp OA, OA turned by 90 deg"
+_MOVES = (
+    "a drive is what moves, drive phi from 10 deg to 80 deg; the force of a cylinder is an "
+    "actuator, actuator P between A and B, that of a motor a torque, torque M on OA"
+)
+
 STATED = {
     ("TORQUE", "at"): "a couple acts on a link: torque M on OA",
     ("FORCE", "on"): "a force acts at a point: force F at A along x",
@@ -28,8 +37,17 @@ STATED = {
     ("ROPE", "-"): "a ',' stands between the points of a rope: rope A, K along -y, H along y",
     ("GEAR", "="): "a radius stands behind its pivot: gear O1 20 mm, O2 30 mm",
     ("BELT", "="): "a radius stands behind its pivot: belt O1 20 mm, O2 30 mm",
-    ("ACTUATOR", "in"): "a cylinder is a telescope, and the actuator acts between its ends: "
-    "actuator P between A and B",
+    ("ACTUATOR", "in"): _ENDS,
+    ("ACTUATOR", "on"): _ENDS,
+    ("ACTUATOR", "at"): _ENDS,
+    ("FORCE", "between"): "a pair of forces between two points is an actuator: actuator P between "
+    "A and B",
+    ("FORCE", "perpendicular"): _SQUARE,
+    ("FORCE", "normal"): _SQUARE,
+    ("FORCE", "perp"): _SQUARE,
+    ("DRIVE", "on"): _MOVES,
+    ("DRIVE", "at"): _MOVES,
+    ("DRIVE", "between"): _MOVES,
     ("LINK", "="): "a link is declared, and its lengths are lines of their own: OA = 60 mm",
     ("TELESCOPE", "="): "a telescope is declared, and its length is a line of its own: AB = 60 mm",
     ("SLIDE", "="): "a slide is declared, and its lengths are lines of their own: WX = 60 mm",
