@@ -102,6 +102,7 @@ KINDS = (
     ("toggle", "link OB", "link OBA\nlink OB", "W253"),
     ("oscillating_cylinder", "telescope CB", "telescope CB\ntelescope OB", "W254"),
     ("oscillating_cylinder", "telescope CB", "telescope CB\ntelescope OC", "W254"),
+    ("oscillating_cylinder", "telescope CB", "telescope CB\nlink OC", "W262"),
     ("crank_rocker", "cw", "cw\nassembly ABO2 ccw", "E319"),
     # what is asked for, and of what size
     ("toggle", "find k = P/F", "find k = P/F\nfind j = P/F", "W248"),

@@ -195,11 +195,14 @@ def result_negative(at: Span, result: str, hint: str) -> Message:
     return Message(at, message, hint)
 
 
-def turn_round(forces: Sequence[str]) -> str:
-    """Return the hint at a force that points the wrong way, or at one of several."""
+def turn_round(forces: Sequence[str], touching: bool) -> str:
+    """Return the hint at a force that points the wrong way, or at one of several.
+
+    Where bodies touch, only one of two forces presses them together when it is turned.
+    """
     if not forces:
         return "both weights act downwards, on the same side"
-    so_that = ", so that bodies that touch push" if len(forces) > 1 else ""
+    so_that = ", so that bodies that touch push" if touching and len(forces) > 1 else ""
     return f"turn {listed(forces, 'or')} round (add 180 deg to its direction){so_that}"
 
 

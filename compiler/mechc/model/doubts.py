@@ -54,6 +54,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     yield from _asked_twice(mechanism.finds)
     yield from _coinciding(mechanism, values)
     yield from _within(mechanism.links)
+    yield from _of_ground(mechanism)
     yield from _held(mechanism)
     yield from _without_value(mechanism, values)
     yield from _of_no_size(mechanism, values)
@@ -257,6 +258,13 @@ def _within(links: Sequence[Link]) -> Iterator[Diagnostic]:
             if other is not link and set(link.points) < set(other.points):
                 yield messages.link_within_link(link.span, link.name, other.name, other.span)
                 break
+
+
+def _of_ground(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    """Yield the links between pivots alone."""
+    for link in mechanism.links:
+        if set(link.points) <= mechanism.fixed:
+            yield messages.link_of_ground(link.span, link.name)
 
 
 def _held(mechanism: Mechanism) -> Iterator[Diagnostic]:

@@ -202,20 +202,13 @@ class Arrows:
         self._reported |= {k.name for k in asked}
         friction = self._pose.mechanism.friction
         if all(isinstance(load, Force) for load in asked):
-            hint = self._hint([k.name for k in asked if isinstance(k, Force) and not k.weight])
+            forces = [k.name for k in asked if isinstance(k, Force) and not k.weight]
+            hint = messages.turn_round(forces, bool(self._pose.mechanism.each(Contact)))
             self._report.add(messages.result_negative(find.span, find.name, hint))
         elif not friction.is_ideal and friction.sense == "tightening":
             drive = target.above
             is_force = isinstance(self._loads.get(drive), Force)
             self._report.add(messages.drive_is_back_driven(find.span, find.name, drive, is_force))
-
-    def _hint(self, forces: Sequence[str]) -> str:
-        """Return a hint at the force to turn.
-
-        Where bodies touch, only one of two forces presses them together when it is turned.
-        """
-        touching = self._pose.mechanism.each(Contact)
-        return messages.turn_round(forces if touching else forces[:1])
 
     def _turns(self, result: Result) -> bool:
         """Return whether a result that is negative by default is positive along the stroke."""

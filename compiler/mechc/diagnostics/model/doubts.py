@@ -141,6 +141,20 @@ def link_within_link(span: Span, link: str, other: str, first: Span) -> Message:
     return Message(span, message, "leave it out, or correct its points", related)
 
 
+@coded("W262")
+def link_of_ground(span: Span, link: str) -> Message:
+    """All pins of a link are pivots of the ground, so that it is a part of the ground.
+
+    The ground needs no link: its pivots stand where they are said to::
+
+        pivot O at (0 mm, 0 mm)
+        pivot Q at (100 mm, 0 mm)
+        link OQ                       # warned of
+    """
+    message = f"all points of link {link} are pivots of the ground, so it cannot move"
+    return Message(span, message, "leave it out, or correct its points")
+
+
 @coded("W254")
 def telescope_between_fixed(span: Span, name: str, body: str) -> Message:
     """The ends of a telescope keep their distance, so it can neither extend nor push.
