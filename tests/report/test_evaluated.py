@@ -120,3 +120,7 @@ def test_results_with_friction_have_their_numbers_put_in(name):
     order = [text(item.left) for item in found(name)]
     assert order.index("rho") < order.index("k_f") < order.index("eta_k")
     assert len(order) == len(set(order))
+
+
+def test_a_ratio_of_some_fifty_operations_has_its_numbers_put_in():
+    assert text(shown("double_butterfly")["k"].numbers).startswith("40*70*sin(")

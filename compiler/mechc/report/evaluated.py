@@ -21,7 +21,7 @@ from .put_in import Quantity, put_in, usual_unit, without_rounding
 from .sections import Outline, Section
 from .sentences.remarks import asked
 
-LONGEST = 40
+LONGEST = 60
 """A formula of more operations than this is given by its value alone."""
 
 
