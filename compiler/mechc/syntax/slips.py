@@ -101,6 +101,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     token, before = line[position], line[position - 1] if position else None
     return (
         _of_comment(line, position)
+        or _of_label(line, position)
         or _of_decimals(line, position)
         or (line[0].type in FORMULAS and of_asking(line, position, allowed))
         or _of_list(token, line[0])
@@ -165,6 +166,13 @@ def _of_comment(line: Sequence[Token], position: int) -> str:
     return "a comment begins with '#'" if is_comment else ""
 
 
+def _of_label(line: Sequence[Token], position: int) -> str:
+    """Return a hint at a text behind a statement that takes none."""
+    text = line[position]
+    is_label = position > 1 and text.type == "STRING" and position == len(line) - 1
+    return f"a label stands behind '#': # {text[1:-1]}" if is_label else ""
+
+
 def _of_decimals(line: Sequence[Token], position: int) -> str:
     """Return a hint at a comma that does not fit, where one stands in a number."""
     triples = zip(line, line[1:], line[2:], strict=False)
@@ -184,8 +192,6 @@ def _of_list(token: Token, first: Token) -> str:
         return f"the points of a {first} are written together, as in {first} OB"
     if first.type == "LOAD" and token.type == "AT":
         return "a load at a point is a force: force F at A along x"
-    if first.type == "TELESCOPE" and token.type == "STRING":
-        return "a telescope has no title: say it in a comment, behind '#'"
     if first.type in ("TABLE", "LIST") and token.type != "COMMA":
         return f"it is written: {WRITTEN[str(first)]}"
     listed = token == "," and first.type in ONE_EACH
