@@ -180,13 +180,18 @@ class Pipeline:
         return self._sound(solve(self.balance, self.report))
 
     @Stage
-    def calculation(self) -> "Calculation | None":
-        """The formulas of a calculation sheet with their values; None for a mechanism."""
+    def calculated(self) -> "Calculation | None":
+        """The formulas of a calculation sheet with their values, whatever its conditions say."""
         if not is_sheet(self.mechanism):
             return None
         from .calculation.from_pose import calculate
 
-        return self._sound(calculate(self.pose, self._with_used.solved, self.report))
+        return calculate(self.pose, self._with_used.solved, self.report)
+
+    @Stage
+    def calculation(self) -> "Calculation | None":
+        """The calculation of a sheet whose conditions hold; None for a mechanism."""
+        return self._sound(self.calculated)
 
     @property
     def found(self) -> tuple[Result, ...]:

@@ -492,3 +492,39 @@ def test_library_can_be_written_in_both_notations(run: Mechc) -> None:
             status, out, err = run("fmt", "--to", notation, name)
             assert (status, err) == (0, ""), name
             assert out
+
+
+@pytest.mark.parametrize(
+    ("command", "fails"),
+    [("check", "FAILS"), ("derive", "FAILS"), ("derive --lang uk", "НЕ ВИКОНАНО")],
+)
+def test_a_condition_that_fails_stands_in_the_whole_calculation(
+    run: Mechc, tmp_path: Path, command: str, fails: str
+) -> None:
+    path = tmp_path / "bolt.mech"
+    path.write_text(FAILING_BOLT, encoding="utf-8")
+    status, out, err = run(*command.split(), str(path))
+    assert status == 1
+    (line,) = (line for line in out.splitlines() if line.endswith(f", {fails}"))
+    assert "254" in line
+    assert sum("reserve" in line for line in out.splitlines()) == 1
+    assert "E550" in err
+
+
+def test_a_calculation_with_another_mistake_is_not_shown(run: Mechc, tmp_path: Path) -> None:
+    path = tmp_path / "bolt.mech"
+    path.write_text(f"{FAILING_BOLT}let z = 1/(F - 20 kN)\n", encoding="utf-8")
+    status, out, err = run("check", str(path))
+    assert (status, out) == (1, "")
+    assert "E550" in err
+    assert "E551" in err
+
+
+FAILING_BOLT = """\
+sheet bolt "Bolt in shear"
+param F = 20 kN
+param d = 10 mm
+let tau = 4*F/(pi*d^2) in MPa  # shear stress
+require tau < 100 MPa
+let s = 100 MPa/tau  # reserve
+"""

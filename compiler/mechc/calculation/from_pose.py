@@ -31,6 +31,7 @@ def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
     mechanism = pose.mechanism
     given = Chain(dependent(mechanism)).complete(defaults(mechanism))
     brought = tuple(with_values(taken(mechanism, solved), given))
+    own = tuple(let_results(pose, brought, report))
     given |= {r.name: r.default for r in brought if r.default is not None}
     lets = {let.name: let.value for let in mechanism.lets}
     values = Chain({**dict(solved.definitions), **lets}).complete(given)
@@ -42,7 +43,7 @@ def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
     _refuse_undefined(mechanism, values, failed, report)
     nothing = _rounded_zeros(mechanism, given)
     known = {name: 0.0 if name in nothing else value for name, value in values.items()}
-    found = (_with_value(result, known) for result in let_results(pose, brought, report))
+    found = (_with_value(result, known) for result in own)
     return Calculation(pose, (*brought, *found), checks)
 
 

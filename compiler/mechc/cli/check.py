@@ -5,7 +5,7 @@ from ..driver import Compilation, complete, warnings
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
-from .checked import overview_of, report
+from .checked import failing, overview_of, report
 from .inputs import expanded, settings_option, stdin_option
 from .open import begin
 from .proposals import descriptions
@@ -55,6 +55,9 @@ def command(
         except MechcError as error:
             session().show(error.diagnostics, error.source)
             worst = max(worst, status(error.diagnostics))
+            if compilation and not quiet:
+                for line in failing(compilation, error.diagnostics, language, line_width()):
+                    say(line)
             for line in overview_of(compilation, language) if compilation and verbose else ():
                 say(line)
             continue

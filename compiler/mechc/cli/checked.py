@@ -2,7 +2,9 @@
 
 import sys
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Final
 
+from ..diagnostics import Diagnostic, Severity
 from ..driver import Compilation
 from ..formula.evaluate import evaluate
 from ..formula.to_text import text
@@ -13,6 +15,7 @@ from ..model.mechanism import (
     GRAVITY,
     LoadForm,
     LoadRatio,
+    Mechanism,
     Parameter,
     SpeedRatio,
     WithFriction,
@@ -35,6 +38,12 @@ from ..study.expectations import Finding
 from ..study.ranges import scale_of
 from ..units import in_unit
 
+if TYPE_CHECKING:
+    from ..calculation.calculation import Calculation
+
+FAILS: Final = "E550"
+"""The code of a condition of a sheet that fails."""
+
 
 def overview_of(compilation: Compilation, language: str) -> Iterator[str]:
     """Yield the lines on a description, as far as the stages went."""
@@ -45,11 +54,28 @@ def overview_of(compilation: Compilation, language: str) -> Iterator[str]:
         yield from overview(mechanism, made.get("pose"), compilation.source, spell)
 
 
+def failing(
+    compilation: Compilation, found: Iterable[Diagnostic], language: str, width: int
+) -> Iterator[str]:
+    """Yield the lines on a sheet in which nothing is wrong but conditions that fail."""
+    if calculation := refused(compilation, found):
+        mechanism, results = calculation.pose.mechanism, calculation.results
+        yield f"{compilation.source.name}: {mechanism.name}"
+        yield from in_brief(mechanism, results, _speller(mechanism, results, language, width))
+
+
+def refused(compilation: Compilation, found: Iterable[Diagnostic]) -> "Calculation | None":
+    """Return the calculation of a sheet that was refused for conditions that fail, and no more."""
+    errors = {each.code for each in found if each.severity is Severity.ERROR}
+    calculated: Calculation | None = vars(compilation).get("calculated")
+    return calculated if errors == {FAILS} else None
+
+
 def report(
     compilation: Compilation, verbose: bool, language: str = "en", width: int = sys.maxsize
 ) -> Iterator[str]:
     """Yield the lines on a sound description; those wider than ``width`` are broken."""
-    spell = _speller(compilation, compilation.derivation.results, language, width)
+    spell = _speller(compilation.mechanism, compilation.derivation.results, language, width)
     if verbose:
         yield from overview_of(compilation, language)
     else:
@@ -82,11 +108,9 @@ def _is_ratio(result: Analysis) -> bool:
     return isinstance(asked, LoadRatio | SpeedRatio | LoadForm)
 
 
-def _speller(
-    compilation: Compilation, results: Iterable[Result], language: str, width: int
-) -> Speller:
+def _speller(mechanism: Mechanism, results: Iterable[Result], language: str, width: int) -> Speller:
     """Return the speller of sentences; formulas are written as in descriptions."""
-    spell = speller(results, compilation.mechanism, False, language, width)
+    spell = speller(results, mechanism, False, language, width)
     return spell._replace(signs=replace(spell.signs, functions={}, choices=WRITTEN, between=", "))
 
 

@@ -1,10 +1,15 @@
 """``mechc derive``: the derivation, for the terminal."""
 
+from ..calculation.calculation import Calculation
+from ..diagnostics import MechcError
 from ..driver import complete, warnings
+from ..report.text import note
 from ..report.text.derivation import render, render_brief
+from ..report.text.speller import speller
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
+from .checked import refused
 from .inputs import by_option, description_argument, settings_option, stdin_option
 from .open import begin
 from .session import session, session_options
@@ -43,7 +48,13 @@ def command(
     mechc derive clamp.mech --brief --lang uk
     mechc derive clamp.mech --by equilibrium
     """
-    compilation = complete(begin(file, stdin_name, settings))
+    compilation = begin(file, stdin_name, settings)
+    try:
+        complete(compilation)
+    except MechcError as error:
+        if calculation := refused(compilation, error.diagnostics):
+            say(_note(calculation, language), end="")
+        raise
     session().accept(warnings(compilation), compilation.source)
     shown = render_brief if brief else render
     mechanism = compilation.mechanism
@@ -58,3 +69,11 @@ def command(
         width=columns(),
     )
     say(text, end="")
+
+
+def _note(calculation: Calculation, language: str) -> str:
+    """Return the note of a calculation of which conditions fail."""
+    mechanism, results = calculation.pose.mechanism, calculation.results
+    return note.render(
+        mechanism, results, speller(results, mechanism, speaks_unicode(), language, columns())
+    )

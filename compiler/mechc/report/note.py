@@ -15,7 +15,7 @@ from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
 from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
-from ..model.values import Chain, defaults, dependent, usual_length
+from ..model.values import Chain, compare, defaults, dependent, usual_length
 from ..model.written import WrittenTable
 from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
@@ -76,7 +76,8 @@ class NoteLine(NamedTuple):
 class NoteCheck(NamedTuple):
     """A condition, its sides in numbers, and by what factor it holds, if that has a meaning.
 
-    There are no numbers where ``missing`` parameters, that it rests on, have no value.
+    One that ``fails`` has no such factor. There are no numbers where ``missing`` parameters, that
+    it rests on, have no value.
     """
 
     label: str
@@ -87,6 +88,7 @@ class NoteCheck(NamedTuple):
     reserve: float | None
     decides: bool
     missing: tuple[str, ...] = ()
+    fails: bool = False
 
 
 class Note(NamedTuple):
@@ -293,9 +295,12 @@ def _check(
     assert require.written
     left, right, label = require.written.left, require.written.right, require.written.label
     values = _sides(require, given)
-    compared = values if not _is_range(require, lets, inputs) else None
+    fails = values is not None and not compare(values[0].value, require.operator, values[1].value)
+    compared = values if not fails and not _is_range(require, lets, inputs) else None
     reserve = _reserve(compared[0].value, compared[1].value, require.operator) if compared else None
-    return NoteCheck(label, left, require.operator, right, values, reserve, decides=False)
+    return NoteCheck(
+        label, left, require.operator, right, values, reserve, decides=False, fails=fails
+    )
 
 
 def _with_missing(check: NoteCheck, mechanism: Mechanism, results: Sequence[Result]) -> NoteCheck:

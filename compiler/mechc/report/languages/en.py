@@ -289,6 +289,7 @@ LOCALE = Locale(
         "unknown": "not known",
         "missing": "not known without a value of {names}",
         "unused": "Not used here: {names}.",
+        "fails": "FAILS",
         "least of all": "the least",
         "decides": "{formula} decides",
         "otherwise": "otherwise",

@@ -295,6 +295,7 @@ LOCALE = Locale(
         "unknown": "неизвестно",
         "missing": "неизвестно без значения {names}",
         "unused": "Здесь не используются: {names}.",
+        "fails": "НЕ ВЫПОЛНЕНО",
         "least of all": "наименьший",
         "decides": "определяющим является {formula}",
         "otherwise": "в остальных случаях",

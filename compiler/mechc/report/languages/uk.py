@@ -296,6 +296,7 @@ LOCALE = Locale(
         "unknown": "невідомо",
         "missing": "невідомо без значення {names}",
         "unused": "Тут не використано: {names}.",
+        "fails": "НЕ ВИКОНАНО",
         "least of all": "найменший",
         "decides": "визначальним є {formula}",
         "otherwise": "в інших випадках",

@@ -205,4 +205,4 @@ def _check(check: NoteCheck, signs: Signs, words: Words) -> Row:
     if check.reserve is not None:
         least = f", {words['least of all']}" if check.decides else ""
         said += f", {words['reserve'].lower()} {check.reserve:.3g}{least}"
-    return Row(said, check.label)
+    return Row(f"{said}, {words['fails']}" if check.fails else said, check.label)
