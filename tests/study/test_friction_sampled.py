@@ -109,6 +109,17 @@ def test_between_places_where_nothing_moves_something_may():
     assert [s.state for s in held.stretches] == ["locked", "locked"]
 
 
+@pytest.mark.slow
+def test_a_zero_next_to_a_pole_parts_what_is_locked_from_what_jams():
+    """k_hold is locked to 284.233 deg, where k is 0, jams to 284.24, where k is infinite."""
+    text = chain(79050003)
+    assert hold([text]) == 1
+    compilation = Compilation(Source("chain.mech", text))
+    (held,) = (r for r in compilation.results if r.name == "k_hold")
+    (reach,) = (r for r in held.locking.reaches if r.parameter == "t2")
+    assert [s.state for s in reach.stretches] == ["locked", "jammed", "locked"]
+
+
 def test_the_sampler_refutes_what_is_false_of_friction():
     """A state as given, a stretch outside the range that is wider, a case printed wrong."""
     text = (LIBRARY / "fedoriv_fig2a_with_friction.mech").read_text(encoding="utf-8")

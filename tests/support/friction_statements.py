@@ -34,6 +34,9 @@ NEAR = 1e-5
 ENOUGH = 1e-3
 """What an efficiency may be off: three figures are stated."""
 
+BENDS, WITHIN_BENDS = 4, 41
+"""Where k bends most a zero may hide next to a pole: so many places, each looked at so closely."""
+
 OUTSIDE = 201
 """Places along a stretch that lies outside the range, or has none."""
 
@@ -106,7 +109,8 @@ def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[s
     parts = [(s.within, s.state) for s in reach.stretches if s.within]
     ends = [end for within, _ in parts for end in within]
     near = [e + way * d * (high - low) for e in ends for d in BESIDE for way in (1, -1)]
-    places = np.unique([*np.linspace(low, high, DENSE + 2)[1:-1], *near])
+    even = np.linspace(low, high, DENSE + 2)[1:-1]
+    places = np.unique([*even, *near, *bent(ratios, reach.parameter, even)])
     places = places[(places > low) & (places < high)]
     for x, k, share in zip(places, *ratios.along(reach.parameter, places), strict=True):
         if math.isnan(share) or any(abs(x - e) < NEAR * (high - low) for e in ends):
@@ -116,6 +120,15 @@ def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[s
         if (said := [state for (a, b), state in parts if a <= x <= b]) != truth:
             yield f"{result.name} at {reach.parameter} = {x!r}: said {said}, is {truth}"
             return
+
+
+def bent(ratios: Ratios, name: str, places: Array) -> Array:
+    """Return places that lie closely where k bends most."""
+    k, _ = ratios.along(name, places)
+    with np.errstate(all="ignore"):
+        bends = np.abs(np.diff(k, 2)) / np.abs(k[1:-1])
+    most = np.argsort(np.where(np.isfinite(bends), bends, 0.0))[-BENDS:]
+    return np.concatenate([np.linspace(*places[[i, i + 2]], WITHIN_BENDS) for i in most])
 
 
 def as_given(ratios: Ratios, result: Result) -> Iterator[str]:

@@ -128,6 +128,10 @@ def _alone(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
 
 def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> Iterator[float]:
     """Yield the dead centres between two values; ``depth`` falls with every halving."""
+    several = list(_of_several_factors(moving, a, b))
+    if several:
+        yield from several
+        return
     if moving.driven(b) != moving.driven(a):
         yield dead_centre(moving, a, b)
         return
@@ -143,6 +147,20 @@ def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> I
         yield from _dead_centres(moving, middle, b, depth - 1)
     else:
         yield from _touched(moving, a, b)
+
+
+def _of_several_factors(moving: Moving, a: float, b: float) -> Iterator[float]:
+    """Yield where factors change their signs, if several do: the ratio may keep its own."""
+    ends = tuple(zip(moving.factors(a), moving.factors(b), strict=False))
+    changed = [i for i, (first, final) in enumerate(ends) if first * final < 0]
+    for i in changed if len(changed) > 1 else ():
+        yield last(partial(_is_of_one_sign, moving, i, a), a, b)
+
+
+def _is_of_one_sign(moving: Moving, i: int, a: float, x: float) -> bool:
+    """Return whether the i-th factor of the ratio has one sign at two values."""
+    found = moving.factors(x)
+    return i < len(found) and found[i] * moving.factors(a)[i] > 0
 
 
 def _touched(moving: Moving, a: float, b: float) -> Iterator[float]:

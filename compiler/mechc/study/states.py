@@ -15,14 +15,14 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ..formula.evaluate import status
-from ..formula.tree import ZERO, Call, Formula, Implicit
+from ..formula.tree import Call, Formula, Implicit
 from ..formula.walk import symbols, walk
-from ..frozen import replace
 from ..model.locking import State
-from ..model.result import Definition, FrictionResult, Result
+from ..model.result import FrictionResult, Result
 from ..model.targets import SIGNS, Sense
 from ..named import NamedTuple
-from .sweep import VALUE, Sweep, guarded
+from .parts import factors, is_part, parts_of
+from .sweep import Sweep, guarded
 from .tolerances import NEGLIGIBLE
 
 
@@ -50,6 +50,7 @@ class Moving:
         self._known: dict[float, Found] = {}
         self._driven: dict[float, bool | None] = {}
         self._signs: dict[float, tuple[float, ...]] = {}
+        self._factors: dict[float, tuple[float, ...]] = {}
 
     @cached_property
     def is_iterated(self) -> bool:
@@ -103,27 +104,31 @@ class Moving:
     def signs(self, x: float) -> tuple[float, ...]:
         """Return the signs of slips and forces: where one changes, friction may jump."""
         if x not in self._signs:
-            names, signed = self._signed
-            values = self.sweep.named(signed, x) if self.sweep.values(x) else {}
-            self._signs[x] = tuple(values[name] for name in names if name in values)
+            self._signs[x] = self._named(self._signed, x) if self.sweep.values(x) else ()
         return self._signs[x]
 
+    def _named(self, parts: Result, x: float) -> tuple[float, ...]:
+        """Return the values of parts of a ratio that have one."""
+        values = self.sweep.named(parts, x)
+        return tuple(values[d.name] for d in parts.where if is_part(d) and d.name in values)
+
     @cached_property
-    def _signed(self) -> tuple[list[str], Result]:
-        """Return names for all signs in the ratio with friction, and a result that has them."""
+    def _signed(self) -> Result:
+        """Return a result that has all signs in the ratio with friction."""
         parts = (part for d in self.real.where for part in walk(d.formula))
-        signs = [
-            Definition(f"{VALUE}{i}", sign)
-            for i, sign in enumerate(dict.fromkeys(p for p in parts if is_sign(p)))
-        ]
-        needed = frozenset[str]().union(*(symbols(sign.formula) for sign in signs))
-        where = list(signs)
-        for definition in reversed(self.real.where):
-            if definition.name in needed:
-                where.insert(0, definition)
-                needed |= symbols(definition.formula)
-        alone = replace(self.real, formula=ZERO, where=tuple(where), guards=())
-        return [sign.name for sign in signs], alone
+        return parts_of(self.real, filter(is_sign, parts))
+
+    def factors(self, x: float) -> tuple[float, ...]:
+        """Return the factors of the ratio without friction: each is zero at a dead centre."""
+        if x not in self._factors:
+            is_dead = self.driven(x) is None
+            self._factors[x] = () if is_dead else self._named(self._factored, x)
+        return self._factors[x]
+
+    @cached_property
+    def _factored(self) -> Result:
+        """Return a result that has the factors of the ratio without friction."""
+        return parts_of(self.ideal, factors(self.ideal.formula, dict(self.ideal.where)))
 
     def _look(self, x: float) -> Found:
         driven = self.driven(x)
