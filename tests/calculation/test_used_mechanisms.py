@@ -14,6 +14,7 @@ from mechc.cli.checked import report
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
 from mechc.emit.json.to_json import schema_text
+from mechc.formula.evaluate import evaluate
 from mechc.report.note import NoteLine, note
 from run_targets import COMPILER, assert_close, built, by_c_singly, by_interpreter
 
@@ -129,12 +130,49 @@ def test_the_note_has_results_and_the_derivation_behind_it(clamped: Clamped, lan
     """At the values that the sheet gives: f is 0.05 here, and 0.1 in the mechanism."""
     text = clamped.sheet.emit("latex", language=language)
     note, derived = text.split("\\clearpage\n")
-    assert r"C_{R,O,x,f}=" in note
+    assert r"C_{k,f}=" in note
+    assert r"C_{R,O,x,f}=" not in note  # on which nothing rests
     assert r"C_{\rho}" not in text
     assert r"\begin{tikzpicture}" in derived
     assert "0{,}05" in derived or "0.05" in derived
     assert r"\boxed{k=\frac{P}{Q}=" in derived
     assert "tikz" not in clamped.sheet.emit("latex", fragment=True)
+
+
+@pytest.mark.parametrize(
+    ("rest", "shown"),
+    [
+        ("let x = C_P_f/(1 cm)", {"C_k_f", "C_P_f"}),
+        ("let x = 2*C_R_O", {"C_R_O"}),
+        ("let x = 2*W\nrequire C_eta_k > 0.1", {"C_eta_k", "C_k_f"}),
+        ("let x = 2*W\nexpect C_k = 0.1 +- 1", {"C_k"}),
+    ],
+)
+def test_a_note_shows_of_a_mechanism_what_something_rests_on(
+    tmp_path: Path, rest: str, shown: set[str]
+) -> None:
+    """All forces rest on the load that is given; the note names those that nobody asks for."""
+    text = f'sheet s\nparam W = 3 kN\nuse "clamp.mech" as C (Q = W/2)\n{rest}\n'
+    found = mechc.load(written(tmp_path, text))._compilation
+    read = note(found.mechanism, found.results)
+    given = {known.name for known in found.mechanism.taken} | {"C_P", "C_P_f", "C_P_hold"}
+    assert {line.name for line in read.lines} & given == shown
+    assert given - shown <= set(read.unused)
+    inner = {"C_a_BK_hold", "C_S_BK_hold"}  # on which only k_hold rests
+    assert not inner & {line.name for line in read.lines}
+
+
+def test_results_of_a_mechanism_have_their_numbers_put_in(tmp_path: Path) -> None:
+    """What is given to the mechanism keeps its unit; names of results are translated."""
+    text = "sheet s\nuse crank_slider as c (F = 2 kN)\nlet M = c_M in N*m\n"
+    sheet = mechc.load(written(tmp_path, text))._compilation
+    (ratio,) = (line for line in note(sheet.mechanism, sheet.results).lines if line.name == "c_k")
+    assert ratio.formula
+    assert ratio.numbers
+    assert evaluate(ratio.numbers, {}) == pytest.approx(ratio.value.value, rel=1e-4)  # type: ignore[union-attr]
+    text = 'sheet s\nuse "clamp.mech" as C (Q = 2 kN)\nlet x = C_P_hold\n'
+    said = mechc.load(written(tmp_path, text)).emit("latex", language="uk", fragment=True)
+    assert "C_{P,\\text{утр}}=" in said
 
 
 def test_check_and_json_have_the_mechanism_at_the_values_of_the_sheet(tmp_path: Path) -> None:

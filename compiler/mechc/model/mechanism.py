@@ -12,6 +12,7 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from ..formula.tree import Formula, Number
+from ..formula.walk import symbols
 from ..frozen import frozen
 from ..source import Span
 from .joint_friction import CollarFriction as CollarFriction
@@ -300,6 +301,13 @@ class Mechanism:
     def parts(self) -> Fraction:
         """Return how many halves and branches the whole mechanism has."""
         return prod((group.number for group in self.symmetries), start=Fraction(1))
+
+    @property
+    def follow(self) -> frozenset[str]:
+        """Return the formulas brought in that are made of results of a used mechanism: its loads."""
+        taken = {known.name for known in self.taken}
+        lets = (let for let in self.lets if let.name in self.brought)
+        return frozenset(let.name for let in lets if symbols(let.value) & taken)
 
     @property
     def cylinders(self) -> tuple[Telescope, ...]:

@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 
 from ..formula.evaluate import evaluate
-from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Symbol
 from ..formula.walk import symbols, walk
 from ..model.mechanism import GRAVITY, Mechanism, Parameter, Torque
@@ -12,17 +11,13 @@ from ..model.result import Definition
 from ..model.values import Chain, defaults, dependent, usual_length
 from ..named import NamedTuple
 from ..study.analysis import Analysis
-from ..units import ANGLE, NUMBER, UNITS, si_unit, size_of
+from ..units import ANGLE, NUMBER, UNITS, si_unit
 from .definitions import FREE_FALL, given_loads, usual_weights
-from .found_dimensions import found_dimension, is_solved, names_in, with_symbols
-from .homogeneous import is_homogeneous
+from .found_dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
-from .put_in import Quantity, put_in, usual_unit, without_rounding
+from .put_in import Quantity, has_units, in_numbers, usual_unit, without_rounding
 from .sections import Outline, Section
 from .sentences.remarks import asked
-
-LONGEST = 60
-"""A formula of more operations than this is given by its value alone."""
 
 
 class Evaluated(NamedTuple):
@@ -63,7 +58,7 @@ def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
     results = (r for r in results if r.target is not None)
     formulas = [*(d.formula for d in _definitions(whole)), *(r.formula for r in results)]
     known = (f for f in formulas if names_in(f) <= given.keys() and not is_solved(f))
-    return any(_has_units(formula, {n: given[n] for n in names_in(formula)}) for formula in known)
+    return any(has_units(formula, {n: given[n] for n in names_in(formula)}) for formula in known)
 
 
 def constants_shown(whole: Outline, mechanism: Mechanism) -> frozenset[Formula]:
@@ -130,7 +125,7 @@ def _of_definition(
     """Yield the value of a definition, if it has one."""
     if name in given:
         value = without_rounding(given[name])
-        numbers = _numbers(formula, given, value.unit in ("", "deg"))
+        numbers = in_numbers(formula, given, value.unit in ("", "deg"))
         yield Evaluated(Symbol(name), numbers, value, value.unit == "deg")
 
 
@@ -144,7 +139,7 @@ def _of_result(result: Analysis, given: Mapping[str, Quantity], unit: str) -> It
     if result.default is None or not math.isfinite(result.default) or not symbols(result.formula):
         return
     bare = result.dimension in (ANGLE, NUMBER)
-    numbers = _numbers(result.formula, given, bare)
+    numbers = in_numbers(result.formula, given, bare)
     yield Evaluated(asked(result), numbers, Quantity(result.default, unit), unit == "deg")
 
 
@@ -197,34 +192,3 @@ def _found_unit(
     dimensions = {name: plain[unit] for name, unit in units.items() if unit in plain}
     found = found_dimension(definition, angles, values, dimensions)
     return None if found is None else usual_unit(found, usual)
-
-
-def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> Formula | None:
-    """Return a formula with its numbers put in, if it is short and all of them are known."""
-    names = names_in(formula)
-    if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
-        return None
-    if is_solved(formula) or isinstance(formula, Symbol):  # which would be its value twice
-        return None
-    if _has_units(formula, {name: given[name] for name in names}):
-        return None
-    units = {given[n].unit for n in names} - {"", "deg"}
-    if bare and len(units) == 1:
-        return put_in(with_symbols(formula), {n: _bare(q) for n, q in given.items()})
-    return put_in(with_symbols(formula), given)
-
-
-def _has_units(formula: Formula, given: Mapping[str, Quantity]) -> bool:
-    """Return whether a number of the formula has a unit: others must not be put in beside it."""
-    units = {name: UNITS.get(q.unit) for name, q in given.items()}
-    dimensions = {name: unit.dimension if unit else NUMBER for name, unit in units.items()}
-    known = all(units[name] for name, q in given.items() if q.unit)
-    values = {name: q.value for name, q in given.items()}
-    return known and not is_homogeneous(with_symbols(formula), values, dimensions)
-
-
-def _bare(quantity: Quantity) -> Quantity:
-    """Return a quantity without its unit, an angle as it is."""
-    if quantity.unit == "deg":
-        return quantity
-    return Quantity(quantity.value / size_of(quantity.unit), "")

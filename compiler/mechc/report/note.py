@@ -23,7 +23,7 @@ from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .between import Tables, line_between, tables_of
 from .on_the_way import Found, on_the_way
-from .put_in import Quantity, put_in, usual_unit
+from .put_in import Quantity, in_numbers, put_in, usual_unit
 from .unused import below, rests_on, unused
 
 COMPUTED = 12
@@ -110,7 +110,7 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     values |= {r.name: r.default for r in results if r.default is not None}
     given = {name: Quantity(value, units[name]) for name, value in values.items()}
     aside = unused(mechanism, results)
-    lines = (line for line in _lines(mechanism, results, given) if line.name not in aside)
+    lines = _lines(mechanism, results, given, aside)
     lets = {let.name: let.value for let in mechanism.lets}
     inputs = {p.name for p in mechanism.parameters}
     checks = [_check(r, given, lets, inputs) for r in mechanism.requires if not r.subject]
@@ -118,7 +118,7 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     return Note(
         tuple(p for p in mechanism.parameters if p.name not in aside),
         tuple(t for t in mechanism.tables if t.name not in aside),
-        tuple(lines),
+        tuple(line for line in lines if line.name not in aside),
         tuple(_with_the_least(checks)),
         aside,
     )
@@ -152,24 +152,35 @@ def _unit_by_name(name: str, lengths: str) -> str:
 
 
 def _lines(
-    mechanism: Mechanism, results: Sequence[Result], given: Mapping[str, Quantity]
+    mechanism: Mechanism,
+    results: Sequence[Result],
+    given: Mapping[str, Quantity],
+    aside: Container[str],
 ) -> Iterator[NoteLine]:
-    """Yield the formulas in the order of the text, results of used mechanisms among them."""
+    """Yield the formulas in the order of the text, results of used mechanisms among them.
+
+    Of results that are left ``aside`` nothing that they rest on is mentioned.
+    """
     named = {result.name: as_printed(result) for result in results}
     literals = {known.name: known for known in mechanism.literals}
+    numbers = {name: _quantity(known) for name, known in literals.items()}
     tables = tables_of(mechanism)
     shown, done = set(given), 0
     for known in mechanism.taken:
         yield from (_line(let, given, tables) for let in mechanism.lets[done : known.before])
         done = known.before
+        if known.name in aside:
+            continue
         result = named[known.name]
         is_bare = _is_iterated(result) or isinstance(result.formula, Number)  # a number in SI
         formula = None if is_bare else result.formula
         values = _on_the_way(result, mechanism, given) if formula else {}
-        yield from _mentioned(result, literals, values, shown) if formula else ()
+        near = {**{name: found.value for name, found in values.items()}, **numbers, **given}
+        mentioned = _mentioned(result, literals, values, shown) if formula else ()
+        yield from (_with_numbers(line, near) for line in mentioned)
         said = known.label if result.target or result.label else ""
         line = _plain(known.name, said, formula, given.get(known.name), known.dimension)
-        yield line._replace(result=result)
+        yield _with_numbers(line, near)._replace(result=result)
     yield from (_line(let, given, tables) for let in mechanism.lets[done:])
 
 
@@ -211,10 +222,13 @@ def _on_the_way(
 
 def _number(known: Parameter) -> NoteLine:
     """Return a number of a mechanism under its name."""
+    return _plain(known.name, "", None, _quantity(known), known.dimension)
+
+
+def _quantity(known: Parameter) -> Quantity:
     assert known.value
     unit = "deg" if known.dimension == ANGLE else known.unit or si_unit(known.dimension)
-    value = Quantity(evaluate(known.value, {}), unit)
-    return _plain(known.name, "", None, value, known.dimension)
+    return Quantity(evaluate(known.value, {}), unit)
 
 
 def _formulas(result: Result) -> list[Formula]:
@@ -226,6 +240,13 @@ def _plain(
 ) -> NoteLine:
     """Return a line of a used mechanism, without the numbers put in."""
     return NoteLine(name, label, "", "", formula, None, value, None, None, dimension, True)
+
+
+def _with_numbers(line: NoteLine, given: Mapping[str, Quantity]) -> NoteLine:
+    """Return a line of a used mechanism with the numbers put in, if a person would do so."""
+    bare = line.dimension in (ANGLE, NUMBER)
+    known = line.formula if line.value else None
+    return line._replace(numbers=in_numbers(known, given, bare) if known else None)
 
 
 def _line(let: Let, given: Mapping[str, Quantity], tables: Tables) -> NoteLine:

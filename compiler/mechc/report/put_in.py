@@ -6,14 +6,20 @@ from fractions import Fraction
 
 from ..formula.evaluate import evaluate
 from ..formula.layout import TRIGONOMETRIC, squares
+from ..formula.operations import count_operations
 from ..formula.tree import Call, Constant, Formula, Number, Power, Product, Symbol, degrees, power
 from ..formula.typesetting import HALF
 from ..formula.walk import children, rebuild, symbols
 from ..named import NamedTuple
-from ..units import ANGLE, LENGTH, Dimension, in_unit, si_unit
+from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, in_unit, si_unit, size_of
+from .found_dimensions import is_solved, names_in, with_symbols
+from .homogeneous import is_homogeneous
 
 DIGITS = 6
 """Significant digits of numbers that are put in."""
+
+LONGEST = 60
+"""A formula of more operations than this is given by its value alone."""
 
 FINEST = 9
 """Decimals of an angle in degrees, beyond which there is nothing but rounding."""
@@ -132,3 +138,34 @@ def in_degrees(angle: float, digits: int) -> Formula:
     turn = round(math.degrees(angle), FINEST)
     digits += abs(turn) >= 100
     return degrees(Fraction(f"{turn:.{digits}g}"))
+
+
+def in_numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> Formula | None:
+    """Return a formula with its numbers put in, if it is short and all of them are known."""
+    names = names_in(formula)
+    if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
+        return None
+    if is_solved(formula) or isinstance(formula, Symbol):  # which would be its value twice
+        return None
+    if has_units(formula, {name: given[name] for name in names}):
+        return None
+    units = {given[n].unit for n in names} - {"", "deg"}
+    if bare and len(units) == 1:
+        return put_in(with_symbols(formula), {n: _bare(q) for n, q in given.items()})
+    return put_in(with_symbols(formula), given)
+
+
+def has_units(formula: Formula, given: Mapping[str, Quantity]) -> bool:
+    """Return whether a number of the formula has a unit: others must not be put in beside it."""
+    units = {name: UNITS.get(q.unit) for name, q in given.items()}
+    dimensions = {name: unit.dimension if unit else NUMBER for name, unit in units.items()}
+    known = all(units[name] for name, q in given.items() if q.unit)
+    values = {name: q.value for name, q in given.items()}
+    return known and not is_homogeneous(with_symbols(formula), values, dimensions)
+
+
+def _bare(quantity: Quantity) -> Quantity:
+    """Return a quantity without its unit, an angle as it is."""
+    if quantity.unit == "deg":
+        return quantity
+    return Quantity(quantity.value / size_of(quantity.unit), "")

@@ -1,4 +1,4 @@
-"""What a calculation leaves aside of the sheets that it uses: other properties of a material."""
+"""What a calculation leaves aside of what it uses: other properties of a material, other forces."""
 
 from collections.abc import Iterable, Mapping, Sequence, Set
 
@@ -12,19 +12,22 @@ Names = Set[str]
 def unused(mechanism: Mechanism, results: Sequence[Result]) -> tuple[str, ...]:
     """Return the quantities and tables of used sheets that have no part in a calculation.
 
-    Nothing of the sheet's own rests on them, no condition and no result of a mechanism, and they
-    rest on nothing of its own. A sheet that calculates nothing itself shows all that it uses.
+    Nothing of the sheet's own rests on them, no condition and no ``expect``, and they rest on
+    nothing of its own; what a used mechanism gives may rest on that, as all its forces do on its
+    load. A sheet that calculates nothing itself shows all that it uses.
     """
     lets = [let.name for let in mechanism.lets]
     if not set(lets) - mechanism.brought:
         return ()
     rests = rests_on(mechanism, results)
     quantities = [*(p.name for p in mechanism.parameters), *lets]
-    own = {*quantities, *(taken.name for taken in mechanism.taken)} - mechanism.brought
+    given = mechanism.follow | {known.name for known in mechanism.taken}
     conditions = (r for r in mechanism.requires if not r.subject)
     checked = {name for r in conditions for side in (r.left, r.right) for name in symbols(side)}
-    shown = below(_above(own, rests) | checked, rests)
-    names = (*quantities, *(table.name for table in mechanism.tables))
+    expected = {expect.subject for expect in mechanism.expects}
+    own = set(quantities) - mechanism.brought
+    shown = below((_above(own, rests) - given) | checked | expected, rests)
+    names = (*quantities, *(k.name for k in mechanism.taken), *(t.name for t in mechanism.tables))
     return tuple(name for name in names if name in mechanism.brought - shown)
 
 

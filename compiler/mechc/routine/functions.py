@@ -85,8 +85,12 @@ def _known(result: Result, used: frozenset[str], inputs: Mapping[str, Input]) ->
 
 
 def _decided(require: Require, owner: str, scope: Scope, used: tuple[Input, ...]) -> bool:
-    """Return whether a function's inputs decide a condition."""
-    return scope.free(owner, [require.left, require.right]) <= {i.name for i in used}
+    """Return whether a function's inputs decide a condition.
+
+    One that rests on none of any kind holds: the description was checked.
+    """
+    free = scope.free(owner, [require.left, require.right])
+    return bool(free) and free <= {i.name for i in used}
 
 
 def _guard(require: Require, names: Mapping[str, str], balance: str) -> Guard:

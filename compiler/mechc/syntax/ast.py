@@ -661,6 +661,14 @@ class Given(Let):
 
 
 @frozen
+class Follows(Let):
+    """The formula of a load that a ratio of a used mechanism gives, ``C_P = C_k*C_F``.
+
+    No line says so: it is made where the used mechanism is put in.
+    """
+
+
+@frozen
 class Translate(Statement):
     """``translate "arm" uk "плече" ru "плечо"``: what a text is in other languages, '' in none."""
 

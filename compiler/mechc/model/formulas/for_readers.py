@@ -38,8 +38,10 @@ def for_readers(mechanism: Mechanism, file: ast.File, source: Source) -> Mechani
         return bisect_right(starts, span.start) - 1
 
     units = _Units(parameters, lines.values(), text_of)
-    brought = {n for n, s in named.items() if isinstance(s, ast.Given) or text_of(s.span)}
+    put_in = (ast.Given, ast.Follows)
     taken = tuple(_taken(file, mechanism.lets, units))
+    brought = {n for n, s in named.items() if isinstance(s, put_in) or text_of(s.span)}
+    brought |= {known.name for known in taken}
     lets = [_let(let, lines[let.name], units) for let in mechanism.lets]
     return replace(
         mechanism,

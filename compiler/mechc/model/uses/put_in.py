@@ -104,8 +104,8 @@ def following(solved: Solved, known: set[str]) -> Iterator[Row]:
             yield row
 
 
-def formula(row: Row, place: Span) -> ast.Let:
+def formula(row: Row, place: Span) -> ast.Follows:
     """Return the formula of a load that a ratio gives."""
     ratio, other = ast.Symbol(row.ratio, place), ast.Symbol(row.other, place)
     factors = ((1, other), (-1, ratio)) if row.inverse else ((1, ratio), (1, other))
-    return ast.Let(place, ast.Name(row.name, place), ast.Product(factors, place))
+    return ast.Follows(place, ast.Name(row.name, place), ast.Product(factors, place))

@@ -58,4 +58,4 @@ def couples_of(mechanism: Mechanism) -> frozenset[str]:
 def own_names(mechanism: Mechanism) -> frozenset[str]:
     """Return the names that the description gives, which are the same in every language."""
     listed = (*mechanism.parameters, *mechanism.literals, *mechanism.loads, *mechanism.lets)
-    return frozenset(each.name for each in listed)
+    return frozenset(each.name for each in listed) - mechanism.follow
