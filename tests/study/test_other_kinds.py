@@ -9,6 +9,8 @@ from friction_statements import refuted as refuted_with_friction
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
 from mechc.model.targets import Efficiency, WithFriction
+from mechc.report.text.derivation import render
+from mechc.report.text.stroke import to_table
 from mechc.source import Source
 from other_kinds import KINDS, other, put_toggle
 from statements import missing, refuted
@@ -43,6 +45,23 @@ def hold(kind: str, seeds: range, folder: Path) -> int:
                 assert list(missing(mechanism, result, seed)) == [], seed
         number += 1
     return number
+
+
+def test_a_toggle_that_folds_has_no_zeros_of_rounding(tmp_path):
+    """Beyond 90 degrees its ram rests on the fixed pin: k is 0 between two branch points."""
+    put_toggle(tmp_path)
+    text = other("joined", 91000108)
+    compilation = Compilation(Source("fold.mech", text, folder=tmp_path))
+    stroke = compilation.stroke(3)
+    (part,) = stroke.nil
+    assert (part.low, part.high) == tuple(b.drive for b in stroke.branches)
+    assert not any(
+        part.low <= one.drive <= part.high for one in (*stroke.singular, *stroke.extrema)
+    )
+    table = " ".join(to_table(stroke).split())
+    assert "k = 0 throughout, from phi = 105.558 deg to phi = 116.456 deg" in table
+    page = " ".join(render(compilation.reported, compilation.mechanism, unicode=False).split())
+    assert "k is 0 throughout for 105.6 deg <= phi <= 116.5 deg" in page
 
 
 @pytest.mark.parametrize("kind", KINDS)

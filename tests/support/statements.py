@@ -31,7 +31,7 @@ NEAR = 1e-6
 CLOSE = 1e-5
 """How near to the ends of a range a result may turn, as a part of it."""
 
-NIL = 1e-11
+NIL = 1e-10
 """What is smaller, in SI, is rounding of a zero: equal links lie on one another."""
 
 CODE: dict[int, tuple[Formula, CodeType | None]] = {}
@@ -274,7 +274,9 @@ def _roots_refuted(
             if any(abs(evaluate(f, curve(x))) < NEAR for f in limit.but):
                 continue
             found = _order_at(result, curve, x, high - low)
-            if found is not None and found * _side(result, limit) < 0.5:
+            if found is None or _is_rounding(result, curve, x, high - low):
+                continue
+            if found * _side(result, limit) < 0.5:
                 yield f"{result.name} has order {found:.2f} at {name} = {x} where a factor vanishes"
 
 

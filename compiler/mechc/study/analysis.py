@@ -73,7 +73,7 @@ class Extent:
 
     It is found by sampling and refined. ``least`` and ``greatest`` are None where it is infinite
     or undetermined somewhere; they are shown in the unit ``scale``. Zeros and poles are
-    ``looked`` for, or are not.
+    ``looked`` for, or are not; on the parts ``nil`` the result is zero throughout.
     """
 
     parameter: str
@@ -85,6 +85,7 @@ class Extent:
     greatest: Extreme | None
     scale: str
     looked: bool
+    nil: tuple[Range, ...] = ()
 
 
 class Slope(NamedTuple):

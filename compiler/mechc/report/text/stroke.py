@@ -20,6 +20,7 @@ from ...study.stroke.stroke import (
     Singular,
     Stroke,
     StrokeInterval,
+    ZeroInterval,
 )
 from ...study.tolerances import EXACT
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
@@ -128,6 +129,7 @@ def said(shown: Written) -> Iterator[str]:
         yield shown.says("nowhere")
     yield from (_without(name, loads, shown) for name, loads in stroke.without)
     yield from (_branch(b, shown) for b in stroke.branches)
+    yield from (_zero_part(part, shown) for part in stroke.nil)
     yield from (_singular(s, shown) for s in stroke.singular)
     yield from (_extremum(e, shown) for e in stroke.extrema)
     yield from (_standstill(s, shown) for s in stroke.standstills)
@@ -223,6 +225,10 @@ def _singular(found: Singular, shown: Written) -> str:
     if kind == "jump" and found.sides:
         return whole
     return f"{whole}: {shown.says(kind)}" if kind else whole
+
+
+def _zero_part(part: ZeroInterval, shown: Written) -> str:
+    return shown.says("zero part", name=part.result, span=_span(part.low, part.high, shown))
 
 
 def _extremum(found: Extremum, shown: Written) -> str:

@@ -13,7 +13,7 @@ from .along import Along
 from .from_balance import run
 from .rounded import is_nil
 from .run import plain_lets
-from .stroke import Stroke, StrokeInterval
+from .stroke import Stroke, StrokeInterval, ZeroInterval
 
 
 def along_the_stroke(
@@ -66,11 +66,16 @@ def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along
         max(extremes, key=lambda e: e.value, default=None),
         scale_of(result, along.mechanism),
         not is_open,
+        tuple((n.low, n.high) for n in stroke.nil if n.result == result.name and _is_in(n, part)),
     )
 
 
 def _is_on(x: float, part: StrokeInterval) -> bool:
     return part.low <= x <= part.high
+
+
+def _is_in(nil: ZeroInterval, part: StrokeInterval) -> bool:
+    return _is_on(nil.low, part) and _is_on(nil.high, part)
 
 
 def _extremes(

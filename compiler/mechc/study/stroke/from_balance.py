@@ -15,6 +15,7 @@ from .along import EXCLUDED
 from .columns import named_apart
 from .extrema import extrema_along
 from .friction import courses, some, standstills
+from .nil import is_apart, zero_parts
 from .points import Asked, asked
 from .reached import with_reached
 from .rows import columns, row
@@ -70,7 +71,9 @@ def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
     stretches = with_reached(tuple(found), default, EXCLUDED, is_angle)
     branches = sorted((*run.branches, *crossings), key=lambda b: b.drive)
     drives = list(spaced(run.low, run.high, points - 1))
+    nil = tuple(zero_parts(run, stretches, branches))
     singular = singular_along(run, stretches, branches)
+    extrema = extrema_along(run, stretches, singular, crossings)
     return Stroke(
         drive.name,
         drive.dimension,
@@ -80,14 +83,15 @@ def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
         tuple(f.column for f in filled),
         tuple(row(run, x, filled, stretches) for x in watch(drives)),
         stretches,
-        singular,
+        tuple(one for one in singular if is_apart(one, nil, run.range)),
         tuple(branches),
-        extrema_along(run, stretches, singular, crossings),
+        tuple(one for one in extrema if is_apart(one, nil, run.range)),
         tuple(standstills(run.results, drive.name)),
         tuple(courses(run.results, drive.name)),
         along.defaults,
         run.open,
         tuple((r.name, _looked(run, r, stretches)) for r in run.results),
+        tuple(part for part in nil if part.result in {r.name for r in run.quotients}),
     )
 
 

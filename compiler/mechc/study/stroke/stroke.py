@@ -81,6 +81,17 @@ class Branch(NamedTuple):
     bracket: float
 
 
+class ZeroInterval(NamedTuple):
+    """A part of the stroke, between branch points if there are any, on which a result is zero.
+
+    It is zero there but for rounding, and has neither zeros nor extrema of its own.
+    """
+
+    result: str
+    low: float
+    high: float
+
+
 class Extremum(NamedTuple):
     """A pose in which a result is least or greatest nearby."""
 
@@ -109,7 +120,8 @@ class Stroke:
 
     ``courses`` are the values that each efficiency runs through. ``without`` are the loads asked
     for that rest on loads without a value, with these. ``looked`` states of each result at how many
-    values it was looked at: what is found between two of them is refined.
+    values it was looked at: what is found between two of them is refined. Ratios are zero all over
+    the parts ``nil``.
     """
 
     drive: str
@@ -128,3 +140,4 @@ class Stroke:
     defaults: Mapping[str, float]
     without: tuple[tuple[str, tuple[str, ...]], ...] = ()
     looked: tuple[tuple[str, int], ...] = ()
+    nil: tuple[ZeroInterval, ...] = ()
