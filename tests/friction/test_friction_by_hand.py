@@ -346,6 +346,19 @@ def test_what_the_users_formulas_stand_for_bears_their_names():
     ]
 
 
+def test_forces_are_not_written_out_for_the_users_names():
+    """A force that has each of the two before it twice would be 2^60 times as long, whole."""
+    f, mass = Symbol("f"), Symbol("m")
+    own = OwnNames([Definition("beta", Call("asin", (f,))), Definition("rho", product([(f, 2)]))])
+    own.note("S0", mass)
+    for i in range(60):
+        before = Symbol(f"S{i}")
+        own.note(f"S{i + 1}", Call("hypot", (before, Call("atan", (before,)))))
+    assert own.of(Call("hypot", (Symbol("S60"), f))) == ""
+    own.note("mu", f)
+    assert own.of(Call("asin", (Symbol("mu"),))) == "beta"
+
+
 def test_names_get_endings_where_they_mean_something_else():
     meanings = Meanings()
     meanings.note([Definition("delta", Symbol("a"))])

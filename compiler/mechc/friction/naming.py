@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ..algebra.from_formula import to_product
 from ..algebra.sums import canonical
 from ..formula.tree import Call, Formula, Symbol
-from ..formula.walk import substitute
+from ..formula.walk import substitute, symbols
 from ..frozen import frozen
 from ..model.mechanism import Sense
 from ..model.result import Definition
@@ -53,25 +53,29 @@ class OwnNames:
     """The names that the user's formulas give to what friction is made of: β = asin(f·d/L).
 
     ``lets`` are these formulas, each after those it needs. One that is a symbol alone gives no
-    name: what it stands for has one.
+    name: what it stands for has one. Of what rests on a symbol that no let has nothing is kept:
+    it has no name, and a force without names is as long as the forces before it taken together.
     """
 
     def __init__(self, lets: Iterable[Definition]) -> None:
         self._whole: dict[str, Formula] = {}
         self._names: dict[Formula, str] = {}
+        self._parts: set[str] = set()
         for name, formula in lets:
-            found = self.note(name, formula)
+            self._parts |= symbols(formula)
+            self.note(name, formula)
             if not isinstance(formula, Symbol):
-                self._names.setdefault(found, name)
+                self._names.setdefault(self._whole[name], name)
 
-    def note(self, name: str, formula: Formula) -> Formula:
-        """Keep what a name stands for, and return that without the names kept before."""
-        self._whole[name] = _normal(substitute(formula, self._whole))
-        return self._whole[name]
+    def note(self, name: str, formula: Formula) -> None:
+        """Keep what a name stands for, without the names kept before, if it may be in a let."""
+        if symbols(formula) <= self._parts:
+            self._whole[name] = _normal(substitute(formula, self._whole))
+            self._parts.add(name)
 
     def of(self, formula: Formula) -> str:
         """Return the user's own name of a formula, or ''."""
-        if not self._names:
+        if not self._names or not symbols(formula) <= self._parts:
             return ""
         return self._names.get(_normal(substitute(formula, self._whole)), "")
 
