@@ -109,6 +109,21 @@ def test_between_places_where_nothing_moves_something_may():
     assert [s.state for s in held.stretches] == ["locked", "locked"]
 
 
+def test_between_two_places_where_no_forces_balance_something_may_move():
+    """From 0.274 to 0.408 rad it does; of a stroke of 5.2 that is less than was between places."""
+    (text,) = closed(91000317)
+    assert hold([text]) == 1
+    compilation = Compilation(Source("island.mech", text))
+    (k_f,) = (r for r in compilation.results if r.name == "k_f")
+    (reach,) = (r for r in k_f.locking.reaches if r.parameter == "phi")
+    assert [round(end, 2) for s in reach.stretches[:2] for end in s.within] == [
+        -0.28,
+        0.27,
+        0.41,
+        0.97,
+    ]
+
+
 @pytest.mark.slow
 def test_a_zero_next_to_a_pole_parts_what_is_locked_from_what_jams():
     """k_hold is locked to 284.233 deg, where k is 0, jams to 284.24, where k is infinite."""

@@ -28,8 +28,8 @@ DENSE = 240
 NEAR = 1e-6
 """How far from a zero or a pole the order is looked at, as a part of the range."""
 
-CLOSE = 1e-5
-"""How near to the ends of a range a result may turn, as a part of it."""
+CLOSE = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3)
+"""How near to the ends of a range a result may turn, as parts of it."""
 
 NIL = 1e-10
 """What is smaller, in SI, is rounding of a zero: equal links lie on one another."""
@@ -122,7 +122,8 @@ def trends(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str
         low, high = bounds(ranged[name])
         places = [low + (high - low) * (i + 0.5) / DENSE for i in range(DENSE)]
         if trend == "turns":  # perhaps just before an end
-            places = [low, low + CLOSE * (high - low), *places, high - CLOSE * (high - low), high]
+            near = [part * (high - low) for part in CLOSE]
+            places = [low, *(low + d for d in near), *places, *(high - d for d in near[::-1]), high]
         at = _middle(mechanism, result, pose) if trend == "turns" else pose
         found = [evaluate(result.formula, {**at, name: x}) for x in places]
         if said := _trend_refuted(trend, found):

@@ -75,9 +75,10 @@ def shares(
     found = []
     for at in places:
         rates, status = mechanism.points(**{stroke.drive: at})
-        still, other = (abs(rate(rates, stroke.drive, acted)) for acted in kind)
-        if status == 0 and math.isfinite(still + other) and other:
-            found.append(still / other)
+        if status == 0:
+            still, other = (abs(rate(rates, stroke.drive, acted)) for acted in kind)
+            if math.isfinite(still + other) and other:
+                found.append(still / other)
     return found
 
 

@@ -23,6 +23,9 @@ CELLS = 36
 SELDOM = 3
 """Only one in so many is looked at where friction is found by iteration, which takes long."""
 
+STUCK = 2
+"""So much closer it is looked at where nothing moves: something may in between."""
+
 HALVINGS = 8
 """Further values beside a dead centre, each half as far from it as the one before."""
 
@@ -69,6 +72,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     around = chain.from_iterable(_solved_beside(moving, x, step) for x in unknown)
     known = (x for x in (*jumps, *around) if low <= x <= high and moving.at(x).state)
     grid = _with(grid, known)
+    grid = _with(grid, _where_nothing_moves(moving, grid, step / STUCK))
     grid = _with(grid, _in_cells(_edge, moving, grid))
     grid = _with(
         grid, _bulging(moving, grid), _turning_beside_jumps(moving, grid), _loose(moving, grid)
@@ -218,6 +222,17 @@ def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
     if None not in (state, beyond) and state != beyond and moving.driven(b) == driven:
         yield last(lambda x: moving.at(x).state == state, a, b, NEARLY)
         yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY)
+
+
+def _where_nothing_moves(moving: Moving, grid: Sequence[float], step: float) -> Iterator[float]:
+    """Yield values between two of one state other than free, no farther apart than a step.
+
+    Where forces do not balance on either side no margin shows that they may in between.
+    """
+    for a, b in pairwise(grid):
+        state = moving.at(a).state
+        if state in ("locked", "jammed") and moving.at(b).state == state:
+            yield from spaced(a, b, math.ceil((b - a) / step))[1:-1]
 
 
 def _loose(moving: Moving, grid: Sequence[float]) -> Iterator[float]:

@@ -18,7 +18,7 @@ EN: Words = {
     "above": "above {at}: {why}",
     "span": "{low} to {high}",
     "apart": "{span} cannot be reached from the default pose without taking a loop apart",
-    "nowhere": "There is no pose anywhere on the stroke.",
+    "nowhere": "No pose was found anywhere on the stroke.",
     "and": " and ",
     "give": "`let {load} = …`",
     "without": "{name} is not shown: it rests on {loads}, without a value; add {values}",
@@ -49,8 +49,8 @@ EN: Words = {
     "course": "{name} runs from {least} to {greatest}; it is between {low} and {high} {parts}",
     "from": "from {span}",
     "no part": "nowhere",
-    "looked": "Looked at {count} places{others}: zeros, poles and extrema between neighbouring "
-    "ones are refined, two of them closer together may be missed.",
+    "looked": "Looked at {count} places{others}: zeros, poles, extrema and ends of parts between "
+    "neighbouring ones are refined, two of them closer together may be missed.",
     "looked less": "; {names} at {count}",
 }
 
@@ -68,7 +68,7 @@ UK: Words = {
     "above": "вище {at}: {why}",
     "span": "{low} до {high}",
     "apart": "від {span}: не досяжно з положення за заданих значень без розбирання контуру",
-    "nowhere": "На всьому ході немає жодного положення.",
+    "nowhere": "На всьому ході не знайдено жодного положення.",
     "and": " та ",
     "give": "`let {load} = …`",
     "without": "{name} не показано: залежить від {loads} без значення; додайте {values}",
@@ -101,8 +101,8 @@ UK: Words = {
     "course": "{name} змінюється від {least} до {greatest}; у межах {low}…{high}: {parts}",
     "from": "від {span}",
     "no part": "ніде",
-    "looked": "Перевірено положень: {count}{others}. Нулі, полюси й екстремуми між сусідніми з них "
-    "уточнено; два, розташовані ближче один до одного, могли бути пропущені.",
+    "looked": "Перевірено положень: {count}{others}. Нулі, полюси, екстремуми й межі ділянок між "
+    "сусідніми з них уточнено; два, розташовані ближче один до одного, могли бути пропущені.",
     "looked less": "; {names} — {count}",
 }
 
@@ -120,7 +120,7 @@ RU: Words = {
     "above": "выше {at}: {why}",
     "span": "{low} до {high}",
     "apart": "от {span}: недостижимо из положения при заданных значениях без разборки контура",
-    "nowhere": "На всём ходе нет ни одного положения.",
+    "nowhere": "На всём ходе не найдено ни одного положения.",
     "and": " и ",
     "give": "`let {load} = …`",
     "without": "{name} не показано: зависит от {loads} без значения; добавьте {values}",
@@ -153,7 +153,7 @@ RU: Words = {
     "course": "{name} изменяется от {least} до {greatest}; в пределах {low}…{high}: {parts}",
     "from": "от {span}",
     "no part": "нигде",
-    "looked": "Проверено положений: {count}{others}. Нули, полюсы и экстремумы между соседними из "
-    "них уточнены; два, лежащие ближе друг к другу, могли быть пропущены.",
+    "looked": "Проверено положений: {count}{others}. Нули, полюсы, экстремумы и границы участков "
+    "между соседними из них уточнены; два, лежащие ближе друг к другу, могли быть пропущены.",
     "looked less": "; {names} — {count}",
 }
