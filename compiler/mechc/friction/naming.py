@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ..algebra.from_formula import to_product
 from ..algebra.sums import canonical
 from ..formula.tree import Call, Formula, Symbol
-from ..formula.walk import substitute, symbols
+from ..formula.walk import Substitution, substitute, symbols
 from ..frozen import frozen
 from ..model.mechanism import Sense
 from ..model.result import Definition
@@ -134,10 +134,14 @@ def _tried(endings: Sequence[str]) -> Iterator[str]:
 def _ended(sizes: Sizes, ending: str) -> Sizes:
     """Return sizes under other names; the system keeps its own, which nobody else sees."""
     names = {d.name: Symbol(f"{d.name}{ending}") for d in sizes.definitions}
-    definitions = (Definition(names[n].name, substitute(f, names)) for n, f in sizes.definitions)
+    put = Substitution(names)
+
+    def ended(formula: Formula) -> Formula:
+        return formula if symbols(formula).isdisjoint(names) else put.of(formula)
+
     return Sizes(
         {pair: names[name].name for pair, name in sizes.names.items()},
-        tuple(definitions),
+        tuple(Definition(names[name].name, ended(formula)) for name, formula in sizes.definitions),
         sizes.sense,
-        tuple(substitute(f, names) for f in sizes.positive),
+        tuple(map(ended, sizes.positive)),
     )
