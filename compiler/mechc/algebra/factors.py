@@ -64,6 +64,10 @@ class Constant(Length):
 
     value: Formula
 
+    def __hash__(self) -> int:
+        """Return the hash of the name, which no other value has: that of a fraction is dear."""
+        return hash(self.name)
+
     def evaluate(self, values: Mapping[str, float]) -> float:
         """Return the value, whatever the symbols' values."""
         if isinstance(self.value, Number):

@@ -46,6 +46,10 @@ class Constant(Symbol):
 
     value: "Formula"
 
+    def __hash__(self) -> int:
+        """Return the hash of the name, which no other value has: that of a fraction is dear."""
+        return hash(self.name)
+
 
 class Compound:
     """A formula of parts; the names in it are kept with it once they were looked for."""
