@@ -123,6 +123,32 @@ def test_what_is_said_along_many_random_ranges():
     assert hold(range(44, 80), without_drive) > 8
 
 
+IDLE = """
+pivot O at (0 mm, 0 mm)
+slider B along x through O
+link OAC
+link AB
+param phi = 90 deg in 10 deg .. 170 deg
+OA = 50 mm @ phi
+OC = 80 mm @ phi + 40 deg
+AB = 48 mm
+assembly B forward
+torque M on OAC
+force F at C along x
+find k = M/F
+"""
+"""The rod closes from 10 deg to 73.7 deg and from 106.3 deg on; k does not rest on it."""
+
+
+def test_nothing_is_least_where_a_loop_does_not_close():
+    compilation = Compilation(Source("idle.mech", IDLE.replace("90 deg in", "60 deg in")))
+    (k,) = compilation.reported.results
+    assert k.extents == ()
+    closed = Compilation(Source("idle.mech", IDLE.replace("48 mm", "52 mm")))
+    (extent,) = closed.reported.results[0].extents
+    assert extent.range == pytest.approx(np.radians((10, 170)))
+
+
 def test_the_sampler_refutes_what_is_false():
     compilation = of_library("crank_rocker.mech")
     k = compilation.reported.results[0]

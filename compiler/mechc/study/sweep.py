@@ -22,7 +22,12 @@ class Code:
         lets = {let.name: let.value for let in pose.mechanism.lets}
         self.formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
         self.pose = Chain(self.formulas)
+        self._closing = tuple(definition.name for definition in pose.definitions)
         self._results: dict[int, tuple[Result, Chain]] = {}
+
+    def closes(self, values: Mapping[str, float]) -> bool:
+        """Return whether loops close with values: nothing that closes them is undefined."""
+        return not any(math.isnan(values.get(name, 0.0)) for name in self._closing)
 
     def of(self, result: Result) -> Chain:
         """Return a result's definitions, its value and the sides of its guards."""
@@ -48,10 +53,14 @@ class Sweep:
         self._last: tuple[Result, float, dict[str, float]] | None = None
 
     def values(self, x: float) -> dict[str, float]:
-        """Return the values of all names that have one; nothing where no pose is allowed."""
+        """Return the values of all names that have one; nothing where no pose is allowed.
+
+        Nor is there anything where a loop does not close, be it one that a result does not rest on.
+        """
         if x not in self._known:
             values = self._code.pose.complete({**self.defaults, self._parameter: x})
-            self._known[x] = values if allowed(self._mechanism, values) else {}
+            is_pose = self._code.closes(values) and allowed(self._mechanism, values)
+            self._known[x] = values if is_pose else {}
         return self._known[x]
 
     @property
