@@ -24,6 +24,7 @@ ELSEWHERE = {
     "E591": "study/test_stroke.py",
     "E592": "study/test_stroke.py",
     "W591": "study/test_stroke.py",
+    "W592": "study/test_stroke.py",
     "W594": "study/test_stroke_ends.py",
     "E597": "emit/test_points.py",
     "E340": "pose/test_driven.py",

@@ -489,11 +489,11 @@ find k = P/F
 """
 
 
-def remarked(text):
+def remarked(text, code="W591"):
     """Return what is said of the links that do not follow the drive."""
     compilation = Compilation(Source("a.mech", text))
     checked(compilation)
-    return [d.message.split()[1] for d in compilation.report.diagnostics if d.code == "W591"]
+    return [d.message.split()[1] for d in compilation.report.diagnostics if d.code == code]
 
 
 @pytest.mark.parametrize(
@@ -537,11 +537,49 @@ find k = M/F
 
 
 @pytest.mark.parametrize(
-    ("arm", "stays"),
-    [("AE = 60 mm\nangle BAE = 20 deg", []), ("AE = 60 mm @ 20 deg", ["ABE", "EG"])],
+    ("arm", "bends", "stays"),
+    [
+        ("AE = 60 mm\nangle BAE = 20 deg", [], []),
+        ("AE = 60 mm @ 20 deg", ["ABE"], ["EG"]),
+    ],
 )
-def test_a_link_whose_pin_stays_behind_is_remarked(arm, stays):
-    assert remarked(BENT.format(arm=arm)) == stays
+def test_a_link_whose_pin_stays_behind_is_remarked(arm, bends, stays):
+    text = BENT.format(arm=arm)
+    assert (remarked(text, "W592"), remarked(text)) == (bends, stays)
+
+
+@pytest.mark.parametrize(
+    ("arm", "said"),
+    [
+        ("BH = s @ 180 deg - phi", []),
+        ("BH = s @ phi", ["link BMHE is rigid, but its angle MBH changes with phi"]),
+    ],
+)
+def test_a_cylinder_holds_a_link_that_would_bend(arm, said):
+    """A scissor's arm, with the pin of the cylinder on it."""
+    text = f"""
+param l = 1200 mm
+param s = 800 mm
+param phi = 25 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (150 mm, -60 mm)
+slider B along x through O
+link OMD
+link BMHE
+OM = l/2 @ phi
+OD = l @ phi
+BM = l/2 @ 180 deg - phi
+BE = l @ 180 deg - phi
+{arm}
+drive phi from 8 deg to 50 deg
+telescope QH
+actuator P between Q and H
+force F at E along -y
+find k = P/F
+"""
+    compilation = Compilation(Source("a.mech", text))
+    checked(compilation)
+    assert [d.message for d in compilation.report.diagnostics if d.code == "W592"] == said
 
 
 def test_where_a_wheel_under_a_couple_stands_does_not_matter():

@@ -45,7 +45,9 @@ def test_every_statement_word_has_an_example():
 
 def test_every_node_is_among_them():
     found = {type(node).__name__ for text, _ in CONSTRUCTS for node in tree(text).statements}
-    assert found | {"Given", "Taken", "Brought"} == {node.__name__ for node in kinds(ast.Statement)}
+    assert found | {"Given", "Follows", "Taken", "Brought"} == {
+        node.__name__ for node in kinds(ast.Statement)
+    }
 
 
 def kinds(node):

@@ -134,7 +134,7 @@ def drive_jams(span: Span, name: str, drive: str, grips: bool) -> Message:
     tightened by friction opens the brake less than the other end closes it, times e^(μθ).
     """
     message = f"{name} has no value at the default pose: no force {drive} overcomes the friction"
-    hint = "move the default values from the dead centre, or let the other load drive"
+    hint = "look at the friction, move the values from a dead centre, or let the other load drive"
     if grips:
         hint = "the rope grips by itself: take a smaller wrap, or a shorter arm of its tight end"
     return Message(span, message, hint)

@@ -111,6 +111,24 @@ def loop_ties_symbols(at: Span, loop: str, names: Iterable[str], relation: str) 
     )
 
 
+@coded("E348")
+def loop_holds_fast(at: Span, loop: str) -> Message:
+    """Links by the places of their pins hold one another, so that the drive cannot move them.
+
+    The loop closes where it is drawn, and nowhere else: it has a link more than its pins leave
+    room for, as a rod across two links that others have joined already::
+
+        link CBD
+        link EFG
+        link DF
+        link BF                     # wrong: F is held by E and D already
+    """
+    message = f"the links of the loop {loop} hold one another where they are drawn: nothing moves"
+    return Message(
+        at, message, "leave out a link or a guide of the loop; links in parallel need exact places"
+    )
+
+
 @coded("E305")
 def no_direction_of_its_own(at: Span, points: str) -> Message:
     """A direction is asked of two points whose vector rests on a length that is not given.

@@ -153,6 +153,25 @@ def direction_stays(span: Span, link: str, drive: str) -> Message:
     )
 
 
+@coded("W592")
+def link_bends(span: Span, link: str, angle: str, drive: str) -> Message:
+    """Directions of a link are given so that an angle in it changes while the drive moves.
+
+    A link is rigid. Along the stroke the rows would be those of another mechanism::
+
+        link BMHE
+        BM = l/2 @ 180 deg - phi
+        BH = s @ phi                         # wrong: the angle MBH would be 180 deg - 2*phi
+        BH = s @ 180 deg - phi               # right: H lies on BM
+        angle MBH = 20 deg                   # right, too: an angle of the link
+    """
+    return Message(
+        span,
+        f"link {link} is rigid, but its angle {angle} changes with {drive}",
+        f"let both directions turn alike, or give the angle: 'angle {angle} = …'",
+    )
+
+
 @coded("E597")
 def no_path(name: str, known: Sequence[str], near: str) -> Message:
     """A path was asked for of what has none: no point and no link of that name has a place.

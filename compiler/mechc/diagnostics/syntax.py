@@ -71,6 +71,8 @@ def unknown_unit(
     product = f"a product is written with '*', as in 2*{unit}" if unit.isalnum() else ""
     spaces = "a compound unit has no spaces, as in 2 m/s^2"
     usual = product or spaces if where else "name a unit such as mm, kN, MPa or cm^3"
+    if not where and unit.lower() in ("l", "liter", "litre", "liters", "litres"):
+        hint = "a litre is a dm^3"
     return Message(span, f"'{unit}'{where} is not a unit", hint or near_miss(unit, known) or usual)
 
 
@@ -206,6 +208,8 @@ def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Messa
     """
     points = "1 point" if found == 1 else f"{found} points"
     hint = "name fewer points, or more"
+    if found > 2 and "two points" in expected:
+        hint = "name two of them"
     if found == 1:
         hint = "a link is named by its points, written together: OA"
     if expected == "a point":

@@ -68,6 +68,6 @@ def too_much_work(span: Span, limit: int) -> Message:
     """
     return Message(
         span,
-        f"algebra and evaluation took more than {limit} steps, expected at most a tenth of them",
+        f"algebra and evaluation took more than {limit} steps, expected less",
         "describe a part of the mechanism by itself, with the forces between the parts as loads",
     )

@@ -121,7 +121,7 @@ def _with_default(
     """
     size = numbers.of(result)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
-        report.add(messages.drive_jams(find.span, find.name, _drive(find), grips))
+        report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips))
         size = Size(None)
     return with_default(result, size)
 

@@ -38,10 +38,20 @@ class Condition(NamedTuple):
 
 
 class Closure:
-    """The equations so far, in echelon form."""
+    """The equations so far, in echelon form.
 
-    def __init__(self, open_lengths: Iterable[str], defined: Iterable[str] = ()) -> None:
+    Of the symbols some are ``defined``; some are ``given`` by the description, while others come
+    from a drawing.
+    """
+
+    def __init__(
+        self,
+        open_lengths: Iterable[str],
+        defined: Iterable[str] = (),
+        given: Iterable[str] | None = None,
+    ) -> None:
         self._open, self._defined = frozenset(open_lengths), frozenset(defined)
+        self._given = None if given is None else frozenset(given)
         self._point = Point()
         self._rows: list[tuple[str, Row]] = []
 
@@ -104,6 +114,8 @@ class Closure:
         if gap:
             return messages.loop_does_not_close(condition.span, condition.name, _metres(gap))
         names = sorted(_symbols(condition.arms) - self._open)
+        if self._given is not None and self._given.isdisjoint(names):
+            return messages.loop_holds_fast(condition.span, condition.name)
         relation = ""
         if not self._mentions_open(condition.arms):
             left = add(a.length * cosine(a.angle - direction) for a in condition.arms)

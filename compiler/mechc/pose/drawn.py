@@ -7,12 +7,12 @@ from ..diagnostics import Diagnostic
 from ..diagnostics import drawn as messages
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols
-from ..model.mechanism import Drawn
+from ..model.mechanism import Drawn, Mechanism
 from ..units import in_unit
 from .loops.vector_graph import mentioned
 from .pose import evaluate_vector
 from .samples import Values
-from .tolerances import DRAWN_GAP
+from .tolerances import DRAWN_GAP, SAME_PLACE
 from .vectors import Vectors
 
 Place = tuple[float, float]
@@ -22,6 +22,14 @@ def places_of(drawn: Sequence[Drawn], values: Values) -> dict[str, Place]:
     """Return where points are drawn, in metres."""
     known = (d for d in drawn if symbols(d.x) | symbols(d.y) <= values.keys())
     return {d.point: (evaluate(d.x, values), evaluate(d.y, values)) for d in known}
+
+
+def given_by_hand(mechanism: Mechanism) -> frozenset[str]:
+    """Return the parameters that stand in the description, without the drive and what is drawn."""
+    places = {drawn.span for drawn in mechanism.drawn}
+    drive = mechanism.drive.parameter if mechanism.drive else ""
+    declared = (p for p in mechanism.parameters if p.span not in places and p.name != drive)
+    return frozenset(parameter.name for parameter in declared)
 
 
 def drawn_elsewhere(
@@ -35,7 +43,8 @@ def drawn_elsewhere(
     slack = max((d.slack for d in drawn), default=0.0)
     if farthest and gaps[farthest] > slack + DRAWN_GAP * _size(places):
         (one,) = (d for d in drawn if d.point == farthest)
-        x, y = (_shown(part, one.unit) for part in real[farthest])
+        least = SAME_PLACE * _size(places)
+        x, y = (_shown(part if abs(part) > least else 0.0, one.unit) for part in real[farthest])
         gap = _shown(gaps[farthest], one.unit)
         yield messages.drawn_elsewhere(one.span, farthest, f"({x}, {y})", gap)
 

@@ -23,7 +23,7 @@ from ..model.values import holds
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
 from .directions import Directions
-from .drawn import drawn_elsewhere
+from .drawn import drawn_elsewhere, given_by_hand
 from .driven import driven_to
 from .force_pairs import Pairing, thrust_line
 from .idle import contradictions, remarks
@@ -262,14 +262,15 @@ class _Survey:
 
     def close_loops(self, pose: Pose, unfound: frozenset[str]) -> None:
         """Report every loop that does not close for independent symbols, all of them known."""
-        closure = Closure(pose.placeholders, {d.name for d in pose.definitions})
+        given = given_by_hand(self._mechanism) if self._mechanism.drawn else None
+        closure = Closure(pose.placeholders, {d.name for d in pose.definitions}, given)
         values = poses_nearby(self._mechanism, pose.definitions)
         slots = on_the_line([t for t in pose.touches if t.kind == "slot"], self._vectors)
         for condition in (*self._loops(), *self._guide_lines(pose), *slots):
             if unfound & mentioned(condition.arms):
                 continue
             if fault := closure.check(condition, values):
-                self._report.add(fault)
+                self._report.add_first(fault)
 
     def _loops(self) -> list[Condition]:
         everywhere = (Angle(), Angle.constant(90))

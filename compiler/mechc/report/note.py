@@ -364,8 +364,9 @@ def _reserve(left: float, right: float, operator: str) -> float | None:
 
 
 def _with_the_least(checks: Sequence[NoteCheck]) -> Iterator[NoteCheck]:
-    """Yield checks, of several that one with the least reserve as deciding."""
+    """Yield checks, of several that one with the least reserve as deciding, if all hold."""
     reserves = [check.reserve for check in checks if check.reserve is not None]
-    least = min(reserves) if len(reserves) > 1 else None
+    all_hold = not any(check.fails for check in checks)
+    least = min(reserves) if all_hold and len(reserves) > 1 else None
     for check in checks:
         yield check._replace(decides=check.reserve is not None and check.reserve == least)

@@ -104,6 +104,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or _of_label(line, position)
         or _of_decimals(line, position)
         or (line[0].type in FORMULAS and of_asking(line, position, allowed))
+        or _of_bracket(line, position, allowed)
         or _of_list(token, line[0])
         or STATED.get((line[0].type, str(token)), "")
         or _of_radius(line, position)
@@ -186,6 +187,15 @@ def _is_decimal_comma(whole: Token, comma: Token, part: Token) -> bool:
     return glued and comma == "," and whole.isdecimal() and part[:1].isdecimal()
 
 
+def _of_bracket(line: Sequence[Token], position: int, allowed: set[str]) -> str:
+    """Return a hint where a formula ends, or is compared, inside a bracket that is still open."""
+    token = line[position]
+    ends = str(token) in keywords() or token.type == "COMPARISON"
+    if ends and "RIGHT" in allowed and line[0].type in FORMULAS:
+        return f"a bracket is not closed: ')' is missing before '{token}'"
+    return ""
+
+
 def _of_list(token: Token, first: Token) -> str:
     """Return a hint where points or things are listed that are written otherwise."""
     if first.type in ("LINK", "TELESCOPE") and token.type in ("MINUS", "NAME"):
@@ -250,6 +260,8 @@ def _of_sign(token: Token, before: Token | None, allowed: set[str]) -> str:
     text, previous = str(token), str(before or "")
     if text == "+-":
         return "a tolerance belongs to a param or an expect; a difference is written a - b"
+    if previous == "=" and text in ("<", ">"):
+        return f"it is written '{text}='"
     if previous + text == "+/":
         return "a tolerance is written '+-' or '±'"
     if before is not None and before.type in OPERATORS:

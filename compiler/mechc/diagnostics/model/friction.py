@@ -37,12 +37,21 @@ def pin_of_another(span: Span, point: str, link: str) -> Message:
 
 
 @coded("E272")
-def not_guided(span: Span, point: str) -> Message:
-    """Friction of a guide or a roller is given at a point that no guide holds.
+def not_guided(span: Span, point: str, in_slot: bool) -> Message:
+    """Friction of a guide or a roller is given at a point that no guide of the ground holds.
 
     link AB
     friction slider A 0.1     # wrong without a line such as 'slider A along x'
+
+    A roller in the slot of a link has the friction of a contact::
+
+        slot D in EG
+        friction roller D f1 axle d wheel D0     # wrong
+        friction contact D f1*d/D0               # right
     """
+    if in_slot:
+        hint = f"what slides or rolls in a slot has 'friction contact {point} …', a roller f1*d/D"
+        return Message(span, f"point {point} is guided by a link, not by the ground", hint)
     return Message(span, f"point {point} is not guided", f"add 'slider {point} along …'")
 
 

@@ -62,7 +62,12 @@ def off_the_mirror(span: Span, what: str, mirror: Span) -> Message:
         force F at K along 90 deg     # right
     """
     related = (Related(mirror, "the mirror line"),)
-    return Message(span, f"{what} is not along the mirror line", "describe both halves", related)
+    return Message(
+        span,
+        f"{what} is not along the mirror line",
+        "turn the mirror line, or describe both halves",
+        related,
+    )
 
 
 @coded("W260")

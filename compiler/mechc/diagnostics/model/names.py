@@ -3,6 +3,7 @@
 from collections.abc import Collection, Iterable, Sequence
 
 from ...source import Span
+from ...units import UNITS
 from ..diagnostic import Message, Related, coded, near_miss
 
 FEW = 6
@@ -58,6 +59,13 @@ def unknown_name(
     return Message(span, f"the name '{name}' is not declared", hint, related)
 
 
+FORCES_CHECKED = (
+    "a sheet checks what results come to: `mechc new pin --sheet`, with a line "
+    '`use "clamp.mech" as C (F = 2 kN)`'
+)
+"""The hint at a condition on a force: the code of a mechanism takes loads of any size."""
+
+
 def _declare_it(name: str, known: Collection[str]) -> str:
     """Return the hint at a name that is like none: it is to be declared, or another is meant.
 
@@ -71,6 +79,16 @@ def load_follows(used: str, prefix: str, given: str) -> str:
     """Return the hint at a load of a used mechanism that is undetermined until one is given."""
     written = f'"{used}"' if "." in used else used
     return f"it follows once a load is given: use {written} as {prefix} ({given} = …)"
+
+
+def unit_alone(unit: str) -> str:
+    """Return the hint at a unit that stands without a number, as behind a stroke.
+
+    >>> unit_alone("min"), unit_alone("rev")
+    ("a unit stands behind its number: '12 1/min'", "a unit stands behind its number: '1 rev'")
+    """
+    shown = f"12 1/{unit}" if f"1/{unit}" in UNITS else f"1 {unit}"
+    return f"a unit stands behind its number: '{shown}'"
 
 
 def meant(name: str) -> str:

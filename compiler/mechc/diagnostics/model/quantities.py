@@ -87,6 +87,8 @@ def wrong_dimension(
         hint = "a mass acts as a load by `weight W mass … at G`; a force is in N or lbf"
     if (found, wanted) == (FORCE, MASS):
         hint = "a weight that is given as a force is one: `force W at G along -y`"
+        if what.startswith("the range"):
+            hint = "kg measures a mass; the force of a mass is given in kgf, or in N"
     if (found, what) in ((ANGLE, "the length"), (LENGTH, "the direction")):
         hint = "the length stands before '@', the direction behind it"
     hint = hint or LOST

@@ -64,6 +64,37 @@ def other_unit(span: Span, name: str, unit: str, found: Dimension, wanted: Dimen
     return Message(span, message, lost_factor(found, wanted))
 
 
+@coded("W267")
+def turns_as_radians(span: Span, unit: str) -> Message:
+    """A speed of turning is shown in a unit in which people count turns.
+
+    An angle counts radians: 60 rpm are 6.28 rad/s, and 6.28 of what is counted in a second::
+
+        param n = 1450 rpm
+        let f = n in Hz                            # 151.8, radians in a second
+        let f = n/(1 rev) in Hz                    # 24.17, turns in a second
+        let omega = n in rad/s                     # right, too
+    """
+    message = f"an angle counts radians, so that a speed in rpm is 2*pi times as large in {unit}"
+    return Message(span, message, f"turns are 'n/(1 rev) in {unit}'; or show it in rpm, or rad/s")
+
+
+@coded("W268")
+def volume_of_a_radian(span: Span, volume: str) -> Message:
+    """A volume is multiplied by a speed of turning, as if it were that for each radian.
+
+    Catalogues of pumps and motors give the volume for a turn::
+
+        param V_g = 10 cm^3                        # for each turn
+        param n = 1450 rpm
+        let Q = V_g*n in l/min                     # 91.1
+        let Q = V_g/(1 rev)*n in l/min             # 14.5
+    """
+    message = f"an angle counts radians: '{volume}' is taken as the volume for a radian"
+    hint = f"the volume for a turn is '{volume}/(1 rev)', that for a radian '{volume}/(1 rad)'"
+    return Message(span, message, hint)
+
+
 @coded("E215")
 def table_of_one_row(span: Span, name: str) -> Message:
     """A table has one row, so that there is nothing between two rows.

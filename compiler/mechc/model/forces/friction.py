@@ -299,7 +299,8 @@ def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
         if not pressed:
             scope.report.add(messages.nothing_presses(point.span, point.text))
         return pressed
-    scope.report.add(messages.not_guided(point.span, point.text))
+    in_slot = any(slot.point == point.text for slot in built.each(Slot))
+    scope.report.add(messages.not_guided(point.span, point.text, in_slot))
     return False
 
 

@@ -25,6 +25,7 @@ from .choices import read_let_value, read_tables
 from .expressions import Quantity, Reader
 from .order import ordered
 from .parameters import constant, note_unitless, read_parameter
+from .turns import note_turns
 
 LONGEST = 200
 """Parts of a let that is written out: lets of lets can double in length with each."""
@@ -60,6 +61,7 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
                     found.requires.extend(chosen.requires)
                     if let := _let(statement, chosen.quantity, scope):
                         found.lets[name] = let
+                        note_turns(statement, let.dimension, statements, scope)
                         found.requires.extend(_within_range(statement, let, scope))
     return found
 

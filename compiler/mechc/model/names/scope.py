@@ -14,7 +14,7 @@ from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...syntax.vocabulary import points_of
-from ...units import Dimension
+from ...units import PARTS, Dimension
 from . import not_brought
 from .forms import FORMS, form_of
 from .points import Points
@@ -208,6 +208,8 @@ class Scope:
         hint = messages.vector_as_quantity(symbol.name, usage.posed) if vector else ""
         if symbol.name.lower() in ("inf", "infinity", "nan"):
             hint = "a value is a number, and finite"
+        if len(symbol.name) > 1 and symbol.name in PARTS:
+            hint = messages.unit_alone(symbol.name)
         if symbol.name == "radius":
             hint = messages.NEGATIVE_RADIUS
         if symbol.name.lower() in AXES:
@@ -242,8 +244,10 @@ class Scope:
         too_late = (usage.plain and not entry.plain) or (entry.solved and not usage.solved)
         if entry.kind not in usage.kinds or too_late:
             kind = f"a {entry.kind}" if entry.plain else "a formula of loads or results"
+            is_found = entry.kind == "result" or entry.solved
+            hint = messages.FORCES_CHECKED if usage is CONDITION and is_found else ""
             self.report.add(
-                messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted)
+                messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted, hint)
             )
             return None
         if entry.posed and usage.feeds:

@@ -12,8 +12,9 @@ from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import Link
+from ...model.mechanism import Link, Slider
 from ...model.standing import direction_matters
+from ...named import NamedTuple
 from ...pose.pose import Pose, Vector, evaluate_vector
 from ..tolerances import DIFFERENCE, SAME_RATE
 from .along import Along
@@ -22,18 +23,32 @@ Rates = Mapping[str, float]
 """How fast each link turns."""
 
 
+class Astray(NamedTuple):
+    """A link that does not follow the drive, and the angle in it that changes, if one does.
+
+    The angle is named by three pins, the middle one at its vertex.
+    """
+
+    link: Link
+    bent: str
+
+
 def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
-    """Return the links that do not follow the drive at its default, with W591 for each."""
+    """Return the links that do not follow the drive at its default, with W591 or W592 for each."""
     mechanism = plan.graph.pose.mechanism
     if mechanism.drive is None:
         return ()
-    found = tuple(x for x in out_of_step(plan) if direction_matters(x, mechanism))
-    for link in found:
-        report.add(messages.direction_stays(link.span, link.name, mechanism.drive.parameter))
-    return found
+    found = [x for x in out_of_step(plan) if direction_matters(x.link, mechanism)]
+    drive = mechanism.drive.parameter
+    for link, bent in found:
+        if bent:
+            report.add(messages.link_bends(link.span, link.name, bent, drive))
+        else:
+            report.add(messages.direction_stays(link.span, link.name, drive))
+    return tuple(astray.link for astray in found)
 
 
-def out_of_step(plan: Plan) -> tuple[Link, ...]:
+def out_of_step(plan: Plan) -> tuple[Astray, ...]:
     """Return the links that do not follow the drive at its default, whether it matters or not."""
     found = at_default(plan)
     return tuple(links_astray(plan, *found)) if found else ()
@@ -53,7 +68,7 @@ def at_default(plan: Plan) -> tuple[Along, float] | None:
     return (along, x) if stands else None
 
 
-def links_astray(plan: Plan, along: Along, x: float) -> Iterator[Link]:
+def links_astray(plan: Plan, along: Along, x: float) -> Iterator[Astray]:
     """Yield the links that do not follow the drive at a value of it."""
     pose = plan.graph.pose
     drawn = {link.name: _turning(pose, link, along, x) for link in pose.mechanism.links}
@@ -68,8 +83,9 @@ def links_astray(plan: Plan, along: Along, x: float) -> Iterator[Link]:
             # Its length is open: only whether it turns is known.
             here, there = float(abs(here) > SAME_RATE), float(abs(there) > SAME_RATE)
         fastest = max(abs(there), *map(abs, drawn.values()))
-        if abs(here - there) > SAME_RATE * fastest or _is_bent(pose, link, along, x, fastest):
-            yield link
+        bent = _bent(pose, link, along, x, fastest)
+        if bent or abs(here - there) > SAME_RATE * fastest:
+            yield Astray(link, bent)
 
 
 def _mentioned(pose: Pose) -> set[str]:
@@ -94,18 +110,22 @@ def _turning(pose: Pose, link: Link, along: Along, x: float) -> float:
     return max(turns, key=abs) / (2 * DIFFERENCE)
 
 
-def _is_bent(pose: Pose, link: Link, along: Along, x: float, fastest: float) -> bool:
-    """Return whether pins of a link turn at different rates, so that it would have to bend.
+def _bent(pose: Pose, link: Link, along: Along, x: float, fastest: float) -> str:
+    """Return the angle in a link that changes most, as its pins turn at different rates, else ''.
 
     A point that has a load alone may stand for what the link touches just now.
     """
     before, after = along.values(x - DIFFERENCE), along.values(x + DIFFERENCE)
-    pivots = pose.mechanism.fixed
-    others = {p for k in pose.mechanism.links if k is not link for p in k.points}
-    pins = [p for p in link.points if p in pivots | others]
-    arms = [pose.vector(link.name, pins[0], pin) for pin in pins[1:]]
-    turns = [_turn(arm, before, after) / (2 * DIFFERENCE) for arm in arms if arm]
-    return len(turns) > 1 and max(turns) - min(turns) > SAME_RATE * fastest
+    held = pose.mechanism.fixed | {slider.point for slider in pose.mechanism.each(Slider)}
+    others = {p for body in pose.mechanism.bodies if body is not link for p in body.points}
+    pins = [p for p in link.points if p in held | others]
+    arms = {pin: pose.vector(link.name, pins[0], pin) for pin in pins[1:]}
+    turns = {pin: _turn(arm, before, after) / (2 * DIFFERENCE) for pin, arm in arms.items() if arm}
+    if len(turns) < 2:
+        return ""
+    slowest, quickest = min(turns, key=turns.__getitem__), max(turns, key=turns.__getitem__)
+    is_bent = turns[quickest] - turns[slowest] > SAME_RATE * fastest
+    return f"{slowest}{pins[0]}{quickest}" if is_bent else ""
 
 
 def _turn(arm: Vector, before: Mapping[str, float], after: Mapping[str, float]) -> float:

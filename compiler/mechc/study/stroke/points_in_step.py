@@ -26,7 +26,7 @@ def astray(plan: Plan) -> frozenset[str]:
     found = at_default(plan)
     if found is None:
         return frozenset()
-    links = tuple(links_astray(plan, *found))
+    links = tuple(astray.link for astray in links_astray(plan, *found))
     return frozenset((*(link.name for link in links), *_points(plan, links, *found)))
 
 
