@@ -304,7 +304,7 @@ class Mechanism:
 
     @property
     def follow(self) -> frozenset[str]:
-        """Return the formulas brought in that are made of results of a used mechanism: its loads."""
+        """Return the formulas brought in that are made of results: loads of used mechanisms."""
         taken = {known.name for known in self.taken}
         lets = (let for let in self.lets if let.name in self.brought)
         return frozenset(let.name for let in lets if symbols(let.value) & taken)
