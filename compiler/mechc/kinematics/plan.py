@@ -58,9 +58,8 @@ class Plan:
 
     def value(self, form: Form) -> Speeds:
         """Return a linear form in the unknowns as one in the drives."""
-        return tuple(
-            add(size * self.speeds[u][i] for u, size in form.items()) for i in range(self.mobility)
-        )
+        moving = [(size, self.speeds[u]) for u, size in form.items() if any(self.speeds[u])]
+        return tuple(add(size * speeds[i] for size, speeds in moving) for i in range(self.mobility))
 
     def component(self, point: str, direction: Angle) -> Speeds:
         """Return the component of a point's velocity along a direction."""
