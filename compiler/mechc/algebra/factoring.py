@@ -17,7 +17,7 @@ from math import gcd, lcm
 
 from ..work import kept
 from .angle import Angle, Rational, rational
-from .factors import Factor, Trig
+from .factors import Factor, Place, Trig
 from .laurent import Polynomial, Ring, Terms
 from .product import ONE, ZERO, Product, Sum, Written, as_product
 from .trigonometry import cosine, sine
@@ -198,7 +198,7 @@ def _readable(ring: Ring, terms: Terms) -> list[Product]:
     return sorted(read, key=_place)
 
 
-def _place(term: Product) -> tuple[int, list[tuple[tuple[int, str], int]]]:
+def _place(term: Product) -> tuple[int, list[tuple[Place, int]]]:
     degree = sum(e for f, e in term.factors.items() if not isinstance(f, Trig))
     return degree, sorted((f.order(), e) for f, e in term.factors.items())
 

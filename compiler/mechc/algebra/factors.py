@@ -3,7 +3,7 @@
 import math
 from collections.abc import Hashable, Mapping
 from functools import lru_cache
-from typing import Literal, Protocol
+from typing import Any, Literal, Protocol
 
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Number, Pi, Symbol
@@ -13,6 +13,9 @@ from .angle import Angle
 from .modular import Point
 
 Function = Literal["sin", "cos"]
+
+Place = tuple[int, Any]
+"""A place in reading order: a number for each kind of factor, then what is compared within it."""
 
 
 class Factor(Hashable, Protocol):
@@ -30,7 +33,7 @@ class Factor(Hashable, Protocol):
         """Return the factor as a formula."""
         ...
 
-    def order(self) -> tuple[int, str]:
+    def order(self) -> Place:
         """Return the place in reading order: lengths, sines and cosines, sums."""
         ...
 

@@ -14,7 +14,7 @@ from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, negative, number, product, total
 from ..formula.tree import Symbol as SymbolFormula
 from .angle import Rational, rational
-from .factors import Factor, Length, Trig
+from .factors import Factor, Length, Place, Trig
 from .modular import Point
 
 
@@ -168,7 +168,7 @@ class Sum:
         return self._hash
 
     def __repr__(self) -> str:
-        return f"Sum({self.order()[1]})"
+        return f"Sum({self.text})"
 
     def evaluate(self, values: Mapping[str, float]) -> float:
         """Return the value on floats."""
@@ -184,11 +184,31 @@ class Sum:
             self._formula = total(_gathered(self.terms))
         return self._formula
 
-    def order(self) -> tuple[int, str]:
-        """Return the place in reading order."""
+    @property
+    def text(self) -> str:
+        """Return the terms in full, which take long to write where sums are nested."""
         if not self._text:
             self._text = repr(self.terms)
-        return (3, self._text)
+        return self._text
+
+    def order(self) -> tuple[int, "_Text"]:
+        """Return the place in reading order: by the terms in full, where there are two sums."""
+        return (3, _Text(self))
+
+
+class _Text:
+    """The terms of a sum in full, not written before they are compared."""
+
+    __slots__ = ("_of",)
+
+    def __init__(self, of: Sum) -> None:
+        self._of = of
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Text) and self._of.text == other._of.text
+
+    def __lt__(self, other: "_Text") -> bool:
+        return self._of.text < other._of.text
 
 
 def _weight(term: Product) -> int:
@@ -328,7 +348,7 @@ def _turned(factor: Factor) -> Factor | None:
 
 def _with_tangents(
     factors: Mapping[Factor, int],
-) -> Iterable[tuple[tuple[int, str], Formula, int]]:
+) -> Iterable[tuple[Place, Formula, int]]:
     """Yield (place, formula, exponent), a sine over its own cosine being a tangent."""
     left = dict(factors)
     for factor in factors:
