@@ -115,6 +115,10 @@ _WRITTEN_OTHERWISE = {
     "degrees": "an angle carries its unit, as in 12 deg",
     "if": "a choice is written: a when x < 1 mm else b",
     "ceil": "the next of the sizes of a list is written: next d in sizes",
+    **dict.fromkeys(
+        ("round", "floor", "int", "trunc"),
+        "nothing rounds; the next of the sizes of a list is written: next d in sizes",
+    ),
     "roundup": "the next of the sizes of a list is written: next d in sizes",
 }
 """Functions of other languages, and what there is here in their place."""

@@ -8,7 +8,7 @@ from .grammar import keywords, spelling
 from .lalr import Token
 from .lines import OPERAND_ENDS
 from .spans import span_of
-from .vocabulary import FUNCTIONS, NAME, RANGE, TWINS, split_quantity
+from .vocabulary import CHOICE, FUNCTIONS, NAME, RANGE, TWINS, split_quantity
 from .written import WRITTEN, example, words_behind
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
@@ -22,6 +22,11 @@ _SQUARE = "a direction stands behind 'along': force F at A along perp OA, OA tur
 _MOVES = (
     "a drive is what moves, drive phi from 10 deg to 80 deg; the force of a cylinder is an "
     "actuator, actuator P between A and B, that of a motor a torque, torque M on OA"
+)
+
+_ALL_HOLD = (
+    "all conditions hold at once, each in a line of its own; what differs from case to case is a "
+    "choice: let a = 2 mm when v < 1 m/s else 3 mm"
 )
 
 STATED = {
@@ -48,12 +53,16 @@ STATED = {
     ("DRIVE", "on"): _MOVES,
     ("DRIVE", "at"): _MOVES,
     ("DRIVE", "between"): _MOVES,
+    ("REQUIRE", "or"): _ALL_HOLD,
     ("LINK", "="): "a link is declared, and its lengths are lines of their own: OA = 60 mm",
     ("TELESCOPE", "="): "a telescope is declared, and its length is a line of its own: AB = 60 mm",
     ("SLIDE", "="): "a slide is declared, and its lengths are lines of their own: WX = 60 mm",
     ("WEIGHT", "at"): "a weight has a mass: weight W mass 2 kg at G",
 }
 """What is said otherwise in a statement, by its word and what does not fit in it."""
+
+THOUSAND = 3
+"""Digits behind a comma that stands for thousands, or for decimals."""
 
 PARTED = "a ',' stands between two values"
 
@@ -177,8 +186,11 @@ def _of_label(line: Sequence[Token], position: int) -> str:
 def _of_decimals(line: Sequence[Token], position: int) -> str:
     """Return a hint at a comma that does not fit, where one stands in a number."""
     triples = zip(line, line[1:], line[2:], strict=False)
-    is_decimal = line[position] == "," and any(_is_decimal_comma(*triple) for triple in triples)
-    return "decimals are written with a point" if is_decimal else ""
+    parts = [triple[-1] for triple in triples if _is_decimal_comma(*triple)]
+    if line[position] != "," or not parts:
+        return ""
+    is_thousand = len(split_quantity(parts[0])[0]) == THOUSAND
+    return f"decimals are written with a point{', thousands together: 3000' * is_thousand}"
 
 
 def _is_decimal_comma(whole: Token, comma: Token, part: Token) -> bool:
@@ -241,6 +253,10 @@ def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str
         return DOUBLED[text]
     if text == previous == "/":
         return "a comment begins with '#'"
+    if previous == "if":
+        return CHOICE
+    if previous == "=" and text in ("<", ">"):
+        return f"it is written '{text}='"
     if previous in FUNCTIONS or previous in TWINS:
         return f"a function needs brackets: {previous}({text})"
     if previous.lower() in ("inf", "infinity", "nan"):

@@ -15,7 +15,7 @@ from .fault import Fault
 from .grammar import lexed
 from .lalr import Token
 from .spans import span_of
-from .vocabulary import CHOICE, RANGE, split_quantity
+from .vocabulary import CHOICE, DIAMETER, RANGE, split_quantity
 
 Sweep = Callable[[int], int]
 
@@ -145,7 +145,7 @@ def check(line: Iterable[Token]) -> None:
         if token.type == "NUMBER":
             check_number(token)
         if before is not None and before.type == "NUMBER":
-            check_unit(before, token)
+            check_unit(before, token, line[0])
         before = token
     check_nesting(line)
     check_cases(line)
@@ -205,7 +205,7 @@ def check_number(token: Token) -> None:
         raise Fault(syntax_limits.exponent_too_large(span_of(token), exponent[:8], limit))
 
 
-def check_unit(number: Token, behind: Token) -> None:
+def check_unit(number: Token, behind: Token, first: Token) -> None:
     """Refuse a word behind a number that is no unit, and ``5 mm^7`` (is the unit cubed?)."""
     unit = split_quantity(number)[1]
     if behind.type == "NAME":
@@ -215,6 +215,7 @@ def check_unit(number: Token, behind: Token) -> None:
             return  # the number has its unit, so that this is no other
         hint = f"did you mean {meant!r}?" if meant else RANGE if unit == "in" else ""
         hint = CHOICE if behind == "if" else hint
+        hint = DIAMETER if (first, behind) == ("friction", "radius") else hint
         if unit and behind in UNITS:
             hint = f"a compound unit has no spaces, as in {unit}*{behind}"
         raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain, hint))

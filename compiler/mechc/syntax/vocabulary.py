@@ -62,6 +62,8 @@ TWINS = {
 RANGE = "a range has two dots: in LOW .. HIGH"
 """What is said where ``in`` is followed by what is no range."""
 
+DIAMETER = "of a pin the diameter is given: friction pins 0.1 diameter 10 mm"
+
 CHOICE = "a choice is written with 'when', as in 1.1 when v < 1 m/s else 1.3"
 """What is said where ``if`` follows a number."""
 

@@ -75,6 +75,19 @@ def _declare_it(name: str, known: Collection[str]) -> str:
     return f"declare it, 'param {name} = …'; {offered(name, known, 'names declared')}"
 
 
+def power_of_unit(name: str) -> str:
+    """Return the hint at a unit with its power behind it, '' for other names.
+
+    Metres are left out: ``m2`` may be a mass.
+
+    >>> power_of_unit("mm2"), power_of_unit("m2")
+    ("a power of a unit is written with '^': mm^2", '')
+    """
+    unit, power = name[:-1], name[-1:]
+    is_power = len(unit) > 1 and unit in UNITS and power in "234"
+    return f"a power of a unit is written with '^': {unit}^{power}" if is_power else ""
+
+
 def load_follows(used: str, prefix: str, given: str) -> str:
     """Return the hint at a load of a used mechanism that is undetermined until one is given."""
     written = f'"{used}"' if "." in used else used

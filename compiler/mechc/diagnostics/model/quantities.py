@@ -11,6 +11,7 @@ from ...units import (
     LENGTH,
     MASS,
     NUMBER,
+    PRESSURE,
     USUAL_UNITS,
     Dimension,
     base_units,
@@ -89,6 +90,10 @@ def wrong_dimension(
         hint = "a weight that is given as a force is one: `force W at G along -y`"
         if what.startswith("the range"):
             hint = "kg measures a mass; the force of a mass is given in kgf, or in N"
+    if (found, wanted) == (PRESSURE, FORCE):
+        hint = "the force of a cylinder is its pressure on the piston: let P = p*pi*D^2/4"
+    if (found, what) == (ANGLE, "a coefficient of friction"):
+        hint = "the coefficient for an angle of friction is its tangent: tan(6 deg)"
     if (found, what) in ((ANGLE, "the length"), (LENGTH, "the direction")):
         hint = "the length stands before '@', the direction behind it"
     hint = hint or LOST

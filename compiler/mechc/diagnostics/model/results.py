@@ -52,7 +52,15 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
         whole = component[1]
         hint = f"write 'find {whole}', which gives {whole}_x, {whole}_y and {whole}_direction, too"
         return Message(span, message, hint)
+    if name.lower() in ("eta", "efficiency"):
+        return Message(span, message, WITH_FRICTION)
     return Message(span, message, offered(name, loads, "loads"))
+
+
+WITH_FRICTION = (
+    "an efficiency comes with friction: beside `find k = P/F` the line "
+    "`friction pins 0.1 diameter 10 mm` gives eta_k"
+)
 
 
 @coded("E265")

@@ -210,6 +210,7 @@ class Scope:
             hint = "a value is a number, and finite"
         if len(symbol.name) > 1 and symbol.name in PARTS:
             hint = messages.unit_alone(symbol.name)
+        hint = hint or messages.power_of_unit(symbol.name)
         if symbol.name == "radius":
             hint = messages.NEGATIVE_RADIUS
         if symbol.name.lower() in AXES:
