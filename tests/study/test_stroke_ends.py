@@ -215,3 +215,28 @@ def test_where_iteration_finds_nothing_there_may_be_a_pose():
     assert compilation.gaps
     (warning,) = [w for w in warnings(compilation) if w.code == "W594"]
     assert warning.message.startswith("iteration finds no pose for phi from -51.56")
+
+
+NEXT_TO_ITS_END = """
+pivot O at (0 mm, 0 mm)
+pivot C at (100 mm, 0 mm)
+link OA
+link AB
+link CB
+OA = 40 mm @ phi
+param phi = 59.9993 deg
+AB = 60 mm
+CB = 27.178 mm
+assembly ABC cw
+drive phi from 40 deg to 60 deg
+torque M on OA
+torque T on CB
+find k = M/T
+"""
+
+
+def test_links_follow_the_drive_next_to_the_end_of_their_loop():
+    """There differences do not show how fast they turn: W591 was false, and B had no path."""
+    compilation = Compilation(Source("m.mech", NEXT_TO_ITS_END))
+    assert compilation.out_of_step == ()
+    assert {q.of for q in compilation.motion.quantities} >= {"A", "B", "AB", "CB"}

@@ -64,8 +64,23 @@ def at_default(plan: Plan) -> tuple[Along, float] | None:
     x = along.defaults.get(drive.parameter)
     if x is None or not _mentioned(pose) <= along.values(x).keys():
         return None
-    stands = not any(along.trouble(x + s) for s in (-DIFFERENCE, 0, DIFFERENCE))
-    return (along, x) if stands else None
+    steps = (-2 * DIFFERENCE, -DIFFERENCE, 0, DIFFERENCE, 2 * DIFFERENCE)
+    stands = not any(along.trouble(x + step) for step in steps)
+    return (along, x) if stands and _is_smooth(pose, along, x) else None
+
+
+def _is_smooth(pose: Pose, along: Along, x: float) -> bool:
+    """Return whether differences show how fast links turn: next to the end of a loop they do not.
+
+    One over twice the step is then the same.
+    """
+    links = pose.mechanism.links
+    near, far = (
+        [_turning(pose, link, along, x, step) for link in links]
+        for step in (DIFFERENCE, 2 * DIFFERENCE)
+    )
+    fastest = max(map(abs, near), default=0.0)
+    return all(abs(b - a) <= SAME_RATE * fastest for a, b in zip(near, far, strict=True))
 
 
 def links_astray(plan: Plan, along: Along, x: float) -> Iterator[Astray]:
@@ -99,15 +114,15 @@ def _mentioned(pose: Pose) -> set[str]:
     }
 
 
-def _turning(pose: Pose, link: Link, along: Along, x: float) -> float:
+def _turning(pose: Pose, link: Link, along: Along, x: float, step: float = DIFFERENCE) -> float:
     """Return how fast a link turns in the drawing, per unit of the drive.
 
     The point that turns fastest counts: others may stand for what a part touches just now.
     """
-    before, after = along.values(x - DIFFERENCE), along.values(x + DIFFERENCE)
+    before, after = along.values(x - step), along.values(x + step)
     first, *others = link.points
     turns = [_turn(pose.vector(link.name, first, point), before, after) for point in others]
-    return max(turns, key=abs) / (2 * DIFFERENCE)
+    return max(turns, key=abs) / (2 * step)
 
 
 def _bent(pose: Pose, link: Link, along: Along, x: float, fastest: float) -> str:
