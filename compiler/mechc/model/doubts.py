@@ -55,6 +55,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     yield from _coinciding(mechanism, values)
     yield from _within(mechanism.links)
     yield from _of_ground(mechanism)
+    yield from _along_a_link(mechanism)
     yield from _held(mechanism)
     yield from _without_value(mechanism, values)
     yield from _of_no_size(mechanism, values)
@@ -265,6 +266,18 @@ def _of_ground(mechanism: Mechanism) -> Iterator[Diagnostic]:
     for link in mechanism.links:
         if set(link.points) <= mechanism.fixed:
             yield messages.link_of_ground(link.span, link.name)
+
+
+def _along_a_link(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    """Yield the guides whose direction is that of a link that moves: they stand still."""
+    for slider in mechanism.each(Slider):
+        along = slider.along
+        if not isinstance(along, Along) or along.quarter % 2:
+            continue
+        ends = {along.tail, along.head}
+        link = next((k for k in mechanism.links if ends <= set(k.points)), None)
+        if link and not ends <= mechanism.fixed:
+            yield messages.guide_along_link(along.span, slider.point, link.name)
 
 
 def _held(mechanism: Mechanism) -> Iterator[Diagnostic]:

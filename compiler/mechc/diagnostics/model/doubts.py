@@ -155,6 +155,21 @@ def link_of_ground(span: Span, link: str) -> Message:
     return Message(span, message, "leave it out, or correct its points")
 
 
+@coded("W264")
+def guide_along_link(span: Span, point: str, link: str) -> Message:
+    """The direction of a guide is that of a link that moves; a guide is fast in the ground.
+
+    It is as if the guide were turned with the link, for every pose anew::
+
+        slider B along OA        # warned of, where OA moves
+        slot B in OA             # right, where B slides along OA
+        slider B along 30 deg    # right, where the ground guides it
+    """
+    message = f"the guide of {point} is fast in the ground, and its direction that of link {link}"
+    hint = f"a point that slides along a link is written slot {point} in …; a guide has an angle"
+    return Message(span, message, hint)
+
+
 @coded("W254")
 def telescope_between_fixed(span: Span, name: str, body: str) -> Message:
     """The ends of a telescope keep their distance, so it can neither extend nor push.
