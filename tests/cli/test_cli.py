@@ -513,7 +513,7 @@ def test_a_condition_that_fails_stands_in_the_whole_calculation(
 
 def test_no_reserve_is_the_least_where_a_condition_fails(run: Mechc, tmp_path: Path) -> None:
     path = tmp_path / "bolt.mech"
-    holding = FAILING_BOLT + "param a = 2 mm\nlet b = 3*a\nrequire b < 8 mm\n"
+    holding = FAILING_BOLT + "param a = 2 mm\nlet b = 3*a\nrequire b < 8 mm\nrequire b > 5 mm\n"
     path.write_text(holding, encoding="utf-8")
     _, out, _ = run("check", str(path))
     assert sum(", reserve" in line for line in out.splitlines()) > 1
