@@ -45,4 +45,4 @@ def test_efficiencies_and_jams_in_russian():
 def test_english_is_said_as_ever():
     table = to_table(mechc.load("crank_rocker").stroke(3))
     assert "k = 0 at phi = 24.1468 deg: dead centre, B stands still while O1A moves" in table
-    assert "Looked at 721 places: zeros, poles and extrema" in table
+    assert "Looked at 721 places: zeros, poles, extrema" in table

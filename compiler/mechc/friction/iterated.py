@@ -4,6 +4,7 @@ Every friction adds its power, factor · pressing force · slip, to what the dri
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
 from functools import partial
 
 from ..algebra.angle import Rational
@@ -47,7 +48,8 @@ def first_order_case(
         factor = named_factor(part.pair, labels, signs).formula()
         force = _called(f"r_{part.pair.name}", part.force, forces, signs)
         slip = _called(_slip_name(part.pair), part.slip, slips, signs)
-        terms.append(product([(number(sense), 1), (factor, 1), (force, 1), (slip, 1)]))
+        times = number(sense * part.times)
+        terms.append(product([(times, 1), (factor, 1), (force, 1), (slip, 1)]))
     equations = [(own, known) for named in (forces, slips) for own, known in named.items()]
     step = Step(
         "first order",
@@ -82,16 +84,17 @@ def named_factor(pair: FrictionPair, labels: Mapping[str, str], signs: AtOnePose
 
 
 class Power(NamedTuple):
-    """The power of one friction: the ideal force and the slip."""
+    """The power of one friction, and how often it is there: the ideal force and the slip."""
 
     pair: FrictionPair
     force: Product
     slip: Product
+    times: Fraction
 
     @property
     def size(self) -> Product:
-        """Return the power itself."""
-        return self.pair.factor * self.force * self.slip
+        """Return the power of all of them."""
+        return (self.pair.factor * self.force * self.slip).scaled(self.times)
 
 
 def _powers(pressed: Sequence[LoadedPair], positive: Callable[[Product], Product]) -> list[Power]:
@@ -102,7 +105,7 @@ def _powers(pressed: Sequence[LoadedPair], positive: Callable[[Product], Product
         if parts and p.slip:
             x, y = (*parts, ZERO)[:2]
             force = size_of(x, y, positive) if y else positive(x)
-            found.append(Power(p.pair, force, positive(p.slip)))
+            found.append(Power(p.pair, force, positive(p.slip_of_one), p.times))
     return found
 
 
@@ -138,7 +141,9 @@ def exact(
 
     ``positive`` gives absolute values.
     """
-    parts = [(p.pair, p.pair.factor.formula(), positive(p.slip).formula()) for p in pressed]
+    parts = [
+        Part(p.pair, p.pair.factor.formula(), positive(p.slip).formula(), ONCE) for p in pressed
+    ]
     steps = (Step("iterated"),)
     whole = _sum(ideal, parts, sizes)
     return Named(whole, sizes.definitions, sizes.positive, steps=steps, inside=sizes.inside)
@@ -151,21 +156,37 @@ def exact_case(
     labels, positive = radii(p.pair for p in pressed), positive_at(signs)
     parts = []
     for p in pressed:
-        slip = Symbol(signs.define(_slip_name(p.pair), positive(p.slip).formula()))
-        parts.append((p.pair, named_factor(p.pair, labels, signs).formula(), slip))
+        slip = Symbol(signs.define(_slip_name(p.pair), positive(p.slip_of_one).formula()))
+        parts.append(Part(p.pair, named_factor(p.pair, labels, signs).formula(), slip, p.times))
     where = (*signs.definitions, *sizes.definitions)
     steps = (Step("iterated"),)
     formula = _sum(ideal, parts, sizes)
     return Printed(formula, where, conditions(signs), steps, sizes.positive)
 
 
-def _sum(
-    ideal: Formula, parts: Iterable[tuple[FrictionPair, Formula, Formula]], sizes: Sizes
-) -> Formula:
-    """Return the driving load with the powers of friction: factor, true size and slip of each."""
-    sense = number(sizes.sense)
+ONCE = Fraction(1)
+
+
+class Part(NamedTuple):
+    """What a friction adds to the driving load, but for its true size; it does so ``times``."""
+
+    pair: FrictionPair
+    factor: Formula
+    slip: Formula
+    times: Fraction
+
+
+def _sum(ideal: Formula, parts: Iterable[Part], sizes: Sizes) -> Formula:
+    """Return the driving load with the powers of friction."""
     added = (
-        product([(sense, 1), (factor, 1), (Symbol(sizes.names[pair.name]), 1), (slip, 1)])
-        for pair, factor, slip in parts
+        product(
+            [
+                (number(sizes.sense * part.times), 1),
+                (part.factor, 1),
+                (Symbol(sizes.names[part.pair.name]), 1),
+                (part.slip, 1),
+            ]
+        )
+        for part in parts
     )
     return total([ideal, *added])

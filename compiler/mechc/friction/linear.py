@@ -90,10 +90,18 @@ class LinearSolver:
         balances = [self._balance(*pair) for pair in zip(self._pressed, sides, strict=True)]
         found = zip(map(_size, self._pressed), (size.formula() for size in sizes), strict=True)
         equations = dict.fromkeys((*balances, *found))
-        equations |= {(_slip(p), (self._slip(p) * p.slip).formula()): None for p in self._pressed}
-        sense = (number(self._sense), 1)
+        equations |= {
+            (_slip(p), (self._slip(p) * p.slip_of_one).formula()): None for p in self._pressed
+        }
         powers = (
-            product([sense, (p.pair.factor.formula(), 1), (_size(p), 1), (_slip(p), 1)])
+            product(
+                [
+                    (number(self._sense * p.times), 1),
+                    (p.pair.factor.formula(), 1),
+                    (_size(p), 1),
+                    (_slip(p), 1),
+                ]
+            )
             for p in self._pressed
         )
         whole = total([self._ideal.formula(), *powers])

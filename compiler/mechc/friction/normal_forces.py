@@ -6,6 +6,7 @@ friction is its factor times the size of a pressing force is not linear.
 """
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from ..algebra.from_formula import to_product
 from ..algebra.product import ZERO, Product
@@ -16,6 +17,7 @@ from ..frozen import frozen, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Torque
 from ..power.balance import Equations, Term
+from ..power.loads import occurrences
 from ..power.reactions import ForceTerm, Reactions
 from .pairs import FrictionPair
 from .standing import without_standing
@@ -31,14 +33,20 @@ class LoadedPair:
     Its pressing force has perpendicular ``components``, each ``ideal + Σ by[other] · f``
     with f the frictions as they act on the slips. ``slip`` is per unit speed of the
     driving load, times how often the mechanism has the pair and over how often it has
-    the load, so that ``friction · |slip|`` is what it adds to the driving load. ``plans``
-    are those by which the components were found.
+    the load, so that ``friction · |slip|`` is what it adds to the driving load: ``times`` says how
+    often that is. ``plans`` are those by which the components were found.
     """
 
     pair: FrictionPair
     slip: Product
     components: tuple["Component", ...]
     plans: tuple[Plan, ...]
+    times: Fraction = Fraction(1)
+
+    @property
+    def slip_of_one(self) -> Product:
+        """Return the slip of one pair: halves and branches have theirs."""
+        return self.slip.scaled(1 / self.times)
 
 
 @frozen
@@ -85,20 +93,23 @@ def loaded_pairs(
         pose, (driving,), lambda loose: [term_of(pair, loose) for pair in pairs], (plan,)
     )
     slips = without_standing([_slip(pair, plan, equations, driving) for pair in pairs], plan)
+    (load,) = (load for load in pose.mechanism.loads if load.name == driving)
+    driven = occurrences(pose.mechanism, load)
     pressed = []
     for pair, slip in zip(pairs, slips, strict=True):
+        times = pair.number / driven
         if pair.thrust is not None:
             ideal = _thrust_under(pair.thrust, equations, given)
             if isinstance(ideal, str):
                 raise LoadedByAnother(ideal)
-            pressed.append(LoadedPair(pair, slip, (Component(ideal, {}),), ()))
+            pressed.append(LoadedPair(pair, slip, (Component(ideal, {}),), (), times))
             continue
         transmitted = reactions.of(pair.joint)
         if transmitted is None:
             raise Undetermined(pair)
         besides = dict(pair.besides)
         components = (_component(push, names, given, besides) for push in transmitted.force_terms)
-        pressed.append(LoadedPair(pair, slip, tuple(components), transmitted.plans))
+        pressed.append(LoadedPair(pair, slip, tuple(components), transmitted.plans, times))
     return tuple(pressed)
 
 

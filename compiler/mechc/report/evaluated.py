@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Symbol
 from ..formula.walk import symbols, walk
-from ..model.mechanism import GRAVITY, Mechanism, Parameter, Torque
+from ..model.mechanism import GRAVITY, LoadRatio, Mechanism, Parameter, Torque, WithFriction
 from ..model.result import Definition
-from ..model.values import Chain, defaults, dependent, usual_length
+from ..model.values import Chain, completed, defaults, dependent, usual_length
 from ..named import NamedTuple
 from ..study.analysis import Analysis
-from ..units import ANGLE, NUMBER, UNITS, si_unit
+from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
 from .definitions import FREE_FALL, given_loads, usual_weights
 from .found_dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
@@ -47,6 +47,9 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
                 yield from _of_line(line)
             else:
                 unit = usual_unit(result.dimension, usual)
+                forces = _iterated(result, mechanism, given)
+                yield from (Evaluated(Symbol(n), None, q, False) for n, q in forces.items())
+                given |= forces
                 yield from _of_result(result, given, unit)
                 given |= _value(result, unit)
 
@@ -133,6 +136,31 @@ def _value(result: Analysis, unit: str) -> dict[str, Quantity]:
     """Return the value of a result under its name, for results that rest on it."""
     known = result.default is not None and math.isfinite(result.default)
     return {result.name: Quantity(result.default or 0.0, unit)} if known else {}
+
+
+def _iterated(
+    result: Analysis, mechanism: Mechanism, given: Mapping[str, Quantity]
+) -> dict[str, Quantity]:
+    """Return the forces at joints that a result with friction mentions, whatever they rest on.
+
+    Those of a ratio of loads are for a unit of the load below the line.
+    """
+    named = symbols(result.formula) & result.inside - given.keys()
+    if not named or result.default is None:
+        return {}
+    values = completed({name: quantity.value for name, quantity in given.items()}, result.where)
+    unit = si_unit(FORCE.over(_measured_by(result, mechanism)))
+    known = (d.name for d in result.where if d.name in named and d.name in values)
+    return {name: Quantity(values[name], unit) for name in known if math.isfinite(values[name])}
+
+
+def _measured_by(result: Analysis, mechanism: Mechanism) -> Dimension:
+    """Return the dimension of what the forces in a result are measured by."""
+    match result.target:
+        case WithFriction(of=LoadRatio(below=below)):
+            return next(load.dimension for load in mechanism.loads if load.name == below)
+        case _:
+            return NUMBER
 
 
 def _of_result(result: Analysis, given: Mapping[str, Quantity], unit: str) -> Iterator[Evaluated]:

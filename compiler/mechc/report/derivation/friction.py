@@ -70,6 +70,9 @@ def of_friction(solution: Solution, results: Iterable[Result]) -> Iterator[Expla
         steps = [_with_result(step, place, names[0]) for step in steps]
         paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place)]
         first = solved[0].result
+        if steps[0].kind == "iterated" and _driving(place):
+            shown = next(r for r in results if r.name == names[0])
+            paragraphs += earlier.once(_powers(place, [d.name for d in shown.where]))
         yield Explanation(names, (*_opening(place, first, steps, mechanism, earlier), *paragraphs))
 
 
@@ -276,26 +279,39 @@ def _paragraphs(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Pa
         case "efficiency":
             yield Paragraph(SentenceKind.EFFICIENT, tuple(equations))
         case "first order":
-            yield from _first_order((*new, *found), asked)
+            yield from _first_order((*new, *found), asked, earlier)
         case "iterated":
             yield Paragraph(SentenceKind.ITERATED, formulas=_ITERATED)
         case _:
             assert_never(step.kind)
 
 
-def _first_order(equations: Sequence[Equation], asked: WithFriction) -> Iterator[Paragraph]:
+def _powers(asked: WithFriction, names: Sequence[str]) -> Iterator[Paragraph]:
+    """Yield how the frictions that are iterated add up, and what their slips are."""
+    if asked.sense == "tightening":
+        yield Paragraph(SentenceKind.POWERS, formulas={"force": Symbol("n")})
+    yield from _slips(names)
+
+
+def _first_order(
+    equations: Sequence[Equation], asked: WithFriction, earlier: _Shown
+) -> Iterator[Paragraph]:
     """Yield how the frictions of first order add up, and what their slips are."""
     less = asked.sense == "releasing"
     sentence = SentenceKind.FIRST_ORDER_LESS if less else SentenceKind.FIRST_ORDER
-    left = [e.left.name for e in equations if isinstance(e.left, Symbol)]
-    slips = []
-    if any(name.startswith("Omega_") for name in left):
-        slips.append(Paragraph(SentenceKind.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")}))
-    if any(name.startswith("v_") for name in left):
-        slips.append(Paragraph(SentenceKind.SLIP_OF_FACE, formulas={"speed": Symbol("v")}))
+    slips = earlier.once(_slips(e.left.name for e in equations if isinstance(e.left, Symbol)))
     paragraphs = (Paragraph(sentence, formulas={"force": Symbol("r")}), *slips)
     yield from paragraphs[:-1]
     yield replace(paragraphs[-1], equations=tuple(equations))
+
+
+def _slips(names: Iterable[str]) -> Iterator[Paragraph]:
+    """Yield what the slips are that have names."""
+    kinds = {name.partition("_")[0] for name in names}
+    if "Omega" in kinds:
+        yield Paragraph(SentenceKind.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")})
+    if "v" in kinds:
+        yield Paragraph(SentenceKind.SLIP_OF_FACE, formulas={"speed": Symbol("v")})
 
 
 def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> Iterator[Paragraph]:

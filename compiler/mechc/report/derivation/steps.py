@@ -214,6 +214,8 @@ class SentenceKind(StrEnum):
     """An efficiency that was given."""
     ITERATED = "iterated"
     """Frictions that depend on each other."""
+    POWERS = "powers of friction"
+    """What each friction that is iterated adds to the drive."""
     ITERATED_AGAIN = "iterated again"
     """The same for another result."""
     EQUILIBRIUM = "equilibrium"

@@ -75,6 +75,8 @@ ENGLISH = {
     "surfaces; the frictions themselves change these forces. The power of each is this times "
     "the speed {speed} of the slip, per unit of the drive’s velocity:",
     "efficient": "The efficiency is given: the part of the driving power that reaches the load.",
+    "powers of friction": "Each friction adds its coefficient times the force {force} times the "
+    "slip, per unit of the drive’s velocity.",
     "iterated again": "The forces {sizes} follow likewise.",
     "iterated": "Here each friction depends on the others. With {sizes} the forces at "
     "the joints, {parts} their components without friction and {changes} what all frictions "
@@ -159,6 +161,8 @@ UKRAINIAN = {
     "швидкість ковзання {speed} на одиницю швидкості привода:",
     "efficient": "Коефіцієнт корисної дії задано: така частина рушійної потужності доходить "
     "до навантаження.",
+    "powers of friction": "Кожне тертя додає добуток коефіцієнта, сили {force} і ковзання на "
+    "одиницю швидкості привода.",
     "iterated again": "Сили {sizes} знаходимо так само.",
     "iterated": "Тут кожна сила тертя залежить від інших. Якщо {sizes} — сили тиску в "
     "шарнірах, {parts} — їхні складові без тертя, а {changes} — те, що змінюють у них усі "
@@ -246,6 +250,8 @@ RUSSIAN = {
     "произведение на скорость скольжения {speed} на единицу скорости привода:",
     "efficient": "Коэффициент полезного действия задан: такая часть движущей мощности доходит "
     "до нагрузки.",
+    "powers of friction": "Каждое трение добавляет произведение коэффициента, силы {force} и "
+    "скольжения на единицу скорости привода.",
     "iterated again": "Силы {sizes} находим так же.",
     "iterated": "Здесь каждая сила трения зависит от остальных. Если {sizes} — силы давления "
     "в шарнирах, {parts} — их составляющие без трения, а {changes} — то, что меняют в них все "
