@@ -108,11 +108,11 @@ class Compilation(Pipeline):
     @Stage
     @of_linkages
     def equilibrium(self) -> "tuple[Equilibrium, ...]":
-        """The sums of forces and moments that lead to each load, body by body."""
-        from .equilibrium.from_plan import loads_by_equilibrium
+        """The sums of forces and moments that lead to loads and forces, body by body."""
+        from .equilibrium.from_plan import by_equilibrium
 
         with within(Allowance(), self.report):
-            return self._sound(loads_by_equilibrium(self.plan, self.report))
+            return self._sound(by_equilibrium(self.plan, self.balance.solved, self.report))
 
     @Stage
     @of_linkages

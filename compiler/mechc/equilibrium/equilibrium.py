@@ -68,10 +68,11 @@ class Step(NamedTuple):
 
 @frozen
 class Equilibrium:
-    """The steps that lead to a load, the last of which gives it; ``forces`` are those they mention.
+    """The steps to a load or a force at a joint, the last of which gives it.
 
-    ``result`` is the name of what was asked for, ``parts`` how many equal parts the mechanism has,
-    of which one is looked at.
+    ``load`` is its name on free bodies, ``forces`` are those that the steps mention. ``result`` is
+    the name of what was asked for, ``parts`` how many equal parts the mechanism has, of which one
+    is looked at.
     """
 
     result: str
@@ -79,3 +80,4 @@ class Equilibrium:
     forces: tuple[JointForce, ...]
     steps: tuple[Step, ...]
     parts: int = 1
+    is_at_joint: bool = False

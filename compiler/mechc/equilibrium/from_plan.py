@@ -1,10 +1,27 @@
-"""Loads by the equilibrium of free bodies: cut free, sums written, an order chosen."""
+"""Forces by the equilibrium of free bodies: cut free, sums written, an order chosen."""
+
+from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 from ..diagnostics import Report
 from ..diagnostics import derivation as messages
+from ..frozen import replace
 from ..kinematics.plan import Plan
-from ..model.mechanism import LoadForm, LoadRatio
+from ..model.mechanism import (
+    Axial,
+    Force,
+    ForcePair,
+    Load,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Normal,
+    Reaction,
+    Torque,
+)
+from ..model.targets import Target
 from ..pose.pose import Pose
+from ..power.balance import Solved
 from ..power.numbers import pose_values
 from .balances import balances
 from .bodies import Cut, cut_free
@@ -12,14 +29,15 @@ from .equilibrium import Equilibrium, Step
 from .order import Names, candidates, steps_to
 
 
-def loads_by_equilibrium(plan: Plan, report: Report) -> tuple[Equilibrium, ...]:
-    """Return the steps that lead to each load that is asked for, in the order of the text.
+def by_equilibrium(plan: Plan, solved: Sequence[Solved], report: Report) -> tuple[Equilibrium, ...]:
+    """Return the steps to each load that is asked for, then to forces at joints.
 
-    Reports E731 where none is, E730 of one that nobody would find so by hand.
+    Reports E731 where there are none, E730 of a load that nobody would find so by hand. A force at
+    a joint is left out there, and where free bodies have other components of it.
     """
     pose = plan.graph.pose
     cut = cut_free(pose)
-    found = []
+    found: list[Equilibrium] = []
     for find in pose.mechanism.finds:
         match find.target:
             case LoadRatio(load) | LoadForm(load) as target:
@@ -30,9 +48,64 @@ def loads_by_equilibrium(plan: Plan, report: Report) -> tuple[Equilibrium, ...]:
             case _:
                 pass
     report.stop_on_errors()
+    found += _forces(pose, cut, solved)
     if not found:
         raise report.fail(messages.no_load_to_find(pose.mechanism.span, pose.mechanism.name))
     return tuple(found)
+
+
+def _forces(pose: Pose, cut: Cut, solved: Sequence[Solved]) -> Iterator[Equilibrium]:
+    """Yield the steps to forces at joints, all loads but those that are held being known."""
+    loads = frozenset(load.name for load in pose.mechanism.loads)
+    for one in solved:
+        force = _force(one.result.target, cut, pose)
+        if force and one.releases:
+            known = loads.difference(one.releases[0].held)
+            if steps := _steps(pose, cut, force, known):
+                found = _equilibrium(one.result.name, force, cut, steps, pose)
+                yield replace(found, is_at_joint=True)
+
+
+def _force(target: Target | None, cut: Cut, pose: Pose) -> str:
+    """Return the name that a force at a joint has on free bodies, '' where they have none for it.
+
+    The ground exerts what it does on the one body at a pivot; where there are several, or halves
+    that share it, each has a force of its own, and so have a rope or a load that end there.
+    """
+    place = 0
+    match target:
+        case Reaction(point, "", "x" | "y" as part):
+            subjects, place = _alone_at(point, pose.mechanism), "xy".index(part)
+        case Axial(link):
+            subjects = [("rod", link)]
+        case Normal(point):
+            bodies = [body.name for body in pose.mechanism.bodies]
+            subjects = [("guide", point), *(("touch", point, body) for body in bodies)]
+        case _:
+            return ""
+    found = [f.names[place] for f in cut.forces if (f.kind, *f.subject[:2]) in subjects]
+    return found[0] if len(found) == 1 else ""
+
+
+def _alone_at(pivot: str, mechanism: Mechanism) -> list[tuple[str, ...]]:
+    """Return the body that alone is held by a pivot, as the subject of the force there."""
+    bodies = [body for body in mechanism.bodies if pivot in body.points]
+    joints = [joint for joint in mechanism.joints if pivot in joint.points]
+    loads = [load for load in mechanism.loads if pivot in _ends(load)]
+    is_alone = len(bodies) == len(joints) == 1 and not loads and pivot not in mechanism.shared
+    return [("pivot", bodies[0].name, pivot)] if is_alone else []
+
+
+def _ends(load: Load) -> tuple[str, ...]:
+    match load:
+        case Force(point=point):
+            return (point,)
+        case ForcePair(first=first, second=second):
+            return (first, second)
+        case Torque():
+            return ()
+        case _:
+            assert_never(load)
 
 
 def _known(plan: Plan, target: LoadRatio | LoadForm) -> Names:

@@ -1,6 +1,7 @@
 """A load from the equilibrium of free bodies, put as a person would write it down."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
 
 from ...equilibrium.equilibrium import Balance, Equilibrium, Found, JointForce, Step, Terms
 from ...formula.layout import has_minus
@@ -8,7 +9,10 @@ from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...frozen import replace
+from ...model.mechanism import Reaction
+from ...model.targets import whole
 from ...pose.pose import Pose
+from ...power.balance import Solved
 from ...power.definitions import intermediates
 from ...study.analysis import Analysis
 from ..sentences.wording import positive_first
@@ -39,13 +43,30 @@ _FORCES: Mapping[str, tuple[SentenceKind, Places]] = {
 def derive_by_equilibrium(
     solution: Solution, loads: Iterable[Equilibrium], results: Sequence[Analysis]
 ) -> Derivation:
-    """Return the derivation of what was asked for, loads by the equilibrium of free bodies."""
+    """Return the derivation of what was asked for, by the equilibrium of free bodies.
+
+    A force at a joint of which they have other components is found by virtual power.
+    """
     pose = solution.plan.graph.pose
     writer = _Writer(pose)
-    by_sums = (writer.explanation(load) for load in loads)
-    explanations = (*by_sums, *of_forces(solution), *of_friction(solution, results))
+    groups = tuple(_together(solution, {each.result: each for each in loads}))
+    by_sums = tuple(writer.explanation(names, found) for names, found in groups)
+    met = frozenset(name for names, _ in groups for name in names)
+    explanations = (*by_sums, *of_forces(solution, met), *of_friction(solution, results))
     derivation = Derivation((), (), (), tuple(results), explanations)
     return replace(derivation, position=tuple(position_steps(pose, derivation)))
+
+
+def _together(
+    solution: Solution, loads: Mapping[str, Equilibrium]
+) -> Iterator[tuple[tuple[str, ...], tuple[Equilibrium, ...]]]:
+    """Yield results that are explained together, with the steps to each of their components."""
+    ideal = [one for one in solution.solved if isinstance(one, Solved)]
+    for force, group in groupby(ideal, lambda one: one.result.target and whole(one.result.target)):
+        names = tuple(one.result.name for one in group)
+        found = tuple(loads[name] for name in names if name in loads)
+        if found and len(found) == (2 if isinstance(force, Reaction) else 1):
+            yield names, found
 
 
 class _Writer:
@@ -56,12 +77,19 @@ class _Writer:
         self._met: set[str] = set()
         self._found: dict[str, Terms] = {}
 
-    def explanation(self, equilibrium: Equilibrium) -> Explanation:
-        """Return how a load follows: each force when it is met first, then the sums."""
-        paragraphs = tuple(self._paragraphs(equilibrium))
+    def explanation(self, names: tuple[str, ...], found: Sequence[Equilibrium]) -> Explanation:
+        """Return how results follow: each force when it is met first, then the sums.
+
+        Where a force has been found already, or has another name, it is said which one is meant.
+        """
+        paragraphs = [p for equilibrium in found for p in self._paragraphs(equilibrium)]
+        if called := [_called(each) for each in found if each.is_at_joint]:
+            last = paragraphs.pop() if paragraphs else Paragraph(SentenceKind.EQUILIBRIUM)
+            new = [equation for equation in called if equation.left != equation.right]
+            paragraphs.append(replace(last, equations=(*last.equations, *new)))
         sides = [side for p in paragraphs for equation in p.equations for side in equation]
-        names = (equilibrium.result,)
-        return Explanation(names, paragraphs, tuple(intermediates(self._pose, symbols(*sides))))
+        where = tuple(intermediates(self._pose, symbols(*sides)))
+        return Explanation(names, tuple(paragraphs), where)
 
     def _paragraphs(self, equilibrium: Equilibrium) -> Iterator[Paragraph]:
         if not self._found:
@@ -82,6 +110,11 @@ class _Writer:
             if mentioned & {*force.names} and not self._met >= {*force.names}:
                 self._met.update(force.names)
                 yield _force(force)
+
+
+def _called(equilibrium: Equilibrium) -> Equation:
+    """Return the name of a result and that of the force on free bodies that it is."""
+    return Equation(Symbol(equilibrium.result), Symbol(equilibrium.load))
 
 
 def _force(force: JointForce) -> Paragraph:

@@ -29,14 +29,17 @@ _BONDS = {
 }
 
 
-def of_forces(solution: Solution) -> Iterator[Explanation]:
-    """Yield an account of every force at a joint; its components are explained together."""
+def of_forces(solution: Solution, met: Set[str] = frozenset()) -> Iterator[Explanation]:
+    """Yield an account of every force at a joint; its components are explained together.
+
+    Nothing is said of results that were ``met`` elsewhere.
+    """
     pose = solution.plan.graph.pose
     opening: tuple[Paragraph, ...] = ()
     explained: set[str] = set()
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, Solved))
-        if place is None or not solved:
+        if place is None or not solved or solved[0].result.name in met:
             continue
         writer = _Writer(pose, solved, explained)
         if not explained and solved[0].releases:
