@@ -1,5 +1,7 @@
 """The component of a point's velocity along a load has its reason, and is true to it."""
 
+from itertools import pairwise
+
 import pytest
 
 from good_mechanisms import ALL, compiled
@@ -23,6 +25,19 @@ def steps(name):
 def test_a_component_follows_from_what_its_velocity_is_made_of(name):
     rule, subject = KINDS[name]
     assert [s.subject for s in steps(name) if s.rule is rule][:1] == [subject]
+
+
+@pytest.mark.parametrize(
+    ("name", "moved"), [("jansen_leg", [("DEF", "D", "E")]), ("crank_rocker", [])]
+)
+def test_what_a_velocity_is_made_of_stands_before_the_projection_that_takes_it(name, moved):
+    """That of E is V_D with the rotation of DEF; of a four-bar both ends turn about pivots."""
+    found = steps(name)
+    assert [s.subject for s in found if s.rule is Rule.PLANE] == moved
+    for before, step in pairwise(found):
+        if before.rule is Rule.PLANE:
+            assert step.rule is Rule.PROJECTION
+            assert before.subject[-1] in step.subject
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

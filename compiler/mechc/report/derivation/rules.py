@@ -53,6 +53,17 @@ def rule_of_component(point: str, load: str, graph: Graph) -> tuple[Rule, tuple[
     return Rule.COMPONENT, (point, load)
 
 
+def pole_of(point: str, relation: Relation, graph: Graph) -> tuple[str, str] | None:
+    """Return the link, and the moving point of it, from which a relation takes a point's velocity.
+
+    None where it is known by itself, or by a rotation about a pivot.
+    """
+    for link, pole in _poles(point, graph):
+        if pole not in graph.pose.mechanism.fixed and graph.spins.get(link) in relation.form:
+            return link, pole
+    return None
+
+
 def _poles(point: str, graph: Graph) -> Iterator[tuple[str, str]]:
     """Yield each link and point of it whose velocity, with the link's rotation, is a point's."""
     velocity = graph.velocities[point]

@@ -11,7 +11,7 @@ from ...power.balance import Balance
 from .notation import Named, Names, Notation, linear, times
 from .outputs import needed_unknowns, output_points
 from .ratios import Ratios
-from .rules import involved, rule_of
+from .rules import involved, pole_of, rule_of
 from .steps import Equation, NamedRatio, Rule, Step
 
 
@@ -24,6 +24,7 @@ class SpeedSteps:
         self._ratios = Ratios(balance.reading, self._notation)
         self._names: dict[int, Named] = {}
         self._levered: set[str] = set()
+        self._composed: set[str] = set()
 
     @property
     def names(self) -> Names:
@@ -96,7 +97,19 @@ class SpeedSteps:
         elif len(others) > 1 and others != {self._names[d] for d in self.plan.drives}:
             results.append(self._solved(unknown))
         rule, subject = rule_of(relation, self._graph)
+        for point in relation.points if rule is Rule.PROJECTION else ():
+            yield from self._plane_motion(point, relation)
         yield Step(rule, subject, (said,), tuple(results))
+
+    def _plane_motion(self, point: str, relation: Relation) -> Iterator[Step]:
+        """Yield from which other points and rotations a velocity comes, each once."""
+        found = pole_of(point, relation, self._graph)
+        if found is None or point in self._composed:
+            return
+        self._composed.add(point)
+        link, pole = found
+        yield from self._plane_motion(pole, relation)
+        yield Step(Rule.PLANE, (link, pole, point), (), ())
 
     def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
         for unknown in unknowns:

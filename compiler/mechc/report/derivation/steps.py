@@ -34,6 +34,8 @@ class Rule(StrEnum):
     """The angular velocity of a link from the velocities of two of its points."""
     BODY = "body"
     """The velocity of a point of a link from another point's and the rotation."""
+    PLANE = "plane"
+    """What the velocity of a point is made of: another point's and the rotation of their link."""
     DYAD = "dyad"
     """The velocity of a point from its projections on two rods."""
     TOGETHER = "together"

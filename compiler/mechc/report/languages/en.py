@@ -127,6 +127,8 @@ LOCALE = Locale(
         "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
         "body": "Plane motion of the link {first}: the velocity of one point and the rotation "
         "about it give the velocity of another ({rest}).",
+        "plane": "Plane motion of the link {first}: the velocity of {last} is that of {second} "
+        "together with that of the rotation about {second}.",
         "dyad": "Dyad {joined}: the velocity of the common pin follows from its projections on "
         "the two links.",
         "together": "The relations for {all} are solved together.",
