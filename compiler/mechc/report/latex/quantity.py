@@ -14,8 +14,9 @@ from fractions import Fraction
 
 from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
-from ...formula.tree import ZERO, Formula, Number
+from ...formula.tree import ZERO, Constant, Formula, Number, Sum, negative, total
 from ...units import ANGLE, LENGTH, UNITS, Dimension, si_unit, size_of
+from ...units import in_unit as text_in_unit
 from ..languages.locale import Locale
 from ..put_in import in_degrees as rounded
 from .notation import Notation
@@ -34,10 +35,31 @@ def quantity(
 
 
 def length_of(formula: Formula, locale: Locale, style: Notation, unit: str = "") -> str:
-    """Return a length; a number with its unit, the metre unless another is named."""
-    if isinstance(formula, Number) and formula != ZERO:
-        return quantity(formula, LENGTH, unit, locale, style)
-    return latex(formula, style)
+    r"""Return a length; a number, also one that is added, with its unit: metre unless one is named.
+
+    >>> from ...formula.tree import Symbol
+    >>> from ..languages.registry import locale
+    >>> from .notation import notation
+    >>> by = total([Symbol("e"), Number(Fraction(-1, 250))])
+    >>> length_of(by, locale("en"), notation("en"), "mm")
+    'e-4\\,\\text{mm}'
+    """
+    match formula:
+        case Number() if formula != ZERO:
+            return quantity(formula, LENGTH, unit, locale, style)
+        case Sum(terms):
+            return latex(total(_with_unit(term, unit or "m") for term in terms), style)
+        case _:
+            return latex(formula, style)
+
+
+def _with_unit(term: Formula, unit: str) -> Formula:
+    """Return a length that is added; a number as one in its unit."""
+    if not isinstance(term, Number):
+        return term
+    size = Number(abs(term.value))
+    shown = Constant(text_in_unit(float(size.value), unit, _DIGITS), size)
+    return shown if term.value > 0 else negative(shown)
 
 
 def measured(value: float, dimension: Dimension, locale: Locale, style: Notation) -> str:
