@@ -255,8 +255,6 @@ def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str
         return "a comment begins with '#'"
     if previous == "if":
         return CHOICE
-    if previous == "=" and text in ("<", ">"):
-        return f"it is written '{text}='"
     if previous in FUNCTIONS or previous in TWINS:
         return f"a function needs brackets: {previous}({text})"
     if previous.lower() in ("inf", "infinity", "nan"):
