@@ -5,6 +5,7 @@ import math
 import pytest
 
 import mechc
+from mechc.formula.tree import Symbol
 from paths import LIBRARY
 from seed_friction import described, entries
 
@@ -361,3 +362,27 @@ friction pins mu diameter 20 mm
 find k = P/F
 """
     assert {d.code for d in mechc.loads(text).warnings} == {"W256", "W601"}
+
+
+def test_that_a_distance_is_positive_is_no_condition():
+    """The slot's pin is at (0, -h), e from the pivot: how far follows, and is never negative."""
+    text = """
+mechanism gripper
+param e = 24 mm
+param h = 30 mm
+param f = 0.12
+pivot O at (e, 0 mm)
+slider K along y
+K at (0 mm, -h)
+J at (e, 85 mm)
+link OSJ
+slot K in OS
+friction pin O f diameter 8 mm
+friction contact K 0.15
+force P at K along -y
+force F at J along x
+find k = P/F
+"""
+    result = mechc.loads(text).results["k_f"]
+    assert result.holds
+    assert Symbol("len_OK") not in [condition.left for condition in result.holds]

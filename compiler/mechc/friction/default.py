@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula
+from ..formula.tree import Call, Formula
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
-from ..model.boxes import allowed_box
+from ..model.boxes import POSITIVE, allowed_box
 from ..model.result import Definition
 from ..model.values import Chain
 from ..power.numbers import default_values
@@ -28,7 +28,8 @@ class DefaultPose:
         self, way: Callable[[AtOnePose], Printed], endings: Sequence[str]
     ) -> Printed | None:
         """Return the printed result at the pose; None where a value or a sign is missing."""
-        values, box = self.values(), allowed_box(self._mechanism)
+        values = self.values()
+        box = {**allowed_box(self._mechanism), **dict.fromkeys(self._distances(), POSITIVE)}
         taken = values.keys() | self._taken
         try:
             found = way(
@@ -38,6 +39,12 @@ class DefaultPose:
             return None
         self.meanings.note(found.where)
         return found
+
+    def _distances(self) -> Iterator[str]:
+        """Yield the lengths that are distances of points: where one is 0, nothing has a value."""
+        for name, formula in self._plan.graph.pose.definitions:
+            if isinstance(formula, Call) and formula.function == "hypot":
+                yield name
 
     def _own(self) -> Iterator[Definition]:
         """Yield the user's own formulas of parameters alone, each after those it needs."""
