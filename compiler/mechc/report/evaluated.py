@@ -8,7 +8,7 @@ from ..formula.tree import Call, Formula, Symbol
 from ..formula.walk import symbols, walk
 from ..model.mechanism import GRAVITY, LoadRatio, Mechanism, Parameter, Torque, WithFriction
 from ..model.result import Definition
-from ..model.values import Chain, completed, defaults, dependent, usual_length
+from ..model.values import Chain, completed, defaults, dependent, is_constant, usual_length
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
@@ -96,6 +96,7 @@ def _named(whole: Outline, mechanism: Mechanism) -> set[str]:
     """Return the names that have a place of their own among the values, or are given."""
     results = {result.name for section in whole.results for result in section.results}
     given = {load.name for load in given_loads(mechanism)}
+    given |= {p.name for p in mechanism.parameters if is_constant(p)}
     return (
         (results - _own_met_early(whole))
         | given

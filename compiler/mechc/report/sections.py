@@ -57,9 +57,15 @@ class Outline(NamedTuple):
     results: tuple[Section, ...]
 
 
-def outline(derivation: Derivation, mechanism: Mechanism) -> Outline:
-    """Return the outline of a report, each name defined once and where it is first needed."""
+def outline(
+    derivation: Derivation, mechanism: Mechanism, given: Iterable[Parameter] = ()
+) -> Outline:
+    """Return the outline of a report, each name defined once and where it is first needed.
+
+    What is ``given`` above, such as the angles of a drawing, is not defined again.
+    """
     shown, known = Shown(), letters(mechanism, derivation.results)
+    shown.definitions(Definition(p.name, p.value) for p in given if p.value is not None)
     position = tuple(_position(derivation, mechanism, shown, known))
     shown.definitions(Definition(r.name, r.formula) for r in derivation.ratios)
     results = tuple(_results(derivation, mechanism, shown, known))

@@ -305,7 +305,7 @@ def _used(_known: Mapping[str, Any]) -> str:
 
 def _vectors_abreast(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
-    _parts += ['\\begin{longtable}[l]{@{}*{2}{>{\\raggedright\\arraybackslash}p{0.085\\linewidth}>{\\raggedright\\arraybackslash}p{0.165\\linewidth}>{\\raggedright\\arraybackslash}p{0.135\\linewidth}}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' & ', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
+    _parts += ['\\begin{longtable}[l]{@{}*{2}{>{\\raggedright\\arraybackslash}p{0.08\\linewidth}>{\\raggedright\\arraybackslash}p{0.175\\linewidth}>{\\raggedright\\arraybackslash}p{0.155\\linewidth}}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' & ', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
     for loop, row in turns(_known["vectors"][:((len(_known["vectors"]) + 1) // 2)]):
         _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction)]
         for loop, other in turns(_known["vectors"][(loop.length + loop.index0):(loop.length + loop.index)]):

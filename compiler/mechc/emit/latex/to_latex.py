@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from ...formula.tree import ZERO
 from ...model.mechanism import Mechanism, Parameter
 from ...model.sheets import is_sheet
+from ...model.values import is_constant
 from ...report.brief import at_length, needed, relations, short
 from ...report.chosen import chosen
 from ...report.definitions import given_loads
@@ -143,7 +144,7 @@ def report(
 ) -> Report:
     """Return all that a report says, with a derivation of what was asked for."""
     mechanism, verdict = compiled.mechanism, compiled.verdict
-    whole = outline(derivation, mechanism)
+    whole = outline(derivation, mechanism, filter(is_constant, mechanism.parameters))
     found = evaluated(whole, mechanism) if options.numbers else ()
     aside, full = at_length(found, whole)
     shown = {*constants_shown(whole, mechanism), *(e.left for e in full)}

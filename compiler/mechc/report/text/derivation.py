@@ -8,7 +8,7 @@ from ...formula.tree import ZERO, Symbol
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.sheets import is_sheet
-from ...model.values import own_stroke
+from ...model.values import is_constant, own_stroke
 from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit, si_unit
 from ..brief import needed, relations, short
@@ -42,7 +42,7 @@ def render(
     spell = speller(derivation.results, mechanism, unicode, language, width)
     if is_sheet(mechanism):
         return note.render(mechanism, derivation.results, spell)
-    whole = outline(derivation, mechanism)
+    whole = outline(derivation, mechanism, filter(is_constant, mechanism.parameters))
     tables = note.tables(mechanism.tables, spell)
     lines = [
         *_title(mechanism, spell),
