@@ -12,6 +12,7 @@ from mechc.cli import main
 from mechc.diagnostics import Report
 from mechc.source import Source
 from mechc.syntax.notation import read
+from mechc.units import SIMPLE, SPELLINGS, UNITS
 from paths import ROOT
 from readme_commands import commands
 
@@ -110,3 +111,12 @@ def test_both_columns_of_the_language_say_the_same(line: str, yaml: str) -> None
         assert report.diagnostics == []
     assert trees[0].statements
     assert trees[0] == trees[1]
+
+
+def test_the_list_of_units_is_whole() -> None:
+    said = re.findall(
+        r"^Units are (.*?), and the usual ones made of them, (.*?);", TEXT, re.M | re.S
+    )
+    words, compounds = (" ".join(re.findall("`([^`]+)`", part)).split() for part in said[0])
+    assert {*words} == (SIMPLE.keys() | {"Hz", "J"}) - SPELLINGS.keys()
+    assert {*compounds} <= UNITS.keys()
