@@ -1,24 +1,13 @@
 """Forces by the equilibrium of free bodies: cut free, sums written, an order chosen."""
 
 from collections.abc import Iterator, Sequence
-from typing import assert_never
 
 from ..diagnostics import Report
 from ..diagnostics import derivation as messages
 from ..frozen import replace
 from ..kinematics.plan import Plan
-from ..model.mechanism import (
-    Axial,
-    Force,
-    ForcePair,
-    Load,
-    LoadForm,
-    LoadRatio,
-    Mechanism,
-    Normal,
-    Reaction,
-    Torque,
-)
+from ..model.load_kinds import acts_at
+from ..model.mechanism import Axial, LoadForm, LoadRatio, Mechanism, Normal, Reaction
 from ..model.targets import Target
 from ..pose.pose import Pose
 from ..power.balance import Solved
@@ -91,21 +80,9 @@ def _alone_at(pivot: str, mechanism: Mechanism) -> list[tuple[str, ...]]:
     """Return the body that alone is held by a pivot, as the subject of the force there."""
     bodies = [body for body in mechanism.bodies if pivot in body.points]
     joints = [joint for joint in mechanism.joints if pivot in joint.points]
-    loads = [load for load in mechanism.loads if pivot in _ends(load)]
+    loads = [load for load in mechanism.loads if acts_at(pivot, load)]
     is_alone = len(bodies) == len(joints) == 1 and not loads and pivot not in mechanism.shared
     return [("pivot", bodies[0].name, pivot)] if is_alone else []
-
-
-def _ends(load: Load) -> tuple[str, ...]:
-    match load:
-        case Force(point=point):
-            return (point,)
-        case ForcePair(first=first, second=second):
-            return (first, second)
-        case Torque():
-            return ()
-        case _:
-            assert_never(load)
 
 
 def _known(plan: Plan, target: LoadRatio | LoadForm) -> Names:

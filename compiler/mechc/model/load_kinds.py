@@ -4,6 +4,7 @@ A ``tie`` is a formula in parameters and one other load.
 """
 
 from fractions import Fraction
+from typing import assert_never
 
 from ..formula.tree import Formula, number, product, total
 from ..frozen import frozen
@@ -112,3 +113,16 @@ class ForcePair:
 
 Load = Force | Torque | ForcePair
 """A weight is a :class:`Force` with ``weight`` True and ``tie`` = m·g (a known load)."""
+
+
+def acts_at(point: str, load: Load) -> bool:
+    """Return whether a load acts at a point."""
+    match load:
+        case Force():
+            return load.point == point
+        case ForcePair():
+            return point in (load.first, load.second)
+        case Torque():
+            return False
+        case _:
+            assert_never(load)

@@ -20,16 +20,15 @@ from ..joint_friction import (
     ThreadFriction,
     WheelFriction,
 )
+from ..load_kinds import acts_at
 from ..mechanism import (
     Force,
-    ForcePair,
     Load,
     Mechanism,
     Mesh,
     Rack,
     Screw,
     Slot,
-    Torque,
     WheelPair,
 )
 from ..names.scope import DESCRIPTION, Scope
@@ -295,26 +294,13 @@ def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
         return True
     if point.text in scope.points.guided:
         held = scope.points.carried.keys() | scope.points.touching.keys()
-        pressed = point.text in held or any(_acts_at(point.text, k) for k in built.loads)
+        pressed = point.text in held or any(acts_at(point.text, k) for k in built.loads)
         if not pressed:
             scope.report.add(messages.nothing_presses(point.span, point.text))
         return pressed
     in_slot = any(slot.point == point.text for slot in built.each(Slot))
     scope.report.add(messages.not_guided(point.span, point.text, in_slot))
     return False
-
-
-def _acts_at(point: str, load: Load) -> bool:
-    """Return whether a load acts at a point."""
-    match load:
-        case Force():
-            return load.point == point
-        case ForcePair():
-            return point in (load.first, load.second)
-        case Torque():
-            return False
-        case _:
-            assert_never(load)
 
 
 def _efficiency(file: ast.File, scope: Scope) -> Formula | None:
