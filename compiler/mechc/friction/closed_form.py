@@ -1,6 +1,7 @@
 """A closed form: as code takes it, and as it is printed."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import Literal, Protocol
 
 from ..algebra.factors import Factor, Trig
@@ -8,7 +9,7 @@ from ..algebra.product import Product, Sum
 from ..algebra.sums import canonical
 from ..formula.operations import count_operations
 from ..formula.to_text import text
-from ..formula.tree import Formula, product, total
+from ..formula.tree import Formula, number, product, total
 from ..frozen import frozen
 from ..model.result import Definition
 from ..named import NamedTuple
@@ -106,6 +107,11 @@ def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
     operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
     met = ((value, operators[sign]) for value, sign in signs.conditions.items())
     return tuple(sorted(met, key=lambda c: (count_operations(c[0]), text(c[0]))))
+
+
+def power(times: Fraction, factor: Formula, force: Formula, slip: Formula) -> Formula:
+    """Return what frictions that are there so many times add to the driving load."""
+    return product([(number(times), 1), (factor, 1), (force, 1), (slip, 1)])
 
 
 def readable(value: Product) -> Formula:

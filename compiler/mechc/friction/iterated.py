@@ -10,13 +10,13 @@ from functools import partial
 from ..algebra.angle import Rational
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
-from ..formula.tree import Formula, Symbol, negative, number, product, total
+from ..formula.tree import Formula, Symbol, negative, total
 from ..model.mechanism import Mechanism
 from ..model.result import Result
 from ..named import NamedTuple
 from ..power.joint_forces import size_of
 from ..power.speeds import even, magnitude
-from .closed_form import Named, Printed, conditions, readable
+from .closed_form import Named, Printed, conditions, power, readable
 from .naming import Sizes
 from .normal_forces import LoadedPair
 from .pairs import FrictionPair, radii, reduced
@@ -48,8 +48,7 @@ def first_order_case(
         factor = named_factor(part.pair, labels, signs).formula()
         force = _called(f"r_{part.pair.name}", part.force, forces, signs)
         slip = _called(_slip_name(part.pair), part.slip, slips, signs)
-        times = number(sense * part.times)
-        terms.append(product([(times, 1), (factor, 1), (force, 1), (slip, 1)]))
+        terms.append(power(sense * part.times, factor, force, slip))
     equations = [(own, known) for named in (forces, slips) for own, known in named.items()]
     step = Step(
         "first order",
@@ -179,14 +178,7 @@ class Part(NamedTuple):
 def _sum(ideal: Formula, parts: Iterable[Part], sizes: Sizes) -> Formula:
     """Return the driving load with the powers of friction."""
     added = (
-        product(
-            [
-                (number(sizes.sense * part.times), 1),
-                (part.factor, 1),
-                (Symbol(sizes.names[part.pair.name]), 1),
-                (part.slip, 1),
-            ]
-        )
+        power(sizes.sense * part.times, part.factor, Symbol(sizes.names[part.pair.name]), part.slip)
         for part in parts
     )
     return total([ideal, *added])

@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from ..algebra.determinant import determinant, with_column
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
-from ..formula.tree import Formula, Symbol, number, product, total
-from .closed_form import Condition
+from ..formula.tree import Formula, Symbol, product, total
+from .closed_form import Condition, power
 from .free_bodies import EquationsCoupled
 from .normal_forces import LoadedPair
 from .signs import Signs
@@ -94,14 +94,7 @@ class LinearSolver:
             (_slip(p), (self._slip(p) * p.slip_of_one).formula()): None for p in self._pressed
         }
         powers = (
-            product(
-                [
-                    (number(self._sense * p.times), 1),
-                    (p.pair.factor.formula(), 1),
-                    (_size(p), 1),
-                    (_slip(p), 1),
-                ]
-            )
+            power(self._sense * p.times, p.pair.factor.formula(), _size(p), _slip(p))
             for p in self._pressed
         )
         whole = total([self._ideal.formula(), *powers])
