@@ -51,6 +51,21 @@ def beyond_the_table(span: Span, table: str, end: str, asked: str) -> Message:
     return Message(span, message, "change what is given")
 
 
+@coded("E556")
+def between_rows(span: Span, table: str, asked: str, nearest: str) -> Message:
+    """A row of a table is asked for that the table does not have.
+
+    ``at exactly`` takes the row of the value itself: a thread has its pitch, and between two
+    threads there is none. What lies between rows in proportion is asked for with ``at`` alone::
+
+        table pitches "ISO 261" = 6 mm: 1 mm, 8 mm: 1.25 mm, 10 mm: 1.5 mm
+        let p = pitches at exactly d               # d is 9 mm
+    """
+    message = f"table '{table}' has no row at {asked}, the nearest is at {nearest}"
+    hint = f"add the row, change what is given, or interpolate: '{table} at …'"
+    return Message(span, message, hint)
+
+
 @coded("E553")
 def no_single_case(span: Span, name: str, count: int) -> Message:
     """Of the cases of a choice none holds at what the sheet gives, or more than one does.

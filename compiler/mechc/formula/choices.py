@@ -3,16 +3,22 @@
 ``choose(c1, v1, c2, v2, …, otherwise)`` is the value behind the first condition that holds; it
 has none (NaN) where none holds and nothing is said otherwise. A condition is a call that is 1
 where it holds and else 0, and NaN where a side of it is. ``interpolate(x, x1, y1, x2, y2, …)``
-lies between two rows of a table in proportion, ``next(x, s1, s2, …)`` is the smallest size that
-is no less than x; both have no value outside. Machines know the first only (:func:`spelled_out`).
+lies between two rows of a table in proportion, ``row(x, x1, y1, …)`` is the value of the row at x
+(to :data:`NEAR`), ``next(x, s1, s2, …)`` the smallest size that is no less than x; they have no
+value elsewhere. ``met(x, x1, x2, …)`` is x at a row, else that of the rows which lies nearest.
+Machines know the first only (:func:`spelled_out`).
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import pairwise
 from typing import TypeGuard
 
-from .tree import Call, Formula, negative, product, quotient, total
+from .tree import Call, Formula, negative, number, product, quotient, total
+
+NEAR = Fraction(1, 10**9)
+"""How far from a row, in parts of it, a value may lie that is meant: half of 63 mm, 31.5 mm."""
 
 SIGNS: Mapping[str, str] = {
     "less": "<",
@@ -58,6 +64,21 @@ def _interpolate(x: float, *rows: float) -> float:
     return math.nan
 
 
+def _nearest(x: float, rows: Sequence[float]) -> float:
+    """Return the row that lies nearest, of two alike the smaller one; rows rise."""
+    return next((a for a, b in pairwise(rows) if x <= (a + b) / 2), rows[-1])
+
+
+def _met(x: float, *rows: float) -> float:
+    row = _nearest(x, rows)
+    return row if abs(x - row) > float(NEAR) * abs(row) else x
+
+
+def _row(x: float, *rows: float) -> float:
+    values = dict(zip(rows[::2], rows[1::2], strict=True))
+    return values[_nearest(x, rows[::2])] if _met(x, *rows[::2]) == x else math.nan
+
+
 def _next(x: float, *sizes: float) -> float:
     return next((size for size in sizes if x <= size), math.nan)
 
@@ -68,6 +89,8 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "count": lambda *conditions: math.fsum(conditions),
     "choose": _choose,
     "interpolate": _interpolate,
+    "met": _met,
+    "row": _row,
     "next": _next,
 }
 """The functions of this module on floats."""
@@ -97,6 +120,12 @@ def spelled_out(function: str, arguments: tuple[Formula, ...]) -> Formula | None
     match function, arguments:
         case "interpolate", (x, *rows):
             return _between_rows(x, rows)
+        case "met", (x, *rows):
+            return _halved(x, [(limit, _at_row(x, row, x, row)) for limit, row in _about(rows)])
+        case "row", (x, *rows):
+            values = dict(zip(rows[::2], rows[1::2], strict=True))
+            about = _about(rows[::2])
+            return _halved(x, [(limit, _at_row(x, row, values[row])) for limit, row in about])
         case "next", (x, *sizes):
             found = _halved(x, [(size, size) for size in sizes])
             return Call("choose", (Call("at_most", (x, sizes[-1])), found))
@@ -119,6 +148,20 @@ def _between_rows(x: Formula, rows: Sequence[Formula]) -> Formula:
         lines.append((high, total([start, rise])))
     inside = Call("both", (Call("at_most", (rows[0], x)), Call("at_most", (x, rows[-2]))))
     return Call("choose", (inside, _halved(x, lines)))
+
+
+def _about(rows: Sequence[Formula]) -> Iterator[tuple[Formula, Formula]]:
+    """Yield each row behind the limit up to which it is the nearest; the last has any."""
+    for row, following in pairwise(rows):
+        yield product([(total([row, following]), 1), (number(2), -1)]), row
+    yield rows[-1], rows[-1]
+
+
+def _at_row(x: Formula, row: Formula, *values: Formula) -> Formula:
+    """Return the first value where x is a row, the second, if there is one, elsewhere."""
+    away = Call("abs", (total([x, negative(row)]),))
+    near = product([(number(NEAR), 1), (Call("abs", (row,)), 1)])
+    return Call("choose", (Call("at_most", (away, near)), *values))
 
 
 def _halved(x: Formula, values: Sequence[tuple[Formula, Formula]]) -> Formula:

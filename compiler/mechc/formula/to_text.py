@@ -82,6 +82,11 @@ def _choice(function: str, parts: list[str]) -> str:
         case "interpolate", [x, *rows]:
             pairs = zip(rows[::2], rows[1::2], strict=True)
             return f"table({', '.join(f'{a}: {value}' for a, value in pairs)}) at {x}"
+        case "row", [x, *rows]:
+            pairs = zip(rows[::2], rows[1::2], strict=True)
+            return f"table({', '.join(f'{a}: {value}' for a, value in pairs)}) at exactly {x}"
+        case "met", [x, *rows]:
+            return f"row({', '.join(rows)}) at {x}"
         case "next", [least, *sizes]:
             return f"next {least} in list({', '.join(sizes)})"
         case "count", _:

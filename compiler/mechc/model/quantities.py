@@ -97,14 +97,14 @@ class Taken:
 
 
 class Subject(NamedTuple):
-    """Of what a condition is that nobody wrote: an end of a table, a list of sizes, a choice.
+    """Of what a condition is that nobody wrote: an end or a row of a table, a list, a choice.
 
     The formula that has no value where it fails is that of the ``let``. A ``range`` is that of a
     parameter of a used sheet, and stands at a ``place`` of its own. A condition of a used
     mechanism on what its loops give, ``pose``, concerns all that its values decide.
     """
 
-    kind: Literal["first row", "last row", "list", "choice", "range", "pose"]
+    kind: Literal["first row", "last row", "row", "list", "choice", "range", "pose"]
     name: str
     let: str
     place: Span | None = None

@@ -48,7 +48,7 @@ class Written:
     """
 
     formula: Formula
-    kind: Literal["", "table", "list"] = ""
+    kind: Literal["", "table", "row", "list"] = ""
     of: str = ""
 
 
@@ -66,8 +66,8 @@ def let_value(value: ast.LetValue) -> Written:
     match value:
         case ast.Choice():
             return Written(_choice(value))
-        case ast.Lookup(table, at):
-            return Written(expression(at), "table", table.text)
+        case ast.Lookup(table, at, exactly=exactly):
+            return Written(expression(at), "row" if exactly else "table", table.text)
         case ast.NextSize(least, sizes):
             return Written(expression(least), "list", sizes.text)
         case _:

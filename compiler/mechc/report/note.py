@@ -46,7 +46,7 @@ class NoteLine(NamedTuple):
 
     name: str
     label: str
-    kind: Literal["", "table", "list"]
+    kind: Literal["", "table", "row", "list"]
     of: str
     formula: Formula | None
     numbers: Formula | None

@@ -601,11 +601,15 @@ class Choice:
 
 @frozen
 class Lookup:
-    """``m49 at 2*r/d``: what a table has for a value, between two of its rows in proportion."""
+    """``m49 at 2*r/d``: what a table has for a value, between two of its rows in proportion.
+
+    ``pitches at exactly d`` takes the row of the value itself, and has none between rows.
+    """
 
     table: Name
     at: Expr
     span: Span = field(compare=False)
+    exactly: bool = False
 
 
 @frozen

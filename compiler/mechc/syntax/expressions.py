@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from ..diagnostics import syntax, syntax_limits
+from ..frozen import replace
 from ..source import Span
 from ..units import UNITS
 from . import ast, limits, text, unit_words
@@ -141,6 +142,11 @@ def lookup(table: Token, at: ast.Expr) -> ast.Lookup:
     """Return ``m49 at 2*r/d``."""
     span = span_of(table)
     return ast.Lookup(ast.Name(str(table), span), at, span.to(at.span))
+
+
+def row_lookup(table: Token, at: ast.Expr) -> ast.Lookup:
+    """Return ``pitches at exactly d``."""
+    return replace(lookup(table, at), exactly=True)
 
 
 def next_size(least: ast.Expr, sizes: ast.Name) -> ast.NextSize:

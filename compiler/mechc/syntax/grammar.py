@@ -81,6 +81,7 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "plot": frozenset({("report", EACH), ("reported", EACH)}),
     "over": frozenset({("report", EACH), ("reported", EACH)}),
     "next": frozenset({("let", 3), ("let_value", 0)}),
+    "exactly": frozenset({("let", AHEAD), ("let_value", AHEAD)}),
 }
 """Words that are names but in one kind of statement, by its first word or two, at one place in it.
 

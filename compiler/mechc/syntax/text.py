@@ -175,8 +175,8 @@ def let_value(value: ast.LetValue) -> str:
         case ast.Choice(branches=branches, otherwise=otherwise):
             listed = ", ".join(map(branch, branches))
             return f"{listed} else {let_value(otherwise)}" if otherwise else listed
-        case ast.Lookup(table=table, at=at):
-            return f"{table.text} at {expression(at)}"
+        case ast.Lookup(table=table, at=at, exactly=exactly):
+            return f"{table.text} at {'exactly ' if exactly else ''}{expression(at)}"
         case ast.NextSize(least=least, sizes=sizes):
             return f"next {expression(least)} in {sizes.text}"
         case _:

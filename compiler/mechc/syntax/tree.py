@@ -150,6 +150,7 @@ PARTS: Mapping[str, Made] = {
     "choice": expressions.choice,
     "branch": expressions.branch,
     "lookup": expressions.lookup,
+    "row_lookup": expressions.row_lookup,
     "next_size": expressions.next_size,
     "row": tupled,
     "unit": expressions.unit,

@@ -58,6 +58,7 @@ WRITTEN: Final = {
     "translate": 'translate "handle" uk "рукоятка" ru "рукоятка"',
     "let": "let F = 2 kN",
     "let at": "let q = m at 2*r/d",
+    "let exactly": "let p = pitches at exactly d",
     "let next": "let D = next D_min in bores",
     "let when": "let K = 1.1 when v < 1 m/s else 1.3",
     "find": "find k = P/F",

@@ -1,6 +1,6 @@
 """Messages about what calculation sheets are made of (E21x)."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from ...source import Span
 from ...units import Dimension, described
@@ -93,6 +93,25 @@ def volume_of_a_radian(span: Span, volume: str) -> Message:
     message = f"an angle counts radians: '{volume}' is taken as the volume for a radian"
     hint = f"the volume for a turn is '{volume}/(1 rev)', that for a radian '{volume}/(1 rad)'"
     return Message(span, message, hint)
+
+
+@coded("W269")
+def size_between_rows(span: Span, table: str, listed: str, sizes: Sequence[Span]) -> Message:
+    """What is looked up for a size of a list may lie between two rows of the table.
+
+    It is taken in proportion there. What belongs to a size, as a pitch does to a thread, has a
+    row of its own or does not exist::
+
+        list threads = 8 mm, 10 mm, 12 mm
+        table pitches = 8 mm: 1.25 mm, 12 mm: 1.75 mm
+        let d = next d_min in threads
+        let p = pitches at d                       # 1.5 mm for 10 mm: in proportion
+        let p = pitches at exactly d               # an error for 10 mm
+    """
+    message = f"list '{listed}' has sizes for which table '{table}' has no row: it is interpolated"
+    related = tuple(Related(size, "there is no row for this size") for size in sizes[:3])
+    hint = f"add the rows, or take rows alone: '{table} at exactly …'"
+    return Message(span, message, hint, related)
 
 
 @coded("E215")

@@ -1,10 +1,11 @@
 """User-defined formulas that are more than an expression: choices, tables, sizes of a list."""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from ...diagnostics.model import sheets as messages
-from ...formula.choices import CONDITIONS
+from ...formula.choices import CONDITIONS, NEAR
 from ...formula.evaluate import evaluate
 from ...formula.tree import Call, Formula, number
 from ...named import NamedTuple
@@ -14,6 +15,7 @@ from ..names.scope import FORMULA, Scope
 from ..statements import every
 from .expressions import Quantity, Reader
 from .parameters import constant
+from .sorts import Sort
 
 
 class Tables(NamedTuple):
@@ -117,6 +119,8 @@ def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: Scope) -> C
     if not rows or not at or not _fits(at, rows[0][0], f"the argument of table '{name}'", scope):
         return None
     parts = [part.formula for row in rows for part in row]
+    if lookup.exactly:
+        return _row_of(at, parts, rows[0][1].sort, lookup, let)
     formula = Call("interpolate", (at.formula, *parts))
     first, last = (
         Subject("first row", name, let.name.text),
@@ -130,6 +134,48 @@ def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: Scope) -> C
             Require(at.formula, "<=", high, lookup.span, last, dimension=at.dimension),
         ),
     )
+
+
+def note_between(
+    let: ast.Let, statements: Mapping[str, ast.Statement], tables: Tables, scope: Scope
+) -> None:
+    """Warn where a size of a list is looked up in a table that has no row for some sizes.
+
+    Sizes come one by one, and what belongs to them, a rod, a pitch, does so as well.
+    """
+    match let.value:
+        case ast.Lookup(table, ast.Symbol(name=asked), exactly=False):
+            pass
+        case _:
+            return
+    match statements.get(asked):
+        case ast.Let(value=ast.NextSize(sizes=sizes)):
+            pass
+        case _:
+            return
+    rows = [_value(argument) for argument, _ in tables.tables.get(table.text, ())]
+    between = [
+        size.span
+        for size in tables.sizes.get(sizes.text, ())
+        if rows and rows[0] < _value(size) < rows[-1] and not _is_row(_value(size), rows)
+    ]
+    if between:
+        span = let.value.span
+        scope.report.add(messages.size_between_rows(span, table.text, sizes.text, between))
+
+
+def _is_row(value: float, rows: Sequence[float]) -> bool:
+    return any(math.isclose(value, row, rel_tol=float(NEAR)) for row in rows)
+
+
+def _row_of(
+    at: Quantity, parts: Sequence[Formula], sort: Sort, lookup: ast.Lookup, let: ast.Let
+) -> Chosen:
+    """Return the value of a row, on the condition that what is asked for is one."""
+    formula, met = Call("row", (at.formula, *parts)), Call("met", (at.formula, *parts[::2]))
+    subject = Subject("row", lookup.table.text, let.name.text)
+    is_row = Require(at.formula, "=", met, lookup.span, subject, dimension=at.dimension)
+    return Chosen(Quantity(formula, sort, lookup.span), (is_row,))
 
 
 def _next_size(wanted: ast.NextSize, let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:

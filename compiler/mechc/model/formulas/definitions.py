@@ -21,7 +21,7 @@ from ..mechanism import Let, Parameter, Require, Subject
 from ..names.scope import FORMULA, Scope
 from ..statements import every
 from ..written import WrittenSides, expression
-from .choices import read_let_value, read_tables
+from .choices import note_between, read_let_value, read_tables
 from .expressions import Quantity, Reader
 from .order import ordered
 from .parameters import constant, note_unitless, read_parameter
@@ -57,6 +57,7 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
                 scope.define(name, dimension)
                 scope.used.update(symbol.name for symbol in used)
             case ast.Let() as statement:
+                note_between(statement, statements, tables, scope)
                 if chosen := read_let_value(statement, tables, scope):
                     found.requires.extend(chosen.requires)
                     if let := _let(statement, chosen.quantity, scope):

@@ -1,7 +1,7 @@
 """Quantities with the texts and units that people read them with, and formulas as written."""
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import chain
 
 from ...formula.walk import symbols
@@ -17,38 +17,42 @@ from ..statements import every
 Line = ast.Param | ast.Let
 """A line that says what a quantity is."""
 
+Column = ast.Table | ast.Sizes
+"""What values are looked up in."""
+
 
 def for_readers(mechanism: Mechanism, file: ast.File, source: Source) -> Mechanism:
     """Return a mechanism, or a sheet, whose quantities have their units and texts.
 
     The text of a quantity is its label, or else the remark behind its line.
 
-    A formula that names no unit is given in one of those that are written: in it, in what it
-    uses, or anywhere; those of the user's own lines come before those of what is used.
+    A formula that names no unit is given in one of those that are written: in it, in the table or
+    list that it is looked up in, in what it uses, or anywhere; those of the user's own lines come
+    before those of what is used.
     """
     lines: dict[str, Line] = {p.name.text: p for p in every(file, ast.Param)}
     lines |= {let.name.text: let for let in every(file, ast.Let)}
     parameters = tuple(_parameter(p, lines.get(p.name)) for p in mechanism.parameters)
     starts = [start for start, _ in source.parts()]
-    named: dict[str, Line | ast.Table | ast.Sizes] = {**lines}
-    named |= {t.name.text: t for t in every(file, ast.Table)}
-    named |= {t.name.text: t for t in every(file, ast.Sizes)}
+    columns: dict[str, Column] = {t.name.text: t for t in every(file, ast.Table)}
+    columns |= {t.name.text: t for t in every(file, ast.Sizes)}
+    named: dict[str, Line | Column] = {**lines, **columns}
 
     def text_of(span: Span) -> int:
         return bisect_right(starts, span.start) - 1
 
-    units = _Units(parameters, lines.values(), text_of)
+    units = _Units(parameters, named.values(), text_of)
     put_in = (ast.Given, ast.Follows)
     taken = tuple(_taken(file, mechanism.lets, units))
     brought = {n for n, s in named.items() if isinstance(s, put_in) or text_of(s.span)}
     brought |= {known.name for known in taken}
-    lets = [_let(let, lines[let.name], units) for let in mechanism.lets]
+    lets = [_let(let, lines[let.name], columns, units) for let in mechanism.lets]
     return replace(
         mechanism,
         parameters=parameters,
         lets=tuple(lets),
         taken=taken,
-        requires=tuple(_with_sides(mechanism.requires, units, file)),
+        requires=tuple(_with_sides(mechanism.requires, columns, units, file)),
         tables=written.tables(file.statements),
         brought=frozenset(brought),
     )
@@ -61,7 +65,10 @@ class _Units:
     """
 
     def __init__(
-        self, parameters: Iterable[Parameter], lines: Iterable[Line], text: Callable[[Span], int]
+        self,
+        parameters: Iterable[Parameter],
+        lines: Iterable[Line | Column],
+        text: Callable[[Span], int],
     ) -> None:
         self._known = {p.name: p.unit for p in parameters}
         self._text_of = {line.name.text: text(line.span) for line in lines}
@@ -119,10 +126,12 @@ def _parameter(parameter: Parameter, line: Line | None) -> Parameter:
     return replace(parameter, label=line.label or line.remark, written=shown)
 
 
-def _let(let: Let, line: Line, units: _Units) -> Let:
+def _let(let: Let, line: Line, columns: Mapping[str, Column], units: _Units) -> Let:
     assert isinstance(line, ast.Let)
-    unit = units.given(let.name, let.unit, let.dimension, _units(line), symbols(let.value))
     shown = written.let_value(line.value)
+    looked_up = _units(columns[shown.of]) if shown.of in columns else ()
+    near = chain(_units(line), looked_up)
+    unit = units.given(let.name, let.unit, let.dimension, near, symbols(let.value))
     return replace(let, unit=unit, label=line.label or line.remark, written=shown)
 
 
@@ -141,23 +150,36 @@ def _taken(file: ast.File, lets: Iterable[Let], units: _Units) -> Iterator[Taken
                 yield Taken(name.text, dimension, name.span, asked, before, unit, remark)
 
 
-def _with_sides(requires: Iterable[Require], units: _Units, file: ast.File) -> Iterator[Require]:
+def _with_sides(
+    requires: Iterable[Require], columns: Mapping[str, Column], units: _Units, file: ast.File
+) -> Iterator[Require]:
     """Yield conditions with their unit and with what was written, if anybody wrote them."""
     sides = (link for statement in every(file, ast.Require) for link in written.sides(statement))
     for require in requires:
         has_own = require.written or require.subject
         shown = require.written if has_own else next(sides)
         line = written.units(shown.left, shown.right) if shown else []
+        if require.subject and require.subject.name in columns:
+            line = list(_units(columns[require.subject.name]))
         names = symbols(require.left) | symbols(require.right)
         yield replace(require, written=shown, unit=units.first(require.dimension, line, names))
 
 
-def _units(line: Line) -> Iterator[str]:
+def _units(line: Line | Column) -> Iterator[str]:
     """Yield the units written in a line: that of its result, those of its numbers."""
     if isinstance(line, ast.Let) and line.unit:
         yield line.unit.text
-    if line.value is not None:
-        yield from (unit for e in expressions_in(line.value) for unit in _in_numbers(e))
+    yield from (unit for e in _expressions(line) for unit in _in_numbers(e))
+
+
+def _expressions(line: Line | Column) -> Iterable[ast.Expr]:
+    match line:
+        case ast.Table(rows=rows):
+            return chain.from_iterable(rows)
+        case ast.Sizes(sizes=sizes):
+            return sizes
+        case _:
+            return expressions_in(line.value) if line.value is not None else ()
 
 
 def _in_numbers(expression: ast.Expr) -> Iterator[str]:

@@ -29,6 +29,8 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
             return messages.beyond_the_table(span, name, f"begins at {left}", right)
         case Subject("last row", name, _):
             return messages.beyond_the_table(span, name, f"ends at {right}", left)
+        case Subject("row", name, _):
+            return messages.between_rows(span, name, left, right.rpartition(" = ")[2])
         case Subject("list", name, _):
             return messages.beyond_the_list(span, name, left, right)
         case Subject("range", _, _, place):
@@ -102,5 +104,5 @@ _TURNED = str.maketrans("<>", "><")
 
 _OPERATOR, _NAME = pattern("[<>=!≤≥≠]+"), pattern(r"[^\W\d]\w*")
 
-_ASKED = pattern(r"\w+ at (.+)|(?:next )?(.+) in \w+")
+_ASKED = pattern(r"\w+ at (?:exactly )?(.+)|(?:next )?(.+) in \w+")
 """How a table is asked, and a list."""

@@ -31,6 +31,8 @@ _COMMON = {
     "log": r"\ln",
     "next": r"\operatorname{next}",
     "interpolate": r"\operatorname{table}",
+    "row": r"\operatorname{row}",
+    "met": r"\operatorname{row}",
 }
 
 

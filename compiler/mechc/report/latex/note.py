@@ -33,7 +33,8 @@ def alone(line: NoteLine, locale: Locale, style: Notation) -> Iterator[str]:
 
 def remark(line: NoteLine, words: Mapping[str, str], style: Notation) -> str:
     """Return which list a size is of, where a table is from, which of several things decides."""
-    remarks = [words["list"].format(name=escape(line.of))] if line.kind == "list" else []
+    looked_up = line.kind in ("row", "list")
+    remarks = [words[line.kind].format(name=escape(line.of))] if looked_up else []
     if line.between and line.source:
         remarks.append(words["between"].format(source=translated(line.source, style)))
     if line.decides:

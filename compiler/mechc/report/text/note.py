@@ -139,6 +139,8 @@ def in_language(line: NoteLine) -> str:
     match line.kind:
         case "table":
             said = f"{line.of} at {inner}"
+        case "row":
+            said = f"{line.of} at exactly {inner}"
         case "list":
             said = f"next {inner} in {line.of}"
         case "":
@@ -186,7 +188,7 @@ def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool
     """Return a formula, or what is asked of a table or list."""
     inner = print_formula(formula, signs, angle and not line.of)
     match line.kind:
-        case "table" | "list":
+        case "table" | "row" | "list":
             return signs.choices[f"of {line.kind}"].format(name=line.of, asked=inner)
         case "":
             return f"({inner})" if is_choice(formula) else inner

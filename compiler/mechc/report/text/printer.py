@@ -38,6 +38,7 @@ WRITTEN: Mapping[str, str] = MappingProxyType(
         "case": "{value} when {condition}",
         "other": "else {value}",
         "of table": "{name} at {asked}",
+        "of row": "{name} at exactly {asked}",
         "of list": "next {asked} in {name}",
     }
 )
