@@ -8,7 +8,7 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..units import LENGTH
-from .doubts import body_through, directions
+from .entries import body_through, directions
 from .mechanism import Absolute, Arrow, Mechanism, Offset, Turn
 from .values import Chain, dependent
 

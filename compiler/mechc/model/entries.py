@@ -1,11 +1,23 @@
-"""What the geometry and the bodies of a mechanism name: points, and parameters."""
+"""What a mechanism says of its geometry and its bodies: points, parameters, directions."""
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from typing import assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from .mechanism import Absolute, Arrow, Geometry, Mechanism, Offset, Turn
+from .mechanism import (
+    Absolute,
+    Arrow,
+    Contact,
+    Direction,
+    Force,
+    Geometry,
+    Link,
+    Mechanism,
+    Offset,
+    Slider,
+    Turn,
+)
 
 
 def unit_of_drawing(mechanism: Mechanism) -> str:
@@ -60,3 +72,22 @@ def joined_to(start: str, geometry: Iterable[Geometry]) -> set[str]:
     while more := set[str]().union(*(pair for pair in pairs if pair & found)) - found:
         found |= more
     return found
+
+
+def directions(mechanism: Mechanism) -> Iterator[Direction]:
+    """Yield every direction that is written down, of vectors, guides, faces, ropes and forces."""
+    yield from (g.direction for g in mechanism.geometry if isinstance(g, Arrow) and g.direction)
+    yield from (s.along for s in mechanism.each(Slider))
+    yield from (s.along for s in mechanism.slides)
+    yield from (c.normal for c in mechanism.each(Contact))
+    yield from (way for rope in mechanism.ropes for way in rope.ways)
+    yield from (k.along for k in mechanism.loads if isinstance(k, Force) and not k.weight)
+
+
+def body_through(points: Iterable[str], mechanism: Mechanism) -> str:
+    """Return the rigid body that two points are fast in: a link, a slide, the ground, or ''."""
+    pair = set(points)
+    if pair <= {"", *mechanism.fixed}:
+        return "the ground"
+    found = next((body for body in mechanism.rigid_bodies if pair <= set(body.points)), None)
+    return f"{'link' if isinstance(found, Link) else 'slide'} {found.name}" if found else ""

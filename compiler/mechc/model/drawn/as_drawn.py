@@ -5,8 +5,7 @@ from itertools import pairwise
 
 from ...formula.walk import symbols
 from ...frozen import replace
-from ..doubts import directions
-from ..entries import joined_to
+from ..entries import directions, joined_to
 from ..mechanism import Along, Arrow, Contact, ForcePair, Geometry, Mechanism, Offset, Slider, Slot
 from .sketch import Sketch
 
