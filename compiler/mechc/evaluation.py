@@ -9,7 +9,7 @@ from .driver import Compilation
 from .formula.to_text import text
 from .formula.tree import Formula
 from .formula.walk import symbols
-from .model.formulas.typed import in_si
+from .model.formulas.parameters import in_si
 from .model.values import dependent
 from .routine.freed import freed, given_loads
 from .study.poses import default_pose

@@ -9,9 +9,8 @@ from mechc.figure import layout
 from mechc.figure.figure import Dimension, MirrorLine, Rack
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
-from mechc.figure.ropes import rope_runs
 from mechc.figure.ways import Linear, Way, Ways, along
-from mechc.figure.wheels import Circle, pitch_point
+from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import Symbol
 from mechc.frozen import replace
 from mechc.model.mechanism import Arrow, Mirror

@@ -38,7 +38,7 @@ from mechc.model.joint_friction import (
 from mechc.model.mechanism import LoadRatio, Mirror
 from mechc.model.result import Definition, FrictionResult, Result
 from mechc.model.values import completed
-from mechc.power.equations import equations_of
+from mechc.power.balance import equations_of
 from mechc.power.loads import terms
 from mechc.power.reactions import Reactions
 from mechc.power.speeds import root

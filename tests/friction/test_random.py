@@ -29,7 +29,7 @@ from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.formula.tree import Implicit
 from mechc.formula.walk import walk
-from mechc.friction import load_results
+from mechc.friction import results
 from mechc.source import Source
 from paths import LIBRARY
 from reference_forces import Forces, NoBalance, arms_at
@@ -269,7 +269,7 @@ def test_the_closed_form_is_the_iterated_one(monkeypatch):
     """Wherever a closed form exists, at many poses."""
     found = [(seed, sample, rubbing(seed, sample)) for seed, sample in samples(SIX, groups=1)]
     straight = [case for case in found if case[2] and not is_iterated(case[2])]
-    monkeypatch.setattr(load_results, "ways", lambda *_: iter(()))
+    monkeypatch.setattr(results, "ways", lambda *_: iter(()))
     compared = 0
     for seed, sample, made in straight:
         other = rubbing(seed, sample)

@@ -18,7 +18,7 @@ from mechc.drawing.panels import laid_out
 from mechc.driver import Compilation
 from mechc.emit.svg.picture import to_svg
 from mechc.frozen import replace
-from mechc.plot.usual import usual
+from mechc.plot.query import usual
 from mechc.report.languages.pictured import EN
 from mechc.source import Source
 from paths import EXAMPLES

@@ -1,6 +1,6 @@
 """Missing vectors: one that would follow from others that are missing is not reported as well."""
 
-from mechc.pose.missing import Missing
+from mechc.pose.vectors import Missing
 
 
 class Given:

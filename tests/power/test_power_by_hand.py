@@ -14,7 +14,7 @@ from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import Axial, Mirror, Normal, Reaction, Speed
 from mechc.pose.pose import Arm
-from mechc.power.equations import equations_of
+from mechc.power.balance import equations_of
 from mechc.power.joint_forces import called, find_force, holding, joint_of, line_of, size_of
 from mechc.power.loads import given_size, occurrences, shares, terms
 from mechc.power.loose import looseness

@@ -6,7 +6,7 @@ from mechc.driver import compile_source
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Symbol, number, product, quotient, total
-from mechc.report.homogeneous import is_homogeneous
+from mechc.report.dimensions import is_homogeneous
 from mechc.report.languages import registry
 from mechc.report.text.derivation import render
 from mechc.source import Source

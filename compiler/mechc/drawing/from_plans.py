@@ -1,19 +1,25 @@
 """From velocities and free bodies to their plans: polygons to scale, one below the other."""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from ..figure.figure import Figure
 from ..figure.velocities import Velocities
 from ..frozen import replace
+from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import Diagram, FreeBody
 from .acting import Forces, heading
 from .arrange import below_each_other, in_rows, line_of_text
 from .describe_plans import say_forces, say_velocities
-from .drawing import Drawing, Run
+from .drawing import SYMBOL, Drawing, Run
 from .force_polygon import force_polygon, is_known, visible
+from .labels import Around
 from .lettering import name
-from .scale_bar import scale_bar
+from .sheet import Layer, Sheet
 from .speeds import Speeds
+from .symbols import line
+from .ticks import STEPS
+from .tolerances import WHOLE
 from .velocity_polygon import scale_of, velocity_polygon
 
 LARGEST = 34.0
@@ -97,3 +103,32 @@ def _drawn(forces: Forces) -> Iterator[FreeBody]:
 def _polygon(forces: Forces, body: FreeBody, scale: float) -> Drawing:
     title = line_of_text(name(forces.called(body.name)))
     return below_each_other([title, force_polygon(forces, body, scale)])
+
+
+LONGEST = 30.0
+"""How long the bar is at most, in millimetres."""
+
+TICK = 1.2
+"""Half the height of the strokes at its ends."""
+
+
+def scale_bar(size: float, unit: tuple[Run, ...]) -> Drawing:
+    """Return a bar as long as a round number of units, one of which is ``size`` millimetres."""
+    units = _round(LONGEST / size)
+    end = Plane(units * size, 0.0)
+    sheet = Sheet()
+    up = Plane(0.0, TICK)
+    bar = [line(at.minus(up), at.plus(up), SYMBOL) for at in (NOWHERE, end)]
+    sheet.draw(Layer.MEASURES, [line(NOWHERE, end, SYMBOL), *bar])
+    sheet.name(Around(end, (Run(f"{units:g}\u2009"), *unit), SYMBOL, 0.0, TICK))
+    return sheet.finished("", "")
+
+
+def _round(most: float) -> float:
+    """Return the largest of 1, 2, 5, 10, … that is no larger.
+
+    >>> _round(0.19), _round(7.0), _round(20.0)
+    (0.1, 5.0, 20.0)
+    """
+    power = 10.0 ** math.floor(math.log10(most))
+    return max(step * power for step in STEPS if step * power <= most * (1 + WHOLE))

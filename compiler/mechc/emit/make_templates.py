@@ -30,7 +30,7 @@ HEAD = '''"""The templates of this folder as functions, made by ``mechc.emit.mak
 from collections.abc import Mapping
 from typing import Any
 
-from ..turns import turns
+from ..render import turns
 '''
 
 KNOWN, PARTS = "_known", "_parts"

@@ -12,7 +12,7 @@ from ..model.targets import Target
 from ..pose.pose import Pose
 from ..power.balance import Solved
 from ..power.numbers import pose_values
-from .balances import balances
+from .acts import balances
 from .bodies import Cut, cut_free
 from .equilibrium import Equilibrium, Step
 from .order import Names, candidates, steps_to

@@ -90,17 +90,15 @@ def _answer(
     problem: "Problem", find: Find, target: WithFriction | Efficiency, ideal: Result
 ) -> SolvedWithFriction | None:
     """Return the result with friction; None where an error was reported, or there is none."""
-    from . import load_results
+    from .results import efficiency, force_with_friction, load_with_friction
 
     if isinstance(target, Efficiency):
-        return load_results.efficiency(problem, find, ideal, target)
+        return efficiency(problem, find, ideal, target)
     sense, order = target.sense, target.order
     match target.of:
         case LoadRatio() | LoadForm() as of:
-            return load_results.load_with_friction(problem, find, ideal, of, sense, order)
+            return load_with_friction(problem, find, ideal, of, sense, order)
         case Reaction() | Axial() | Normal() as force:
-            from .force_results import force_with_friction
-
             return force_with_friction(problem, find, ideal, force, sense)
         case _:
             assert_never(target.of)

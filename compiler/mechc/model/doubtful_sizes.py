@@ -173,9 +173,7 @@ def far_off_lengths(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic
             continue
         if size > FAR * max(others) or size * FAR < min(others):
             other = next(iter(units.keys() - {parameter.unit}), "")
-            yield messages.lengthfar_off_lengths(
-                parameter.given, parameter.name, parameter.unit, other
-            )
+            yield messages.length_far_off(parameter.given, parameter.name, parameter.unit, other)
             return
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from ..diagnostics import MechcError, near_miss
 from ..diagnostics import plot as messages
 from ..frozen import frozen
-from ..model.formulas.typed import in_si
+from ..model.formulas.parameters import in_si
 from ..model.mechanism import Mechanism
 from ..model.values import defaults, range_of
 from ..routine.steps import Input

@@ -23,22 +23,20 @@ from ..model.values import holds
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
 from .directions import Directions
-from .drawn import drawn_elsewhere, given_by_hand
-from .driven import driven_to
+from .drawn import drawn_elsewhere, driven_to, given_by_hand
 from .force_pairs import Pairing, thrust_line
 from .idle import contradictions, remarks
 from .loops.closed import Closed, Open
 from .loops.closing import close
 from .loops.guide_lines import with_lines
 from .loops.vector_graph import chained, mentioned
-from .missing import Missing
 from .pose import Pose, Vector
 from .pruning import pruned
 from .queries import with_directions
 from .samples import poses_nearby
 from .terms import Terms
 from .unfound import explained, unfound_angles
-from .vectors import Vectors
+from .vectors import Missing, Vectors
 from .wheels import misfits, radii
 
 

@@ -13,9 +13,8 @@ from ..kinematics.plan import Plan
 from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
 from ..model.result import Result
 from ..units import Dimension
-from .balance import Equations, Term
+from .balance import Equations, Term, equations_of
 from .definitions import open_lengths, resting_on
-from .equations import equations_of
 from .loads import given_size, terms
 from .reading import Reading
 

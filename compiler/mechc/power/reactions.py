@@ -19,8 +19,7 @@ from ..kinematics.release import ReleasedLinkage, released_linkage
 from ..model.mechanism import Absolute, Force
 from ..named import NamedTuple
 from ..pose.pose import Pose
-from .balance import Release, Term
-from .equations import equations_of
+from .balance import Release, Term, equations_of
 from .loads import shares, terms
 
 HERE = "reaction"

@@ -11,9 +11,8 @@ from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..kinematics.standing import StandingPlan, in_ratios, standing
 from ..model.mechanism import Mechanism
-from .balance import Equations
+from .balance import Equations, equations_of
 from .definitions import bound_sums, resting_on
-from .equations import equations_of
 from .loads import terms
 from .numbers import default_values
 

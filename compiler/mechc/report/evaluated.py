@@ -13,7 +13,7 @@ from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
 from .definitions import FREE_FALL, given_loads, usual_weights
-from .found_dimensions import found_dimension, is_solved, names_in
+from .dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
 from .put_in import Quantity, has_units, in_numbers, usual_unit, without_rounding
 from .sections import Outline, Section

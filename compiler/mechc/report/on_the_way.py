@@ -10,7 +10,7 @@ from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..study.tolerances import SAME_RATIO
 from ..units import ANGLE, Dimension
-from .found_dimensions import found_dimension
+from .dimensions import found_dimension
 from .put_in import Quantity, usual_unit
 
 

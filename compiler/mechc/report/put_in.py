@@ -12,8 +12,7 @@ from ..formula.typesetting import HALF
 from ..formula.walk import children, rebuild, symbols
 from ..named import NamedTuple
 from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, in_unit, si_unit, size_of
-from .found_dimensions import is_solved, names_in, with_symbols
-from .homogeneous import is_homogeneous
+from .dimensions import is_homogeneous, is_solved, names_in, with_symbols
 
 DIGITS = 6
 """Significant digits of numbers that are put in."""

@@ -12,8 +12,8 @@ from ..diagnostics import friction as messages
 from ..formula.evaluate import evaluate
 from ..formula.roots import spaced
 from ..formula.walk import symbols
-from ..friction.load_results import by_coefficients
 from ..friction.problem import Problem
+from ..friction.results import by_coefficients
 from ..friction.solution import Solution
 from ..model.mechanism import Find, LoadForm, LoadRatio, WithFriction
 from ..model.result import FrictionResult, Result

@@ -27,7 +27,7 @@ from ..power.definitions import resting_on
 from ..power.numbers import DefaultNumbers
 from ..units import LENGTH
 from ..work import LIMIT, Allowance, WorkLimitError, within_part
-from . import efficiency_range, locking, ratios
+from . import locking, ratios
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
 from .ranges import with_range
@@ -162,7 +162,7 @@ def _with_friction(
         case WithFriction(of=LoadRatio() | LoadForm(), order="exact"):
             return replace(printed, locking=locking.locking(study(), result, printed))
         case Efficiency():
-            return replace(printed, courses=tuple(efficiency_range.courses(study(), result)))
+            return replace(printed, courses=tuple(ratios.efficiency_ranges(study(), result)))
         case _:
             return printed
 

@@ -1,11 +1,19 @@
 """Ratios with friction along one parameter each, evaluated once for all that is asked of them."""
 
+import math
+from collections.abc import Iterator
+
 from ..formula.walk import symbols
 from ..friction.solution import Solution
-from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Sense, WithFriction
+from ..model.locking import USUAL, EfficiencyRange, Range
+from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense, WithFriction
 from ..model.result import FrictionResult, Result
+from ..model.values import range_of
+from .ranges import moved, spans, unit_of, varying
+from .sampling import looked_at
 from .states import Moving
 from .sweep import Code, Sweep
+from .tolerances import SAME_EFFICIENCY
 
 
 class Study:
@@ -53,3 +61,42 @@ def sizes(mechanism: Mechanism, real: Result) -> dict[str, float] | None:
     known = {d.name for d in real.where}
     missing = {s for f in formulas for s in symbols(f)} & loads - known
     return dict.fromkeys(missing, 1.0) if len(missing) < 2 else None
+
+
+def efficiency_ranges(study: Study, efficiency: Result) -> Iterator[EfficiencyRange]:
+    """Yield through what an efficiency runs over each range that it depends on."""
+    assert isinstance(efficiency.target, Efficiency)
+    of, sense = efficiency.target.of, efficiency.target.sense
+    both, mechanism = (study.ideal(of), study.real(of, sense)), study.mechanism
+    turning = set(moved(mechanism, both))
+    for name in varying(mechanism, both):
+        ends, moving = range_of(name, mechanism), study.moving(of, sense, name)
+        if ends and moving:
+            found = _Run(moving, *ends).found(name, unit_of(name, mechanism))
+            if found and (name in turning or found.greatest - found.least > SAME_EFFICIENCY):
+                yield found
+
+
+class _Run:
+    """An efficiency over one range."""
+
+    def __init__(self, moving: Moving, low: float, high: float) -> None:
+        self._moving, self._low, self._high = moving, low, high
+        self._sweep = looked_at(moving, low, high)
+
+    def found(self, name: str, unit: str) -> EfficiencyRange | None:
+        """Return the whole, None where there is no efficiency anywhere."""
+        values = [v for x in self._sweep if math.isfinite(v := self._moving.efficiency(x))]
+        if not values:
+            return None
+        ends, usual = (self._low, self._high), tuple(self._usual())
+        return EfficiencyRange(name, unit, ends, min(values), max(values), usual)
+
+    def _usual(self) -> Iterator[Range]:
+        """Yield the stretches on which it is usual, if it only passes through that, too."""
+        low, high = USUAL
+        enough = spans(self._sweep, lambda x: self._moving.efficiency(x) >= low)
+        for first, last in list(enough):
+            inside = [x for x in self._sweep if first < x < last]
+            grid = [first, *inside, last]
+            yield from spans(grid, lambda x: self._moving.efficiency(x) <= high)

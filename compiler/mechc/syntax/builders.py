@@ -8,8 +8,7 @@ from typing import Any, Literal, cast
 from ..diagnostics import syntax
 from . import ast
 from .fault import Fault
-from .lalr import Token
-from .spans import NOWHERE, span_of
+from .lalr import NOWHERE, Token, span_of
 
 Ends = tuple[ast.Expr, ast.Expr]
 Row = tuple[ast.Expr, ast.Expr]

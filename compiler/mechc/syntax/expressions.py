@@ -13,8 +13,7 @@ from ..source import Span
 from ..units import UNITS
 from . import ast, limits, text, unit_words
 from .fault import Fault
-from .lalr import Token
-from .spans import span_of
+from .lalr import Token, span_of
 from .vocabulary import (
     CONSTANTS,
     FUNCTIONS,

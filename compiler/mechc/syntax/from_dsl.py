@@ -5,10 +5,10 @@ from ..frozen import replace
 from ..source import Source
 from . import ast
 from .fault import Fault, check_characters, check_length, note
+from .lalr import span_of
 from .lines import Line, lines
 from .once import check_once
 from .parse import parse as parse_line
-from .spans import span_of
 from .tokens import tokens
 
 

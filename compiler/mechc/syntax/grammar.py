@@ -3,8 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
-from .lalr import Parser, Reading, Token
-from .spans import span_of
+from .lalr import Parser, Reading, Token, span_of
 from .tables import Start, tables
 from .tree import rules
 from .vocabulary import LANGUAGES

@@ -1,4 +1,4 @@
-"""Reading by tables: a text to tokens, and tokens to nodes, one after another.
+"""Reading by tables: a text to tokens with their spans, and tokens to nodes, one after another.
 
 Lark makes the tables out of the grammar (see ``make_tables``); to read by them takes so
 little that a compilation does not import Lark, which would double its time to start.
@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from ..named import NamedTuple
+from ..source import Span
 
 END = "$END"
 """The type of the token behind the last one."""
@@ -146,3 +147,12 @@ class Reading:
         if rule.collapses and len(children) == 1:
             return children[0]
         return children if rule.name.startswith("_") else self._builders[rule.name](*children)
+
+
+NOWHERE = Span(0, 0)
+"""What a statement carries until the reader of its line gives it its span."""
+
+
+def span_of(token: Token) -> Span:
+    """Return the place of a token in the user's text."""
+    return Span(token.start_pos, token.end_pos)

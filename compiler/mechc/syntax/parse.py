@@ -7,8 +7,7 @@ from ..source import Span
 from . import slips
 from .fault import Fault
 from .grammar import Start, keywords, reading, spelling, statement_words, with_names
-from .lalr import END, Refused, Token
-from .spans import span_of
+from .lalr import END, Refused, Token, span_of
 from .tokens import check
 from .vocabulary import points_of
 from .written import example

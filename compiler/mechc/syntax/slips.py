@@ -5,9 +5,8 @@ from collections.abc import Sequence
 from ..diagnostics import near_miss
 from ..units import UNITS
 from .grammar import keywords, spelling
-from .lalr import Token
+from .lalr import Token, span_of
 from .lines import OPERAND_ENDS
-from .spans import span_of
 from .vocabulary import CHOICE, FUNCTIONS, NAME, RANGE, TWINS, split_quantity
 from .written import WRITTEN, example, words_behind
 

@@ -13,8 +13,7 @@ from ..units import UNITS
 from . import limits, unit_words
 from .fault import Fault
 from .grammar import lexed
-from .lalr import Token
-from .spans import span_of
+from .lalr import Token, span_of
 from .vocabulary import CHOICE, DIAMETER, RANGE, split_quantity
 
 Sweep = Callable[[int], int]

@@ -10,8 +10,7 @@ from functools import partial
 from typing import Any
 
 from . import ast, builders, expressions
-from .lalr import Token
-from .spans import NOWHERE, span_of
+from .lalr import NOWHERE, Token, span_of
 from .vocabulary import GROUND
 
 Made = Callable[..., object]

@@ -7,7 +7,7 @@ from ..source import Source, Span
 from . import parse as parser
 from .fault import Fault
 from .grammar import Start
-from .spans import span_of
+from .lalr import span_of
 from .tokens import tokens
 from .yaml_nodes import Listing, Node, Scalar
 from .yaml_nodes import Mapping as Table

@@ -10,36 +10,27 @@ from ...diagnostics.diagnostic import MechcError
 from ...formula import newton
 from ...formula.choices import SIGNS
 from ...named import NamedTuple
-from ...routine.steps import (
-    Common,
-    Program,
-    Routine,
-    every,
-    programs,
-)
+from ...patterns import pattern
+from ...routine.steps import Common, Program, Routine, every, programs
 from .. import describe
 from ..names import Names, file_stem, mangle, transliterate
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
 from .checks import ChecksContext, checks_context
 from .functions import FileScope, FunctionContext, Symbols, function_context, symbols_of
-from .helpers import BITS, helpers
 from .layout import harmless
 from .parameters import ParametersContext, parameters_context
 from .pose import CommonContext, PoseContext, common_context, pose_contexts
 from .printer import CPrinter
 from .real import FLOAT, Real, in_single_precision, named
 from .reserved import HEADERS, LINKED, RESERVED
-from .solvers import (
-    SolverContext,
-    solver_context,
-    solvers_of,
-)
+from .solvers import SolverContext, solver_context, solvers_of
 from .status import StatusContext
 from .threads import in_threads
 
 if TYPE_CHECKING:
     from .gradient import GradientContext
+
 
 _CHOICES = {"min": "<", "max": ">"}
 _SIGNS = {**SIGNS, "same": "=="}
@@ -249,3 +240,27 @@ def _gradients(
     from .gradient import gradient_contexts
 
     return gradient_contexts(routine.name, routine.functions, space, arguments)
+
+
+_CALL = pattern(r"\bmechc_(\w+)\(")
+_NEEDS = {
+    "sin": "sine",
+    "cos": "sine",
+    "sin_of_pair": "circular",
+    "cos_of_pair": "circular",
+    "tan": "circular",
+}
+BITS = frozenset({"sine", "circular", "nan", "if_less", "if_no_more"})
+"""Those that look at the bits of numbers, for which they need ``stdint.h`` and ``string.h``."""
+
+
+def helpers(code: str) -> set[str]:
+    """Return the helper functions that code calls, and those that these call.
+
+    Only helpers have names that begin with ``mechc_``: nothing else is given such a name.
+
+    >>> sorted(helpers("return mechc_sin(x)*y;"))
+    ['sin', 'sine']
+    """
+    called = set(_CALL.findall(code))
+    return called | {_NEEDS[name] for name in called if name in _NEEDS}

@@ -5,20 +5,18 @@ The document and its JSON Schema are both made from what stands here.
 
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
-from ...model.mechanism import (
-    Parameter,
-)
+from ...model.mechanism import Parameter
 from ...model.sheets import is_sheet
 from ...named import NamedTuple
+from ...routine.steps import STATUSES, Function
 from ...statics.verdict import Trial, Verdict
 from ...units import si_unit
-from ..describe import dimension_name
+from ..describe import condition_lines, dimension_name, numbered
 from ..target import Compiled
 from .derivation import DERIVATION
 from .figure import FIGURE
 from .formula import FORMULA
 from .free_bodies import DIAGRAM
-from .functions import FUNCTION
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
 from .lets import defined_once
 from .points import MOVED, moved
@@ -39,6 +37,37 @@ def _value(parameter: Parameter) -> float | None:
 def _dependence(parameter: Parameter) -> Formula | None:
     return parameter.value if parameter.dependent else None
 
+
+FUNCTION: Kind[Function] = record(
+    "function",
+    "A function of the emitted code.",
+    member("name", "The result's.", TEXT, lambda f: f.name),
+    member("inputs", "In order.", list_of(TEXT), lambda f: tuple(i.name for i in f.inputs)),
+    member(
+        "conditions",
+        "Where one is broken, the function gives NaN.",
+        list_of(TEXT),
+        lambda f: tuple(condition_lines(f)),
+    ),
+    member(
+        "otherwise",
+        "The function that is called where this one has no value.",
+        optional(TEXT),
+        lambda f: f.otherwise.name if f.otherwise else None,
+    ),
+    member(
+        "status",
+        f"The function that tells what its numbers and NaN mean: {'; '.join(numbered(STATUSES))}.",
+        optional(TEXT),
+        lambda f: f.status.name if f.status else None,
+    ),
+    member(
+        "operations",
+        "With shared parts computed once.",
+        Kind({"type": "integer"}, int),
+        lambda f: f.operations,
+    ),
+)
 
 PARAMETER: Kind[Parameter] = record(
     "parameter",

@@ -7,7 +7,6 @@ from ...report.languages.locale import Locale
 from ...report.latex.given import ParameterRow, VectorRow
 from ...report.latex.results import SectionBlock
 from .note import TableBlock
-from .picture_lines import Pictures
 
 
 class StepBlock(NamedTuple):
@@ -23,6 +22,19 @@ class PositionBlock(NamedTuple):
 
     sentence: str
     displays: tuple[str, ...]
+
+
+class Pictures(NamedTuple):
+    """The pictures of a report as lines of LaTeX; none where there is no such picture."""
+
+    scheme: tuple[str, ...] = ()
+    bodies: tuple[str, ...] = ()
+    plans: tuple[str, ...] = ()
+    plot: tuple[str, ...] = ()
+    table: tuple[str, ...] = ()
+
+
+NO_PICTURES = Pictures()
 
 
 class Report(NamedTuple):

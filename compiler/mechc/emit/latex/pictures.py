@@ -7,8 +7,7 @@ from ...drawing.drawing import Drawing
 from ...drawing.letters import in_letters
 from ...model.mechanism import Reported
 from ...plot.plot import Column, Plot
-from ...plot.query import Query
-from ...plot.usual import ROWS, usual
+from ...plot.query import ROWS, Query, usual
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
 from ...report.latex.notation import Notation, name, of_result
@@ -16,7 +15,7 @@ from ...study.stroke.stroke import Stroke
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
 from ..target import Compiled
 from ..tikz.picture import definitions, tikzpicture
-from .picture_lines import NONE, Pictures
+from .blocks import NO_PICTURES, Pictures
 from .tables import along_stroke, head, number, tabular
 
 WIDE, HIGH = 155.0, 200.0
@@ -61,7 +60,7 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
 def scheme_alone(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     """Return the scheme of a mechanism as its only picture."""
     drawing = compiled.drawn_scheme(style.language)
-    return NONE._replace(scheme=tuple(_drawn(drawing, locale.pictures["scheme"], locale)))
+    return NO_PICTURES._replace(scheme=tuple(_drawn(drawing, locale.pictures["scheme"], locale)))
 
 
 def _wanted(compiled: Compiled) -> tuple[Reported, ...]:

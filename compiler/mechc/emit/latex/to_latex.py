@@ -49,9 +49,17 @@ from ...report.sentences.wording import (
 )
 from ..render import render
 from ..target import Compiled, Emitted, Options
-from .blocks import Brief, Document, PositionBlock, Report, StepBlock, UsedMechanism
+from .blocks import (
+    NO_PICTURES,
+    Brief,
+    Document,
+    Pictures,
+    PositionBlock,
+    Report,
+    StepBlock,
+    UsedMechanism,
+)
 from .note import note_report, table_blocks
-from .picture_lines import NONE, Pictures
 
 
 class Latex:
@@ -95,7 +103,7 @@ def _used(prefix: str, compiled: Compiled, locale: Locale, options: Options) -> 
     known, derivation = compiled.derivation.results, chosen(compiled.reported, compiled.mechanism)
     style = style_of(compiled.mechanism, known, notation(options.language))
     whole = report(compiled, derivation, locale, style, options._replace(fragment=True))
-    if whole.pictures == NONE and not options.fragment:
+    if whole.pictures == NO_PICTURES and not options.fragment:
         whole = whole._replace(pictures=_scheme(compiled, locale, style))
     words = (locale.calculation[key] for key in ("mechanism", "index"))
     heading, sentence = (said.format(prefix=math(name(prefix, style))) for said in words)
@@ -175,7 +183,7 @@ def report(
         numbers=numbers(derivation.results, shown, locale, style),
         check=check(verdict, locale, style),
         remarks=untried(verdict, locale, style),
-        pictures=_pictures(compiled, locale, style) if is_illustrated else NONE,
+        pictures=_pictures(compiled, locale, style) if is_illustrated else NO_PICTURES,
     )
 
 

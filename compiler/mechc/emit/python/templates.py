@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from ..turns import turns
+from ..render import turns
 
 
 def _checks(_known: Mapping[str, Any]) -> str:

@@ -16,9 +16,8 @@ from ...units import ANGLE, LENGTH, Dimension
 from ..constants import number_of, rational
 from ..mechanism import Absolute, Mechanism, Parameter
 from ..tolerances import SAME_VECTOR
-from .commensurable import Lengths
+from .components import Lengths, Polar, polar
 from .drawn_points import Components, DrawnPoints
-from .polar import Polar, polar
 
 
 class _Vector(NamedTuple):

@@ -4,15 +4,18 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
+from ...diagnostics import Report
 from ...diagnostics.model import names, quantities
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...frozen import replace
 from ...syntax import ast
+from ...syntax.settings import parse
 from ...units import DIMENSIONS, MASS, NUMBER, STIFFNESS, UNITS, Dimension
 from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
+from ..names.points import Points
 from ..names.scope import DESCRIPTION, Bare, Scope
 from .expressions import Quantity, Reader, shown
 from .sorts import Nature
@@ -219,3 +222,27 @@ def warn_unused(parameters: Mapping[str, Parameter], scope: Scope) -> None:
     for name, parameter in parameters.items():
         if name not in scope.used and parameter.span.start < own:
             scope.report.add(names.unused_parameter(parameter.span, name))
+
+
+ORIGIN = "value"
+"""What messages call the text of a value, which stands in no file."""
+
+
+def in_si(name: str, text: str, dimension: Dimension) -> float:
+    """Return a value for a name in SI and radians.
+
+    Raises :class:`MechcError` where the text is no constant that measures ``dimension``.
+
+    >>> from ...units import LENGTH
+    >>> in_si("a", "2.5 in", LENGTH), in_si("a", "30mm", LENGTH)
+    (0.0635, 0.03)
+    """
+    _, (value, source) = parse(f"{name}={text}", ORIGIN)
+    report = Report(source)
+    scope = Scope(report, Points(report))
+    found = constant(value, scope, "a value")
+    if found is not None:
+        Reader(scope, DESCRIPTION).fits(found, dimension, f"the value of {name}")
+    report.stop_on_errors()
+    assert found is not None
+    return evaluate(found.formula, {})

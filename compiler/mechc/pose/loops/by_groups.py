@@ -6,6 +6,8 @@ systems that are solved by iteration. Every unknown becomes a definition of the 
 put in where it is a sum of named angles.
 """
 
+from collections.abc import Sequence
+
 from ...algebra.angle import Angle
 from ...algebra.from_formula import is_transparent, to_product
 from ...algebra.product import Product, Sum
@@ -13,13 +15,14 @@ from ...algebra.sums import put
 from ...diagnostics import Report
 from ...diagnostics import open_loops as open_words
 from ...diagnostics import pose as messages
-from ...formula.tree import Formula
+from ...formula.tree import ONE, Call, Formula, Implicit, Symbol, negative, total
+from ...formula.walk import symbols, walk
 from ...frozen import replace
 from ...model.mechanism import Assembly, Link, Mechanism
 from ...model.values import Chain, dependent
 from ...units import LENGTH
 from ..directions import Directions
-from ..pose import Limit
+from ..pose import ClosedLoop, Definition, Limit
 from ..vectors import Vectors
 from .branches import branches
 from .choosing import Choice
@@ -29,7 +32,6 @@ from .dyad_closures import dyad
 from .dyad_sides import Sides
 from .dyads import Loop
 from .groups import closures, left_open, remaining_blocks
-from .margins import in_closed_form, iterated
 from .recognition import recognised, unwound
 from .redundant import check_fit
 from .state import State
@@ -216,3 +218,32 @@ class _Closing:
             self._report.stop_on_errors()
             raise self._report.fail(fault)
         return True
+
+
+def in_closed_form(loop: str, definitions: Sequence[Definition], root: Call) -> ClosedLoop:
+    """Return a loop whose definitions rest on a root, or on an arc sine.
+
+    One of which a direction turned out to be another one all the way has no margin: it closes
+    wherever that one does, as what vanishes over a part of the stroke vanishes over the whole.
+    """
+    return ClosedLoop(loop, _resting_on(root, definitions), _margin(root))
+
+
+def _margin(root: Call) -> Formula:
+    """Return the expression that is not negative where a root or an arc sine has a value."""
+    (inner,) = root.arguments
+    return inner if root.function == "sqrt" else total([ONE, negative(Call("abs", (inner,)))])
+
+
+def _resting_on(root: Call, definitions: Sequence[Definition]) -> frozenset[str]:
+    names = set[str]()
+    for name, formula in definitions:
+        if root in walk(formula) or not names.isdisjoint(symbols(formula)):
+            names.add(name)
+    return frozenset(names)
+
+
+def iterated(loop: str, definitions: Sequence[Definition]) -> ClosedLoop:
+    """Return a loop that is closed by iteration: what it finds is NaN where the branch ends."""
+    names = sorted(name for name, formula in definitions if isinstance(formula, Implicit))
+    return ClosedLoop(loop, frozenset(names), Call("abs", (Symbol(names[0]),)))

@@ -2,15 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 
-from ...formula.tree import ZERO, Formula, Symbol, product, total
+from ...formula.tree import ZERO, Formula, Symbol, product, quotient, total
 from ...kinematics.forms import spin
 from ...kinematics.graph import Form, Kind, Relation
-from ...kinematics.plan import Block
+from ...kinematics.plan import Block, Plan
 from ...model.mechanism import Force, Torque
 from ...power.balance import Balance
+from ...units import FREQUENCY, VELOCITY, Dimension
 from .notation import Named, Names, Notation, linear, times
 from .outputs import needed_unknowns, output_points
-from .ratios import Ratios
 from .rules import involved, pole_of, rule_of
 from .steps import Equation, NamedRatio, Rule, Step
 
@@ -178,3 +178,28 @@ class SpeedSteps:
         given = f"len_{point}{pivot}"
         known = given in self._graph.pose.placeholders
         return Symbol(given if known else f"len_{pivot}{point}")
+
+
+class Ratios:
+    """The ratios with a name in the plan that formulas are read off; ``found`` are those shown."""
+
+    def __init__(self, read: Plan, notation: Notation) -> None:
+        self._read, self._notation = read, notation
+        self.found: list[NamedRatio] = []
+
+    def of(self, unknown: int) -> tuple[Equation, ...]:
+        """Return the equations of an unknown's ratio to the drive, where it has a name."""
+        ratio = self._read.ratios.get(unknown)
+        if ratio is None:
+            return ()
+        above, below = unknown, self._read.drives[0]
+        dimension = self._rate(above).over(self._rate(below))
+        found = NamedRatio(ratio.name, ratio.value.formula(), dimension)
+        self.found.append(found)
+        speeds = (self._notation.of_itself(u).symbol for u in (above, below))
+        name = Symbol(found.name)
+        return Equation(name, quotient(*speeds)), Equation(name, found.formula)
+
+    def _rate(self, unknown: int) -> Dimension:
+        kind = self._read.graph.unknowns[unknown].kind
+        return FREQUENCY if kind is Kind.SPIN else VELOCITY

@@ -1,17 +1,16 @@
-"""Whether a formula means the same in every system of units.
-
-A number with a unit inside a formula, as the 8 mm of ``w - 8 mm``, is a plain number of the SI
-there: other units must not be put in beside it.
-"""
+"""What formulas measure, and whether they mean the same in every system of units."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula
+from ..formula.layout import is_angle
+from ..formula.tree import Formula, Implicit, Symbol
+from ..formula.walk import constants, substitute, symbols, walk
+from ..model.result import Definition
 from ..study.tolerances import SAME_RATIO
-from ..units import LENGTH, MASS, TIME, Dimension
+from ..units import ANGLE, LENGTH, MASS, TIME, Dimension
 
 _SCALE = 1.7
 """What a base unit is divided by, once and once more: any number but 1 serves."""
@@ -92,3 +91,39 @@ def _exponent(
 def _share(dimension: Dimension, base: Dimension) -> float:
     """Return the exponent of a base unit in a dimension."""
     return float(sum(a * b for a, b in zip(dimension, base, strict=True)))
+
+
+def found_dimension(
+    definition: Definition,
+    angles: Iterable[str],
+    values: Mapping[str, float],
+    dimensions: Mapping[str, Dimension],
+) -> Dimension | None:
+    """Return the dimension of what a loop or friction defines; None if it is not known."""
+    if definition.name.startswith("len_"):
+        return LENGTH
+    if is_angle(definition.formula, set(angles)):
+        return ANGLE
+    names = names_in(definition.formula)
+    if is_solved(definition.formula) or not names <= dimensions.keys() & values.keys():
+        return None
+    return dimension_of(
+        with_symbols(definition.formula),
+        {name: values[name] for name in names},
+        {name: dimensions[name] for name in names},
+    )
+
+
+def is_solved(formula: Formula) -> bool:
+    """Return whether the solution of a system is in a formula."""
+    return any(isinstance(part, Implicit) for part in walk(formula))
+
+
+def names_in(formula: Formula) -> frozenset[str]:
+    """Return all names of a formula, those of numbers too."""
+    return symbols(formula) | {c.name for c in constants([formula])}
+
+
+def with_symbols(formula: Formula) -> Formula:
+    """Return a formula in which named numbers are symbols, to be put in like all others."""
+    return substitute(formula, {c.name: Symbol(c.name) for c in constants([formula])})
