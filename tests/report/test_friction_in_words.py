@@ -48,6 +48,15 @@ def test_a_docstring_shows_the_structure_of_what_is_iterated():
     assert " d_A" not in shown
 
 
+def test_so_does_that_of_a_formula_which_rests_on_it():
+    shown = docstring(
+        mechc.loads(f"{ITERATED}let twice = 2*k_f\n", "c.mech").emit("python"), "twice"
+    )
+    assert "twice = 2*k_f" in shown
+    assert "n = |r + D*n|" in shown
+    assert " solve" not in shown
+
+
 def test_a_report_shows_the_structure_of_what_is_iterated():
     shown = iterated().emit("latex")
     assert r"\rho n_A\Omega_A" in shown

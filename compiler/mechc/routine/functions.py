@@ -108,7 +108,7 @@ def function(asked: Asked, scope: Scope, names: Iterable[str]) -> Function:
     steps, (output, *sides) = steps_to(definitions.formulas, ends, others, names)
     guards = _with_sides(guards, sides)
     shown = scope.definitions(result.name, asked.read).formulas
-    read = _readable(result, formula, shown)
+    read = _readable(result, formula, shown, scope.inside)
     return written(asked, steps, output, guards, read, operations(steps))
 
 
@@ -199,20 +199,37 @@ class Read(NamedTuple):
     iterated: tuple[str, ...] = ()
 
 
-def _readable(result: Result, formula: Formula, known: Iterable[tuple[str, Formula]]) -> Read:
-    """Return a result as people read it: a case where there is one, no system's coefficients."""
+def _readable(
+    result: Result,
+    formula: Formula,
+    known: Sequence[tuple[str, Formula]],
+    inside: frozenset[str],
+) -> Read:
+    """Return a result as people read it: a case where there is one.
+
+    What systems of any result have ``inside``, their coefficients, is left out.
+    """
     if not isinstance(result, FrictionResult) or (result.case is None and not result.inside):
-        return Read(formula, _with_literals(formula, [Step(name, f) for name, f in known]))
+        where, iterated = _without(inside, formula, known)
+        return Read(formula, _with_literals(formula, where), (), iterated)
     printed = as_printed(result)
-    used, where = set(symbols(printed.formula)), []
     named = {d.name for d in printed.where}
-    for name, found in reversed([*(k for k in known if k[0] not in named), *printed.where]):
-        if name in used - result.inside:
+    everything = [*(k for k in known if k[0] not in named), *printed.where]
+    where, iterated = _without(result.inside, printed.formula, everything)
+    holds = tuple(Guard(h.left, h.operator, h.right) for h in printed.holds)
+    return Read(printed.formula, _with_literals(printed.formula, where), holds, iterated)
+
+
+def _without(
+    inside: frozenset[str], formula: Formula, known: Sequence[tuple[str, Formula]]
+) -> tuple[list[Step], tuple[str, ...]]:
+    """Return what a formula rests on but for what systems have inside, and what of that it uses."""
+    used, where = set(symbols(formula)), list[Step]()
+    for name, found in reversed(known):
+        if name in used - inside:
             where.append(Step(name, found))
             used |= symbols(found)
-    holds = tuple(Guard(h.left, h.operator, h.right) for h in printed.holds)
-    iterated = tuple(d.name for d in printed.where if d.name in used & result.inside)
-    return Read(printed.formula, _with_literals(printed.formula, where[::-1]), holds, iterated)
+    return where[::-1], tuple(name for name, _ in known if name in used & inside)
 
 
 def _with_literals(formula: Formula, where: Sequence[Step]) -> tuple[Step, ...]:

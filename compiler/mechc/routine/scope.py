@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import Mechanism
-from ..model.result import Result
+from ..model.result import FrictionResult, Result
 from ..named import NamedTuple
 
 
@@ -47,6 +47,9 @@ class Scope:
         """Index every definition by the name it explains."""
         self.mechanism = mechanism
         self.results = {r.name: r for r in results}
+        self.inside = frozenset[str]().union(
+            *(r.inside for r in self.results.values() if isinstance(r, FrictionResult))
+        )
         self._where = {r.name: {d.name: d.formula for d in r.where} for r in self.results.values()}
         self._place = {o: {n: i for i, n in enumerate(names)} for o, names in self._where.items()}
         self._anywhere = {n: owner for owner, names in self._where.items() for n in names}
