@@ -18,11 +18,11 @@ from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives
 from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
 from mechc.friction.iterated import exact, first_order
-from mechc.friction.lever import Bearing, moment, on_lever
+from mechc.friction.lever import Bearing, on_lever
 from mechc.friction.linear import LinearSolver
 from mechc.friction.naming import Endings, Meanings, OwnNames
-from mechc.friction.normal_forces import Component, Idle, LoadedPair, loaded_pairs, scaled
-from mechc.friction.pairs import FrictionPair
+from mechc.friction.normal_forces import Idle, loaded_pairs, scaled
+from mechc.friction.pairs import Component, FrictionPair, LoadedPair
 from mechc.friction.sequential import SequentialSolver
 from mechc.friction.signs import AtAnyPose, AtOnePose, bare, is_root
 from mechc.friction.standing import without_standing
@@ -90,9 +90,9 @@ LOAD = BodyForce("F", "B", at(0))
 
 
 def test_a_moment_is_arm_times_force_counter_clockwise():
-    assert moment(UP, ARMS) == Product.symbol("a")
-    assert moment(LOAD, ARMS) == -Product.symbol("b")
-    assert moment(BodyForce("M", "", None, ZERO, ONE), ARMS) == ONE
+    assert UP.moment(ARMS) == Product.symbol("a")
+    assert LOAD.moment(ARMS) == -Product.symbol("b")
+    assert BodyForce("M", "", None, ZERO, ONE).moment(ARMS) == ONE
 
 
 def test_a_lever_without_friction_balances_moments():

@@ -19,7 +19,7 @@ from ..model.mechanism import (
 )
 from ..pose.pose import Pose
 from ..power.reactions import Reactions
-from .normal_forces import Given
+from .pairs import Given
 
 
 def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Iterator[Diagnostic]:

@@ -35,7 +35,7 @@ from ..frozen import frozen
 from ..model.result import Definition
 from ..named import NamedTuple
 from .naming import Sizes
-from .normal_forces import Component, LoadedPair
+from .pairs import Component, LoadedPair
 
 NOTHING = number(Fraction(1, 10**30))
 """What is added to pressing forces so that none of them vanishes, where no slope would be."""

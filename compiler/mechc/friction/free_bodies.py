@@ -9,6 +9,7 @@ from typing import Literal, assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.product import ONE, ZERO, Product
+from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
 from ..frozen import frozen
 from ..kinematics.joint_refs import JointRef
@@ -17,11 +18,15 @@ from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.loads import occurrences
 from ..power.reactions import Reactions
-from .normal_forces import Given, LoadedPair
+from .pairs import Given, LoadedPair
 
 Kind = Literal["lever", "slider", "pin"]
 
 HALF_TURN = Angle.constant(180)
+
+
+Arms = Mapping[str, Vector]
+"""Where the points of a lever are, seen from its pivot."""
 
 
 class EquationsCoupled(Exception):
@@ -48,6 +53,13 @@ class BodyForce(NamedTuple):
     def across(self, direction: Angle) -> Product:
         """Return the component in a direction turned by +90°."""
         return ZERO if self.line is None else self.size * sine(self.line - direction)
+
+    def moment(self, arms: Arms) -> Product:
+        """Return the moment about the pivot of a lever, counter-clockwise."""
+        if self.line is None:
+            return self.couple
+        parts = (part.length * self.across(part.angle) for part in arms[self.point])
+        return add((*parts, self.couple))
 
 
 @frozen
@@ -190,7 +202,7 @@ class Bodies:
 
     # ---------------------------------------------------------------- levers and guides
 
-    def arms(self, lever: str) -> dict[str, Vector]:
+    def arms(self, lever: str) -> Arms:
         """Return where the points of a lever are, seen from its pivot."""
         pivot = self.pivot(lever)
         points = (p for p in self.levers[lever].points if p != pivot)

@@ -18,8 +18,7 @@ from ..power.joint_forces import size_of
 from ..power.speeds import even, magnitude
 from .closed_form import Named, Printed, conditions, power, readable
 from .naming import Sizes
-from .normal_forces import LoadedPair
-from .pairs import FrictionPair, radii, reduced
+from .pairs import FrictionPair, LoadedPair, radii, reduced
 from .signs import AtOnePose, is_root
 from .steps import Step
 

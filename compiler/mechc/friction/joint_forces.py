@@ -18,8 +18,8 @@ from ..power.reactions import Reactions
 from .closed_form import Named, Printed, conditions
 from .iterated import named_factor
 from .naming import Sizes
-from .normal_forces import LoadedPair, load_of, term_of
-from .pairs import FrictionPair, radii
+from .normal_forces import load_of, term_of
+from .pairs import FrictionPair, LoadedPair, radii
 from .signs import AtOnePose
 from .steps import Step
 

@@ -12,7 +12,7 @@ forces are parallel, q = 0, it is the quotient that a·S − b = ±ρ·(S + c) g
 long as friction does not exceed the arm.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
@@ -31,15 +31,11 @@ from ..formula.tree import (
 )
 from ..formula.walk import substitute
 from ..named import NamedTuple
-from ..pose.pose import Vector
 from ..power.speeds import root
-from .free_bodies import BodyForce, EquationsCoupled
+from .free_bodies import Arms, BodyForce, EquationsCoupled
 from .signs import Signs
 
 TWO = number(2)
-
-Arms = Mapping[str, Vector]
-"""Where the points of a lever are, seen from its pivot."""
 
 
 class Bearing(NamedTuple):
@@ -76,8 +72,8 @@ def on_lever(
         part = ONE / unknown.size
         found = on_lever(unknown.scaled(part), known, arms, bearing, signs)
         return _in_whole(found, unknown, part)
-    arm = moment(unknown, arms)
-    rest = add(moment(p, arms) for p in known)
+    arm = unknown.moment(arms)
+    rest = add(p.moment(arms) for p in known)
     if bearing is None:
         return Balanced(-(rest / arm))
     line = unknown.line or Angle()
@@ -174,11 +170,3 @@ def _quadratic(size: Formula, parts: Sequence[Formula], radius: Formula) -> Side
     moments = total([product([(a, 1), (size, 1)]), negative(b)])
     squares = total([power(total([size, c]), TWO), power(q, TWO)])
     return power(moments, TWO), product([(radius, 2), (squares, 1)])
-
-
-def moment(force: BodyForce, arms: Arms) -> Product:
-    """Return the moment of a force about the pivot, counter-clockwise."""
-    if force.line is None:
-        return force.couple
-    parts = (part.length * force.across(part.angle) for part in arms[force.point])
-    return add((*parts, force.couple))

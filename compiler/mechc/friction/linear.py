@@ -12,7 +12,7 @@ from ..algebra.sums import add, canonical
 from ..formula.tree import Formula, Symbol, product, total
 from .closed_form import Condition, power
 from .free_bodies import EquationsCoupled
-from .normal_forces import LoadedPair
+from .pairs import LoadedPair
 from .signs import Signs
 from .steps import Step
 

@@ -6,55 +6,20 @@ friction is its factor times the size of a pressing force is not linear.
 """
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 
 from ..algebra.from_formula import to_product
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
 from ..formula.tree import Formula
 from ..formula.walk import substitute, symbols
-from ..frozen import frozen, replace
+from ..frozen import replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Torque
 from ..power.balance import Equations, Term
 from ..power.loads import occurrences
 from ..power.reactions import ForceTerm, Reactions
-from .pairs import FrictionPair
+from .pairs import Component, FrictionPair, Given, LoadedPair
 from .standing import without_standing
-
-Given = Mapping[str, Product]
-"""The size of each given load."""
-
-
-@frozen
-class LoadedPair:
-    """A pair of surfaces in a mechanism under given loads, friction not yet known.
-
-    Its pressing force has perpendicular ``components``, each ``ideal + Σ by[other] · f``
-    with f the frictions as they act on the slips. ``slip`` is per unit speed of the
-    driving load, times how often the mechanism has the pair and over how often it has
-    the load, so that ``friction · |slip|`` is what it adds to the driving load: ``times`` says how
-    often that is. ``plans`` are those by which the components were found.
-    """
-
-    pair: FrictionPair
-    slip: Product
-    components: tuple["Component", ...]
-    plans: tuple[Plan, ...]
-    times: Fraction = Fraction(1)
-
-    @property
-    def slip_of_one(self) -> Product:
-        """Return the slip of one pair: halves and branches have theirs."""
-        return self.slip.scaled(1 / self.times)
-
-
-@frozen
-class Component:
-    """One component of a pressing force."""
-
-    ideal: Product
-    by: Mapping[str, Product]
 
 
 class Undetermined(Exception):

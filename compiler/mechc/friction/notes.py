@@ -9,7 +9,6 @@ from ..formula.tree import ZERO, Call, Formula, Symbol, number, product, total
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import Link
 from .free_bodies import Bodies, BodyForce, Kind
-from .lever import moment
 from .signs import Signs, exact_sign
 from .steps import Kind as StepKind
 from .steps import Step
@@ -88,7 +87,7 @@ class Notes:
     def _moments(self, lever: str, forces: Sequence[BodyForce], friction: Product) -> Pair:
         """Return the moments about the pivot, and the couple of its friction."""
         arms = self._bodies.arms(lever)
-        moments = _sum(moment(force, arms) for force in forces)
+        moments = _sum(force.moment(arms) for force in forces)
         if not friction:
             return moments, ZERO
         line = next(force.line for force in forces if force.line is not None)

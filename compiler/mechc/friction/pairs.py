@@ -3,7 +3,7 @@
 A pin of several links slips in each of them but the one that carries it.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import assert_never
 
@@ -11,6 +11,7 @@ from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
+from ..frozen import frozen
 from ..kinematics import meshes
 from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
@@ -37,6 +38,9 @@ from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose
 from ..power.joint_forces import guiding
 
+Given = Mapping[str, Product]
+"""The size of each given load."""
+
 
 class FrictionPair(NamedTuple):
     """A pair of surfaces: ``factor · |force of the joint|`` resists its ``slip``.
@@ -59,6 +63,37 @@ class FrictionPair(NamedTuple):
     def speeds(self, plan: Plan) -> Speeds:
         """Return the slip per unit of each drive."""
         return plan.value(self.slip(plan.graph))
+
+
+@frozen
+class LoadedPair:
+    """A pair of surfaces in a mechanism under given loads, friction not yet known.
+
+    Its pressing force has perpendicular ``components``, each ``ideal + Σ by[other] · f``
+    with f the frictions as they act on the slips. ``slip`` is per unit speed of the
+    driving load, times how often the mechanism has the pair and over how often it has
+    the load, so that ``friction · |slip|`` is what it adds to the driving load: ``times`` says how
+    often that is. ``plans`` are those by which the components were found.
+    """
+
+    pair: FrictionPair
+    slip: Product
+    components: tuple["Component", ...]
+    plans: tuple[Plan, ...]
+    times: Fraction = Fraction(1)
+
+    @property
+    def slip_of_one(self) -> Product:
+        """Return the slip of one pair: halves and branches have theirs."""
+        return self.slip.scaled(1 / self.times)
+
+
+@frozen
+class Component:
+    """One component of a pressing force."""
+
+    ideal: Product
+    by: Mapping[str, Product]
 
 
 def pairs(pose: Pose) -> tuple[FrictionPair, ...]:

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
+from ..algebra.product import ONE, Product
+from ..algebra.sums import add, canonical
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import friction as messages
 from ..diagnostics import reactions as reaction_messages
@@ -11,28 +13,38 @@ from ..kinematics.joint_refs import unclear
 from ..model.mechanism import (
     Efficiency,
     Find,
+    LoadForm,
     LoadRatio,
     Mechanism,
     PinFriction,
     Sense,
     WithFriction,
 )
-from ..model.result import Definition
+from ..model.result import Definition, Result
+from ..named import NamedTuple
 from ..power.balance import Balance, Equations
 from ..power.definitions import bound_sums
 from ..power.loads import given_size
 from ..power.reactions import Reactions
 from .assumptions import assumptions
-from .case import Case
 from .closed_form import Named
 from .coupled import Coupled, coupled, true_sizes
 from .default import DefaultPose
 from .free_bodies import Bodies, Task, cut_free
 from .naming import Endings, Meanings, Sizes, with_one_meaning
-from .normal_forces import Idle, LoadedByAnother, LoadedPair, Undetermined, loaded_pairs
-from .pairs import FrictionPair, pairs
+from .normal_forces import Idle, LoadedByAnother, Undetermined, loaded_pairs
+from .pairs import FrictionPair, LoadedPair, pairs
 
 Loaded = tuple[LoadedPair, ...]
+
+
+class Case(NamedTuple):
+    """A result without friction: which load drives, by how much what is asked exceeds it."""
+
+    ideal: Result
+    driving: str
+    factor: Product
+    given: Mapping[str, Product]
 
 
 class Problem:
@@ -210,3 +222,32 @@ def _is_ratio(find: Find) -> bool:
     """Return whether a ratio of two loads is asked for with friction."""
     target = find.target
     return isinstance(target, WithFriction | Efficiency) and isinstance(target.of, LoadRatio)
+
+
+def case_of_loads(of: LoadRatio | LoadForm, ideal: Result, equations: Equations) -> Case:
+    """Return the loads under which a ratio or a form of loads is looked at."""
+    match of:
+        case LoadRatio(above, below):
+            upper, factor = equations.owner(above)
+            lower, share = equations.owner(below)
+            return Case(ideal, upper, factor, {lower: ONE / share})
+        case LoadForm(load):
+            return Case(ideal, load, ONE, _others(load, equations))
+
+
+def case_of_force(driving: str, ideal: Result, equations: Equations) -> Case:
+    """Return the loads under which a force at a joint is looked at: all of them."""
+    return Case(ideal, driving, ONE, _others(driving, equations))
+
+
+def _others(driving: str, equations: Equations) -> Mapping[str, Product]:
+    """Return all other free loads as they are: one that does no work loads the joints, too."""
+    names = (*equations.columns, *equations.idle_loads)
+    return {n: Product.symbol(n) for n in names if n != driving}
+
+
+def without_friction(case: Case, equations: Equations) -> Product:
+    """Return the driving load that balances those given."""
+    columns = equations.columns
+    works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
+    return canonical(-(add(works) / columns[case.driving][0]))

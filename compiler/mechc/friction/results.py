@@ -25,7 +25,6 @@ from ..power.definitions import bound_sums, intermediates, open_lengths
 from ..power.numbers import value_of
 from ..power.speeds import magnitude
 from .assumptions import asks_for_loads
-from .case import Case, case_of_force, case_of_loads, without_friction
 from .closed_form import ClosedFormSolver, Named, Printed, closed_form, printed_form
 from .efficiency import Drives
 from .free_bodies import EquationsCoupled
@@ -33,8 +32,9 @@ from .iterated import exact, exact_case, first_order, first_order_case
 from .joint_forces import ForceWithFriction
 from .linear import LinearSolver
 from .naming import Sizes
-from .normal_forces import LoadedPair, scaled
-from .problem import Loaded, Problem
+from .normal_forces import scaled
+from .pairs import LoadedPair
+from .problem import Case, Loaded, Problem, case_of_force, case_of_loads, without_friction
 from .sequential import SequentialSolver
 from .signs import AtAnyPose, Signs
 from .solution import SolvedWithFriction

@@ -8,7 +8,7 @@ from ..named import NamedTuple
 from ..pose.pose import PointContact
 from ..power.definitions import bound_names
 from .free_bodies import HALF_TURN, Bodies, EquationsCoupled
-from .normal_forces import LoadedPair
+from .pairs import LoadedPair
 
 
 class Surface(NamedTuple):
