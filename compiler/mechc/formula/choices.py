@@ -13,9 +13,11 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import TypeGuard
+from typing import TypeGuard, TypeVar
 
 from .tree import Call, Formula, negative, number, product, quotient, total
+
+Part = TypeVar("Part")
 
 NEAR = Fraction(1, 10**9)
 """How far from a row, in parts of it, a value may lie that is meant: half of 63 mm, 31.5 mm."""
@@ -101,7 +103,7 @@ def is_choice(formula: Formula) -> TypeGuard[Call]:
     return isinstance(formula, Call) and formula.function == "choose"
 
 
-def chosen(parts: Sequence[Formula], value: Callable[[Formula], float]) -> Formula | None:
+def chosen(parts: Sequence[Part], value: Callable[[Part], float]) -> Part | None:
     """Return the part that ``choose`` chooses, so that no other need have a value."""
     for condition, part in zip(parts[::2], parts[1::2], strict=False):
         holds = value(condition)

@@ -6,7 +6,7 @@ divided by such a zero is infinite, and undetermined where it is such a zero its
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..named import NamedTuple
 from .choices import chosen
@@ -104,11 +104,11 @@ class Rounding:
     def _compute(self, formula: Formula) -> Rounded:
         match formula:
             case Product(factors):
-                return _product(map(self._of, factors))
+                return multiplied(map(self._of, factors))
             case Sum(terms):
-                return _sum(map(self._of, terms))
+                return summed(map(self._of, terms))
             case Power(base, exponent):
-                return _power(self._of(base), self._of(exponent))
+                return powered(self._of(base), self._of(exponent))
             case Number(value):
                 number = value.numerator / value.denominator
                 return Rounded(number, EPS / 2 * abs(number))
@@ -123,7 +123,7 @@ class Rounding:
                 wanted, listed = self._of(least).value, map(self._of, sizes)
                 return next((size for size in listed if wanted <= size.value), Rounded(math.nan, 0))
             case Call(function, arguments):
-                return _call(function, [*map(self._of, arguments)])
+                return called(function, [*map(self._of, arguments)])
             case Implicit(system, index, arguments):
                 number = solution(system, tuple(self._of(a).value for a in arguments))[index]
                 return Rounded(number, SOLVED * max(1.0, abs(number)))
@@ -153,7 +153,11 @@ def beyond_rounding(
         return Size(number)
     if formula is None:
         return Size(number + 0.0)
-    size = _with_error(formula, where, rounding)
+    return without_rounding(number, _with_error(formula, where, rounding))
+
+
+def without_rounding(number: float, size: Rounded) -> Size:
+    """Return a finite number as what its formula is but for rounding."""
     if size.is_undetermined:
         return Size(None, undetermined=True)
     if size.is_infinite:
@@ -183,7 +187,8 @@ def _with_error(
     return inner.of(formula)
 
 
-def _sum(terms: Iterable[Rounded]) -> Rounded:
+def summed(terms: Iterable[Rounded]) -> Rounded:
+    """Return a sum with its error."""
     values, errors = zip(*terms, strict=True)
     if poles := values.count(math.inf) + values.count(-math.inf):
         if poles > 1:
@@ -193,7 +198,8 @@ def _sum(terms: Iterable[Rounded]) -> Rounded:
     return Rounded(value, math.fsum(errors) + EPS * abs(value))
 
 
-def _product(factors: Iterable[Rounded]) -> Rounded:
+def multiplied(factors: Iterable[Rounded]) -> Rounded:
+    """Return a product with its error."""
     parts = list(factors)
     value, error = 1.0, 0.0
     for size, lost in parts:
@@ -207,7 +213,8 @@ def _product(factors: Iterable[Rounded]) -> Rounded:
     return Rounded(value, error)
 
 
-def _power(base: Rounded, exponent: Rounded) -> Rounded:
+def powered(base: Rounded, exponent: Rounded) -> Rounded:
+    """Return a power with its error."""
     if base.is_infinite:
         return INFINITE if exponent.value > 0 else Rounded(0.0, 0.0)
     if exponent.value < 0 and base.is_zero:
@@ -224,27 +231,27 @@ def _power(base: Rounded, exponent: Rounded) -> Rounded:
     return Rounded(value, abs(value) * relative)
 
 
-_BY_SINES = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": ("", "cos"), "csc": ("", "sin")}
+BY_SINES = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": ("", "cos"), "csc": ("", "sin")}
 """Functions with poles as quotients."""
 
 
-def _call(function: str, arguments: list[Rounded]) -> Rounded:
+def called(function: str, arguments: Sequence[Rounded]) -> Rounded:
     """Return a call; its error is how far its value moves where its arguments do."""
     if any(argument.is_infinite for argument in arguments):
         if function in ("abs", "hypot", "sqrt"):
             return INFINITE
         raise ZeroDivisionError
-    if function in _BY_SINES:
+    if function in BY_SINES:
         above, below = (
-            _call(f, arguments) if f else Rounded(1.0, 0.0) for f in _BY_SINES[function]
+            called(f, arguments) if f else Rounded(1.0, 0.0) for f in BY_SINES[function]
         )
-        return _product([above, _power(below, Rounded(-1.0, 0.0))])
+        return multiplied([above, powered(below, Rounded(-1.0, 0.0))])
     if function == "atan2" and all(argument.is_zero for argument in arguments):
         raise ZeroDivisionError
     return _moved(function, arguments)
 
 
-def _moved(function: str, arguments: list[Rounded]) -> Rounded:
+def _moved(function: str, arguments: Sequence[Rounded]) -> Rounded:
     here = [argument.value for argument in arguments]
     value = _called(function, here)
     if not math.isfinite(value):

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from ...algebra.product import Product
 from ...formula.continuation import continued
 from ...formula.evaluate import status
+from ...formula.rounded_columns import Column, RoundedColumns
 from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.tree import Formula, Implicit
 from ...kinematics.plan import Plan
@@ -70,6 +71,17 @@ class Along:
         rounding.define(self._chain.definitions)
         rounding.define(self._inner.definitions)
         return rounding
+
+    def rounded(self, drives: Sequence[float]) -> RoundedColumns:
+        """Return the same at several values of the drive at once."""
+        rows = len(drives)
+        given = {
+            name: Column([value] * rows, [EPS * abs(value)] * rows)
+            for name, value in {**self._open, **self.defaults}.items()
+        }
+        given[self._drive] = Column(drives, [self._near] * rows)
+        named = RoundedColumns(given, rows).with_definitions(self._chain.definitions)
+        return named.with_definitions(self._inner.definitions)
 
     def of(self, formula: Formula, where: Result | None, x: float) -> float:
         """Return a formula's value, with the definitions of a result; NaN where it has none.

@@ -18,7 +18,7 @@ from .friction import courses, some, standstills
 from .nil import is_apart, zero_parts
 from .points import Asked, asked
 from .reached import with_reached
-from .rows import columns, row
+from .rows import columns, rows
 from .run import Run, run_of
 from .singular import singular_along
 from .stretches import stretches_of
@@ -81,7 +81,7 @@ def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
         run.low,
         run.high,
         tuple(f.column for f in filled),
-        tuple(row(run, x, filled, stretches) for x in watch(drives)),
+        tuple(r for _, r in zip(watch(drives), rows(run, drives, filled, stretches), strict=True)),
         stretches,
         tuple(one for one in singular if is_apart(one, nil, run.range)),
         tuple(branches),

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
-from ...formula.rounding import Rounding, Size, beyond_rounding, without_value
+from ...formula.rounding import Size
 from ...model.mechanism import Mechanism
 from ...model.targets import Efficiency, WithFriction
 from ...model.values import own_unit
@@ -14,11 +14,14 @@ from .along import NO_POSE, Along
 from .columns import Filled
 from .points import Asked, path_columns
 from .run import Run
-from .sides import from_both_sides, is_on_a_side
+from .sizes import Sizes
 from .stretches import beyond, trouble
 from .stroke import Column, Row, StrokeInterval
 from .transmission import Transmission, angles_at_pins, named, transmissions
 from .velocities import velocities
+
+AT_ONCE = 64
+"""Rows whose rounding is found at once."""
 
 
 def columns(run: Run, asked: Asked) -> Iterator[Filled]:
@@ -67,29 +70,28 @@ def _unit(mechanism: Mechanism, dimension: Dimension) -> str:
     return next((p.unit for p in listed if p.dimension == LENGTH and p.unit), "")
 
 
-def row(run: Run, x: float, filled: Sequence[Filled], stretches: Sequence[StrokeInterval]) -> Row:
-    """Return the row at a value of the drive: values, or why there are none."""
+def rows(
+    run: Run, drives: Sequence[float], filled: Sequence[Filled], stretches: Sequence[StrokeInterval]
+) -> Iterator[Row]:
+    """Yield the rows at values of the drive: values, or why there are none."""
+    for start in range(0, len(drives), AT_ONCE):
+        some = drives[start : start + AT_ONCE]
+        sizes = Sizes(run, [x for x in some if not run.along.trouble(x)], filled)
+        for x in some:
+            if run.along.trouble(x):
+                yield _gap(run, x, len(filled), stretches)
+            else:
+                yield _row(run, x, filled, sizes.at(x))
+
+
+def _gap(run: Run, x: float, width: int, stretches: Sequence[StrokeInterval]) -> Row:
+    """Return a row without values, and why there are none."""
     why = trouble(run, x)
-    if run.along.trouble(x):
-        why = (beyond(x, stretches) if why in NO_POSE else "") or why
-        return Row(x, (math.nan,) * len(filled), why)
-    rounding = run.along.rounding(x)
-    sizes = [_size(run, f, x, rounding) for f in filled]
+    why = (beyond(x, stretches) if why in NO_POSE else "") or why
+    return Row(x, (math.nan,) * width, why)
+
+
+def _row(run: Run, x: float, filled: Sequence[Filled], sizes: Sequence[Size]) -> Row:
     values = tuple(math.nan if s.number is None else s.number for s in sizes)
     open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
-    return Row(x, values, why, tuple(open_))
-
-
-def _size(run: Run, filled: Filled, x: float, rounding: Rounding) -> Size:
-    """Return a column's value at ``x`` without what is nothing but rounding."""
-    number, formula = filled.at(x), filled.formula
-    size = beyond_rounding(number, formula, filled.where, rounding)
-    if formula and math.isnan(number) and not filled.has_friction:
-        return without_value(formula, filled.where, rounding)
-    if filled.has_friction and is_on_a_side(size, filled.where, rounding):
-        return from_both_sides(filled.at, partial(_is_pose, run), x, run.range)
-    return size
-
-
-def _is_pose(run: Run, x: float) -> bool:
-    return not run.along.trouble(x)
+    return Row(x, values, trouble(run, x), tuple(open_))
