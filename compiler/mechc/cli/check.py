@@ -6,12 +6,11 @@ from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .checked import failing, overview_of, report
+from .compilations import opened
 from .inputs import expanded, settings_option, stdin_option
-from .open import begin
-from .proposals import descriptions
 from .session import session, session_options, status
 from .terminal import line_width, say
-from .usage import Word
+from .usage import Word, descriptions
 
 
 @usage.command("check", repeatable=True)
@@ -50,7 +49,7 @@ def command(
     for file in list(expanded(files)):
         compilation: Compilation | None = None
         try:
-            compilation = begin(file, stdin_name, settings)
+            compilation = opened(file, stdin_name, settings)
             complete(compilation)
         except MechcError as error:
             session().show(error.diagnostics, error.source)

@@ -13,6 +13,7 @@ from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .collisions import claim, refuse_collisions
+from .compilations import opened
 from .inputs import (
     by_option,
     claim_of,
@@ -21,12 +22,10 @@ from .inputs import (
     settings_option,
     stdin_option,
 )
-from .open import begin
 from .outputs import Output, makefile_rule, outputs, placed
-from .proposals import beginning, paths
 from .session import session, session_options
 from .terminal import give
-from .usage import Word
+from .usage import Word, beginning, paths
 
 Text = tuple[Path, str]
 """A file to be written."""
@@ -139,7 +138,7 @@ def command(
     mechc compile toggle_press --emit c -o build/ -D theta=5deg
     """
     wanted = outputs(paths, target)
-    compilation = checked(begin(file, stdin_name, settings))
+    compilation = checked(opened(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     options = Options(
         *("", fragment, language, numbers, brief, pictures, gradient),

@@ -10,8 +10,8 @@ from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .checked import refused
+from .compilations import opened
 from .inputs import by_option, description_argument, settings_option, stdin_option
-from .open import begin
 from .session import session, session_options
 from .terminal import columns, say, speaks_unicode
 from .usage import Word
@@ -48,7 +48,7 @@ def command(
     mechc derive clamp.mech --brief --lang uk
     mechc derive clamp.mech --by equilibrium
     """
-    compilation = begin(file, stdin_name, settings)
+    compilation = opened(file, stdin_name, settings)
     try:
         complete(compilation)
     except MechcError as error:

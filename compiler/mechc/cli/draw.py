@@ -19,8 +19,8 @@ from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .collisions import refuse_collisions
+from .compilations import opened
 from .inputs import claim_of, description_argument, settings_option, stdin_option
-from .open import begin
 from .session import session, session_options
 from .terminal import give
 from .usage import Word
@@ -91,7 +91,7 @@ def command(
     mechc draw crank_rocker --velocities --centres -D phi=120deg -o rocker.tex -o rocker.png
     """
     _refuse_several(asked)
-    compilation = begin(file, stdin_name, settings)
+    compilation = opened(file, stdin_name, settings)
     drawing = in_letters(_drawing(compilation, asked, language), letters(locale(language)))
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in paths if path != STANDARD_OUTPUT]

@@ -7,8 +7,8 @@ from textwrap import indent
 from .. import diagnostics
 from ..diagnostics import CATALOGUE, near_miss
 from . import usage
-from .proposals import beginning
 from .terminal import say
+from .usage import beginning
 
 
 def _codes(begun: str) -> list[usage.Proposal]:

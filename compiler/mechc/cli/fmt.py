@@ -14,10 +14,9 @@ from ..syntax.to_dsl import to_dsl
 from ..syntax.to_yaml import in_yaml_order, to_yaml
 from . import usage
 from .inputs import expanded, source_of, stdin_option
-from .proposals import paths
 from .session import session, session_options, status
 from .terminal import give, warn
-from .usage import Word
+from .usage import Word, paths
 
 Notation = Literal["mech", "yaml"]
 

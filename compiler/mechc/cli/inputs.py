@@ -14,8 +14,7 @@ from ..syntax.settings import Settings, parse
 from ..syntax.vocabulary import METHODS
 from . import usage
 from .collisions import Claim, claim, refuse_reading, streams
-from .proposals import descriptions
-from .usage import Word
+from .usage import Word, descriptions
 
 F = TypeVar("F", bound=Callable[..., Any])
 

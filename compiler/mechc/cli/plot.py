@@ -19,8 +19,8 @@ from ..syntax.settings import Settings, parse
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .collisions import refuse_collisions
+from .compilations import check_names, opened
 from .inputs import claim_of, description_argument, settings_option, stdin_option
-from .open import begin, check_names
 from .session import session, session_options
 from .terminal import give, watched
 from .usage import Whole, Word
@@ -159,7 +159,7 @@ def command(
         --range "0 deg .. 80 deg" -o z.pdf -o z.xlsx
     mechc plot crank_rocker --path B -o path.svg
     """
-    compilation = begin(file, stdin_name, settings)
+    compilation = opened(file, stdin_name, settings)
     check_names(along, compilation.source, "--along")
     query = Query(x, ys, family, ends, paths, zone, points)
     words = locale(language)

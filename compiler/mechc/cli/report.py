@@ -8,12 +8,11 @@ from ..files import write_all
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .collisions import refuse_collisions
+from .compilations import opened
 from .inputs import NAMELESS, claim_of, expanded
-from .open import begin
-from .proposals import descriptions, paths
 from .session import session, session_options
 from .terminal import give
-from .usage import Word
+from .usage import Word, descriptions, paths
 
 
 @usage.command("report")
@@ -41,7 +40,7 @@ def command(
     mechc report karpenko_fig1_parallel_levers karpenko_fig2_scissor_tongs -o table.tex
     """
     names = list(expanded(files))
-    table = [_compared(checked(begin(name, NAMELESS, {})), schemes) for name in names]
+    table = [_compared(checked(opened(name, NAMELESS, {})), schemes) for name in names]
     text = to_table(table, language, fragment)
     refuse_collisions([path] if path else [], list(map(claim_of, names)), path is None)
     if path is None:

@@ -9,9 +9,9 @@ from ..report.text import verdict as statics
 from ..report.text.derivation import render
 from ..syntax.settings import Settings
 from . import usage
+from .compilations import opened
 from .dump import dump, nested
 from .inputs import description_argument, settings_option, stdin_option
-from .open import begin
 from .session import session, session_options
 from .terminal import give, say
 from .usage import Word
@@ -35,7 +35,7 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
     \b
     mechc show kinematics clamp.mech
     """
-    compilation = begin(file, stdin_name, settings)
+    compilation = opened(file, stdin_name, settings)
     if session().form == "json":
         give(
             json.dumps(nested(getattr(compilation, VIEWS[stage])), ensure_ascii=False, indent=2)

@@ -8,8 +8,8 @@ from ..report.text.stroke import to_table
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
+from .compilations import opened
 from .inputs import description_argument, settings_option, stdin_option
-from .open import begin
 from .session import session, session_options
 from .terminal import give, line_width, say, watched
 from .usage import Whole, Word
@@ -71,7 +71,7 @@ def command(
     mechc stroke --lang uk toggle_press
     mechc stroke --points 101 --csv clamp.mech > clamp.csv
     """
-    compilation = checked(begin(file, stdin_name, settings, drive))
+    compilation = checked(opened(file, stdin_name, settings, drive))
     found = compilation.stroke(points, paths, _watched)
     session().accept(warnings(compilation), compilation.source)
     if as_csv or dialect:

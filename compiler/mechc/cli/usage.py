@@ -5,10 +5,11 @@ has the words for one that is wrong, for help and for completion, and takes long
 than a description to be compiled.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, Literal, TypeVar
 
+from ..files import library
 from ..frozen import field, frozen
 from ..named import NamedTuple
 
@@ -157,3 +158,18 @@ def adding(parameter: Argument | Option) -> Callable[[F], F]:
         return function
 
     return add
+
+
+def beginning(begun: str, words: Iterable[str]) -> Iterator[Proposal]:
+    """Yield the words that begin so."""
+    return (Proposal(word) for word in words if word.startswith(begun))
+
+
+def descriptions(begun: str) -> list[Proposal]:
+    """Return the mechanisms of the library, and the shell's own files."""
+    return [*beginning(begun, library()), *paths(begun)]
+
+
+def paths(begun: str) -> list[Proposal]:
+    """Return the request for the shell's own completion of files."""
+    return [Proposal(begun, kind="file")]

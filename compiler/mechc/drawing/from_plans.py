@@ -10,7 +10,7 @@ from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import Diagram, FreeBody
 from .acting import Forces, heading
 from .arrange import below_each_other, in_rows, line_of_text
-from .describe_plans import say_forces, say_velocities
+from .describe import say_forces, say_velocities
 from .drawing import SYMBOL, Drawing, Run
 from .force_polygon import force_polygon, is_known, visible
 from .labels import Around

@@ -11,8 +11,7 @@ from ..plot.plot import Plot
 from .pgfplots.to_pgfplots import to_pgfplots
 from .picture import in_format_of
 from .svg.picture import to_svg
-from .table.csv_table import to_csv
-from .table.xlsx_table import to_xlsx
+from .tables import to_csv, to_xlsx
 
 OF_DRAWINGS = (".svg", ".pdf", ".png")
 """The suffixes of pictures that are those of any drawing."""

@@ -1,14 +1,18 @@
-"""A compilation of what a command was given."""
+"""Compilations of what a command was given, and what a list of the library needs of them."""
 
 from ..diagnostics import near_miss
 from ..driver import Compilation
+from ..formula.to_text import text
+from ..model.statements import only
 from ..source import Source
+from ..syntax.ast import Heading, Translate
 from ..syntax.settings import Settings, driven, drives, params
+from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .inputs import source_of
 
 
-def begin(name: str, stdin_name: str, settings: Settings, drive: str = "") -> Compilation:
+def opened(name: str, stdin_name: str, settings: Settings, drive: str = "") -> Compilation:
     """Open a compilation, refusing settings of parameters that the description lacks.
 
     Of several drives the one of the name given moves.
@@ -39,3 +43,21 @@ def _check_drive(drive: str, source: Source) -> None:
     if drive not in declared:
         hint = near_miss(drive, declared) or f"it has {', '.join(declared) or 'none'}"
         raise usage.BadParameter(f"{source.name} has no drive {drive!r}; {hint}", where="--drive")
+
+
+def titles(source: Source) -> list[str]:
+    """Return the title of a description in each language, for which nothing has to be solved."""
+    tree = Compilation(source).tree
+    heading = only(tree, Heading)
+    title = heading.title if heading else ""
+    known = [s for s in tree.statements if isinstance(s, Translate) and s.text == title]
+    return [next((w for s in known if (w := getattr(s, code))), title) for code in LANGUAGES]
+
+
+def title_source_and_result(source: Source, language: str) -> tuple[str, str, str]:
+    """Return the title of a description, where it is from, and its first result."""
+    compilation = Compilation(source)
+    mechanism, (first, *_) = compilation.mechanism, compilation.found
+    texts = mechanism.translations.get(language, {})
+    title, origin = (texts.get(t, t) for t in (mechanism.title, mechanism.source))
+    return title, origin, f"{first.name} = {text(first.formula)}"

@@ -1,1 +1,0 @@
-"""Tables of the values of a plot."""
