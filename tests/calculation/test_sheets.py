@@ -17,7 +17,7 @@ from mechc.emit.registry import load
 from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
-from mechc.report.between import line_between
+from mechc.report.put_in import line_between
 from mechc.report.text.note import render
 from mechc.report.text.speller import speller
 from mechc.source import Source

@@ -13,18 +13,17 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
-from ..model.mechanism import Let, Mechanism, Parameter, Require
+from ..model.mechanism import Let, Mechanism, Parameter
 from ..model.result import Result
-from ..model.values import Chain, compare, defaults, dependent, usual_length
+from ..model.values import Chain, defaults, dependent, usual_length
 from ..model.written import WrittenTable
 from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
-from .between import Tables, line_between, tables_of
-from .on_the_way import Found, on_the_way
-from .put_in import Quantity, in_numbers, put_in, usual_unit
-from .unused import below, rests_on, unused
+from .checks import NoteCheck, checks
+from .put_in import Quantity, Tables, in_numbers, line_between, put_in, tables_of, usual_unit
+from .rests_on import Found, on_the_way, unused
 
 COMPUTED = 12
 """Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""
@@ -73,24 +72,6 @@ class NoteLine(NamedTuple):
                 return False
 
 
-class NoteCheck(NamedTuple):
-    """A condition, its sides in numbers, and by what factor it holds, if that has a meaning.
-
-    One that ``fails`` has no such factor. There are no numbers where ``missing`` parameters, that
-    it rests on, have no value.
-    """
-
-    label: str
-    left: Formula
-    operator: str
-    right: Formula
-    values: tuple[Quantity, Quantity] | None
-    reserve: float | None
-    decides: bool
-    missing: tuple[str, ...] = ()
-    fails: bool = False
-
-
 class Note(NamedTuple):
     """A calculation sheet as people read it, without what is ``unused`` of others."""
 
@@ -111,15 +92,11 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     given = {name: Quantity(value, units[name]) for name, value in values.items()}
     aside = unused(mechanism, results)
     lines = _lines(mechanism, results, given, aside)
-    lets = {let.name: let.value for let in mechanism.lets}
-    inputs = {p.name for p in mechanism.parameters}
-    checks = [_check(r, given, lets, inputs) for r in mechanism.requires if not r.subject]
-    checks = [_with_missing(check, mechanism, results) for check in checks]
     return Note(
         tuple(p for p in mechanism.parameters if p.name not in aside),
         tuple(t for t in mechanism.tables if t.name not in aside),
         tuple(line for line in lines if line.name not in aside),
-        tuple(_with_the_least(checks)),
+        tuple(checks(mechanism, results, given)),
         aside,
     )
 
@@ -302,71 +279,3 @@ def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None
         return None
     best = max if taken[0].function == "max" else min
     return best(taken[0].arguments, key=lambda a: evaluate(a, values))
-
-
-# -------------------------------------------------------------------------- checks
-
-
-def _check(
-    require: Require,
-    given: Mapping[str, Quantity],
-    lets: Mapping[str, Formula],
-    inputs: Container[str],
-) -> NoteCheck:
-    assert require.written
-    left, right, label = require.written.left, require.written.right, require.written.label
-    values = _sides(require, given)
-    fails = values is not None and not compare(values[0].value, require.operator, values[1].value)
-    compared = values if not fails and not _is_range(require, lets, inputs) else None
-    reserve = _reserve(compared[0].value, compared[1].value, require.operator) if compared else None
-    return NoteCheck(
-        label, left, require.operator, right, values, reserve, decides=False, fails=fails
-    )
-
-
-def _with_missing(check: NoteCheck, mechanism: Mechanism, results: Sequence[Result]) -> NoteCheck:
-    """Return a check; one without numbers has the parameters that have no value."""
-    if check.values:
-        return check
-    used = below(symbols(check.left, check.right), rests_on(mechanism, results))
-    missing = (p.name for p in mechanism.parameters if p.value is None and p.name in used)
-    return check._replace(missing=tuple(missing))
-
-
-def _is_range(require: Require, lets: Mapping[str, Formula], inputs: Container[str]) -> bool:
-    """Return whether a given quantity is held against a number: for what a formula is meant.
-
-    A reserve is that of what was calculated.
-    """
-    sides = [require.left, require.right]
-    for i, side in enumerate(sides):
-        while isinstance(side, Symbol) and side.name in lets:
-            side = sides[i] = lets[side.name]
-    bare = [s for s in sides if isinstance(s, Symbol) and s.name in inputs]
-    return len(bare) == 1 and any(not symbols(s) for s in sides)
-
-
-def _sides(require: Require, given: Mapping[str, Quantity]) -> tuple[Quantity, Quantity] | None:
-    """Return both sides in the unit that they are written in; None where one has no value."""
-    values = {name: quantity.value for name, quantity in given.items()}
-    if not symbols(require.left) | symbols(require.right) <= values.keys():
-        return None
-    unit = require.unit or si_unit(require.dimension)
-    left, right = (evaluate(side, values) for side in (require.left, require.right))
-    return Quantity(left, unit), Quantity(right, unit)
-
-
-def _reserve(left: float, right: float, operator: str) -> float | None:
-    """Return how many times a positive limit is above what is held against it."""
-    small, large = (left, right) if operator in ("<", "<=") else (right, left)
-    sound = operator in ("<", "<=", ">", ">=") and small > 0 and large > 0
-    return large / small if sound and math.isfinite(large / small) else None
-
-
-def _with_the_least(checks: Sequence[NoteCheck]) -> Iterator[NoteCheck]:
-    """Yield checks, of several that one with the least reserve as deciding, if all hold."""
-    reserves = [check.reserve for check in checks if check.reserve is not None]
-    all_hold = not any(check.fails for check in checks)
-    least = min(reserves) if all_hold and len(reserves) > 1 else None
-    for check in checks:
-        yield check._replace(decides=check.reserve is not None and check.reserve == least)

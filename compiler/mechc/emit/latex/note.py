@@ -6,6 +6,7 @@ from itertools import groupby
 from ...frozen import replace
 from ...model.written import WrittenTable
 from ...named import NamedTuple
+from ...report.checks import NoteCheck
 from ...report.languages.locale import Locale
 from ...report.latex.directions import math, spaced
 from ...report.latex.display import LINE
@@ -16,7 +17,7 @@ from ...report.latex.printer import Box, box, latex
 from ...report.latex.quantity import decimal
 from ...report.latex.results import Speller
 from ...report.latex.text import escape
-from ...report.note import Note, NoteCheck, NoteLine, note
+from ...report.note import Note, NoteLine, note
 from ...report.sentences.noted import label
 from ...units import ANGLE
 from ..target import Compiled

@@ -14,7 +14,8 @@ from ...model.values import is_constant
 from ...model.written import Written, WrittenTable
 from ...named import NamedTuple
 from ...units import ANGLE, in_unit, si_unit
-from ..note import NoteCheck, NoteLine, note
+from ..checks import NoteCheck
+from ..note import NoteLine, note
 from ..put_in import Quantity
 from ..sentences.noted import label
 from .printer import Signs, print_formula, print_name, print_quantity
