@@ -245,16 +245,26 @@ def test_long_formulas_stay_on_the_page(tmp_path: Path) -> None:
     assert "Overfull" not in log
 
 
-def test_the_checks_of_a_note_follow_it_at_once(tmp_path: Path) -> None:
-    r"""Room kept below the heading of the table is no gap above it."""
+def about_the_checks(before: str, folder: Path) -> list[float]:
+    """Return how full the page is above and below the heading of the checks of a note."""
     text = mechc.load("groove_size").emit("latex")
     heading, how_far = r"\section*{Checks}", r"\typeout{page: \the\pagetotal}"
-    text = text.replace(r"\par\vskip", rf"\par{how_far}\vskip").replace(
-        heading, f"{heading}{how_far}"
-    )
-    log = compile_tex("pdflatex", text, tmp_path)
-    above, below = map(float, re.findall(r"page: ([\d.]+)pt", log))
+    text = text.replace(r"\par\penalty-100 ", rf"\par{before}\penalty-100 {how_far}")
+    log = compile_tex("pdflatex", text.replace(heading, f"{heading}{how_far}"), folder)
+    return [float(found) for found in re.findall(r"page: ([\d.]+)pt", log)]
+
+
+def test_the_checks_of_a_note_follow_it_at_once(tmp_path: Path) -> None:
+    r"""Room kept below the heading of the table is no gap above it."""
+    above, below = about_the_checks("", tmp_path)
     assert 10 < below - above < 50
+
+
+def test_the_checks_begin_a_page_where_little_is_left_of_one(tmp_path: Path) -> None:
+    """A break that came with the table would print its heading on either side."""
+    fill = r"\vspace*{\dimexpr\pagegoal-\pagetotal-6\baselineskip}"
+    above, below = about_the_checks(fill, tmp_path)
+    assert below < 60 < above
 
 
 def test_fragment_can_be_included(tmp_path: Path) -> None:
