@@ -10,8 +10,7 @@ from .plot.query import POINTS, Given, Query, condition
 from .syntax.settings import parse
 
 if TYPE_CHECKING:
-    from .emit.picture import Picture
-    from .emit.plot_files import PlotPicture
+    from .emit.picture import Picture, PlotPicture
 
 
 class Plotting:
@@ -48,7 +47,7 @@ class Plotting:
         'k against alpha from 2° to 40°. k, beta = 10°: 0.04225 at the start, ...'
         """
         from .drawing.from_plot import picture
-        from .emit.plot_files import PlotPicture
+        from .emit.picture import PlotPicture
         from .report.languages.letters import letters
         from .report.languages.registry import locale
 

@@ -6,8 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from mechc.emit.python.evaluator import Evaluator
-from mechc.emit.python.one_pose import on_floats
+from mechc.emit.python.evaluator import Evaluator, on_floats
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Solve
 from routine_samples import SAMPLES, solved

@@ -6,7 +6,7 @@ from pathlib import Path
 from ..diagnostics import MechcError
 from ..drawing.from_plot import picture
 from ..driver import checked, warnings
-from ..emit.plot_files import FORMATS, PlotPicture
+from ..emit.picture import PLOT_FORMATS, PlotPicture
 from ..emit.svg.picture import to_svg
 from ..files import write_all
 from ..frozen import replace
@@ -33,8 +33,8 @@ NUMBER = pattern(r"^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 def _known(paths: tuple[Path, ...]) -> tuple[Path, ...]:
     for path in paths:
-        if path != STANDARD_OUTPUT and path.suffix.lower() not in FORMATS:
-            known = ", ".join(FORMATS)
+        if path != STANDARD_OUTPUT and path.suffix.lower() not in PLOT_FORMATS:
+            known = ", ".join(PLOT_FORMATS)
             raise usage.BadParameter(f"{str(path)!r} has none of the suffixes {known}")
     return paths
 
@@ -120,7 +120,7 @@ def _constraints(given: tuple[str, ...]) -> Settings:
 )  # fmt: skip
 @usage.option(
     "-o", "--output", "outputs", kind=Path, multiple=True, check=_known,
-    metavar="PATH", help=f"A file by its suffix: {', '.join(FORMATS)}. May be repeated.",
+    metavar="PATH", help=f"A file by its suffix: {', '.join(PLOT_FORMATS)}. May be repeated.",
 )  # fmt: skip
 @usage.option(
     "--lang", "language", kind=Word(LANGUAGES), default="en",

@@ -13,8 +13,7 @@ from ..algebra.angle import Angle
 from ..model.mechanism import Mechanism
 from ..named import NamedTuple
 from ..pose.pose import Pose, Vector
-from .acts import Act, FreeBody, lines_of
-from .cutting import Cutting, cutting
+from .acts import Act, Cutting, FreeBody, cutting, lines_of
 from .equilibrium import JointForce
 from .exerted import Exerted, by_joints, by_loads
 

@@ -27,8 +27,7 @@ from ..model.mechanism import (
 from ..named import NamedTuple
 from ..pose.pose import Arm, PointContact, Vector, gathered
 from ..power.loads import owners
-from .acts import QUARTER, Act, X, Y, unit
-from .cutting import Cutting
+from .acts import QUARTER, Act, Cutting, X, Y, unit
 from .equilibrium import JointForce
 
 ActOnBody = tuple[str, Act]

@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from ..model.mechanism import Mechanism
 from ..named import NamedTuple
-from ..routine.dimensions import closed_dimensions
 from ..routine.evaluate import evaluate, pose
-from ..routine.steps import Input, Pose, Routine
+from ..routine.steps import Input, Pose, Routine, closed_dimensions
 from ..units import USUAL_UNITS, Dimension, si_unit
 
 Array = NDArray[np.float64]

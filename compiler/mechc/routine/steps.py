@@ -12,9 +12,10 @@ from typing import Literal
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import frozen, replace
+from ..model.mechanism import Mechanism
 from ..model.result import Drive
 from ..pose.motion import Quantity
-from ..units import Dimension
+from ..units import ANGLE, LENGTH, Dimension
 
 
 @frozen
@@ -288,3 +289,9 @@ def programs(routine: Routine) -> list[Program]:
         *others,
         *(part for part in (*poses, routine.checks) if part),
     ]
+
+
+def closed_dimensions(pose: Pose, mechanism: Mechanism) -> dict[str, Dimension]:
+    """Return the dimension of each output: a parameter's own, else a length or an angle."""
+    own = {p.name: p.dimension for p in mechanism.parameters}
+    return {n: own.get(n, LENGTH if n.startswith("len_") else ANGLE) for n in pose.outputs}

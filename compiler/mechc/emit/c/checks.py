@@ -6,9 +6,8 @@ from ...named import NamedTuple
 from ...routine.steps import Checks, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
-from .layout import harmless, wrapped
 from .pose import arrays
-from .printer import CPrinter
+from .printer import CPrinter, harmless, wrapped
 from .reserved import RESERVED
 from .solvers import lines
 

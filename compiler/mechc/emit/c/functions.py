@@ -19,9 +19,8 @@ from ...units import si_unit
 from .. import describe
 from ..names import Names, mangle
 from ..printer import Printer
-from .layout import harmless, wrapped
 from .pose import taking
-from .printer import CIRCULAR, CPrinter, QuickPrinter, guarded
+from .printer import CIRCULAR, CPrinter, QuickPrinter, guarded, harmless, wrapped
 from .reserved import RESERVED
 from .solvers import lines
 from .status import StatusContext, status_context

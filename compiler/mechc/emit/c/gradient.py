@@ -11,8 +11,7 @@ from ...routine.steps import Function, Input, Pose, formulas_of, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..printer import Printer
-from .layout import harmless, wrapped
-from .printer import CIRCULAR, CPrinter, QuickPrinter
+from .printer import CIRCULAR, CPrinter, QuickPrinter, harmless, wrapped
 from .reserved import RESERVED
 from .solvers import lines
 

@@ -7,8 +7,8 @@ from ...named import NamedTuple
 from ...routine.steps import Function, Input, Routine, programs
 from .. import describe
 from ..names import Names
-from .layout import harmless, wrapped
 from .pose import PoseContext
+from .printer import harmless, wrapped
 from .reserved import RESERVED
 
 if TYPE_CHECKING:

@@ -4,13 +4,11 @@ from collections.abc import Mapping
 
 from ...formula.tree import Symbol
 from ...named import NamedTuple
-from ...routine.dimensions import closed_dimensions
-from ...routine.steps import Common, Pose, Solver, mentioned, names_of
+from ...routine.steps import Common, Pose, Solver, closed_dimensions, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..target import Compiled
-from .layout import broken, harmless, wrapped
-from .printer import CPrinter
+from .printer import CPrinter, broken, harmless, wrapped
 from .reserved import RESERVED
 from .solvers import lines
 

@@ -10,9 +10,8 @@ from ..names import Names, mangle
 from ..printer import Printer
 from ..render import Line
 from .elimination import Reduced, reduced
-from .layout import harmless, wrapped
 from .opening import Opening, fixed_steps, opening
-from .printer import QuickPrinter
+from .printer import QuickPrinter, harmless, wrapped
 from .reserved import RESERVED
 
 _WORDS = """

@@ -8,8 +8,7 @@ from ...routine.steps import NOTHING, STATUSES, Function, Solver, mentioned, nam
 from .. import describe
 from ..names import Names, mangle
 from ..printer import driving
-from .layout import harmless, wrapped
-from .printer import CPrinter
+from .printer import CPrinter, harmless, wrapped
 from .reserved import RESERVED
 from .solvers import lines
 

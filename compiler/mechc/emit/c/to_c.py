@@ -18,10 +18,9 @@ from ..render import Line, render
 from ..target import Compiled, Emitted, Options
 from .checks import ChecksContext, checks_context
 from .functions import FileScope, FunctionContext, Symbols, function_context, symbols_of
-from .layout import harmless
 from .parameters import ParametersContext, parameters_context
 from .pose import CommonContext, PoseContext, common_context, pose_contexts
-from .printer import CPrinter
+from .printer import CPrinter, harmless
 from .real import FLOAT, Real, in_single_precision, named
 from .reserved import HEADERS, LINKED, RESERVED
 from .solvers import SolverContext, solver_context, solvers_of

@@ -4,13 +4,13 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ...formula.tree import Formula, Symbol
 from ...named import NamedTuple
-from ...routine.dimensions import closed_dimensions
 from ...routine.steps import (
     Common,
     Pose,
     Solve,
     Solver,
     Statement,
+    closed_dimensions,
     mentioned,
     names_of,
 )
