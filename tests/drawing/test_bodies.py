@@ -91,8 +91,8 @@ def test_a_couple_of_friction_has_a_name_of_its_own():
 def test_friction_circles_are_as_large_as_they_are():
     figure, scale = begun("lever_clamp_with_friction").figure, None
     drawing = begun("lever_clamp_with_friction").drawn_bodies("en")
-    plain, rubbing = begun("lever_clamp_with_friction").free_bodies
-    (offset,) = {abs(a.offset) for b in rubbing.bodies for a in b.forces if a.offset}
+    plain, with_friction = begun("lever_clamp_with_friction").free_bodies
+    (offset,) = {abs(a.offset) for b in with_friction.bodies for a in b.forces if a.offset}
     (circle,) = [s for s in drawing.shapes if isinstance(s, Arc) and s.pen == AXIS]
     scale = circle.radius / offset
     lever = max(math.dist(s.points[0], s.points[1]) for s in drawing.shapes if s.pen.name == "body")

@@ -1,4 +1,4 @@
-"""Errors of emitted code next to a straight knee, against the formulas at 50 digits."""
+"""Errors of emitted code next to a straight toggle, against the formulas at 50 digits."""
 
 import pytest
 
@@ -7,7 +7,7 @@ from precision import KNEES, case, errors, towards_the_knee
 CLOSED = [name for name in KNEES if name != "triad_closed"]
 
 EXACT = {"c": 0.625, "r": 0.375}
-"""Sides whose sum is a number of few digits: what is known of the knee is known exactly."""
+"""Sides whose sum is a number of few digits: what is known of the toggle is known exactly."""
 
 
 @pytest.mark.parametrize("name", CLOSED)
@@ -21,7 +21,7 @@ def test_no_more_is_lost_than_the_lengths_leave_open(name):
 
 
 @pytest.mark.parametrize("bits", [10, 20, 30, 40])
-def test_a_triangle_of_given_sides_loses_nothing_at_a_straight_knee(bits):
+def test_a_triangle_of_given_sides_loses_nothing_at_a_straight_toggle(bits):
     """The law of cosines would lose half the digits here."""
     mechanism, _ = case("oscillating_cylinder")
     found = errors(mechanism, [{**mechanism.values, **EXACT, "s": 1 - 2.0**-bits}])

@@ -69,7 +69,7 @@ def heron(d, p, q):
     )
 
 
-def knee(d):
+def kink(d):
     """Return the angle between the sides p and q of a triangle."""
     squares = total([power(P, number(2)), power(Q, number(2)), negative(power(d, number(2)))])
     return Call("atan2", (Call("sqrt", (heron(d, P, Q),)), squares))
@@ -100,8 +100,8 @@ OF_ONE_ANGLE = [Call(f, (Symbol("mu"),)) for f in ("sin", "cos", "tan", "cot", "
 )
 def test_a_triangle_is_the_same_with_sides_of_any_sign_and_nan_without_one(wanted, p, q, r):
     values = {"p": p, "q": q, "r": r}
-    expected = plainly([("mu", knee(R))], wanted, values)
-    assert carried([("mu", knee(R))], wanted, values) == pytest.approx(expected, nan_ok=True)
+    expected = plainly([("mu", kink(R))], wanted, values)
+    assert carried([("mu", kink(R))], wanted, values) == pytest.approx(expected, nan_ok=True)
     assert math.isnan(expected) == (r > 5)
 
 
@@ -115,7 +115,7 @@ def test_an_arc_sine_is_the_same_and_nan_beyond_one(wanted, x):
 
 
 def test_the_length_of_a_vector_is_not_rooted_where_its_square_is_enough():
-    definitions = [("d", Call("hypot", (X, Y))), ("mu", knee(Symbol("d")))]
+    definitions = [("d", Call("hypot", (X, Y))), ("mu", kink(Symbol("d")))]
     written, (output,) = in_unit_vectors(definitions, [OF_ONE_ANGLE[0]], (), {*"pqxy"})
     assert [name for name, _ in written] == ["d_squared"]
     assert text(output).count("sqrt") == 1
@@ -132,7 +132,7 @@ def test_the_length_of_a_vector_is_used_once_it_is_defined(order):
 def test_vectors_of_many_uses_are_divided_by_their_size_once():
     angles = [Symbol(f"t{i}") for i in range(9)]
     wanted = total(Call("sin", (total([Symbol("mu"), t]),)) for t in angles)
-    _, (output,) = in_unit_vectors([("mu", knee(R))], [wanted], (), {*"pqr"})
+    _, (output,) = in_unit_vectors([("mu", kink(R))], [wanted], (), {*"pqr"})
     assert {"cos_mu", "sin_mu"} <= symbols(output)
     assert "/" not in text(output)
 

@@ -15,8 +15,8 @@ from mechc.api import SolvedMechanism
 from mechc.routine.evaluate import status
 from paths import LIBRARY
 
-KNEE = """\
-mechanism knee
+TOGGLE = """\
+mechanism toggle
 param l = 200 mm
 param alpha = 20 deg
 param f = 0.1
@@ -38,16 +38,16 @@ POSES = [*((math.radians(angle), load) for angle in ANGLES for load in LOADS), U
 
 
 @pytest.fixture(scope="module")
-def knee() -> SolvedMechanism:
-    return mechc.loads(f"{KNEE}find P, R_O, N_OB\n")
+def toggle() -> SolvedMechanism:
+    return mechc.loads(f"{TOGGLE}find P, R_O, N_OB\n")
 
 
 def values(alpha: float, load: float) -> dict[str, float]:
     return {"l": 0.2, "alpha": alpha, "f": 0.1, "F": load}
 
 
-def test_a_force_has_the_status_of_the_load_that_drives(knee):
-    listed = {f.name: f for f in knee._compilation.routine.functions}
+def test_a_force_has_the_status_of_the_load_that_drives(toggle):
+    listed = {f.name: f for f in toggle._compilation.routine.functions}
     stated = [int(status(listed["P_f"], listed["P"], values(*pose))) for pose in POSES]
     assert set(stated) == {0, 3, 4}
     assert stated[POSES.index(UNLOADED)] == 0
@@ -59,16 +59,16 @@ def test_a_force_has_the_status_of_the_load_that_drives(knee):
 
 def test_it_has_one_where_the_load_is_not_asked_for():
     """A ratio does not know which way the load points, a force without one has none beside it."""
-    of_ratio = code(mechc.loads(f"{KNEE}find k = P/F, N_OB\n"))["N_OB_f_status"]
+    of_ratio = code(mechc.loads(f"{TOGGLE}find k = P/F, N_OB\n"))["N_OB_f_status"]
     assert [of_ratio(**values(*pose)) for pose in ((1.52, 500.0), (0.005, -500.0))] == [4, 3]
-    alone = code(mechc.loads(f"{KNEE}let F = 500 N\nfind N_OB\n"))["N_OB_f_status"]
+    alone = code(mechc.loads(f"{TOGGLE}let F = 500 N\nfind N_OB\n"))["N_OB_f_status"]
     assert [alone(0.2, alpha, 0.1) for alpha in (0.35, 1.52)] == [0, 4]
 
 
-def test_nothing_is_held_where_there_is_no_load(knee):
+def test_nothing_is_held_where_there_is_no_load(toggle):
     """Rounding leaves a load of 1e-60 N, which has the one sign or the other."""
-    releasing = code(mechc.loads(f"{KNEE}find P\nmotion releasing\n"))
-    for space in (code(knee), releasing):
+    releasing = code(mechc.loads(f"{TOGGLE}find P\nmotion releasing\n"))
+    for space in (code(toggle), releasing):
         found = {n: space[n](*values(*UNLOADED).values()) for n in space if n.endswith("_status")}
         assert found
         assert not any(found.values()), found
@@ -76,7 +76,7 @@ def test_nothing_is_held_where_there_is_no_load(knee):
 
 @pytest.fixture(scope="module")
 def clamp() -> dict[str, object]:
-    """A knee whose load has a closed form, that holds at its dead centre at 90 degrees, too."""
+    """A toggle whose load has a closed form, that holds at its dead centre at 90 degrees, too."""
     text = (LIBRARY / "fedoriv_fig2a_with_friction.mech").read_text("utf-8")
     head, _ = text.split("find k")
     return code(mechc.loads(f"{head}find Q, R_E\n"))
@@ -102,28 +102,28 @@ def code(mechanism: SolvedMechanism) -> dict[str, object]:
     return space
 
 
-def in_c(knee: SolvedMechanism, folder: Path, real: str) -> Callable[[float, float], int]:
+def in_c(toggle: SolvedMechanism, folder: Path, real: str) -> Callable[[float, float], int]:
     """Return the status of the force at O by compiled code, at an angle and a load."""
-    for file in knee.emit_files("c", c_real=real):
+    for file in toggle.emit_files("c", c_real=real):
         (folder / file.name).write_text(file.text, encoding="utf-8")
-    command = "gcc -std=c99 -Wall -Wextra -Werror -fPIC -shared knee.c -o knee.so -lm"
+    command = "gcc -std=c99 -Wall -Wextra -Werror -fPIC -shared toggle.c -o toggle.so -lm"
     subprocess.run(command.split(), cwd=folder, check=True)
-    single = ctypes.CDLL(str(folder / "knee.so")).knee_R_O_f_status
+    single = ctypes.CDLL(str(folder / "toggle.so")).toggle_R_O_f_status
     single.argtypes = [ctypes.c_double if real == "double" else ctypes.c_float] * 4
     return lambda alpha, load: single(*values(alpha, load).values())
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-def test_python_and_c_say_the_same(knee, tmp_path):
-    single, of_python = in_c(knee, tmp_path, "double"), code(knee)["R_O_f_status"]
+def test_python_and_c_say_the_same(toggle, tmp_path):
+    single, of_python = in_c(toggle, tmp_path, "double"), code(toggle)["R_O_f_status"]
     for alpha, load in POSES:
         assert single(alpha, load) == of_python(*values(alpha, load).values())
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-def test_single_precision_gives_up_earlier(knee, tmp_path):
-    """The load moves the knee or jams it before its dead centre at 90 degrees; it never holds."""
-    single = in_c(knee, tmp_path, "float")
+def test_single_precision_gives_up_earlier(toggle, tmp_path):
+    """The load moves the toggle or jams it before its dead centre at 90 degrees; it never holds."""
+    single = in_c(toggle, tmp_path, "float")
     beside = [(math.pi / 2 - 10.0**-n, load) for n in range(1, 10) for load in LOADS]
     found = [single(*pose) for pose in beside]
     assert set(found) == {0, 2, 4}

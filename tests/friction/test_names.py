@@ -6,7 +6,7 @@ from collections.abc import Iterable
 import pytest
 
 import mechc
-from force_samples import rubbing, samples
+from force_samples import samples, with_friction
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
 from mechc.formula.tree import Formula
@@ -48,7 +48,7 @@ def test_a_name_has_one_formula_in_the_library(name):
 
 @pytest.mark.parametrize("ratio", [True, False])
 def test_a_name_has_one_formula_in_random_mechanisms(ratio):
-    made = [rubbing(seed, sample) for seed, sample in samples(range(8), ratio, 1)]
+    made = [with_friction(seed, sample) for seed, sample in samples(range(8), ratio, 1)]
     assert sum(m is not None for m in made) > 3
     for each in made:
         if each is not None:
@@ -89,8 +89,8 @@ def test_beside_a_dead_centre_a_status_tells_what_is_stuck(alpha, name, value, s
     assert math.isnan(eta) or 0 <= eta < 1
 
 
-KNEE = """\
-mechanism knee
+TOGGLE = """\
+mechanism toggle
 param al = 20 deg in 10 deg .. 40 deg
 pivot O
 slider K along x
@@ -118,13 +118,13 @@ find k = P/F
 """
 
 
-@pytest.mark.parametrize(("text", "code"), [(KNEE, "W540"), (LEVER, "W513")])
+@pytest.mark.parametrize(("text", "code"), [(TOGGLE, "W540"), (LEVER, "W513")])
 def test_what_is_taken_and_what_is_infinite_is_stated(text, code):
     """A load on a pin where forces alone are asked for; an arm as long as the friction circle."""
     assert code in [d.code for d in mechc.loads(text).warnings]
 
 
-KNEE = """mechanism knee
+TOGGLE = """mechanism toggle
 pivot O at (0 mm, 0 mm)
 slider B along y through O
 link OA
@@ -141,22 +141,22 @@ find k = P/Q
 
 
 def test_coefficients_that_are_numbers_have_names():
-    knee = mechc.loads(KNEE.format(pins="0.15", guide="0.1"))
-    joints = knee._compilation.mechanism.friction.joints
+    toggle = mechc.loads(TOGGLE.format(pins="0.15", guide="0.1"))
+    joints = toggle._compilation.mechanism.friction.joints
     assert "f*d/2" in [text(j.radius) for j in joints if isinstance(j, PinFriction)]
-    named = {symbol.name for symbol in knee["k_f1"].free_symbols}
+    named = {symbol.name for symbol in toggle["k_f1"].free_symbols}
     assert named == {"theta", "d", "f", "f_B", "len_AB", "len_OA"}
 
 
 def test_one_number_is_one_coefficient():
-    knee = mechc.loads(KNEE.format(pins="0.1", guide="0.1"))
-    assert {s.name for s in knee["k_f1"].free_symbols} == {"theta", "d", "f", "len_AB", "len_OA"}
+    toggle = mechc.loads(TOGGLE.format(pins="0.1", guide="0.1"))
+    assert {s.name for s in toggle["k_f1"].free_symbols} == {"theta", "d", "f", "len_AB", "len_OA"}
 
 
 def test_results_are_those_of_coefficients_that_are_parameters():
-    given = KNEE.format(pins="f", guide="mu") + "param f = 0.15\nparam mu = 0.1\n"
+    given = TOGGLE.format(pins="f", guide="mu") + "param f = 0.15\nparam mu = 0.1\n"
     by_number, by_name = (
-        mechc.loads(t).evaluate() for t in (KNEE.format(pins="0.15", guide="0.1"), given)
+        mechc.loads(t).evaluate() for t in (TOGGLE.format(pins="0.15", guide="0.1"), given)
     )
     for name in ("k_f", "k_f1", "k_hold", "eta_k"):
         assert by_number[name] == pytest.approx(by_name[name], rel=1e-13)

@@ -20,8 +20,8 @@ from force_samples import (
     compiled,
     pushing,
     reference,
-    rubbing,
     samples,
+    with_friction,
 )
 from force_trains import train
 from grown import Grown
@@ -86,7 +86,7 @@ def against_free_bodies(found: Iterable[tuple[int, Sample]], poses: int) -> Tall
     """Compare samples at the default pose and at others nearby."""
     tally = Tally([], [], [])
     for seed, sample in found:
-        made = rubbing(seed, sample)
+        made = with_friction(seed, sample)
         if made is not None:
             dice = Random(seed)
             for i in range(poses):
@@ -166,7 +166,7 @@ def closed(seed: int) -> Compiled | None:
     """Return a closed mechanism with friction, None where its loads cannot be asked."""
     sample = Sample(Grown(seed).text(), "M", "F", ())
     try:
-        return rubbing(seed, sample)
+        return with_friction(seed, sample)
     except MechcError as error:
         if not {"E308", "E511"} & {d.code for d in error.diagnostics}:
             raise
@@ -211,7 +211,7 @@ SIX = range(32, 38)
 def case(request):
     seed = request.param
     ((_, sample),) = samples(range(seed, seed + 1), groups=1)
-    return seed, sample, rubbing(seed, sample)
+    return seed, sample, with_friction(seed, sample)
 
 
 def ratios(made, **values):
@@ -248,7 +248,7 @@ def test_the_first_order_errs_by_second_order(case):
 
 def test_releasing_is_what_holds(case):
     seed, sample, made = case
-    back = rubbing(seed, sample, "motion releasing")
+    back = with_friction(seed, sample, "motion releasing")
     if back is None:
         pytest.skip("locks")
     assert "k_hold" not in back.results(back.values())
@@ -267,12 +267,12 @@ def is_iterated(made: Compiled) -> bool:
 
 def test_the_closed_form_is_the_iterated_one(monkeypatch):
     """Wherever a closed form exists, at many poses."""
-    found = [(seed, sample, rubbing(seed, sample)) for seed, sample in samples(SIX, groups=1)]
+    found = [(seed, sample, with_friction(seed, sample)) for seed, sample in samples(SIX, groups=1)]
     straight = [case for case in found if case[2] and not is_iterated(case[2])]
     monkeypatch.setattr(results, "ways", lambda *_: iter(()))
     compared = 0
     for seed, sample, made in straight:
-        other = rubbing(seed, sample)
+        other = with_friction(seed, sample)
         assert is_iterated(other)
         dice = Random(seed)
         for _ in range(5):
@@ -292,7 +292,7 @@ def test_the_closed_form_is_the_iterated_one(monkeypatch):
 def test_targets_say_what_the_interpreter_says(seed, tmp_path):
     """At poses of wide ranges, in which k and k with friction change their signs."""
     ((_, sample),) = samples(range(seed, seed + 1), groups=1)
-    made = rubbing(seed, sample, f"find {sample.asked[-1]}")
+    made = with_friction(seed, sample, f"find {sample.asked[-1]}")
     found = made.compilation
     expected = by_interpreter(found)
     assert_close(by_python(found), expected, 0, found.routine)
@@ -305,7 +305,7 @@ def test_targets_say_what_the_interpreter_says(seed, tmp_path):
 
 def test_the_samples_have_everything():
     """Friction of all kinds is among what is compared."""
-    texts = [given(seed).rubbing(Random(seed)) for seed in range(108)]
+    texts = [given(seed).with_friction(Random(seed)) for seed in range(108)]
     for word in ("coulomb", "roller", "linear", "edges", "couple", "contact", " on ", "slot"):
         assert sum(word in text for text in texts) > 5, word
     for word in ("mirror", "copies", "slide ", "torque P", "actuator P"):

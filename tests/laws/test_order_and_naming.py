@@ -35,7 +35,7 @@ def given(seeds: range, groups: int) -> Iterator[tuple[int, str]]:
     """Yield random descriptions of given poses with friction in all joints."""
     for seed, sample in samples(seeds, bool(seeds.start % 2), groups):
         asked = [f"find {a}" for a in sample.asked[:3]]
-        yield seed, sample.rubbing(Random(seed), *asked, said=False)
+        yield seed, sample.with_friction(Random(seed), *asked, said=False)
 
 
 def closed(seeds: range) -> Iterator[tuple[int, str]]:
@@ -302,7 +302,7 @@ def test_no_order_of_links_changes_the_order_of_conditions():
     assert agree(outcome(TOGGLE), swapped, {}, "order of links")
 
 
-KNEE = """
+ROD_TOGGLE = """
 param al = 20 deg
 pivot O
 slider K along 90 deg
@@ -317,7 +317,7 @@ friction slider K 0.1
 
 def test_no_order_of_loads_says_which_one_follows():
     lines = ["force P at B along x", "force F at K along -y"]
-    for text in ("\n".join([KNEE, *order, "find R_O"]) for order in (lines, lines[::-1])):
+    for text in ("\n".join([ROD_TOGGLE, *order, "find R_O"]) for order in (lines, lines[::-1])):
         assert outcome(text) == ["E595"]
         assert isinstance(outcome(f"{text}\nfind P"), Compiled)
 
@@ -325,14 +325,14 @@ def test_no_order_of_loads_says_which_one_follows():
 def test_two_loads_of_which_each_follows_from_the_other_are_too_many_for_a_force():
     loads = "force P at B along x\nforce F at K along -y"
     for finds in ("find k = P/F\nfind j = F/P", "find j = F/P\nfind k = P/F"):
-        assert outcome(f"{KNEE}{loads}\n{finds}\nfind R_O") == ["E595"]
-        assert isinstance(outcome(f"{KNEE}{loads}\n{finds}"), Compiled)
+        assert outcome(f"{ROD_TOGGLE}{loads}\n{finds}\nfind R_O") == ["E595"]
+        assert isinstance(outcome(f"{ROD_TOGGLE}{loads}\n{finds}"), Compiled)
 
 
 def test_a_load_without_work_follows_from_nothing():
     """W presses the guide; P follows from F, wherever the lines stand."""
     lines = ["force W at K along x", "force P at B along x", "force F at K along -y", "let F = 5 N"]
-    first, second = (outcome("\n".join([KNEE, *o, "find R_O"])) for o in (lines, lines[::-1]))
+    first, second = (outcome("\n".join([ROD_TOGGLE, *o, "find R_O"])) for o in (lines, lines[::-1]))
     assert isinstance(first, Compiled)
     assert isinstance(second, Compiled)
     sizes = {"W": 3.0, "F": 5.0}

@@ -113,8 +113,8 @@ def test_what_takes_too_much_work_along_ranges_is_named_and_the_rest_is_given(mo
     compilation = Compilation(Source("coupled.mech", COUPLED))
     names = [r.name for r in compilation.results]
     assert names == ["k", "k_f", "k_f1", "k_hold", "eta_k"]
-    told = [d for d in compilation.report.diagnostics if d.code == "W261"]
-    assert [d.message.split()[0] for d in told] == ["k_f", "k_hold", "eta_k"]
+    found = [d for d in compilation.report.diagnostics if d.code == "W261"]
+    assert [d.message.split()[0] for d in found] == ["k_f", "k_hold", "eta_k"]
     assert all(r.locking is None and not r.courses for r in compilation.results)
     assert compilation.verdict.trials
 

@@ -46,7 +46,7 @@ class Stated(NamedTuple):
         return load / found if self.over else load * found
 
 
-KNEE = "fedoriv_fig2a_with_friction"
+TOGGLE = "fedoriv_fig2a_with_friction"
 PLUNGER = "fedoriv_fig2b_with_friction"
 GEAR = {"mc": "m", "zc": "z"}
 
@@ -57,8 +57,8 @@ STATED = {
     "S004-1": Stated("fedoriv_fig1_with_friction", "k_f", "Q", over=True),
     "S004-k1": Stated("fedoriv_fig1_with_friction", "k_f"),
     "S004-eta1": Stated("fedoriv_fig1_with_friction", "eta_k"),
-    "S004-ideal2": Stated(KNEE, "k", "Q", over=True),
-    "S004-2": Stated(KNEE, "k_f", "Q", over=True),
+    "S004-ideal2": Stated(TOGGLE, "k", "Q", over=True),
+    "S004-2": Stated(TOGGLE, "k_f", "Q", over=True),
     "S004-phi2": Stated(PLUNGER, "f_r"),
     "S004-3": Stated(PLUNGER, "i_f", "Q"),
     "S004-ideal3": Stated("fedoriv_fig2c_with_friction", "k", "Q", over=True),

@@ -104,12 +104,12 @@ def test_the_remark_goes_where_it_is_said():
     assert not remarks(solved(more="friction pin P 0.1 diameter 200 mm on EP"))
 
 
-def test_a_symmetric_knee_needs_no_remark():
+def test_a_symmetric_toggle_needs_no_remark():
     """Both rods press the pin alike, whichever carries it."""
     assert not mechc.load("fedoriv_fig2a_with_friction").warnings
 
 
-KNEE = """
+ROD_TOGGLE = """
 pivot O
 slider C along x
 OB = {first} mm @ 60 deg
@@ -135,7 +135,7 @@ def test_what_a_pin_is_fast_in(links, point, known):
     names = [f"link {link}" for link in links]
     lever = "CD = 20 mm @ 10 deg\nforce G = F at D along x\n" if "BCD" in links else ""
     for order in (names, names[::-1]):
-        drawn = KNEE.format(first=80, second=80, links="\n".join(order)).replace(
+        drawn = ROD_TOGGLE.format(first=80, second=80, links="\n".join(order)).replace(
             "torque M on OB", "force M at B along x" if lever else "torque M on OB"
         )
         assert carrier(drawn + lever, point) == known
@@ -171,7 +171,9 @@ def test_of_two_rods_that_are_alike_the_couples_on_them_decide(first, second):
 
 def test_the_force_along_a_rod_is_that_of_the_pin_without_a_load():
     """F acts on the rod itself at C, so the pin at B gives the whole of N."""
-    text = KNEE.format(first=80, second=80, links="link OB\nlink BC\nfind N_BC\nfind R_C on BC")
+    text = ROD_TOGGLE.format(
+        first=80, second=80, links="link OB\nlink BC\nfind N_BC\nfind R_C on BC"
+    )
     on_rod = text.replace("force F at C", "force F at C on BC")
     one, two = (mechc.loads(t).evaluate(F=10.0) for t in (text, on_rod))
     assert one["N_BC"] == pytest.approx(-20)

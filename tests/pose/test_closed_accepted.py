@@ -66,7 +66,7 @@ def _ratio(compilation, values, moving, above, below):
     poses = {
         sign: reference_closed.Assembled(
             compilation.tree, {**values, moving: values[moving] + sign * 1e-5}, start
-        ).settle()
+        ).assembled()
         for sign in (-1, 0, 1)
     }
     work = {n: reference_closed._work(n, compilation.tree, poses) for n in (above, below)}

@@ -54,7 +54,7 @@ def found_at(compilation: Compilation, drive: float | np.ndarray) -> dict[str, n
 
 def assembled(compilation: Compilation, values: dict[str, float]):
     start = reference_closed.places(compilation, values)
-    return reference_closed.Assembled(compilation.tree, values, start).settle()
+    return reference_closed.Assembled(compilation.tree, values, start).assembled()
 
 
 @pytest.mark.parametrize("name", CLOSED)

@@ -13,7 +13,7 @@ from mechc.report.derivation.steps import SentenceKind
 from mechc.report.text.derivation import render
 from mechc.source import Source
 
-KNEE = """
+TOGGLE = """
 param alpha = 20 deg
 param L = 80 mm
 pivot E
@@ -28,7 +28,7 @@ find k = Q/W
 """
 
 DESCRIPTIONS = {
-    "knee": KNEE + "find R_E\nfind N_EB\nfind N_BC\nfind R_B on BC\nfind N_C\nfind R_C",
+    "toggle": TOGGLE + "find R_E\nfind N_EB\nfind N_BC\nfind R_B on BC\nfind N_C\nfind R_C",
     "packet clamp": ("karpenko_fig9_packet_clamp", "find R_O\nfind R_B on OBA\nfind R_K on BK"),
     "parallel levers": ("karpenko_fig1_parallel_levers", "find R_O\nfind R_B on AB"),
     "shears": ("bolt_cutter", "find R_D\nfind R_H on HGE"),
@@ -42,7 +42,7 @@ DESCRIPTIONS = {
 def compiled(name):
     found = DESCRIPTIONS[name]
     if isinstance(found, str):
-        return compile_source(Source("knee.mech", found))
+        return compile_source(Source("toggle.mech", found))
     source = read(find(found[0]))
     return compile_source(Source(source.name, f"{source.text}\n{found[1]}\n"))
 
@@ -94,7 +94,7 @@ def shown(name):
 
 
 def test_a_force_is_stated_under_one_heading_with_its_direction():
-    text = shown("knee")
+    text = shown("toggle")
     assert text.count("Force at a joint") == 3
     assert text.count("Normal force") == 1
     assert text.count("Force in a rod") == 2
@@ -103,14 +103,14 @@ def test_a_force_is_stated_under_one_heading_with_its_direction():
 
 
 def test_a_rod_without_loads_is_let_go_along_its_line_once():
-    compilation = compiled("knee")
+    compilation = compiled("toggle")
     accounts = {a.results[0]: a for a in compilation.derivation.explanations}
     on_rod = accounts["R_B_on_BC_x"]
     assert [p.sentence for p in on_rod.paragraphs] == [SentenceKind.ROD]
 
 
 def test_a_guide_presses_across_itself():
-    accounts = compiled("knee").derivation.explanations
+    accounts = compiled("toggle").derivation.explanations
     sideways = next(a for a in accounts if a.results[0] == "R_C_x")
     assert sideways.paragraphs[0].sentence is SentenceKind.SMOOTH
 

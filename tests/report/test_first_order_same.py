@@ -12,10 +12,10 @@ def derived(name):
 
 @pytest.mark.parametrize(("name", "load"), [("plate_clutch", "M"), ("cabinet_on_casters", "P")])
 def test_what_friction_does_not_change_is_derived_once(name, load):
-    told = derived(name)
-    assert f"        {load}_f1 = {load}_f\n" in told
-    assert "which here gives" in " ".join(told.split())
-    assert "r_O_collar" not in told
+    shown = derived(name)
+    assert f"        {load}_f1 = {load}_f\n" in shown
+    assert "which here gives" in " ".join(shown.split())
+    assert "r_O_collar" not in shown
 
 
 def test_another_one_keeps_its_formula():

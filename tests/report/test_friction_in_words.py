@@ -307,7 +307,7 @@ force H at B along 0 deg
 friction pins f diameter d
 find Q
 """
-    compilation = compile_source(Source("knee.mech", source))
+    compilation = compile_source(Source("toggle.mech", source))
     first = next(r for r in compilation.results if r.name == "Q_f1")
     assert first.holds
     assert all(condition.operator != "=" for condition in first.holds)

@@ -67,7 +67,7 @@ def test_reports_of_random_mechanisms_say_what_code_computes(seed: int):
     if sample is None:
         return
     try:
-        assert wrong(sample.rubbing(Random(seed), said=bool(seed % 2))) == []
+        assert wrong(sample.with_friction(Random(seed), said=bool(seed % 2))) == []
     except MechcError:
         return
 
@@ -75,4 +75,4 @@ def test_reports_of_random_mechanisms_say_what_code_computes(seed: int):
 def test_an_efficiency_of_nothing_is_no_negative_ratio():
     sample = pushing(given(92026, 1))
     assert sample is not None
-    assert wrong(sample.rubbing(Random(92026), said=False)) == []
+    assert wrong(sample.with_friction(Random(92026), said=False)) == []

@@ -92,8 +92,8 @@ def test_texts_go_into_all_languages_of_reports() -> None:
     assert set(vocabulary.LANGUAGES) == set(LANGUAGES)
 
 
-KNEE = """
-mechanism knee
+TOGGLE = """
+mechanism toggle
 param alpha = 10 deg in 1 deg .. 45 deg
 param L_guide = 80 mm
 pivot E
@@ -111,7 +111,7 @@ find k = Q/W
 
 
 def test_subscripts_of_mechc_are_in_the_language_and_those_of_the_user_stay():
-    said = {lang: mechc.loads(KNEE).emit("latex", language=lang) for lang in ("en", "uk", "ru")}
+    said = {lang: mechc.loads(TOGGLE).emit("latex", language=lang) for lang in ("en", "uk", "ru")}
     assert r"k_{\mathrm{hold}}" in said["en"]
     assert r"k_{\text{утр}}" in said["uk"]
     assert r"k_{\text{уд}}" in said["ru"]
@@ -123,7 +123,7 @@ def test_subscripts_of_mechc_are_in_the_language_and_those_of_the_user_stay():
 
 @pytest.mark.parametrize("language", ["uk", "ru"])
 def test_so_are_those_of_a_derivation_in_the_terminal(language: str) -> None:
-    compilation = Compilation(Source("knee.mech", KNEE))
+    compilation = Compilation(Source("toggle.mech", TOGGLE))
     shown = render(compilation.derivation, compilation.mechanism, language=language)
     assert "r_C_напр" in shown
     assert "L_guide" in shown

@@ -145,9 +145,11 @@ def test_loads_are_those_of_the_results(name):
 
 def test_ratios_and_friction_are_compared_above():
     ratios = [r for n in ALL for r in compiled(n).results if isinstance(r.target, LoadRatio)]
-    rubbing = [r for n in ALL for r in compiled(n).results if isinstance(r.target, WithFriction)]
+    with_friction = [
+        r for n in ALL for r in compiled(n).results if isinstance(r.target, WithFriction)
+    ]
     assert len(ratios) > 100
-    assert len(rubbing) > 30
+    assert len(with_friction) > 30
 
 
 # --------------------------------------------------------------------- grown at random
@@ -169,25 +171,25 @@ def test_friction_in_mechanisms_grown_at_random(seed):
     sample = pushing(given(seed, 2))
     if sample is None:
         pytest.skip("near a singular pose")
-    made = Compilation(Source("grown.mech", sample.rubbing(Random(seed))))
-    ideal, rubbing = made.free_bodies
-    assert rubbing.motion
-    assert_balance((ideal, rubbing), made.figure)
+    made = Compilation(Source("grown.mech", sample.with_friction(Random(seed))))
+    ideal, with_friction = made.free_bodies
+    assert with_friction.motion
+    assert_balance((ideal, with_friction), made.figure)
     result = next(r for r in made.solution.results if r.name == "k_f")
     k = value_of(result, made.figure.values)
-    assert bool(rubbing.trouble) == math.isnan(k)
-    if rubbing.trouble:
+    assert bool(with_friction.trouble) == math.isnan(k)
+    if with_friction.trouble:
         return
-    assert rubbing.loads["P"] / rubbing.loads["F"] == pytest.approx(k, rel=1e-9)
-    assert_friction_is_of_its_size(rubbing, made)
+    assert with_friction.loads["P"] / with_friction.loads["F"] == pytest.approx(k, rel=1e-9)
+    assert_friction_is_of_its_size(with_friction, made)
 
 
 def value_of(result, values):
-    settled = dict(values)
+    known = dict(values)
     for definition in result.where:
-        settled[definition.name] = evaluate(definition.formula, settled)
-    held = all(evaluate(g.left, settled) > evaluate(g.right, settled) for g in result.guards)
-    return evaluate(result.formula, settled) if held else math.nan
+        known[definition.name] = evaluate(definition.formula, known)
+    held = all(evaluate(g.left, known) > evaluate(g.right, known) for g in result.guards)
+    return evaluate(result.formula, known) if held else math.nan
 
 
 def assert_joints_as_asked(diagram, made):
@@ -251,7 +253,7 @@ find k = P/F
 
 
 def test_a_lever():
-    ideal, rubbing = bodies_of(LEVER, F=300)
+    ideal, with_friction = bodies_of(LEVER, F=300)
     assert (ideal.per, ideal.loads) == ("", {"P": pytest.approx(100), "F": 300})
     (lever,) = ideal.bodies
     by = {a.by: a for a in lever.forces}
@@ -259,16 +261,16 @@ def test_a_lever():
     # P moves down, the lever turns clockwise, friction holds it counter-clockwise:
     # 300·0.1 = P·0.3 − (P + 300)·0.002.
     effort = 30.6 / 0.298
-    assert rubbing.loads["P"] == pytest.approx(effort)
-    ground = {a.by: a for a in rubbing.bodies[0].forces}["ground"]
+    assert with_friction.loads["P"] == pytest.approx(effort)
+    ground = {a.by: a for a in with_friction.bodies[0].forces}["ground"]
     assert ground.force == pytest.approx((0, effort + 300))
     assert ground.offset == pytest.approx(0.002)
 
 
 def test_an_unknown_size_is_one():
-    ideal, rubbing = bodies_of(LEVER)
-    assert ideal.per == rubbing.per == "F"
-    assert ideal.loads["F"] == rubbing.loads["F"] == 1
+    ideal, with_friction = bodies_of(LEVER)
+    assert ideal.per == with_friction.per == "F"
+    assert ideal.loads["F"] == with_friction.loads["F"] == 1
 
 
 def test_the_size_of_either_load_gives_the_other():
@@ -299,9 +301,9 @@ def test_loads_without_sizes_act_one_by_one_and_weights_together():
     (both,) = bodies_of(text, F=100)
     assert both.left_out == ()
     assert both.loads["P"] == pytest.approx(99.03325)
-    rubbing = text.replace("find P", "friction pin O 0.1 diameter 30 mm\nfind P")
-    assert [bool(d.trouble) for d in bodies_of(rubbing)] == [False, True, False, True]
-    assert not any(d.trouble for d in bodies_of(rubbing, F=100))
+    with_friction = text.replace("find P", "friction pin O 0.1 diameter 30 mm\nfind P")
+    assert [bool(d.trouble) for d in bodies_of(with_friction)] == [False, True, False, True]
+    assert not any(d.trouble for d in bodies_of(with_friction, F=100))
 
 
 def test_what_teeth_press_with_is_not_guessed():

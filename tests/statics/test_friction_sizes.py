@@ -75,7 +75,7 @@ def test_a_second_balance_is_found():
 
 @pytest.mark.parametrize("seed", [7, 51])
 def test_huge_frictions_accuse_nobody(seed):
-    text = train(seed).rubbing(Random(seed)).replace("param q = 1", "param q = 30")
+    text = train(seed).with_friction(Random(seed)).replace("param q = 1", "param q = 30")
     compilation = complete(Compilation(Source("train.mech", text)))
     assert not {"E601", "E602"} & {d.code for d in compilation.report.diagnostics}
 
@@ -98,7 +98,7 @@ find k = T/M
     assert not mechc.loads(text).warnings
 
 
-KNEE = """\
+TOGGLE = """\
 param alpha = {alpha} deg
 pivot E
 slider C along 0 deg
@@ -114,9 +114,9 @@ find k = Q/W
 
 
 @pytest.mark.parametrize(("alpha", "f"), [(89.9, 0.1), (89.99, 0.1), (89.7, 0.5)])
-def test_a_knee_that_is_all_but_straight_is_followed_to_the_force_that_releases_it(alpha, f):
+def test_a_toggle_that_is_all_but_straight_is_followed_to_the_force_that_releases_it(alpha, f):
     """Friction is so large there that a force and its opposite balance nearly alike."""
-    compilation = Compilation(Source("knee.mech", KNEE.format(alpha=alpha, f=f)))
+    compilation = Compilation(Source("toggle.mech", TOGGLE.format(alpha=alpha, f=f)))
     held = next(t for t in compilation.verdict.trials if t.result == "k_hold")
     by_hand = 2 * math.tan(math.radians(alpha) - math.asin(f * 10 / 80))
     assert held.statics == pytest.approx(by_hand, rel=1e-8)

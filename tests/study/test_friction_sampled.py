@@ -45,7 +45,7 @@ def opened(seed: int) -> Iterator[str]:
     drawn = given(seed, dice.choice((1, 1, 2))) if seed % 3 else train(seed)
     sample = pushing(drawn)
     if sample is not None:
-        yield sample.rubbing(Random(seed), said=bool(seed % 2))
+        yield sample.with_friction(Random(seed), said=bool(seed % 2))
 
 
 def hold(texts: Iterable[str]) -> int:

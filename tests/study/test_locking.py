@@ -21,7 +21,7 @@ from paths import LIBRARY
 
 SAMPLED = LOCALE.sampled
 
-KNEE = """
+ROD_TOGGLE = """
 param l = 100 mm
 param alpha = 10 deg in {low} deg .. 45 deg
 param d = 10 mm
@@ -128,8 +128,8 @@ def degrees(*angles: float) -> list[float]:
 # ------------------------------------------------------------------------- conditions
 
 
-def test_a_knee_locks_up_to_the_turn_of_its_rods():
-    (stretch,) = stretches(KNEE.format(low=0.1, more=""), "k_hold")
+def test_a_rod_toggle_locks_up_to_the_turn_of_its_rods():
+    (stretch,) = stretches(ROD_TOGGLE.format(low=0.1, more=""), "k_hold")
     assert stretch.state == "locked"
     assert stretch.low is not None
     assert stretch.low.is_dead_centre
@@ -143,14 +143,17 @@ def test_a_knee_locks_up_to_the_turn_of_its_rods():
 
 
 def test_the_condition_is_stated_where_it_is_out_of_range():
-    (stretch,) = stretches(KNEE.format(low=1, more=""), "k_hold")
+    (stretch,) = stretches(ROD_TOGGLE.format(low=1, more=""), "k_hold")
     assert stretch.high is not None
     assert stretch.high.exact is not None
     assert stretch.within is None
 
 
 def test_the_motion_named_releasing_locks_alike():
-    there, here = KNEE.format(low=0.1, more=""), KNEE.format(low=0.1, more="motion releasing")
+    there, here = (
+        ROD_TOGGLE.format(low=0.1, more=""),
+        ROD_TOGGLE.format(low=0.1, more="motion releasing"),
+    )
     assert stretches(there, "k_hold") == stretches(here, "k_f")
     assert course(here, "eta_k").least == 0
 
@@ -192,7 +195,7 @@ def test_a_crank_locks_where_its_arm_is_inside_the_friction_circle():
 
 
 def test_without_a_range_the_condition_is_stated_all_the_same():
-    description = KNEE.format(low=1, more="").replace(" in 1 deg .. 45 deg", "")
+    description = ROD_TOGGLE.format(low=1, more="").replace(" in 1 deg .. 45 deg", "")
     (reach,) = locking(description, "k_hold").reaches
     assert reach.range is None
     (stretch,) = reach.stretches
@@ -277,7 +280,7 @@ def stated(description: str, tmp_path, capsys, *command: str) -> str:
 
 
 def test_check_tells_the_condition(tmp_path, capsys):
-    out = stated(KNEE.format(low=0.1, more=""), tmp_path, capsys, "check")
+    out = stated(ROD_TOGGLE.format(low=0.1, more=""), tmp_path, capsys, "check")
     assert (
         "Self-locking: F alone cannot move the mechanism for alpha <= delta_OB (0.573 deg)" in out
     )
@@ -301,10 +304,10 @@ def test_the_report_tells_the_condition(language, tmp_path, capsys):
 @pytest.mark.parametrize(("command", "times"), [("check", 1), ("derive", 1)])
 def test_what_is_sampled_is_called_so_and_what_is_solved_is_not(command, times, tmp_path, capsys):
     """The end of self-locking is a formula here; the efficiency is looked at place by place."""
-    out = stated(KNEE.format(low=0.1, more=""), tmp_path, capsys, command)
+    out = stated(ROD_TOGGLE.format(low=0.1, more=""), tmp_path, capsys, command)
     assert out.count(SAMPLED) == times
     assert 0 < out.index("runs from") < out.index(SAMPLED)
-    (stretch,) = locking(KNEE.format(low=0.1, more=""), "k_hold").reaches[0].stretches
+    (stretch,) = locking(ROD_TOGGLE.format(low=0.1, more=""), "k_hold").reaches[0].stretches
     assert not stretch.sampled
 
 
@@ -345,7 +348,7 @@ def test_the_stroke_tells_where_nothing_moves():
 
 
 def test_the_table_of_the_stroke_tells_it_in_words(tmp_path, capsys):
-    out = stated(KNEE.format(low=0.1, more="drive alpha"), tmp_path, capsys, "stroke")
+    out = stated(ROD_TOGGLE.format(low=0.1, more="drive alpha"), tmp_path, capsys, "stroke")
     assert "k_hold: self-locking, the load alone moves nothing, from alpha = 0.1 deg" in out
     assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 from alpha" in out
 
@@ -359,7 +362,7 @@ def warned(description: str) -> list[str]:
 
 def test_a_constant_efficiency_is_held_against_friction():
     """δ = asin(f·d/l) turns the rods: η = tan α/tan(α + δ)."""
-    description = KNEE.format(low=1, more="efficiency 0.9").replace("d = 10", "d = 12")
+    description = ROD_TOGGLE.format(low=1, more="efficiency 0.9").replace("d = 10", "d = 12")
     (message,) = warned(description)
     assert message.startswith("W511 the efficiency is given as 0.9, but friction makes it 0.59")
     low, high = (
@@ -371,14 +374,18 @@ def test_a_constant_efficiency_is_held_against_friction():
 
 
 def test_a_constant_efficiency_near_the_truth_passes():
-    description = KNEE.format(low=1, more="efficiency 0.93").replace("1 deg .. 45", "7 deg .. 20")
+    description = ROD_TOGGLE.format(low=1, more="efficiency 0.93").replace(
+        "1 deg .. 45", "7 deg .. 20"
+    )
     assert not warned(description)
 
 
 @pytest.mark.parametrize(("low", "high", "seen"), [(1, 45, True), (7.3, 45, False)])
 def test_a_constant_efficiency_is_doubted_near_a_dead_centre(low, high, seen):
     """d ln tan α/dα = 2/sin 2α is 8 at 7.239°."""
-    description = KNEE.format(low=low, more="efficiency 0.9").replace("friction pins 0.1", "#")
+    description = ROD_TOGGLE.format(low=low, more="efficiency 0.9").replace(
+        "friction pins 0.1", "#"
+    )
     found = [w for w in warned(description) if w.startswith("W512")]
     assert bool(found) == seen
     if seen:
@@ -394,7 +401,7 @@ def test_an_efficiency_away_from_dead_centres_is_not_doubted(name):
 @pytest.mark.parametrize(("along", "k_f"), [("-x", 1 / 0.8), ("x", 0.8)])
 def test_an_efficiency_takes_from_the_load_that_drives(along, k_f):
     """With P's arrow turned round k is negative, and F drives."""
-    description = KNEE.format(low=8, more="efficiency 0.8").replace("friction pins 0.1", "#")
+    description = ROD_TOGGLE.format(low=8, more="efficiency 0.8").replace("friction pins 0.1", "#")
     found = mechc.loads(description.replace("B along -x", f"B along {along}")).evaluate()
     assert found["k_f"] / found["k"] == pytest.approx(k_f)
 
@@ -481,14 +488,14 @@ def test_faces_of_a_wedge_lock_between_both_slopes():
 
 def test_a_constant_efficiency_is_held_against_friction_that_is_iterated():
     """Beside a dead centre nothing arrives, on however short a stretch."""
-    description = f"{rubbing_everywhere('crank_rocker')}efficiency 0.97\n"
+    description = f"{with_friction_everywhere('crank_rocker')}efficiency 0.97\n"
     (message,) = (m for m in warned(description) if m.startswith("W511"))
     assert message.count("0 … 0.92 for phi") == 2
 
 
 def test_an_efficiency_is_that_of_whichever_load_drives():
-    """Beyond the dead centre F drives the knee along P, and P takes what arrives."""
-    mechanism = mechc.loads(KNEE.format(low=1, more=""))
+    """Beyond the dead centre F drives the toggle along P, and P takes what arrives."""
+    mechanism = mechc.loads(ROD_TOGGLE.format(low=1, more=""))
     alpha, turn = math.radians(10), math.asin(0.01)
     there, here = (mechanism.evaluate(alpha=a)["eta_k"] for a in (-alpha, alpha))
     assert here == pytest.approx(math.tan(alpha) / math.tan(alpha + turn))
@@ -500,7 +507,7 @@ def test_an_efficiency_is_that_of_whichever_load_drives():
 @pytest.mark.parametrize(("motion", "sense"), [("tightening", 1), ("releasing", -1)])
 def test_a_constant_efficiency_takes_from_whichever_load_drives(motion, sense):
     more = f"efficiency 0.8\nmotion {motion}"
-    description = KNEE.format(low=1, more=more).replace("friction pins 0.1", "#")
+    description = ROD_TOGGLE.format(low=1, more=more).replace("friction pins 0.1", "#")
     mechanism = mechc.loads(description)
     for alpha in (0.2, -0.2):
         found = mechanism.evaluate(alpha=alpha)
@@ -617,7 +624,7 @@ def test_lengths_are_stated_in_their_unit(tmp_path, capsys):
 
 
 def test_an_efficiency_that_does_not_vary_is_stated_as_one(tmp_path, capsys):
-    description = KNEE.format(low=1, more="").replace("pins 0.1", "pins 0")
+    description = ROD_TOGGLE.format(low=1, more="").replace("pins 0.1", "pins 0")
     out = stated(description, tmp_path, capsys, "check")
     assert "For 1 deg <= alpha <= 45 deg, eta_k is 1 throughout." in out
 
@@ -676,7 +683,8 @@ RUBBING = [
 ]  # fmt: skip
 
 OWN = {
-    "knee": KNEE.format(low=0.1, more=""), "wedge": WEDGE, "crank": CRANK.format(more=""),
+    "rod toggle": ROD_TOGGLE.format(low=0.1, more=""), "wedge": WEDGE,
+    "crank": CRANK.format(more=""),
     "slider crank": SLIDER_CRANK, "toggle": TOGGLE.format(r=140), "faces": FACES,
     "eccentric": ECCENTRIC, "nut": NUT,
     "yoke": """
@@ -701,14 +709,14 @@ find i = F / M
 }  # fmt: skip
 
 
-def rubbing_everywhere(name: str) -> str:
+def with_friction_everywhere(name: str) -> str:
     """Return a mechanism of the library with friction in all its pins."""
     source = (LIBRARY / f"{name}.mech").read_text(encoding="utf-8")
     lines = [line for line in source.splitlines() if not line.startswith("expect")]
     return "\n".join((*lines, "friction pins 0.1 diameter 6 mm", ""))
 
 
-OWN |= {name: rubbing_everywhere(name) for name in ("crank_rocker", "watt_closed")}
+OWN |= {name: with_friction_everywhere(name) for name in ("crank_rocker", "watt_closed")}
 
 
 def along(ends: tuple[float, float]) -> list[float]:

@@ -25,7 +25,7 @@ class Sample(NamedTuple):
         finds = (f"find {a}" for a in self.asked)
         return "\n".join([self.text, *finds, *more, ""])
 
-    def rubbing(self, dice: Random, *more: str, said: bool = True) -> str:
+    def with_friction(self, dice: Random, *more: str, said: bool = True) -> str:
         """Return the description with friction everywhere, ``q`` times as much as it says."""
         friction = friction_of(self.text, dice, said)
         return "\n".join([self.text, "param q = 1", *friction, *more, ""])

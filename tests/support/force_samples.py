@@ -113,9 +113,9 @@ def locked(error: MechcError) -> bool:
     return codes <= {"E278", "E507", "E604"}
 
 
-def rubbing(seed: int, sample: Sample, *more: str) -> Compiled | None:
+def with_friction(seed: int, sample: Sample, *more: str) -> Compiled | None:
     """Return the sample with friction, None where it locks at the default pose."""
-    text = sample.rubbing(Random(seed), *more)
+    text = sample.with_friction(Random(seed), *more)
     try:
         return compiled(text, f"friction_{seed}.mech")
     except MechcError as error:

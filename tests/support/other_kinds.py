@@ -52,15 +52,15 @@ def rope(dice: Random) -> str:
         f"pivot P{i}" for i in range(falls + 1) if any(f"P{i} " in s + " " for s in (*stops, start))
     ]
     straight = [s.split()[0] for s in stops[:-1] if s[0] == "P" and "u" not in "".join(stops)]
-    rubbing = [f"friction rope {name} mu wrap 180 deg" for name in straight]
+    with_friction = [f"friction rope {name} mu wrap 180 deg" for name in straight]
     lines = [ranged("t", dice, -80, 80, "deg"), ranged("u", dice, -40, 40, "deg")]
-    if rubbing and dice.random() < 0.5:
+    if with_friction and dice.random() < 0.5:
         lines.append(ranged("mu", dice, 0.01, 0.6))
     else:
-        rubbing = []
+        with_friction = []
     lines += [*pivots, "slider K along y", f"slider H along {hand}"]
     lines += [f"rope {start}, {', '.join(stops)}, H along {hand}"]
-    lines += [f"force P at H along {hand}", "force F at K along -y", *rubbing]
+    lines += [f"force P at H along {hand}", "force F at K along -y", *with_friction]
     return "\n".join([*lines, "find k = P/F"])
 
 

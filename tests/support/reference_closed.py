@@ -116,7 +116,7 @@ class Assembled:
             return False
         return True
 
-    def settle(self):
+    def assembled(self):
         """Solve all equations, by Newton's method on what may be more equations than unknowns."""
         for _ in range(60):
             f = np.array(list(self.equations(self.x)))
@@ -146,7 +146,7 @@ def ratio(compilation, tree, values, above, below):
     poses = {}
     for sign in (-1, 0, 1):
         moved = {**values, drive: values[drive] + sign * STEP * max(abs(values[drive]), 0.1)}
-        poses[sign] = Assembled(tree, moved, start).settle()
+        poses[sign] = Assembled(tree, moved, start).assembled()
     work = {name: _work(name, tree, poses) for name in (above, below)}
     return -work[below] / work[above]
 
