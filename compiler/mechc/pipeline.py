@@ -65,11 +65,16 @@ STAGES: Mapping[str, str] = {
 }
 """The stages in order, and the attribute of :class:`Pipeline` that holds each one's value."""
 
-SECOND_OPINIONS = ("verdict", "constant_efficiency", "findings", "out_of_step", "gaps")
+SECOND_OPINIONS = (
+    *("verdict", "constant_efficiency", "findings", "out_of_step", "gaps", "open_ranges"),
+)
 """The attributes that hold what statics, the user's ``expect`` lines and the drive say of it."""
 
 OF_LINKAGES = frozenset(
-    {"plan", "balance", "solution", "verdict", "constant_efficiency", "out_of_step", "gaps"}
+    {
+        *("plan", "balance", "solution", "verdict", "constant_efficiency", "out_of_step", "gaps"),
+        "open_ranges",
+    }
 )
 """The attributes that a calculation sheet has not: nothing moves in it, no force balances another.
 
@@ -252,6 +257,15 @@ class Pipeline:
         from .study.stroke.gaps import remark
 
         return self._sound(remark(self.plan, self.report))
+
+    @Stage
+    @of_linkages
+    def open_ranges(self) -> None:
+        """The remarks on ranges that reach to where a loop does not close."""
+        if self.pose.loops and any(p.range for p in self.pose.mechanism.parameters):
+            from .study.open_ranges import remark
+
+            remark(self.pose, self.report)
 
     @Stage
     def derivation(self) -> "Derivation":

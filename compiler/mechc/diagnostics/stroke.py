@@ -130,6 +130,23 @@ def not_assembled(
     )
 
 
+@coded("W284")
+def range_not_assembled(span: Span, name: str, low: str, high: str) -> Message:
+    """The range of a parameter reaches to where the mechanism cannot be assembled.
+
+    A loop does not close there, and code gives NaN. The ends of each range are looked at, the
+    other parameters at their values::
+
+        param r = 50 mm in 30 mm .. 300 mm     # warned of: with a rod of 200 mm
+        param r = 50 mm in 30 mm .. 150 mm     # right
+    """
+    parts = [f"below {low}"] * bool(low) + [f"above {high}"] * bool(high)
+    message = (
+        f"within the range of {name}, {' and '.join(parts)}, the mechanism cannot be assembled"
+    )
+    return Message(span, message, "narrow the range, or change the lengths")
+
+
 @coded("W591")
 def direction_stays(span: Span, link: str, drive: str) -> Message:
     """A link does not turn along the stroke as the joints make it turn.

@@ -1,7 +1,6 @@
-"""Angles and lengths that can be meant, and hardly ever are: too large, zero, far from others."""
+"""Angles and lengths that can be meant, and hardly ever are: too large, or zero."""
 
 import math
-from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from ..diagnostics import Diagnostic
@@ -10,23 +9,19 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..source import Span
-from ..units import ANGLE, LENGTH
+from ..units import ANGLE
 from .entries import body_through, directions
 from .joint_friction import RopeFriction
 from .mechanism import (
     Absolute,
     Arrow,
     Mechanism,
-    Offset,
     Parameter,
 )
 from .tolerances import SAME_VALUE
 from .values import Chain, Values, defaults
 
 TURN = 2 * math.pi * (1 + SAME_VALUE)
-
-FAR = 100.0
-"""How many times a length is the largest, or the smallest, of the others: 35 is met in books."""
 
 FARTHEST = 1e6
 """Lengths in metres beyond which a vector is as good as infinite."""
@@ -149,39 +144,3 @@ def _reach(
     if parameter.tolerance is not None and value is not None:
         size = evaluate(parameter.tolerance, {})
         yield from ((value + sign * size, "the tolerance") for sign in (-1, 1))
-
-
-def far_off_lengths(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
-    """Yield the largest length that is far from the rest.
-
-    Those written in place, as in ``OA = 100 mm @ x``, give the size of a mechanism, too.
-    """
-    written = [f for g in mechanism.geometry for f in _lengths(g)]
-    plain = [abs(evaluate(f, {})) for f in written if not symbols(f) and evaluate(f, {})]
-    used = {name for f in written for name in symbols(f)}
-    lengths = [p for p in mechanism.parameters if p.dimension == LENGTH and p.name in used]
-    given = [p for p in lengths if values.get(p.name) and not p.dependent]
-    units = Counter(p.unit for p in given)
-    if len(units) not in (1, 2):
-        return
-    sizes = {p.name: abs(values[p.name]) for p in given}
-    alone = [p for p in given if len(units) == 1 or units[p.unit] == 1]
-    for parameter in sorted(alone, key=lambda p: -sizes[p.name]):
-        size = sizes[parameter.name]
-        others = [*plain, *(s for name, s in sizes.items() if name != parameter.name)]
-        if len(others) < 3 - len(units):
-            continue
-        if size > FAR * max(others) or size * FAR < min(others):
-            other = next(iter(units.keys() - {parameter.unit}), "")
-            yield messages.length_far_off(parameter.given, parameter.name, parameter.unit, other)
-            return
-
-
-def _lengths(entry: object) -> tuple[Formula, ...]:
-    match entry:
-        case Arrow(length=length) if length is not None:
-            return (length,)
-        case Offset(x=x, y=y):
-            return (x, y)
-        case _:
-            return ()

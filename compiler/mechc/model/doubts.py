@@ -9,15 +9,19 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..source import Span
-from .doubtful_sizes import beyond_a_turn, far_off_lengths, vanishing_lengths
+from .doubtful_sizes import beyond_a_turn, vanishing_lengths
 from .entries import body_through
+from .far_lengths import far_off
 from .mechanism import (
     Absolute,
     Along,
     Direction,
     Find,
     Force,
+    ForcePair,
     Link,
+    LoadForm,
+    LoadRatio,
     Mechanism,
     Offset,
     Pivot,
@@ -38,13 +42,14 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     values = chain.complete(defaults(mechanism))
     yield from beyond_a_turn(mechanism)
     yield from vanishing_lengths(mechanism, chain, values)
-    yield from far_off_lengths(mechanism, values)
+    yield from far_off(mechanism, values)
     yield from _asked_twice(mechanism.finds)
     yield from _coinciding(mechanism, values)
     yield from _within(mechanism.links)
     yield from _of_ground(mechanism)
     yield from _along_a_link(mechanism)
     yield from _held(mechanism)
+    yield from _idle(mechanism)
     yield from _without_value(mechanism, values)
     yield from _of_no_size(mechanism, values)
     if mechanism.friction.joints:
@@ -108,6 +113,17 @@ def _held(mechanism: Mechanism) -> Iterator[Diagnostic]:
     for telescope in mechanism.telescopes:
         if body := body_through(telescope.points, mechanism):
             yield messages.telescope_between_fixed(telescope.span, telescope.name, body)
+
+
+def _idle(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    """Yield the telescopes in which nothing acts, where forces are looked at."""
+    if not any(isinstance(find.target, LoadForm | LoadRatio) for find in mechanism.finds):
+        return
+    acting = [{k.first, k.second} for k in mechanism.loads if isinstance(k, ForcePair)]
+    for telescope in mechanism.telescopes:
+        is_held = bool(body_through(telescope.points, mechanism))
+        if set(telescope.points) not in acting and not is_held:
+            yield messages.idle_telescope(telescope.span, telescope.name)
 
 
 # --------------------------------------------------------------- what is asked for

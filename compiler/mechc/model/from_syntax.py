@@ -13,6 +13,7 @@ from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
 from . import drawn, translations
+from .beyond_ranges import beyond_ranges
 from .doubts import doubts
 from .driven import checked
 from .forces.force_pairs import inside_telescopes, spring_name
@@ -73,10 +74,12 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     warn_idle(mechanism.joints, points)
     _warn_lonely(points)
     mechanism = for_readers(mechanism, file, report.source)
+    for doubt in doubts(mechanism) if not sheet else ():
+        report.add(doubt)
+    for doubt in beyond_ranges(mechanism, report):
+        report.add(doubt)
     if sheet:
         return mechanism
-    for doubt in doubts(mechanism):
-        report.add(doubt)
     return with_names(checked(mechanism, report), file, scope.constants.values())
 
 

@@ -7,7 +7,10 @@ from ..diagnostics.model import names as messages
 from ..frozen import replace
 from ..syntax import ast
 
-REPEATABLE = (ast.Find, ast.Expect, ast.Require, ast.Assembly, ast.Telescope, ast.Reported)
+REPEATABLE = (
+    *(ast.Find, ast.Expect, ast.Require, ast.Assembly, ast.Telescope, ast.Reported),
+    *(ast.Slot, ast.Contact, ast.Gear, ast.Belt, ast.Rack, ast.Screw, ast.Rope),
+)
 """Statements of which no rule says that they may not stand twice."""
 
 S = TypeVar("S", bound=ast.Statement)

@@ -53,9 +53,21 @@ def length_far_off(span: Span, name: str, unit: str, others: str) -> Message:
     """
     if not others:
         message = f"'{name}' is over a hundred times larger or smaller than every other length"
-        return Message(span, message, "has it digits too many or too few?")
+        return Message(span, message, "is its unit right, or has it digits too many or too few?")
     message = f"'{name}' is in {unit}, and far from the other lengths, which are in {others}"
     return Message(span, message, "is its unit right?")
+
+
+@coded("W266")
+def place_far_off(span: Span, point: str) -> Message:
+    """A point is drawn a hundred times farther from all others than these are apart.
+
+    A at (20 mm, 35 mm)
+    B at (80 m, 60 mm)     # warned of
+    B at (80 mm, 60 mm)    # right
+    """
+    message = f"{point} is drawn over a hundred times farther away than the other points are apart"
+    return Message(span, message, "are the units of its coordinates right?")
 
 
 @coded("W248")
@@ -184,7 +196,7 @@ def telescope_between_fixed(span: Span, name: str, body: str) -> Message:
 
 @coded("W255")
 def of_no_size(span: Span, what: str) -> Message:
-    """A load, a mass or the rate of a spring is zero: it has no influence.
+    """A load, a mass, the rate of a spring or the speed of a drive is zero: it has no influence.
 
     let F = 0 N              # warned of
     weight W mass 0 kg at G  # warned of
@@ -194,6 +206,105 @@ def of_no_size(span: Span, what: str) -> Message:
     return Message(
         span, f"{what} is zero, so it has no influence", "give its size, or leave it out"
     )
+
+
+@coded("W286")
+def strange_gravity(span: Span, value: float) -> Message:
+    """The acceleration of free fall is far from that of any planet: its unit is wrong.
+
+    param g = 9.81 mm/s^2     # warned of
+    param g = 9810 mm/s^2     # right
+    param g = 1.62 m/s^2      # right, on the Moon
+    """
+    message = f"'g', the acceleration of free fall where there are weights, is {value:.4g} m/s^2"
+    return Message(span, message, "is its unit right? 9.81 m/s^2 is 9810 mm/s^2")
+
+
+@coded("W278")
+def weight_in_mass(span: Span, digits: str) -> Message:
+    """A mass is multiplied by the acceleration of free fall, and ``weight`` does that again.
+
+    weight W mass 100 kg * 9.81 at G     # warned of: a weight of 9620 N
+    weight W mass 100 kg at G            # right: 981 N
+    """
+    message = f"a mass is multiplied by {digits}, and a weight is the mass times g already"
+    return Message(span, message, f"leave out the {digits}: `weight` takes the mass")
+
+
+@coded("W277")
+def idle_telescope(span: Span, name: str) -> Message:
+    """Nothing acts in a telescope, so that it bears no force and may as well be left out.
+
+    A telescope is a cylinder or a spring strut: an actuator or a spring between its ends::
+
+        telescope CA
+        actuator P between C and B     # warned of: P acts beside the telescope
+        actuator P between C and A     # right
+    """
+    message = f"no actuator and no spring acts between the ends of telescope {name}"
+    hint = "it bears nothing so: let an actuator or a spring act between its ends, or leave it out"
+    return Message(span, message, hint)
+
+
+@coded("W280")
+def tolerance_of_all(span: Span) -> Message:
+    """The tolerance of an expected figure is as large as the figure, so that it tests little.
+
+    expect k = 0.353 +- 1      # warned of: zero agrees, too
+    expect k = 0.353 +- 1e-3   # right
+    """
+    message = "the tolerance is as large as the figure, so that zero agrees with it"
+    return Message(span, message, "is a digit or a unit too many?")
+
+
+@coded("W281")
+def condition_of_one_value(span: Span, name: str) -> Message:
+    """A condition of use holds at one value of a parameter: code gives NaN at any other.
+
+    require alpha = 10 deg     # warned of
+    param alpha = 10 deg       # right: its value
+    param beta = 2*alpha       # right: what follows from another
+    """
+    message = f"this condition holds at one value of {name}, and at any other code gives NaN"
+    return Message(span, message, f"a value is given where it is declared: `param {name} = …`")
+
+
+@coded("W282")
+def condition_of_constants(span: Span) -> Message:
+    """A condition names nothing that could vary: it holds always, or never.
+
+    require 1 < 2                        # warned of
+    let c = 0.3 when 5 mm < 6 mm else 1  # warned of
+    require a < 2 mm                     # right
+    """
+    hint = "name what the condition is about, as in `a < 2 mm`"
+    return Message(span, "this condition compares constants, so that it states nothing", hint)
+
+
+@coded("W285")
+def setting_outside_range(span: Span, name: str, declared: Span) -> Message:
+    """An expected figure is for a value of a parameter outside its range.
+
+    param alpha = 10 deg in 2 deg .. 40 deg
+    expect k = 11.3 at alpha = 80 deg           # warned of
+    """
+    related = (Related(declared, f"the range of {name}"),)
+    message = f"'{name}' is set outside its range"
+    return Message(span, message, "correct the value, or widen the range", related)
+
+
+@coded("W279")
+def area_for_square(span: Span, digits: str, unit: str, power: str) -> Message:
+    """A number in square units stands where that of a length is squared, behind pi.
+
+    The power belongs to the unit: 50 mm^2 are fifty square millimetres::
+
+        let A = pi*50 mm^2/4       # warned of: 39 mm^2
+        let A = pi*(50 mm)^2/4     # right: 1963 mm^2
+    """
+    kind = {"2": "square", "3": "cubic", "4": "fourth"}[power]
+    message = f"{digits} {unit}^{power} is a number of {kind} units, not a power of {digits} {unit}"
+    return Message(span, message, f"write ({digits} {unit})^{power}")
 
 
 @coded("W256")

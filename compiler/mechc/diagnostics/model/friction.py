@@ -74,11 +74,56 @@ def senseless(span: Span, what: str, value: str) -> Message:
 
         friction pins -0.1 diameter 10 mm     # wrong
     """
-    in_per_cent = what == "an efficiency" and not value.startswith("-")
+    in_per_cent = what == "an efficiency" and not value.startswith(("-", "0"))
     hint = "look at its sign" if value.startswith("-") else "write one above 0"
     if in_per_cent:
         hint = "is it in per cent? A hundredth is written 0.01"
     return Message(span, f"{what} of {value} makes no sense", hint)
+
+
+@coded("E421")
+def axle_fills_roller(span: Span, axle: float, wheel: float) -> Message:
+    """The axle of a roller is as thick as the roller, or thicker.
+
+    The two diameters stand in this order; exchanged they make friction larger than it is.
+
+        friction roller A 0.1 axle 40 mm wheel 10 mm     # wrong
+        friction roller A 0.1 axle 10 mm wheel 40 mm     # right
+    """
+    message = f"the axle is {axle * 1000:g} mm thick and its roller {wheel * 1000:g} mm"
+    return Message(span, message, "the axle has the smaller diameter: are they exchanged?")
+
+
+@coded("W274")
+def friction_of_no_pins(span: Span) -> Message:
+    """Friction of all pins is given, and nothing turns on a pin.
+
+    Wedges, racks and plungers slide: they have guides and contacts.
+
+        slide WX along x
+        friction pins 0.1 diameter 10 mm     # warned of where no link turns
+        friction slider W 0.1                # right: the guide of the slide
+    """
+    hint = "give the guides and contacts theirs, as in `friction slider K 0.1`, or leave it out"
+    return Message(span, "there is no pin that could have this friction", hint)
+
+
+@coded("W276")
+def steep_thread(span: Span, point: str, climb: float, diameter: float) -> Message:
+    """The thread of a screw climbs at more than 45 deg, as hardly a thread does.
+
+    Mostly the unit of the pitch or of the diameter is wrong, or a number of one of them.
+
+        screw A pitch 600 mm on OB
+        friction screw A 0.12 thread 30 mm     # warned of: 81 deg
+    """
+    message = (
+        f"the thread of {diameter * 1000:g} mm at {point} climbs at {climb:.3g} deg, "
+        "expected less than 45 deg"
+    )
+    return Message(
+        span, message, "check the pitch, which is the travel of a turn, and the diameter"
+    )
 
 
 @coded("E420")

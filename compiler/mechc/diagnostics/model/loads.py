@@ -33,6 +33,26 @@ def load_given_again(span: Span, load: str, first: Span) -> Message:
     return Message(span, f"load '{load}' is given twice", "remove one of the two", related)
 
 
+@coded("E331")
+def known_load_asked_for(span: Span, load: str, is_weight: bool, first: Span) -> Message:
+    """A weight whose mass is given, or a spring, is asked for.
+
+    It has its value already; balance gives that of another load::
+
+        weight W mass 60 kg at G
+        find W                      # wrong
+        find P                      # right: what balances W
+        find k = P/W                # right: their ratio
+
+    Where balance is to give a force, let it be one: `force W at G along -y`.
+    """
+    related = (Related(first, "its value comes from here"),)
+    what = "its mass gives it" if is_weight else "its spring gives it"
+    hint = "ask for the load that balances it"
+    hint += f", or let it be a force: `force {load} at … along -y`" if is_weight else ""
+    return Message(span, f"'{load}' is asked for, and {what}", hint, related)
+
+
 @coded("E262")
 def times_not_positive(span: Span, found: str) -> Message:
     """The factor behind ``times`` is not positive.

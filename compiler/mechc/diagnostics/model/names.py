@@ -341,8 +341,9 @@ def lonely_point(span: Span, point: str, link: str) -> Message:
 def stated_again(span: Span, first: Span) -> Message:
     """A line stands twice.
 
-    A ``find``, an ``expect``, a ``require``, an ``assembly`` or a ``telescope`` that is
-    written over again changes nothing; perhaps a copied line was to be changed.
+    A ``find``, an ``expect``, a ``require``, an ``assembly``, a ``telescope``, or a joint such
+    as a ``slot`` or a ``gear`` that is written over again changes nothing; perhaps a copied line
+    was to be changed.
 
         expect k = 2*tan(alpha)
         expect k = 2*tan(alpha)     # warned of

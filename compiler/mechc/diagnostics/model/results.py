@@ -115,6 +115,30 @@ def not_a_setting(span: Span, name: str, kind: str) -> Message:
     return Message(span, message, f"set the parameters that '{name}' follows from")
 
 
+@coded("E330")
+def set_twice(span: Span, name: str) -> Message:
+    """The values behind ``at`` set one parameter twice.
+
+    expect k = 0.35 at alpha = 10 deg, alpha = 12 deg     # wrong
+    expect k = 0.35 at alpha = 10 deg, beta = 12 deg      # right
+    """
+    return Message(span, f"'{name}' is set twice", "leave one out, or write an `expect` for each")
+
+
+@coded("W263")
+def named_as_with_friction(span: Span, name: str, stem: str) -> Message:
+    """A ratio has a name such as results with friction have, and is the ideal one.
+
+    With friction every ratio comes out twice, under names of its own: of ``find k = P/F`` the
+    ideal one is ``k``, that with friction ``k_f``::
+
+        find k_f = P/F     # warned of: k_f is ideal, and k_f_f has the friction
+        find k = P/F       # right: k and k_f
+    """
+    message = f"'{name}' is the ideal ratio here; that with friction is called '{name}_f'"
+    return Message(span, message, f"call it {stem}: then {stem}_f is that with friction")
+
+
 @coded("E287")
 def let_too_long(span: Span, name: str) -> Message:
     """A condition or expectation uses a ``let`` that would be very long in parameters.

@@ -53,6 +53,33 @@ def not_in_order(span: Span, name: str, before: Span) -> Message:
     return Message(span, f"'{name}' is not in order here", "put it in order", related)
 
 
+@coded("W283")
+def range_without_value(span: Span, name: str, value: str, why: str, ranged: Span) -> Message:
+    """The range of a parameter reaches to where a table, a list or a choice has no value.
+
+    Code gives NaN there. The ranges are sampled, each by itself, at a dozen places::
+
+        param v = 1 m/s in 0 m/s .. 5 m/s
+        table impact = 0 m/s: 1.0, 2 m/s: 1.5
+        let K = impact at v                    # warned of: the table ends at 2 m/s
+
+    A condition of one's own, `require v <= 2 m/s`, says the same to those who use the sheet.
+    """
+    related = (Related(ranged, f"the range of {name}"),)
+    message = f"within the range of {name}, at {value}: {why}"
+    return Message(span, message, "narrow the range, or complete what has no value there", related)
+
+
+@coded("E332")
+def size_not_positive(span: Span, name: str) -> Message:
+    """A list has a length that is zero or negative: no part has such a size.
+
+    list pins = -5 mm, 6 mm, 8 mm     # wrong
+    list pins = 5 mm, 6 mm, 8 mm      # right
+    """
+    return Message(span, f"a size of list '{name}' is not positive", "look at its sign")
+
+
 @coded("E213")
 def other_unit(span: Span, name: str, unit: str, found: Dimension, wanted: Dimension) -> Message:
     """A formula is to be shown in a unit of something else than it measures::

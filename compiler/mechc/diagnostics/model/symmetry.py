@@ -22,9 +22,11 @@ def halves_apart(at: Span, along: str) -> Message:
 
 @coded("W242")
 def copies_apart(at: Span) -> Message:
-    """Equal branches share no point, so that each is a mechanism of its own.
+    """Equal branches share no point that moves, so that each is a mechanism of its own.
 
     copies 3               # warned of: k is that of one branch alone
+    copies 3 sharing O     # warned of where O is a pivot
     copies 3 sharing K     # right: K belongs to all three
     """
-    return Message(at, "the copies share no point, so each stands alone", "add `sharing K`")
+    message = "the copies share no point that moves, so each stands alone"
+    return Message(at, message, "add `sharing K`")

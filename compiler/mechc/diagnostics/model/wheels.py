@@ -153,7 +153,7 @@ def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool)
 
 @coded("E236")
 def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Message:
-    """The wheels of a belt stand where they overlap.
+    """The wheels of a belt stand where they overlap, or touch one another.
 
     A belt runs round both wheels in one plane, so that their pivots are farther apart than
     the sum of their radii::
@@ -163,6 +163,7 @@ def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Messa
         belt O 40 mm, Q 30 mm     # wrong: 70 mm
         belt O 20 mm, Q 30 mm     # right
     """
-    message = f"the wheels on {pivots} are {apart * 1000:.7g} mm apart and overlap"
+    so = "overlap" if apart < radii * (1 - 1e-9) else "touch"
+    message = f"the wheels on {pivots} are {apart * 1000:.7g} mm apart and {so}"
     hint = f"their radii make {radii * 1000:.7g} mm: are they diameters?"
     return Message(span, message, hint)

@@ -1,5 +1,6 @@
 """Friction: ``friction …``, ``motion …``, ``efficiency …``."""
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import assert_never
@@ -8,6 +9,7 @@ from ...diagnostics.model import collars as collar_messages
 from ...diagnostics.model import friction as messages
 from ...diagnostics.model import reactions as reactions_messages
 from ...formula.tree import Call, Formula, number, product, total
+from ...source import Span
 from ...syntax import ast
 from ...units import LENGTH, NUMBER
 from ..formulas.expressions import Reader
@@ -40,6 +42,9 @@ from .pins import Pins, remark_on_pairs
 TransmissionFriction = (
     ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction | ast.CollarFriction
 )
+
+STEEPEST = 45.0
+"""Degrees beyond which hardly a thread climbs, and friction has its smallest part."""
 
 
 def _kind_and_point(joint: JointFriction) -> tuple[object, ...]:
@@ -208,6 +213,10 @@ def _roller(
     point = statement.point.text
     if not _is_guided(statement.point, built, scope) or f is None or axle is None or wheel is None:
         return
+    thick, wide = value_of(axle, scope), value_of(wheel, scope)
+    if thick is not None and wide is not None and thick >= wide:
+        scope.report.add(messages.axle_fills_roller(statement.axle.span, thick, wide))
+        return
     axle = scope.named("d", point, axle, LENGTH, statement.axle.span)
     wheel = scope.named("D", point, wheel, LENGTH, statement.wheel.span)
     factor = product([(f, 1), (axle, 1), (wheel, -1)])
@@ -255,6 +264,7 @@ def _transmission(
     elif isinstance(statement, ast.ScrewFriction):
         thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
         if thread is not None:
+            _remark_on_lead(here[0], thread, statement.thread.span, scope)
             thread = scope.named("d", point.text, thread, LENGTH, span)
             yield ThreadFriction(here[0].id, point.text, f, thread, span)
     elif isinstance(statement, ast.CollarFriction):
@@ -263,6 +273,16 @@ def _transmission(
             scope.report.add(collar_messages.thrust_of_a_screw(statement.thrust.span, point.text))
         elif radius is not None:
             yield CollarFriction(here[0].id, point.text, f, radius, span)
+
+
+def _remark_on_lead(screw: Screw, thread: Formula, span: Span, scope: Scope) -> None:
+    """Say that a thread climbs more steeply than 45 deg."""
+    pitch, diameter = value_of(screw.pitch, scope), value_of(thread, scope)
+    if pitch is None or diameter is None:
+        return
+    climb = math.degrees(math.atan2(abs(pitch), math.pi * diameter))
+    if climb > STEEPEST:
+        scope.report.add(messages.steep_thread(span, screw.point, climb, diameter))
 
 
 def _transmissions(

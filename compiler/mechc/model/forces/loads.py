@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from fractions import Fraction
 
+from ...diagnostics.model import doubts, names
 from ...diagnostics.model import loads as messages
 from ...diagnostics.model import lowering as lowering_messages
-from ...diagnostics.model import names
 from ...formula.evaluate import evaluate
 from ...formula.tree import (
     Call,
@@ -27,9 +27,9 @@ from ...formula.walk import symbols
 from ...source import Span
 from ...syntax import ast
 from ...units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension
-from ..constants import number_of, rational
+from ..constants import leaves, number_of, rational
 from ..entries import drawn_places, vector_between
-from ..formulas.directions import check_sign, read_direction
+from ..formulas.directions import check_sign, read_direction, value_of
 from ..formulas.expressions import Reader
 from ..formulas.order import ordered
 from ..formulas.parameters import constant
@@ -40,6 +40,7 @@ from ..mechanism import (
     Arrow,
     Direction,
     Force,
+    ForcePair,
     Load,
     Mechanism,
     Offset,
@@ -50,11 +51,18 @@ from ..names.scope import DESCRIPTION, TIE, Scope
 from ..statements import every, only
 from .force_pairs import carrying, read_force_pair
 
+LEAST_G, MOST_G = 0.1, 100.0
+"""Accelerations of free fall, in m/s^2, between which all are that somebody works with."""
+
+G_IN_DIGITS = ("9.8", "9.80", "9.81", "9.807", "9.8066", "9.80665")
+"""How the acceleration of free fall is written as a plain number."""
+
 
 def read_loads(file: ast.File, built: Mechanism, scope: Scope) -> list[Load]:
     """Return every load in the order of the file; lengths are those of what was ``built``."""
     gravity = _gravity(file, scope)
     is_mirrored = only(file, ast.Mirror) is not None
+    _remark_on_weight_in_mass(file, scope)
     loads: list[Load] = []
     for statement in file.statements:
         match statement:
@@ -189,7 +197,12 @@ def _acceleration(scope: Scope) -> Formula | None:
     if declared is None:
         return GRAVITY
     what = "'g', the acceleration of free fall where there are weights"
-    return Reader(scope, DESCRIPTION).wanted(ast.Symbol("g", declared), ACCELERATION, what)
+    g = Reader(scope, DESCRIPTION).wanted(ast.Symbol("g", declared), ACCELERATION, what)
+    check_sign(g, declared, "the acceleration of free fall", scope)
+    value = value_of(g, scope) if g else None
+    if value is not None and value > 0 and not LEAST_G < value < MOST_G:
+        scope.report.add(doubts.strange_gravity(declared, value))
+    return g
 
 
 def _gravity(file: ast.File, scope: Scope) -> Direction | None:
@@ -265,9 +278,41 @@ def _check_ties(loads: Sequence[Load], scope: Scope) -> None:
 
 
 def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> None:
-    """Report loads that are tied, or weights, and get a value by ``let`` as well."""
-    tied = {load.name: load.span for load in loads if load.tie}
+    """Report loads that are tied, weights and springs that get a value by ``let`` as well.
+
+    A weight whose mass has a value, and a spring, are not asked for either.
+    """
+    tied = {load.name: load for load in loads if load.tie}
     for let in every(file, ast.Let):
         name = let.name.text
         if name in tied:
-            scope.report.add(messages.load_given_again(let.span, name, tied[name]))
+            scope.report.add(messages.load_given_again(let.span, name, tied[name].span))
+    for find in every(file, ast.Find):
+        load = tied.get(find.target.name) if isinstance(find.target, ast.Symbol) else None
+        if load and _is_known(load, scope):
+            is_weight = not isinstance(load, ForcePair)
+            found = messages.known_load_asked_for(find.span, load.name, is_weight, load.span)
+            scope.report.add(found)
+
+
+def _is_known(load: Load, scope: Scope) -> bool:
+    """Return whether a load is a spring, or a weight whose mass has a value."""
+    match load:
+        case ForcePair(spring=True):
+            return True
+        case Force(weight=True, tie=tie) if tie is not None:
+            return value_of(tie, scope) is not None
+        case _:
+            return False
+
+
+def _remark_on_weight_in_mass(file: ast.File, scope: Scope) -> None:
+    """Say of a mass that is multiplied by 9.81, itself or the parameter that it is."""
+    values = {p.name.text: p.value for p in every(file, ast.Param) if p.value}
+    for statement in every(file, ast.Weight):
+        mass: ast.Expr | None = statement.mass
+        if isinstance(mass, ast.Symbol):
+            mass = values.get(mass.name)
+        for leaf in leaves(mass) if isinstance(mass, ast.Product) else ():
+            if isinstance(leaf, ast.Number) and not leaf.unit and leaf.digits in G_IN_DIGITS:
+                scope.report.add(doubts.weight_in_mass(leaf.span, leaf.digits))

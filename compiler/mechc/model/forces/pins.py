@@ -33,8 +33,12 @@ class Pins:
             return
         if statement.point is None:
             self._remark_on_overlap(statement)
-            for point in dict.fromkeys(p for body in self._bodies() for p in body.points):
-                if point not in self._named and self._is_pin(point):
+            points = dict.fromkeys(p for body in self._bodies() for p in body.points)
+            pins = [point for point in points if self._is_pin(point)]
+            if not pins and not self._built.ropes:
+                self._scope.report.add(messages.friction_of_no_pins(statement.span))
+            for point in pins:
+                if point not in self._named:
                     yield self._pin(point, radius, statement.span)
             return
         point = statement.point.text

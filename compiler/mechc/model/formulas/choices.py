@@ -4,12 +4,15 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
+from ...diagnostics.model import doubts
 from ...diagnostics.model import sheets as messages
 from ...formula.choices import CONDITIONS, NEAR
 from ...formula.evaluate import evaluate
 from ...formula.tree import Call, Formula, number
+from ...formula.walk import symbols
 from ...named import NamedTuple
 from ...syntax import ast
+from ...units import LENGTH
 from ..mechanism import Require, Subject
 from ..names.scope import FORMULA, Scope
 from ..statements import every
@@ -54,6 +57,7 @@ def read_tables(file: ast.File, scope: Scope) -> Tables:
     for listed in every(file, ast.Sizes):
         if sizes := _alike([constant(s, scope, "a size of a list") for s in listed.sizes], scope):
             _check_order(sizes, listed.name.text, scope)
+            _check_least(sizes[0], listed.name.text, scope)
             found.sizes[listed.name.text] = sizes
     return found
 
@@ -87,6 +91,12 @@ def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:
         if not _value(before) < _value(after):
             scope.report.add(messages.not_in_order(after.span, name, before.span))
             return
+
+
+def _check_least(least: Quantity, name: str, scope: Scope) -> None:
+    """Report a length, the first and smallest of a list, that is not positive."""
+    if least.dimension == LENGTH and not _value(least) > 0:
+        scope.report.add(messages.size_not_positive(least.span, name))
 
 
 def _value(quantity: Quantity) -> float:
@@ -273,6 +283,10 @@ def _branches(choice: ast.Choice, scope: Scope) -> Iterator[tuple[Formula, Quant
         pairs = [pair for c in branch.conditions for pair in _links(c, reader)]
         found = [pair for pair in pairs if pair]
         sound = value is not None and found and len(found) == len(pairs)
+        if sound and not symbols(*found):
+            operands = branch.conditions[0].operands
+            whole = operands[0].span.to(operands[-1].span)
+            reader.report.add(doubts.condition_of_constants(whole))
         condition = Call("both", tuple(found)) if len(found) > 1 else found[0] if found else None
         yield (condition, value) if sound and condition and value else None
 

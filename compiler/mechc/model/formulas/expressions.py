@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import assert_never
 
 from ...diagnostics import Report
-from ...diagnostics.model import names, quantities, reactions
+from ...diagnostics.model import doubts, names, quantities, reactions
 from ...formula.to_text import text
 from ...formula.tree import (
     PI,
@@ -27,6 +27,7 @@ from ...formula.tree import (
 )
 from ...frozen import frozen
 from ...named import NamedTuple
+from ...patterns import pattern
 from ...source import Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension
@@ -41,6 +42,9 @@ ANGLE_TO_NUMBER = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 NUMBER_TO_ANGLE = frozenset({"asin", "acos", "atan"})
 NUMBER_TO_NUMBER = frozenset({"exp", "log"})
 ALIKE = frozenset({"abs", "min", "max", "hypot", "atan2"})
+
+POWER_OF_LENGTH = pattern(r"(mm|cm|dm|m|in|ft)\^([234])")
+"""A unit that is a power of one of length."""
 
 
 def shown(formula: Formula) -> str:
@@ -255,11 +259,22 @@ class Reader:
         factors = [factor for factor in read if factor]
         if len(factors) < len(signs) or not self._divisible(factors, signs):
             return None
+        self._remark_on_powers(node)
         formula = product((f.formula, s) for f, s in zip(factors, signs, strict=True))
         sort = multiplied([(f.sort, s) for f, s in zip(factors, signs, strict=True)])
         if formula == ZERO and sort.nature is Nature.BARE:
             sort = Sort(NUMBER, Nature.ZERO)
         return Quantity(formula, sort, node.span)
+
+    def _remark_on_powers(self, node: ast.Product) -> None:
+        """Say of ``pi*50 mm^2`` that the power belongs to the unit: that of a length is meant."""
+        above = [factor for sign, factor in node.factors if sign > 0]
+        if not any(isinstance(factor, ast.Symbol) and factor.name == "pi" for factor in above):
+            return
+        for factor in above:
+            if isinstance(factor, ast.Number) and (found := POWER_OF_LENGTH.fullmatch(factor.unit)):
+                place = factor.span
+                self.report.add(doubts.area_for_square(place, factor.digits, found[1], found[2]))
 
     def _divisible(self, factors: list[Quantity], signs: list[int]) -> bool:
         for factor, sign in zip(factors, signs, strict=True):

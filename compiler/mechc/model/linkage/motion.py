@@ -3,13 +3,14 @@
 import math
 
 from ...diagnostics import Report, drawn, stroke
-from ...diagnostics.model import held
+from ...diagnostics.model import doubts, held
 from ...diagnostics.model import joints as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...syntax import ast
 from ...syntax.vocabulary import points_of
 from ...units import ANGLE, LENGTH, TIME, in_unit
+from ..formulas.directions import value_of
 from ..formulas.expressions import Reader
 from ..formulas.parameters import constant
 from ..mechanism import Assembly, Drive, Mechanism, Parameter
@@ -66,7 +67,10 @@ def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | No
     dimension = scope.entries[name.text].dimension
     if speed is None or dimension is None:
         return None
-    return Reader(scope, DESCRIPTION).wanted(speed, dimension.over(TIME), "the speed")
+    rate = Reader(scope, DESCRIPTION).wanted(speed, dimension.over(TIME), "the speed")
+    if rate is not None and value_of(rate, scope) == 0:
+        scope.report.add(doubts.of_no_size(speed.span, f"the speed of {name.text}"))
+    return rate
 
 
 def _link_ends(name: ast.Name, scope: Scope) -> tuple[str, str] | None:

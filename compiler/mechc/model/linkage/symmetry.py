@@ -132,6 +132,6 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
         shown = scope.report.source.written(span)
         scope.report.add(messages.copies_not_whole(span, shown))
         return None
-    if not statement.sharing:
+    if set(shared) <= {statement.point.text for statement in every(file, ast.Pivot)}:
         scope.report.add(apart_words.copies_apart(statement.span))
     return Copies(value, shared, statement.span)

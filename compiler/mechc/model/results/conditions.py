@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from ...diagnostics import Diagnostic, Report
 from ...diagnostics import uses as uses_messages
-from ...diagnostics.model import quantities
+from ...diagnostics.model import doubts, quantities
 from ...diagnostics.model import results as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
@@ -22,6 +22,7 @@ from ..formulas.sorts import Nature
 from ..mechanism import Expect, Find, Require, Subject
 from ..names.scope import CONDITION, EXPECTED, Scope
 from ..statements import every
+from ..tolerances import SAME_VALUE
 from ..values import Chain, Values, compare, holds
 from . import failures
 from .finds import read_target
@@ -59,6 +60,7 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         pairs = zip(formulas, statement.operators, formulas[1:], strict=False)
         place, dimension = statement.span, sort.dimension
         conditions = [Require(*pair, place, dimension=dimension) for pair in pairs]
+        _remark_on(conditions, found, scope)
         for condition in conditions if not scope.sheet else ():
             if not holds(condition, values):
                 scope.report.add(
@@ -69,6 +71,23 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         _refuse_without(found.requires, values, scope)
         return [*_ranges(found, lets, values, scope), *requires]
     return [*sorted(found.requires, key=lambda r: r.span), *requires]
+
+
+def _remark_on(conditions: Sequence[Require], found: Definitions, scope: Scope) -> None:
+    """Say of a condition that it names nothing, or that it holds at one value alone."""
+    for condition in conditions:
+        sides = condition.left, condition.right
+        if not symbols(*sides):
+            scope.report.add(doubts.condition_of_constants(condition.span))
+        elif condition.operator == "=":
+            free = [f.name for f in sides if isinstance(f, Symbol) and _is_free(f.name, found)]
+            if free:
+                scope.report.add(doubts.condition_of_one_value(condition.span, free[0]))
+
+
+def _is_free(name: str, found: Definitions) -> bool:
+    parameter = found.parameters.get(name)
+    return parameter is not None and not parameter.dependent
 
 
 def implied(found: Definitions) -> Iterator[Require]:
@@ -176,7 +195,12 @@ def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: 
     anything = value.sort.nature is Nature.ZERO
     dimension = None if anything else value.dimension
     found = read_tolerance(statement.tolerance, dimension, "of the figure", scope)
-    return Fraction(evaluate(found, {})) if found else Fraction(0)
+    if found is None:
+        return Fraction(0)
+    size = evaluate(found, {})
+    if 0 < abs(evaluate(formula, {})) <= size:
+        scope.report.add(doubts.tolerance_of_all(statement.tolerance.span))
+    return Fraction(size)
 
 
 def _subjects(
@@ -244,8 +268,20 @@ def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
                 quantities.bare_number(bare.span, bare.digits, value.dimension, name.span)
             )
         elif value and _suits(value, entry.dimension, f"the value of '{name.text}'", scope):
+            if name.text in at:
+                scope.report.add(messages.set_twice(name.span, name.text))
             at[name.text] = value.formula
+            _remark_on_setting(name, evaluate(value.formula, {}), scope)
     return at
+
+
+def _remark_on_setting(name: ast.Name, value: float, scope: Scope) -> None:
+    """Say that a parameter is set to a value outside its range."""
+    if ends := scope.ranges.get(name.text):
+        slack = SAME_VALUE * max(map(abs, ends))
+        if not ends[0] - slack <= value <= ends[1] + slack:
+            place = scope.entries[name.text].span
+            scope.report.add(doubts.setting_outside_range(name.span, name.text, place))
 
 
 def half_a_digit(value: ast.Expr) -> Fraction:

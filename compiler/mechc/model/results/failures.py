@@ -39,6 +39,12 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
             return messages.no_single_case(span, name, round(sides[0]))
 
 
+def broken_formula(condition: Require, values: Values, source: Source) -> str:
+    """Return what is said of a formula that has no value at these values."""
+    sides = evaluate(condition.left, values), evaluate(condition.right, values)
+    return failure(condition, sides, source).message
+
+
 def broken(condition: Require, values: Values, source: Source, lets: Container[str]) -> Diagnostic:
     """Return the warning at a condition of use of a mechanism that fails at these values.
 

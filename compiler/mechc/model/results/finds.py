@@ -57,6 +57,9 @@ FRICTIONS = (
     ast.RopeFriction,
 )
 
+SUFFIXES = ("_f", "_f1", "_hold")
+"""What the names of results with friction end in."""
+
 
 def read_finds(file: ast.File, scope: Scope) -> list[Find]:
     """Return every find and enter its name; points and loads are known by now.
@@ -69,11 +72,24 @@ def read_finds(file: ast.File, scope: Scope) -> list[Find]:
     sense: Sense = motion.sense if motion else "tightening"
     overridden = bool(every(file, ast.Efficiency))
     has_friction = any(isinstance(s, FRICTIONS) for s in file.statements) and not overridden
+    if has_friction:
+        _remark_on_names(file, scope)
     if has_friction or overridden:
         finds += [
             more for find in finds for more in _with_friction(find, sense, has_friction, scope)
         ]
     return finds
+
+
+def _remark_on_names(file: ast.File, scope: Scope) -> None:
+    """Say which results have a name as those with friction have, and are the ideal ones."""
+    for statement in every(file, ast.Find):
+        name = statement.name
+        if name is None or not isinstance(statement.target, ast.Product):
+            continue
+        stems = (name.text.removesuffix(end) for end in SUFFIXES if name.text.endswith(end))
+        if stem := next(stems, ""):
+            scope.report.add(messages.named_as_with_friction(name.span, name.text, stem))
 
 
 def _with_friction(find: Find, sense: Sense, has_friction: bool, scope: Scope) -> Iterator[Find]:

@@ -1,0 +1,90 @@
+"""Ranges of parameters that reach to where a table, a list or a choice has no value."""
+
+from collections.abc import Iterator, Mapping
+
+from ..diagnostics import Diagnostic, Report
+from ..diagnostics.model import sheets as messages
+from ..formula.choices import CONDITIONS, SIGNS
+from ..formula.evaluate import evaluate
+from ..formula.tree import Call, Formula, Symbol
+from ..formula.walk import symbols, walk
+from ..source import Source
+from ..units import in_unit
+from .mechanism import Mechanism, Parameter, Require
+from .results import failures
+from .values import Chain, Values, bounds, defaults, dependent, holds
+
+STEPS = 12
+"""Parts of a range, at whose ends it is looked at."""
+
+
+def beyond_ranges(mechanism: Mechanism, report: Report) -> Iterator[Diagnostic]:
+    """Yield, for each formula that has a value at the default pose, a range that leaves it none.
+
+    Each range of the description's own is run through by itself, where the conditions hold that
+    the user wrote. One that was remarked upon is left out.
+    """
+    source, said = report.source, {diagnostic.span for diagnostic in report.diagnostics}
+    given = [r for r in (*mechanism.requires, *mechanism.implied) if _is_of_a_formula(r)]
+    ranged = [p for p in mechanism.parameters if p.range and not p.dependent]
+    ranged = [p for p in ranged if p.span.end <= len(source.text) and p.span not in said]
+    if not given or not ranged:
+        return
+    written = [r for r in mechanism.requires if r.subject is None]
+    lets: Mapping[str, Formula] = {let.name: let.value for let in mechanism.lets}
+    chain, values = Chain({**lets, **dependent(mechanism)}), defaults(mechanism)
+    values = {name: value for name, value in values.items() if name not in lets}
+    start = chain.complete(values)
+    sound = [r for r in given if holds(r, start)]
+    for parameter in ranged:
+        for require in [r for r in sound if parameter.name in _needs(r, chain)]:
+            own = [w for w in written if _formula(require) not in _needs(w, chain)]
+            for value in _along(parameter, require):
+                known = chain.complete({**values, parameter.name: value})
+                if not holds(require, known) and all(holds(w, known) for w in own):
+                    sound.remove(require)
+                    yield _said(require, parameter, value, known, source)
+                    break
+
+
+def _is_of_a_formula(require: Require) -> bool:
+    return require.subject is not None and require.subject.kind != "pose"
+
+
+def _needs(require: Require, chain: Chain) -> set[str]:
+    return chain.needed_by(symbols(require.left) | symbols(require.right))
+
+
+def _formula(require: Require) -> str:
+    assert require.subject is not None
+    return require.subject.let
+
+
+def _along(parameter: Parameter, require: Require) -> Iterator[float]:
+    """Yield the ends of a range, then what is between, and what the parameter is compared with.
+
+    A choice may have values one by one, ``4 mm when n = 2``, and none between.
+    """
+    low, high = bounds(parameter)
+    yield from (low, high)
+    compared = [f for f in walk(require.left) if isinstance(f, Call) and f.function in SIGNS]
+    if CONDITIONS["="] not in (call.function for call in compared):
+        yield from (low + (high - low) * step / STEPS for step in range(1, STEPS))
+        limits = (f for call in compared for f in _against(parameter.name, call))
+        yield from (limit for limit in limits if low < limit < high)
+
+
+def _against(name: str, comparison: Call) -> Iterator[float]:
+    """Yield the constant that a parameter itself is compared with."""
+    if Symbol(name) in comparison.arguments:
+        others = (f for f in comparison.arguments if not symbols(f))
+        yield from (evaluate(other, {}) for other in others)
+
+
+def _said(
+    require: Require, parameter: Parameter, value: float, known: Values, source: Source
+) -> Diagnostic:
+    shown = in_unit(value, parameter.unit, 4) if parameter.unit else f"{value:.4g}"
+    why = failures.broken_formula(require, known, source)
+    name, ranged = parameter.name, parameter.span
+    return messages.range_without_value(require.span, name, shown, why, ranged)

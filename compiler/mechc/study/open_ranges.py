@@ -1,0 +1,78 @@
+"""Ranges of parameters that reach to where the mechanism cannot be assembled."""
+
+import math
+from collections.abc import Mapping
+
+from ..diagnostics import Report
+from ..diagnostics import stroke as messages
+from ..formula.continuation import continued
+from ..formula.evaluate import status
+from ..formula.tree import Formula, Implicit
+from ..model.mechanism import Parameter
+from ..model.values import Chain, Values, allowed, bounds, defaults, dependent
+from ..pose.pose import Pose
+from ..units import in_unit, si_unit
+
+HALVINGS = 40
+"""After so many nothing is left of a range that is shown."""
+
+
+def remark(pose: Pose, report: Report) -> None:
+    """Report W284 for each range at an end of which a loop does not close, the rest at default.
+
+    The drive's is left to its stroke.
+    """
+    mechanism, drive = pose.mechanism, pose.mechanism.drive
+    closing = _Closing(pose)
+    if not closing.is_closed({}):
+        return
+    for parameter in mechanism.parameters:
+        is_driven = drive is not None and drive.parameter == parameter.name and drive.low
+        if parameter.range and parameter.value and not parameter.dependent and not is_driven:
+            low, high = (_last(parameter, end, closing) for end in bounds(parameter))
+            if low is not None or high is not None:
+                shown = tuple(_shown(end, parameter) for end in (low, high))
+                place = parameter.span
+                report.add(messages.range_not_assembled(place, parameter.name, *shown))
+
+
+class _Closing:
+    """Whether the loops close at values of parameters, and the conditions of use hold."""
+
+    def __init__(self, pose: Pose) -> None:
+        self._pose = pose
+        self._definitions: Mapping[str, Formula] = dict(pose.definitions)
+        self._chain = Chain({**dependent(pose.mechanism), **self._definitions}, continued)
+        self.defaults = defaults(pose.mechanism)
+        self._given = {**dict.fromkeys(pose.placeholders, 1.0), **self.defaults}
+
+    def is_closed(self, given: Values) -> bool:
+        """Return whether there is a pose, or none that a condition of use allows.
+
+        Where iteration finds none there may be one.
+        """
+        values = self._chain.complete({**self._given, **given})
+        named = ((n, f) for n, f in self._definitions.items() if n in values)
+        broken = next((f for n, f in named if not math.isfinite(values[n])), None)
+        if broken is None or (isinstance(broken, Implicit) and status(broken, values) == 2):
+            return True
+        return not allowed(self._pose.mechanism, values)
+
+
+def _last(parameter: Parameter, end: float, closing: _Closing) -> float | None:
+    """Return the value nearest to an end of a range at which the loops close; None at the end."""
+    name, good, bad = parameter.name, closing.defaults[parameter.name], end
+    if closing.is_closed({name: bad}):
+        return None
+    for _ in range(HALVINGS):
+        middle = (good + bad) / 2
+        if closing.is_closed({name: middle}):
+            good = middle
+        else:
+            bad = middle
+    return good
+
+
+def _shown(value: float | None, parameter: Parameter) -> str:
+    unit = parameter.unit or si_unit(parameter.dimension)
+    return "" if value is None else in_unit(value, unit, 6)
