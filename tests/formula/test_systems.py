@@ -8,8 +8,9 @@ import pytest
 
 from mechc.formula.continuation import continued
 from mechc.formula.derivative import derivative
+from mechc.formula.elimination import eliminate, quick
 from mechc.formula.evaluate import evaluate, solution
-from mechc.formula.newton import Way, eliminate
+from mechc.formula.newton import Way
 from mechc.formula.to_sympy import to_sympy
 from mechc.formula.to_text import text
 from mechc.formula.tree import (
@@ -122,6 +123,20 @@ def test_elimination_tells_the_determinants_sign() -> None:
         assert right == pytest.approx(list(expected))
     assert eliminate([[1.0, 2.0], [2.0, 4.0]], [1.0, 2.0]) == 0
     assert eliminate([[math.nan]], [1.0]) == 0
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 5, 8, 9])
+def test_elimination_written_out_has_the_bits_of_that_in_loops(size: int) -> None:
+    chance = random.Random(size)
+    for round_ in range(40):
+        digits = 0 if round_ % 4 == 0 else 17  # whole numbers: equal pivots, nothing to take off
+        numbers = [round(chance.uniform(-2, 2), digits) for _ in range(size * (size + 1))]
+        rows = [numbers[i * size : (i + 1) * size] for i in range(size)]
+        one, other = numbers[-size:], numbers[-size:]
+        sign = eliminate([list(row) for row in rows], one)
+        assert quick(size)([list(row) for row in rows], other) == sign
+        assert not sign or repr(other) == repr(one)
+    assert quick(size)([[math.nan] * size] * size, [1.0] * size) == 0
 
 
 # ------------------------------------------------------------------------- as formulas

@@ -9,8 +9,9 @@ from ..named import NamedTuple
 from ..work import LIMIT, Allowance, at_most, spend
 from .choices import chosen
 from .derivative import jacobian
+from .elimination import Matrix
 from .functions import FUNCTIONS
-from .newton import Equations, Matrix, Status, Way, scale, side_of
+from .newton import Equations, Status, Way, scale, side_of
 from .straight_line import Solution, StraightLine
 from .tree import (
     Call,

@@ -11,7 +11,8 @@ import math
 from collections.abc import Callable, Sequence
 
 from ..named import NamedTuple
-from .newton import Equations, eliminate
+from .elimination import eliminate
+from .newton import Equations
 
 STEP, SHORTEST = 0.06, 1e-7
 """Steps along the curve, in radians; lengths are measured in sizes of the mechanism."""

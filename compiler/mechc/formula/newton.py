@@ -17,9 +17,8 @@ from collections.abc import Callable, Sequence
 from typing import Literal
 
 from ..named import NamedTuple
-from ..work import spend
+from .elimination import Elimination, Matrix, eliminate
 
-Matrix = list[list[float]]
 Equations = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
 """Residuals and Jacobian at values of the unknowns and of the outer symbols."""
 
@@ -57,8 +56,11 @@ TINY = 1e-11
 ROUGH = 1e-2
 """A correction behind which a step that does not end the path may follow."""
 
-CUBES = 24
-"""An elimination takes a third of the cube of its size, eight times as fast as algebra's steps."""
+GUESSED = 1e-4
+"""What takes a guess to the solution that it is all but equal to, at most."""
+
+FEW = 4
+"""Corrections that this takes at most."""
 
 ROUNDING = 1e-17
 """Nor is one needed that is expected, from how the last two shrank, to be below this."""
@@ -77,13 +79,15 @@ class Way(NamedTuple):
     """What stays the same on all ways to solutions of a system on one branch.
 
     ``side`` is the sign of the Jacobian's determinant where the branch is known, ``scales`` are
-    those of the unknowns there; ``corrections`` is how many one way may take.
+    those of the unknowns there; ``corrections`` is how many one way may take, and ``solve`` how the
+    equations of each are solved.
     """
 
     equations: Equations
     side: int
     scales: Sequence[float]
     corrections: int = CORRECTIONS
+    solve: Elimination = eliminate
 
     def follow(
         self, anchor: Sequence[float], start: Sequence[float], outer: Sequence[float]
@@ -105,7 +109,7 @@ class Way(NamedTuple):
         for _ in range(self.corrections):
             aim = reached + step
             here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
-            sign, correction = _correction(self.equations, found, here)
+            sign, correction = self._correction(found, here)
             size = _norm(correction, self.scales)
             if not (sign == self.side != 0 and _shrinks(size, last)):
                 found, step, last = base, step / 2, 0.0
@@ -120,18 +124,38 @@ class Way(NamedTuple):
                 step = min(2 * step, longest, 1.0 - reached)
         return 1 if step < SHORTEST else 2, tuple(base)
 
+    def beside(self, guess: Sequence[float], outer: Sequence[float]) -> tuple[float, ...] | None:
+        """Return the solution that a guess is all but equal to; None where it is not.
+
+        >>> circle = lambda x, p: ([x[0] * x[0] - p[0]], [[2 * x[0]]])
+        >>> Way(circle, 1, [1.0]).beside([2.00001], [4.0])
+        (2.0,)
+        >>> Way(circle, 1, [1.0]).beside([2.1], [4.0])
+        """
+        found, last = list(guess), GUESSED / CONTRACTION
+        for _ in range(FEW):
+            sign, correction = self._correction(found, outer)
+            size = _norm(correction, self.scales)
+            if not (sign == self.side != 0 and _shrinks(size, last)):
+                return None
+            found = [x - c for x, c in zip(found, correction, strict=True)]
+            if _is_precise(size, last):
+                return tuple(found)
+            last = size
+        return None
+
+    def _correction(
+        self, unknowns: Sequence[float], outer: Sequence[float]
+    ) -> tuple[int, list[float]]:
+        """Return the sign of the Jacobian's determinant, and what Newton's step takes off."""
+        residuals, matrix = self.equations(unknowns, outer)
+        return self.solve(matrix, residuals), residuals
+
 
 def side_of(equations: Equations, unknowns: Sequence[float], outer: Sequence[float]) -> int:
     """Return the sign of the Jacobian's determinant."""
-    return _correction(equations, unknowns, outer)[0]
-
-
-def _correction(
-    equations: Equations, unknowns: Sequence[float], outer: Sequence[float]
-) -> tuple[int, list[float]]:
-    """Return the sign of the Jacobian's determinant, and what Newton's step takes off."""
     residuals, matrix = equations(unknowns, outer)
-    return eliminate(matrix, residuals), residuals
+    return eliminate(matrix, residuals)
 
 
 def _longest(anchor: Sequence[float], outer: Sequence[float]) -> float:
@@ -157,43 +181,3 @@ def _shrinks(size: float, last: float) -> bool:
 def _is_precise(size: float, last: float) -> bool:
     """Return whether the next correction would be below rounding."""
     return size <= TINY or size * size * size <= ROUNDING * last * last
-
-
-def eliminate(matrix: Matrix, right: list[float]) -> int:
-    """Solve ``matrix · x = right`` in place, rows exchanged for the largest pivot.
-
-    ``right`` becomes x. Return the sign of the determinant, 0 where there is no solution.
-    """
-    size, sign = len(right), 1
-    spend(size**3 // CUBES)
-    for k in range(size):
-        best, largest = k, abs(matrix[k][k])
-        for i in range(k + 1, size):
-            if abs(matrix[i][k]) > largest:
-                best, largest = i, abs(matrix[i][k])
-        if not 0 < largest < math.inf:
-            return 0
-        if best != k:
-            matrix[k], matrix[best] = matrix[best], matrix[k]
-            right[k], right[best] = right[best], right[k]
-            sign = -sign
-        sign = -sign if matrix[k][k] < 0 else sign
-        _clear(matrix, right, k)
-    for k in reversed(range(size)):
-        row, known = matrix[k], right[k]
-        for j in range(k + 1, size):
-            known -= row[j] * right[j]
-        right[k] = known / row[k]
-    return sign
-
-
-def _clear(matrix: Matrix, right: list[float], pivot: int) -> None:
-    """Take a row off those below it, so that nothing is left there in the pivot's column."""
-    top, above = matrix[pivot], right[pivot]
-    columns = range(pivot + 1, len(right))
-    for i in columns:
-        row = matrix[i]
-        if times := row[pivot] / top[pivot]:
-            for j in columns:
-                row[j] -= times * top[j]
-            right[i] -= times * above

@@ -91,7 +91,8 @@ def roots(function: Function, grid: Sequence[float]) -> list[Root]:
     """
     values = [function(x) for x in grid]
     size = max((abs(y) for y in values if math.isfinite(y)), default=0.0)
-    found = [Root(grid[i], 0.0) for i in range(len(grid)) if _alone(values, i, size)]
+    zeros = (i for i, y in enumerate(values) if y == 0)
+    found = [Root(grid[i], 0.0) for i in zeros if _alone(values, i, size)]
     for (a, b), (u, v) in zip(pairwise(grid), pairwise(values), strict=True):
         if u * v < 0 and max(abs(u), abs(v)) > NOISE * size:
             root = narrowed(function, a, b)
@@ -156,9 +157,9 @@ def _is_steady(function: Function, jump: Jump, range_: float, most: float) -> bo
 
 
 def _alone(values: Sequence[float], i: int, size: float) -> bool:
-    """Return whether this is a zero on its own; the function may be zero but for rounding."""
-    beside = [abs(v) for v in (*values[max(i - 1, 0) : i], *values[i + 1 : i + 2])]
-    return values[i] == 0 and any(v > NOISE * size for v in beside)
+    """Return whether a zero is one on its own; the function may be zero but for rounding."""
+    beside = (*values[max(i - 1, 0) : i], *values[i + 1 : i + 2])
+    return any(abs(v) > NOISE * size for v in beside)
 
 
 class _At(NamedTuple):
@@ -207,10 +208,11 @@ def _cut(here: _At, far: _At, last: _At, cuts: int) -> float:
 def _touched(
     function: Function, grid: Sequence[float], values: Sequence[float], size: float
 ) -> Iterator[Root]:
+    sizes = list(map(abs, values))
     for i in range(1, len(grid) - 1):
-        before, here, after = (abs(v) for v in values[i - 1 : i + 2])
-        alike = values[i - 1] * values[i] > 0 and values[i] * values[i + 1] > 0
-        if alike and here <= min(before, after) and max(before, after) - here > NOISE * size:
+        before, here, after = sizes[i - 1 : i + 2]
+        dips = before >= here <= after and max(before, after) - here > NOISE * size
+        if dips and values[i - 1] * values[i] > 0 and values[i] * values[i + 1] > 0:
             yield from _lowest(function, (grid[i - 1], grid[i + 1]), values[i], size)
 
 

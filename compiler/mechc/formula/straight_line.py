@@ -7,7 +7,7 @@ constants stand, and takes a third of that.
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from operator import itemgetter
 from typing import Any, assert_never
@@ -48,6 +48,17 @@ NESTED = 32
 
 UNDEFINED = (ZeroDivisionError, ValueError, OverflowError, TypeError)
 """Raised where a function has no value, or by None for an argument that has none."""
+
+
+def in_order(names: Sequence[str]) -> Callable[[Mapping[str, float]], Sequence[float]]:
+    """Return the function that takes values of names, in this order, from among others.
+
+    >>> in_order(["b", "a"])({"a": 1.0, "b": 2.0, "c": 3.0})
+    (2.0, 1.0)
+    """
+    if len(names) > 1:
+        return itemgetter(*names)
+    return lambda values: [values[name] for name in names]
 
 
 class StraightLine:

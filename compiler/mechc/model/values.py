@@ -8,7 +8,7 @@ import operator
 from collections.abc import Callable, Iterable, Mapping
 
 from ..formula.evaluate import Evaluation, evaluate, solver
-from ..formula.straight_line import Solution, StraightLine
+from ..formula.straight_line import Solution, StraightLine, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
 from ..units import ANGLE, LENGTH
@@ -104,12 +104,12 @@ class _Code:
         followed: list[tuple[str, Formula]],
         solved: Callable[[System], Solution],
     ) -> None:
-        self._known, self._names = known, [name for name, _ in followed]
+        self._given, self._names = in_order(known), [name for name, _ in followed]
         self._code = StraightLine(list(map(Symbol, self._names)), known, solved, followed)
 
     def complete(self, values: Values) -> dict[str, float]:
         """Return values with those that follow from them."""
-        found = self._code.at([values[name] for name in self._known])
+        found = self._code.at(self._given(values))
         return {**values, **dict(zip(self._names, found, strict=True))}
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ...formula import newton
+from ...formula.elimination import eliminate
 from ...formula.evaluate import evaluate
 from ...formula.walk import symbols
 from ...named import NamedTuple
@@ -61,6 +61,6 @@ def _inverse(matrix: list[list[float]]) -> list[list[float]]:
     columns = []
     for i in range(len(matrix)):
         unit = [float(i == j) for j in range(len(matrix))]
-        newton.eliminate([[*row] for row in matrix], unit)
+        eliminate([[*row] for row in matrix], unit)
         columns.append(unit)
     return [list(row) for row in zip(*columns, strict=True)]

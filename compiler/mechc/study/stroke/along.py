@@ -1,18 +1,23 @@
 """Values along the drive: parameters, what follows from them, results."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from functools import cached_property
+from typing import TypeVar
 
 from ...algebra.product import Product
 from ...formula.continuation import continued
 from ...formula.evaluate import status
+from ...formula.roots import Function
 from ...formula.rounded_columns import Column, RoundedColumns
 from ...formula.rounding import EPS, Rounded, Rounding
+from ...formula.straight_line import in_order
 from ...formula.tree import Formula, Implicit
+from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.result import Result
-from ...model.values import Chain, Values, allowed, defaults, dependent
-from .forms import Form, form
+from ...model.values import Chain, Values, defaults, dependent
+from .forms import form, holding, together
 
 NOT_ASSEMBLED = "cannot be assembled"
 NOT_FOUND = "iteration finds no pose"
@@ -20,8 +25,19 @@ NO_POSE = (NOT_ASSEMBLED, NOT_FOUND)
 EXCLUDED = "excluded by a condition of use"
 
 
-_Known = tuple[Formula, Result | None, Form, dict[float, float]]
-"""What was asked for, which keeps its identity, its code, and its values along the drive."""
+T = TypeVar("T")
+
+
+def _keeping(value: Callable[[Values], T], at: Callable[[float], Values]) -> Callable[[float], T]:
+    """Return what is computed of the values at a value of the drive, each once."""
+    known: dict[float, T] = {}
+
+    def function(x: float) -> T:
+        if x not in known:
+            known[x] = value(at(x))
+        return known[x]
+
+    return function
 
 
 class Along:
@@ -33,18 +49,21 @@ class Along:
         assert pose.mechanism.drive is not None
         self._drive = pose.mechanism.drive.parameter
         self.defaults = defaults(pose.mechanism)
+        self._given = {**dict.fromkeys(pose.placeholders, 1.0), **self.defaults}
         self._definitions = dict(pose.definitions)
         formulas = {**dependent(pose.mechanism), **self._definitions, **lets}
         self._chain = Chain(formulas, continued)
         bound = {name: value.formula() for name, value in plan.bindings}
         self._inner = Chain({**dict(pose.closing), **bound})
-        self._open = dict.fromkeys(pose.placeholders, 1.0)
+        self._default = self.defaults.get(self._drive, 0.0)
+        fixed = {name: v for name, v in self._given.items() if name != self._drive}
+        self._fixed = self._chain.complete(fixed)
+        self._fixed_inside = self._inner.complete(self._fixed)
         self._near = 2 * EPS * max(map(abs, ends), default=0.0)
         self._known: dict[float, Values] = {}
         self._known_inside: dict[float, Values] = {}
         self._troubles: dict[float, str] = {}
-        self._forms: dict[tuple[int, int], _Known] = {}
-        self._codes: dict[int, tuple[Product, Form]] = {}
+        self._functions: dict[tuple[int, int], tuple[Formula, Result | None, Function]] = {}
 
     @property
     def closing(self) -> Iterable[str]:
@@ -53,12 +72,17 @@ class Along:
 
     def given(self, x: float) -> Values:
         """Return the given values at a value of the drive."""
-        return {**self._open, **self.defaults, self._drive: x}
+        return {**self._given, self._drive: x}
+
+    @cached_property
+    def _names(self) -> Set[str]:
+        """Return the names that have values along the drive."""
+        return self.values(self._default).keys()
 
     def values(self, x: float) -> Values:
         """Return the value of every name that has one, at a value of the drive."""
         if x not in self._known:
-            self._known[x] = self._chain.complete(self.given(x))
+            self._known[x] = self._chain.complete({**self._fixed, self._drive: x})
         return self._known[x]
 
     def rounding(self, x: float) -> Rounding:
@@ -77,7 +101,7 @@ class Along:
         rows = len(drives)
         given = {
             name: Column([value] * rows, [EPS * abs(value)] * rows)
-            for name, value in {**self._open, **self.defaults}.items()
+            for name, value in self._given.items()
         }
         given[self._drive] = Column(drives, [self._near] * rows)
         named = RoundedColumns(given, rows).with_definitions(self._chain.definitions)
@@ -89,14 +113,32 @@ class Along:
         It has none either where a condition of the result is broken; where the result has a
         form for elsewhere, its value is that of the form that stands.
         """
-        values = self.values(x)
+        return self.function(formula, where)(x)
+
+    def function(self, formula: Formula, where: Result | None) -> Function:
+        """Return the same as a function of the drive, which keeps its values."""
         key = id(formula), id(where)
-        if key not in self._forms:
-            self._forms[key] = formula, where, form(formula, where, values.keys()), {}
-        _, _, value, known = self._forms[key]
-        if x not in known:
-            known[x] = value(values)
-        return known[x]
+        if key not in self._functions:
+            value = form(formula, where, self._names)
+            self._functions[key] = formula, where, _keeping(value, self.values)
+        return self._functions[key][2]
+
+    def together(self, values: Sequence[Product]) -> list[Function]:
+        """Return what the compiler found on its way as functions that are found all at once.
+
+        But for rounding they have the values of :meth:`inside`.
+        """
+        names = self._inner.complete(self.values(self._default)).keys()
+        formulas = [value.formula() for value in values]
+        known = [formula for formula in formulas if symbols(formula) <= names]
+        found = _keeping(together(known, names), self._inside)
+        places = {id(formula): i for i, formula in enumerate(known)}
+
+        def function(formula: Formula) -> Function:
+            i = places.get(id(formula))
+            return (lambda x: math.nan) if i is None else lambda x: found(x)[i]
+
+        return [*map(function, formulas)]
 
     def inside(self, value: Product, x: float) -> float:
         """Return the value of something that the compiler found on its way, NaN at a pole."""
@@ -105,17 +147,10 @@ class Along:
         except (KeyError, ZeroDivisionError, ValueError, OverflowError):
             return math.nan
 
-    def in_code(self, value: Product, x: float) -> float:
-        """Return the same, but for rounding, from code that is made once for a whole stroke."""
-        values = self._inside(x)
-        if id(value) not in self._codes:
-            self._codes[id(value)] = value, form(value.formula(), None, values.keys())
-        return self._codes[id(value)][1](values)
-
     def _inside(self, x: float) -> Values:
         """Return the values of names that the compiler found on its way, too."""
         if x not in self._known_inside:
-            self._known_inside[x] = self._inner.complete(self.values(x))
+            self._known_inside[x] = self._inner.complete({**self._fixed_inside, **self.values(x)})
         return self._known_inside[x]
 
     def trouble(self, x: float) -> str:
@@ -125,10 +160,23 @@ class Along:
         return self._troubles[x]
 
     def _trouble(self, values: Values) -> str:
+        if not all(map(math.isfinite, self._found(values))):
+            return self._open_loop(values)
+        return "" if self._is_allowed(values) else EXCLUDED
+
+    @cached_property
+    def _found(self) -> Callable[[Values], Sequence[float]]:
+        """Return the function that takes what loops give from among values."""
+        return in_order([name for name in self._definitions if name in self._names])
+
+    @cached_property
+    def _is_allowed(self) -> Callable[[Values], bool]:
+        return holding(self.mechanism.requires, self._names)
+
+    def _open_loop(self, values: Values) -> str:
+        """Return why a loop has no value."""
         named = ((n, f) for n, f in self._definitions.items() if n in values)
         broken = next((f for n, f in named if not math.isfinite(values[n])), None)
         if isinstance(broken, Implicit) and status(broken, values) == 2:
             return NOT_FOUND
-        if broken is not None:
-            return NOT_ASSEMBLED
-        return "" if allowed(self.mechanism, values) else EXCLUDED
+        return NOT_ASSEMBLED

@@ -23,11 +23,16 @@ TOUCHING = 0.25
 
 def branch_points(pose: Pose, along: Along, grid: Sequence[float]) -> tuple[Branch, ...]:
     """Return the branch points between the first and the last point of a grid, in their order."""
+    margins = [(limit.loop, margin) for limit in pose.limits for margin in limit.margins]
+    slopes = {
+        i: slope for i, (_, m) in enumerate(margins) if (slope := _slope(m, pose)) is not None
+    }
+    curves = along.together([*(margin for _, margin in margins), *slopes.values()])
+    sloping = dict(zip(slopes, curves[len(margins) :], strict=True))
     found = [
-        Branch(limit.loop, *root)
-        for limit in pose.limits
-        for margin in limit.margins
-        for root in _touched(margin, pose, along, grid)
+        Branch(loop, *root)
+        for i, (loop, _) in enumerate(margins)
+        for root in _touched(curves[i], sloping.get(i), grid)
     ]
     kept: list[Branch] = []
     for branch in sorted(found, key=lambda b: (b.loop, b.drive)):
@@ -38,22 +43,17 @@ def branch_points(pose: Pose, along: Along, grid: Sequence[float]) -> tuple[Bran
     return tuple(sorted(kept, key=lambda b: b.drive))
 
 
-def _touched(product: Product, pose: Pose, along: Along, grid: Sequence[float]) -> Iterator[Root]:
-    def margin(x: float) -> float:
-        return along.in_code(product, x)
-
+def _touched(margin: Function, slope: Function | None, grid: Sequence[float]) -> Iterator[Root]:
     size = max((abs(v) for v in map(margin, grid) if v == v), default=0.0)
-    for root in _turning(margin, _slope(product, pose), along, grid):
+    for root in _turning(margin, slope, grid):
         if abs(margin(root.x)) <= VANISHED_MARGIN * size:
             yield root
 
 
-def _turning(
-    margin: Function, slope: Product | None, along: Along, grid: Sequence[float]
-) -> Iterator[Root]:
+def _turning(margin: Function, slope: Function | None, grid: Sequence[float]) -> Iterator[Root]:
     """Yield where a margin may be least; one that only changes its sign is the end of a loop."""
     if slope is not None:
-        yield from roots(lambda x: along.in_code(slope, x), grid)
+        yield from roots(slope, grid)
         return
     values = [margin(x) for x in grid]
     for i in range(1, len(grid) - 1):

@@ -80,7 +80,7 @@ def extrema(
     result: Analysis, drive: str, along: Along, grid: Sequence[float]
 ) -> Iterator[Extremum]:
     """Yield the extrema between values that lie close together."""
-    values = [along.of(result.formula, result, x) for x in grid]
+    values = [*map(along.function(result.formula, result), grid)]
     least = CONSTANT * _usual(values)
     for i in range(1, len(grid) - 1):
         before, here, after = values[i - 1 : i + 2]
@@ -119,7 +119,8 @@ def _turning(
     """Return the value between two others at which a result turns: where its slope is 0."""
     slope = (result.derivatives or {}).get(drive)
     if slope is not None:
-        found = roots(lambda x: along.of(slope, result, x), within)
+        found = roots(along.function(slope, result), within)
         if found:
             return found[0].x
-    return lowest(lambda x: sense * along.of(result.formula, result, x), *within)
+    size = along.function(result.formula, result)
+    return lowest(lambda x: sense * size(x), *within)

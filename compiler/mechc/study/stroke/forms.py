@@ -4,8 +4,10 @@ import math
 from collections.abc import Callable, Sequence, Set
 
 from ...formula.evaluate import straight_line
+from ...formula.straight_line import in_order
 from ...formula.tree import Formula
 from ...formula.walk import symbols
+from ...model.mechanism import Require
 from ...model.result import Result
 from ...model.values import Values, compare
 
@@ -23,7 +25,7 @@ def form(formula: Formula, where: Result | None, names: Set[str]) -> Form:
     if where is None:
         return _value(formula, definitions, known, names)
     asked = _value(formula, definitions, known, names)
-    is_sound = _guarded(where, definitions, known, names)
+    is_sound = holding(where.guards, names, definitions, known)
     if where.elsewhere is None:
         return lambda values: asked(values) if is_sound(values) else math.nan
     own = asked if formula is where.formula else _value(where.formula, definitions, known, names)
@@ -55,22 +57,35 @@ def _value(formula: Formula, definitions: Definitions, known: Set[str], names: S
     """Return the function that computes one formula."""
     if not symbols(formula) <= known:
         return lambda values: math.nan
-    code = _code([formula], definitions, names)
-    return lambda values: code(values)[0]
+    at, given = _code([formula], definitions, names)
+    return lambda values: at(given(values))[0]
 
 
-def _guarded(
-    where: Result, definitions: Definitions, known: Set[str], names: Set[str]
+def together(formulas: Sequence[Formula], names: Set[str]) -> Callable[[Values], Sequence[float]]:
+    """Return formulas in names that have values as one code."""
+    at, given = _code(formulas, (), names)
+    return lambda values: at(given(values))
+
+
+def holding(
+    conditions: Sequence[Require],
+    names: Set[str],
+    definitions: Definitions = (),
+    known: Set[str] | None = None,
 ) -> Callable[[Values], bool]:
-    """Return the function that says whether a result's conditions hold, of known names."""
-    guards = [g for g in where.guards if symbols(g.left) | symbols(g.right) <= known]
+    """Return the function that says whether conditions hold, of those that have a value.
+
+    They may rest on definitions; ``known`` are the names that then have values.
+    """
+    known = names if known is None else known
+    guards = [g for g in conditions if symbols(g.left) | symbols(g.right) <= known]
     if not guards:
         return lambda values: True
-    sides = _code([s for g in guards for s in (g.left, g.right)], definitions, names)
+    sides, given = _code([s for g in guards for s in (g.left, g.right)], definitions, names)
     relations = [guard.operator for guard in guards]
 
     def holds(values: Values) -> bool:
-        found = sides(values)
+        found = sides(given(values))
         return all(map(compare, found[::2], relations, found[1::2]))
 
     return holds
@@ -78,8 +93,11 @@ def _guarded(
 
 def _code(
     formulas: Sequence[Formula], definitions: Definitions, names: Set[str]
-) -> Callable[[Values], list[float]]:
-    """Return the function that computes formulas, and those definitions that they need."""
+) -> tuple[Callable[[Sequence[float]], list[float]], Callable[[Values], Sequence[float]]]:
+    """Return the function that computes formulas and those definitions that they need.
+
+    With it comes the function that takes what it needs from among values.
+    """
     needed = frozenset[str]().union(*map(symbols, formulas))
     followed = list[tuple[str, Formula]]()
     for name, formula in reversed(definitions):
@@ -87,5 +105,4 @@ def _code(
             followed.insert(0, (name, formula))
             needed |= symbols(formula)
     given = sorted(needed & names)
-    code = straight_line(formulas, given, followed)
-    return lambda values: code.at([values[name] for name in given])
+    return straight_line(formulas, given, followed).at, in_order(given)

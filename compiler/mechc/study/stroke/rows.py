@@ -35,7 +35,8 @@ def columns(run: Run, asked: Asked) -> Iterator[Filled]:
         yield Filled(column, partial(run.along.inside, velocity.value), velocity.value.formula())
     for name, angle in named(transmissions(run.pose), angles_at_pins(run.pose)):
         yield Filled(Column(name, ANGLE, "angle"), partial(_angle, run.along, angle))
-    yield from path_columns(asked, run.along, unit_of)
+    if asked.quantities:
+        yield from path_columns(asked, run.along, unit_of)
 
 
 def _results(run: Run, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:

@@ -57,7 +57,7 @@ class Run:
 
     def values(self, formula: Formula, of: Analysis) -> Callable[[float], float]:
         """Return a formula of a result as a function of the drive."""
-        return lambda x: self.along.of(formula, of, x)
+        return self.along.function(formula, of)
 
     def within(self, stretch: StrokeInterval) -> list[float]:
         """Return the values at which a stretch is looked at."""

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cache, partial
+from functools import partial
 from itertools import pairwise
 from typing import Literal
 
@@ -71,7 +71,7 @@ def singular_poses(
             exact = _exact(vanishing, drive, along, root)
             known.append(root.x)
             yield Singular(result.name, value, vanishing.cause, *root, exact)
-    size = cache(lambda x: along.of(result.formula, result, x))
+    size = along.function(result.formula, result)
     for root in _other_zeros(size, grid, known):
         yield Singular(result.name, "0", "other", *root, None)
     for broken in result.breaks:
@@ -110,10 +110,7 @@ def roots_at(
     grid: Sequence[float],
 ) -> Iterator[Root]:
     """Yield where on a stretch a result's factor vanishes."""
-
-    def factor(x: float) -> float:
-        return along.of(vanishing.factor, result, x)
-
+    factor = along.function(vanishing.factor, result)
     yield from roots(factor, grid)
     yield from _at_the_ends(factor, stretch)
 

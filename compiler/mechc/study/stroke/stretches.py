@@ -29,14 +29,15 @@ def stretches_of(run: Run) -> tuple[list[StrokeInterval], list[Branch]]:
     """Return the stretches in order, and the branch points at which some of them end."""
     found, crossings = list[StrokeInterval](), list[Branch]()
     start = End(run.grid[0], "") if stands(run, run.grid[0]) else None
-    for a, b in pairwise(run.grid):
-        if stands(run, b) == stands(run, a):
+    standing = [stands(run, x) for x in run.grid]
+    for (a, b), (before, after) in zip(pairwise(run.grid), pairwise(standing), strict=True):
+        if after == before:
             continue
-        end = _end(run, a, b) if stands(run, b) else _end(run, b, a)
+        end = _end(run, a, b) if after else _end(run, b, a)
         crossings += [end.crossing] if end.crossing else []
         if start is not None:
             found.append(StrokeInterval(start.x, end.x, start.why, end.why))
-        start = end if stands(run, b) else None
+        start = end if after else None
     if start is not None:
         found.append(StrokeInterval(start.x, run.grid[-1], start.why, ""))
     return found, crossings
