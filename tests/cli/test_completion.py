@@ -82,7 +82,7 @@ def put(terminal: int, keys: str) -> None:
 
 
 def answer(terminal: int, wanted: str, seconds: float = 30.0) -> str:
-    """Return what the shell writes that is wanted, without the commands of its line editor."""
+    """Return the output of the shell, without the commands of its line editor."""
     found, until = "", time.monotonic() + seconds
     while time.monotonic() < until:
         if select.select([terminal], [], [], 0.1)[0]:

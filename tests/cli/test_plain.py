@@ -54,7 +54,7 @@ NOT_PLAIN = [
 
 
 def by_the_book(line):
-    """Return what click makes of a line: values by name, and what is said of messages."""
+    """Return the values that click reads off a line, by name, and the settings of messages."""
     name, *words = line.split()
     with click.Context(by_click.mechc, info_name="mechc") as root:
         command = by_click.mechc.get_command(root, name)
@@ -63,7 +63,7 @@ def by_the_book(line):
 
 
 def of_messages(values):
-    """Return what was said of messages, as a session has it."""
+    """Return the settings of messages, as a session has them."""
     kept = {n: v for n, v in values.items() if n in by_click.session.NAMES and v is not None}
     return by_click.session.Session(**kept)
 

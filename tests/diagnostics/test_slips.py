@@ -14,7 +14,7 @@ KINDS = [(kind, ".mech") for kind in IN_LINES] + [(kind, ".yaml") for kind in IN
 
 
 def found(source: Source) -> list[Diagnostic]:
-    """Return what is said of a description."""
+    """Return the messages of a description."""
     compilation = Compilation(source)
     try:
         complete(compilation)
@@ -24,7 +24,7 @@ def found(source: Source) -> list[Diagnostic]:
 
 
 def new(slip: Slip) -> list[Diagnostic]:
-    """Return what is said of a slip, and not of the description without it."""
+    """Return the messages of a slip that the description without it has not."""
     said = found(slip.source)
     if any(d.code.startswith("E") for d in said):
         return said

@@ -67,7 +67,7 @@ def built(found: Compiled, folder: Path) -> ctypes.CDLL:
 def called(
     code: ctypes.CDLL, name: str, kind: str, given: list[object], filled: int
 ) -> list[float]:
-    """Return what a function returns and what it fills."""
+    """Return the value of a function and the values that it fills."""
     outputs = [ctypes.c_double(math.nan) for _ in range(filled)]
     call = code[name]
     call.restype = TYPES.get(kind)

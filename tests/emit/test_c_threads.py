@@ -32,7 +32,7 @@ def built(sample: str, folder: Path, threads: bool, *flags: str) -> ctypes.CDLL:
 
 
 def values(library: ctypes.CDLL, sample: str, poses: int) -> list[np.ndarray]:
-    """Return what the forms of all results give, poses outside the range among them."""
+    """Return the values of the forms of all results, poses outside the range among them."""
     found = []
     for function in solved(sample).routine.functions:
         call = getattr(library, f"{solved(sample).routine.name}_{function.name}_n")

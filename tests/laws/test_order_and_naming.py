@@ -51,7 +51,7 @@ def closed(seeds: range) -> Iterator[tuple[int, str]]:
 
 
 def outcome(text: str) -> Compiled | list[str]:
-    """Return what a text compiles to, or the codes of its errors."""
+    """Return the compilation of a text, or the codes of its errors."""
     try:
         return compiled(text, "law.mech")
     except MechcError as error:
@@ -97,7 +97,7 @@ def agree(one: Compiled | list[str], text: str, new: dict[str, str], label: str)
 
 
 def conditions(made: Compiled) -> dict[str, list[str]]:
-    """Return what each result holds while, as it is printed."""
+    """Return the conditions under which each result holds, as they are printed."""
     return {
         r.name: [f"{written(h.left)} {h.operator} {written(h.right)}" for h in r.holds]
         for r in made.compilation.results
@@ -130,7 +130,7 @@ def assert_same_statements(one: Compiled, two: Compiled, new: dict[str, str], la
 
 
 def kinds(result: Result) -> list[tuple[str, str]]:
-    """Return what happens at zeros and poles, and at how many of them."""
+    """Return the kinds of zeros and poles, and how many there are of each."""
     of = (("zero", result.zeros), ("pole", result.poles))
     return sorted((side, kind(limit)) for side, limits in of for limit in limits)
 
@@ -141,7 +141,7 @@ def kind(limit: Vanishing) -> str:
 
 
 def called(items: Mapping[str, object], new: dict[str, str]) -> dict[str, object]:
-    """Return what is said of each parameter, by its other name."""
+    """Return the trends of each parameter, by its other name."""
     return {new.get(name, name): said for name, said in items.items()}
 
 

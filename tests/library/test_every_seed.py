@@ -44,7 +44,7 @@ def file(name: str) -> SolvedMechanism:
 
 
 def computed(seed: str, inputs: Mapping[str, Any]) -> Any:
-    """Return what the library has for a formula at inputs by the formula's own names."""
+    """Return the library's value of a formula at inputs by the formula's own names."""
     where = SEEDS[seed]
     given = {where["inputs"][name]: value for name, value in inputs.items()}
     return file(where["file"]).evaluate(**given)[where["result"]]

@@ -187,7 +187,7 @@ def of_the_track(inputs: Inputs) -> float:
 
 
 def of_the_plunger(law: str) -> Callable[[Inputs], float]:
-    """Return what a guide adds, from i_f = (cot(alpha) − factor)/2 on pins without friction."""
+    """Return the part of a guide, from i_f = (cot(alpha) − factor)/2 on pins without friction."""
 
     def factor(inputs: Inputs) -> float:
         found = in_its_guide(law).evaluate(alpha=0.2, f=0.0, **inputs)

@@ -100,6 +100,6 @@ def shaken(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def singly(call: Any, returned: Any, values: Sequence[np.ndarray]) -> np.ndarray:
-    """Return what a function of C gives at each point."""
+    """Return the value of a function of C at each point."""
     call.restype, call.argtypes = returned, [ctypes.c_double] * len(values)
     return np.array([call(*(v[i] for v in values)) for i in range(POINTS)])

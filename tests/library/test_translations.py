@@ -40,7 +40,7 @@ def test_translations_are_written_as_books_print_them(file) -> None:
 
 
 def printed(statement: ast.Statement) -> list[str]:
-    """Return what reports print of a statement's own words."""
+    """Return the words of a statement's own that reports print."""
     match statement:
         case ast.Heading(title=title):
             return [title]

@@ -62,7 +62,7 @@ def test_the_gripper_from_the_part_to_the_cylinder() -> None:
 
 
 def printed(script: str) -> str:
-    """Return what an example in Python prints."""
+    """Return the output of an example in Python."""
     return subprocess.run(
         [sys.executable, str(EXAMPLES / script)],
         env={**os.environ, "PYTHONPATH": str(ROOT / "compiler")},

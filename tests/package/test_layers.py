@@ -110,7 +110,7 @@ def hidden() -> frozenset[tuple[str, str]]:
 
 
 def imports_by_module() -> dict[str, frozenset[str]]:
-    """Return what each module imports; a package is the module of its name."""
+    """Return the imports of each module; a package is the module of its name."""
     names = ((name_of(p)[:-3].replace("/", "."), own(p)) for p in modules())
     return {name.removesuffix(".__init__"): needs for name, needs in names}
 

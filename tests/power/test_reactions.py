@@ -25,7 +25,7 @@ ENOUGH = 1e-9
 
 
 def known_of(forces: Forces, asked: str, found: np.ndarray) -> dict[str, float]:
-    """Return what one ``find`` asks for, by the names that its results have."""
+    """Return the targets of one ``find``, by the names of its results."""
     name, _, link = asked.partition(" on ")
     values = [forces.value(found, w) for w in forces.weights(name, link)]
     result = f"{name}_on_{link}" if link else name

@@ -49,7 +49,7 @@ class Drawing:
         return float(self.velocity(point) @ [np.cos(turn), np.sin(turn)])
 
     def symbol(self, name):
-        """Return what a symbol of the derivation stands for."""
+        """Return the value of a symbol of the derivation."""
         if name in self.values and not name.startswith("len_"):
             return self.values[name]
         kind, _, rest = name.partition("_")

@@ -181,7 +181,7 @@ def entries(words: Locale) -> dict[str, str]:
 
 
 def placeholders(text: str) -> set[str]:
-    """Return what a sentence is filled with, forms of words that agree with a load aside."""
+    """Return the places of a sentence, forms of words that agree with a load aside."""
     fields = {field for _, field, _, _ in Formatter().parse(text) if field}
     return {field for field in fields if not field.startswith("of_")}
 

@@ -18,7 +18,7 @@ from mechc.routine.evaluate import evaluate
 
 
 def said(name: str, language: str = "en") -> list[str]:
-    """Return what follows from the results of a mechanism."""
+    """Return the analyses of the results of a mechanism."""
     found = good_mechanisms.compiled(name)
     results = found.reported.results
     spell = speller(results, found.mechanism, True, language)

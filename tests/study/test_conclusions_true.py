@@ -21,7 +21,7 @@ every_mechanism = pytest.mark.parametrize("name", ALL)
 
 
 def results(name):
-    """Return what is asked of a mechanism and not its own definition."""
+    """Return the results asked of a mechanism that are not its own definitions."""
     return [r for r in begun(name).results if r.target is not None]
 
 

@@ -45,7 +45,7 @@ let cm = cos(phi_AB - phi_O2B)
 
 
 def finding(text, expect):
-    """Return what an expectation comes to; MechcError where it is refuted."""
+    """Return the outcome of an expectation; MechcError where it is refuted."""
     (found,) = compile_source(Source("a.mech", text + expect)).findings
     return found
 

@@ -490,7 +490,7 @@ find k = P/F
 
 
 def remarked(text, code="W591"):
-    """Return what is said of the links that do not follow the drive."""
+    """Return the messages of links that do not follow the drive."""
     compilation = Compilation(Source("a.mech", text))
     checked(compilation)
     return [d.message.split()[1] for d in compilation.report.diagnostics if d.code == code]

@@ -112,7 +112,7 @@ class Table:
     values: dict[str, float] = field(default_factory=dict)
 
     def measure(self, formula: Formula) -> Powers | None:
-        """Return what a formula is measured in; None of a zero, which may be anything."""
+        """Return the dimension of a formula; None of a zero, which may be anything."""
         match formula:
             case Number(value=value):
                 return None if value == 0 else ONE
@@ -208,7 +208,7 @@ def relations(tex: str) -> Iterator[Relation]:
 
 
 def _branches(rows: str) -> str:
-    """Return what a formula may be, whatever the conditions."""
+    """Return the dimensions that a formula may have, whatever the conditions."""
     values = (row.partition("&")[0].strip(" ,") for row in rows.split(r"\\\\"))
     return BRANCHES + "".join(f"{{{value}}}" for value in values)
 
@@ -339,7 +339,7 @@ class PrintedUnits:
             self.table.values[left.name] = value
 
     def slack(self, tex: str) -> float:
-        """Return what rounding of the numbers printed may change in a formula's value."""
+        """Return how far rounding of the numbers printed may change a formula's value."""
         here = self.value(self.read(tex)) or 0.0
         total = 0.0
         for literal in LITERAL.finditer(tex):

@@ -74,14 +74,14 @@ class Forces:
         return effect
 
     def on_point(self, point: str, force: complex) -> Array:
-        """Return what a force on a pin puts into the equations."""
+        """Return the terms of a force on a pin in the equations."""
         effect = np.zeros(self.height)
         at = self.points[point]
         effect[at : at + 2] = force.real, force.imag
         return effect
 
     def on_body(self, body: str, force: complex, arm: complex, couple: float = 0.0) -> Array:
-        """Return what a force and a couple on a body put into the equations; '' is the ground."""
+        """Return the terms of a force and a couple on a body in the equations; '' is the ground."""
         effect = np.zeros(self.height)
         if not body:
             return effect
@@ -127,7 +127,7 @@ class Forces:
     # ---------------------------------------------------------------------- loads
 
     def _loads(self) -> dict[str, Array]:
-        """Return what a unit of each load does, those tied to others taken apart."""
+        """Return the terms of a unit of each load, those tied to others taken apart."""
         part = 1 / self.copies[0] if self.copies else 1.0
         effects: dict[str, Array] = {}
         for load in (*self.assembly.actions, *self._thrusts()):

@@ -250,7 +250,7 @@ def assemble(file: ast.File, values: Values, seed: int = 1, arms: Arms | None = 
 def assemble_half(
     file: ast.File, values: Values, seed: int = 1, arms: Arms | None = None
 ) -> Assembly:
-    """Return what is described: one half or one branch, the mirror guiding what is shared."""
+    """Return the half or branch that is described, the mirror guiding what is shared."""
     half = _as_described(file, values, seed, arms)
     for axis, shared in _mirrors(file, values, arms):
         half.guides |= dict.fromkeys(shared - half.pivots - half.guides.keys(), axis)
@@ -307,7 +307,7 @@ def _as_described(file: ast.File, values: Values, seed: int, arms: Arms | None =
 
 
 def _rope(rope: ast.Rope, values: Values, arms: Arms) -> dict[str, complex]:
-    """Return what a tension of 1 pulls each point with that the rope runs over."""
+    """Return the force of a tension of 1 on each point that the rope runs over."""
     pulls: dict[str, complex] = {}
     tail = rope.start.text
     for point, along in rope.falls:

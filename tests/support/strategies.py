@@ -255,7 +255,7 @@ KEPT = ("comments", "remark")
 
 
 def keyed(node):
-    """Return what may not stand twice in YAML, where it is a key."""
+    """Return the key of a statement in YAML, which may not stand twice."""
     if isinstance(node, (ast.Vector, ast.Turn)):
         return ("geometry", node.points.text)
     return id(node)

@@ -42,7 +42,7 @@ class Triad(NamedTuple):
         return System(TRIAD_UNKNOWNS, equations, tuple(self.values.items()), self.start)
 
     def residuals(self, unknowns: tuple[float, ...], **changes: float) -> list[float]:
-        """Return what does not close, as complex numbers give it."""
+        """Return the gap of the loops, as complex numbers give it."""
         v = self.values | changes
         theta, beta, gamma, delta = unknowns
         pin = v["r"] * turn(v["phi"]) + v["b"] * turn(beta)

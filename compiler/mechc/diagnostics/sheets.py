@@ -20,7 +20,7 @@ def requirement_fails(span: Span, left: str, operator: str, right: str) -> Messa
 
 
 def held_against(left: str, operator: str, right: str) -> str:
-    """Return what is found and what is expected of it.
+    """Return the words for what is found and for what is expected of it.
 
     >>> held_against("d = 8 mm", ">=", "10 mm")
     'd = 8 mm, expected at least 10 mm'

@@ -141,7 +141,7 @@ class RoundedColumns:
         return self._constants[number]
 
     def _made_of(self, operation: Operation, columns: Sequence[Column]) -> Column:
-        """Return what an operation makes of columns, done once for all that ask for it."""
+        """Return the column that an operation makes of others; each is made once."""
         key = operation.name, *map(id, columns)
         if key not in self._made:
             self._made[key] = columns, _carried_out(operation, columns)

@@ -110,7 +110,7 @@ def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
 
 
 def power(times: Fraction, factor: Formula, force: Formula, slip: Formula) -> Formula:
-    """Return what frictions that are there so many times add to the driving load."""
+    """Return the part of the driving load that frictions add which are there so many times."""
     return product([(number(times), 1), (factor, 1), (force, 1), (slip, 1)])
 
 

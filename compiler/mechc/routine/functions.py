@@ -223,7 +223,7 @@ def _readable(
 def _without(
     inside: frozenset[str], formula: Formula, known: Sequence[tuple[str, Formula]]
 ) -> tuple[list[Step], tuple[str, ...]]:
-    """Return what a formula rests on but for what systems have inside, and what of that it uses."""
+    """Return the definitions that a formula rests on but for those inside systems, and names of these."""
     used, where = set(symbols(formula)), list[Step]()
     for name, found in reversed(known):
         if name in used - inside:

@@ -170,7 +170,7 @@ class Scope:
         return entry.span if entry else None
 
     def cause(self, formula: Formula, span: Span) -> Span:
-        """Return what a wrong value comes from: the setting of a name in it, else its own place."""
+        """Return the place of a wrong value: the setting of a name in it, else its own."""
         return next((self.settings[n] for n in symbols(formula) if n in self.settings), span)
 
     def named(
