@@ -87,11 +87,11 @@ def _descriptions(folder: Path) -> list[Path]:
 def _in_library(name: str) -> Path | None:
     """Return the path of what the library has under a name, without looking at the rest."""
     folder = data("library")
-    for shelf in (folder, folder / SHEETS):
-        held = os.listdir(shelf)
+    for place in (folder, folder / SHEETS):
+        held = os.listdir(place)
         for file in (f"{name}{suffix}" for suffix in SUFFIXES):
             if file in held:
-                return shelf / file
+                return place / file
     return None
 
 

@@ -120,7 +120,7 @@ def test_files_hide_no_header_and_no_module(name, tmp_path):
     ("target", "stem", "hidden"),
     [("c", "math", "<math.h>"), ("c", "String", "<String.h>"), ("python", "numpy", "numpy")],
 )
-def test_a_user_is_told_of_a_file_that_would_hide_another(target, stem, hidden):
+def test_a_user_hears_of_a_file_that_would_hide_another(target, stem, hidden):
     with pytest.raises(MechcError, match=rf"E703: .* would hide .*{hidden}"):
         mechc.load("crank_rocker").emit_files(target, stem=stem)
 

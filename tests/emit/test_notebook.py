@@ -87,7 +87,7 @@ def test_a_result_shows_all_that_it_rests_on() -> None:
         assert shown.count(name) == 1
 
 
-def test_a_derivation_is_told_in_order() -> None:
+def test_a_derivation_is_in_order() -> None:
     shown = mechc.load("crank_rocker").derivation._repr_markdown_()
     places = [shown.index(f"**{title}**") for title in ("Position", "Velocities", "Results")]
     assert places == sorted(places)

@@ -6,13 +6,13 @@ import sys
 
 import pytest
 
-from good_mechanisms import GOOD, SHELF
+from good_mechanisms import GOOD, OF_LIBRARY
 from paths import COMPILER, CORPUS, TESTS
 
 SCRIPT = TESTS / "support" / "printed_digests.py"
 BAD = sorted((CORPUS / "bad").glob("E*"))
 TELLING = [
-    *(p for p in SHELF if p.stem in {"scissor_table", "bolt_cutter", "steering_trapezium"}),
+    *(p for p in OF_LIBRARY if p.stem in {"scissor_table", "bolt_cutter", "steering_trapezium"}),
     *(p for p in GOOD if p.stem == "class_four_block"),
 ]
 """Sets stood behind the order of factors, of definitions, of values in these."""
@@ -49,7 +49,7 @@ EVERYTHING = f"{COMMANDS},latex,python,c,json"
 @pytest.mark.slow
 @pytest.mark.parametrize("part", range(0, 24, 2))
 def test_half_of_library_and_corpus_is_the_same_for_every_seed(part):
-    names = [str(path) for path in (*SHELF, *GOOD, *BAD)[part::24]]
+    names = [str(path) for path in (*OF_LIBRARY, *GOOD, *BAD)[part::24]]
     assert_the_same(EVERYTHING, names, range(part, part + 2))
 
 

@@ -169,7 +169,7 @@ def test_nonsense_has_a_status_too(library: SimpleNamespace) -> None:
         assert interpreted(pose_of(found), values)[1][0] == 2
 
 
-def test_people_are_told_the_equations() -> None:
+def test_people_see_the_equations() -> None:
     found = solved("triple")
     line = "θ, β, γ, δ: the solution of the equations"
     assert line in render(found.derivation, found.mechanism)

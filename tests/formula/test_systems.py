@@ -170,7 +170,7 @@ def test_unknowns_share_their_arguments_when_something_is_put_in() -> None:
     assert symbols(x, y) == symbols(x) | symbols(y) == {"u", "t"}
 
 
-def test_unknowns_of_one_system_are_told_apart_by_their_arguments() -> None:
+def test_unknowns_of_one_system_differ_by_their_arguments() -> None:
     x, there = Implicit(PAIR, 0, (s("r"), s("t"))), Implicit(PAIR, 0, (s("t"), s("r")))
     assert len({x, there, Implicit(PAIR, 1, x.arguments), Implicit(PAIR, 0, (s("r"), s("t")))}) == 3
     values = completed({"r": 3.0, "t": 1.0}, [("x", x), ("z", there)])

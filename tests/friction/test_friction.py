@@ -109,7 +109,7 @@ def test_parallel_forces_on_a_lever_need_no_root(side, way, b, tightening, relea
         assert found[name] == pytest.approx(eval(formula, {}, at), rel=1e-12)
 
 
-def test_a_lever_that_stands_still_does_not_rub_on_its_pivot():
+def test_a_lever_at_rest_has_no_friction_on_its_pivot():
     """At its dead centre the rod is turned by 2ρ/L alone: S·(a·cos δ + ρ) = F·b."""
     a, b, rho, delta = 0.08, 0.12, 0.0005, math.asin(2 * 0.0005 / 0.05)
     found = mechc.load("karpenko_fig7_with_friction").evaluate(alpha=0.0)

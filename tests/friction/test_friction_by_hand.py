@@ -148,7 +148,7 @@ def test_a_force_has_its_cosine_along_and_its_sine_across():
 # --------------------------------------------------------------------- pairs and slips
 
 
-def rubbing(pose, *joints):
+def with_friction(pose, *joints):
     mechanism = replace(pose.mechanism, friction=Friction(tuple(joints)))
     return replace(pose, mechanism=mechanism)
 
@@ -163,7 +163,7 @@ def slip_of(pose):
 
 
 def test_a_pin_slips_with_the_relative_rotation_of_its_links():
-    pose = rubbing(slider_crank(), pin("A", "OA"))
+    pose = with_friction(slider_crank(), pin("A", "OA"))
     pair, slip = slip_of(pose)
     omega, slide = unknown(graph(pose), "OA"), unknown(graph(pose), "B")
     assert (pair.name, pair.joint) == ("A", JointRef("pin", "A", "AB"))
@@ -172,43 +172,47 @@ def test_a_pin_slips_with_the_relative_rotation_of_its_links():
 
 
 def test_a_pivot_slips_with_the_rotation_of_its_link():
-    pose = rubbing(slider_crank(), pin("O"))
+    pose = with_friction(slider_crank(), pin("O"))
     assert slip_of(pose)[1] == {unknown(graph(pose), "OA"): 1}
 
 
 def test_a_guide_slips_with_the_speed_of_its_slider():
-    pose = rubbing(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
+    pose = with_friction(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
     pair, slip = slip_of(pose)
     assert (pair.name, pair.joint) == ("B_guide", JointRef("ground", "B"))
     assert slip == {unknown(graph(pose), "B"): 1}
 
 
 def test_rims_slip_with_their_wheel_and_racks_with_their_slider():
-    pose = rubbing(on_pivots(wheels()), WheelFriction(wheels().id, "gear", "O", Symbol("b"), HERE))
+    pose = with_friction(
+        on_pivots(wheels()), WheelFriction(wheels().id, "gear", "O", Symbol("b"), HERE)
+    )
     assert slip_of(pose)[1] == {unknown(graph(pose), "OA"): R}
-    pose = rubbing(driven_slider(RACK), WheelFriction(RACK.id, "rack", "K", Symbol("b"), HERE))
+    pose = with_friction(
+        driven_slider(RACK), WheelFriction(RACK.id, "rack", "K", Symbol("b"), HERE)
+    )
     assert slip_of(pose)[1] == {unknown(graph(pose), "K"): 1}
 
 
 def test_a_thread_slips_with_its_pitch_and_its_turn():
     """v·p/(πd) + ω·d/2."""
     thread = ThreadFriction(SCREW.id, "K", Symbol("b"), Symbol("l"), HERE)
-    pose = rubbing(driven_slider(SCREW), thread)
+    pose = with_friction(driven_slider(SCREW), thread)
     slip = slip_of(pose)[1]
     own = {unknown(graph(pose), "K"): C / (math.pi * L), unknown(graph(pose), "OA"): L / 2}
     assert slip == pytest.approx(own)
 
 
-def test_nothing_rubs_with_a_coefficient_of_zero_or_on_a_shared_guide():
-    assert pairs.pairs(rubbing(slider_crank(), GuideFriction("B", number(0), HERE))) == ()
+def test_nothing_has_friction_with_a_coefficient_of_zero_or_on_a_shared_guide():
+    assert pairs.pairs(with_friction(slider_crank(), GuideFriction("B", number(0), HERE))) == ()
     shared = slider_crank(mirror=Mirror(ALONG, ("B",), HERE), axis=at())
-    pose = rubbing(shared, GuideFriction("B", number(Fraction(1, 5)), HERE), pin("O"))
+    pose = with_friction(shared, GuideFriction("B", number(Fraction(1, 5)), HERE), pin("O"))
     (pair,) = pairs.pairs(pose)
     assert (pair.name, pair.number) == ("O", 2)
 
 
 def test_radii_have_one_name_where_they_are_alike():
-    (pivot,) = pairs.pairs(rubbing(lever(), pin("O")))
+    (pivot,) = pairs.pairs(with_friction(lever(), pin("O")))
     other = pivot._replace(name="A", factor=Product.symbol("c"))
     assert pairs.radii([pivot, pivot._replace(name="A")]) == {"O": "rho", "A": "rho"}
     assert pairs.radii([pivot, other]) == {"O": "rho_O", "A": "rho_A"}
@@ -232,7 +236,7 @@ def chained(pose, driving, sense, **given):
 @pytest.mark.parametrize("sense", [1, -1])
 def test_a_guide_under_a_rod_is_overcome_with_its_friction(sense):
     """F = S·(cos ψ ∓ μ·|sin ψ|) and M = S·r·sin(φ − ψ)."""
-    pose = rubbing(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
+    pose = with_friction(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
     rod = 1 / (math.cos(PSI) - sense * 0.2 * abs(math.sin(PSI)))
     expected = rod * R * math.sin(PHI - PSI)
     assert chained(pose, "M", sense, F=ONE) == pytest.approx(expected)
@@ -244,7 +248,7 @@ def test_a_rod_pulls_along_a_tangent_of_the_friction_circles_at_its_ends(sense):
 
     With ψ' its direction, sin(ψ' − ψ) = (d_B − d_A)/l and M = S·(r·sin(φ − ψ') + d_A).
     """
-    pose = rubbing(slider_crank(), pin("A", "OA", "rho"), pin("B", "", "rho"))
+    pose = with_friction(slider_crank(), pin("A", "OA", "rho"), pin("B", "", "rho"))
 
     def moment(at_a, at_b):
         line = PSI + math.asin((at_b - at_a) / L)
@@ -266,7 +270,7 @@ def loaded(pose, driving, **given):
 
 def test_a_guide_is_pressed_by_the_load_times_the_tangent():
     """Driven by M, the slip per unit speed of the crank is that of the slider."""
-    pose = rubbing(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
+    pose = with_friction(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
     (pair,) = loaded(pose, "M", F=ONE)
     (across,) = pair.components
     assert number_of(across.ideal) == pytest.approx(math.tan(PSI))
@@ -275,7 +279,7 @@ def test_a_guide_is_pressed_by_the_load_times_the_tangent():
 
 
 def test_a_pair_that_may_slip_alone_is_idle():
-    pose = rubbing(on_pivots(), pin("Q"))
+    pose = with_friction(on_pivots(), pin("Q"))
     alone = replace(pose.mechanism, loads=pose.mechanism.loads[:1])
     with pytest.raises(Idle):
         loaded(replace(pose, mechanism=alone), "M")

@@ -17,7 +17,7 @@ from mechc.source import Source
 from mechc.study.analysis import as_printed
 from paths import LIBRARY
 
-SHELF = sorted(p.stem for p in LIBRARY.glob("*_with_friction.mech"))
+WITH_FRICTION = sorted(p.stem for p in LIBRARY.glob("*_with_friction.mech"))
 
 
 def without_expectations(name: str) -> str:
@@ -41,7 +41,7 @@ def assert_names_mean_one_thing(compilation: Compilation) -> None:
     assert_one_meaning(as_printed(r) for r in compilation.solution.results)
 
 
-@pytest.mark.parametrize("name", SHELF)
+@pytest.mark.parametrize("name", WITH_FRICTION)
 def test_a_name_has_one_formula_in_the_library(name):
     assert_names_mean_one_thing(Compilation(Source("a.mech", without_expectations(name))))
 

@@ -312,7 +312,7 @@ def test_the_samples_have_everything():
         assert sum(word in text for text in texts) > 5, word
 
 
-def test_a_pin_that_stands_still_may_rub_either_way():
+def test_a_pin_at_rest_may_slip_either_way():
     """Hoeken's linkage at 180°, where the rocker's pin changes the sense of its slip."""
     text = (LIBRARY / "hoeken.yaml").read_text(encoding="utf-8")
     made = Compilation(

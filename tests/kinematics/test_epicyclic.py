@@ -96,7 +96,7 @@ def test_forces_beside_the_teeth_follow_by_moments_about_the_pin() -> None:
     assert found["N_B"] == pytest.approx(by_hand, rel=1e-12)
 
 
-def test_two_freedoms_give_each_torque_by_the_one_that_is_known() -> None:
+def test_two_degrees_of_freedom_give_each_torque_by_the_one_that_is_known() -> None:
     """Couples on sun, ring and arm are as r : R : −(r + R), whatever turns."""
     wheels = RING.replace("ground", "OR") + "\nlink OR\nOR = 10 mm @ 0 deg"
     text = train(wheels) + "torque N on OR\nfind T\nfind N\n"

@@ -56,7 +56,7 @@ def test_no_name_twice() -> None:
     assert len(set(NAMES)) == len(NAMES) >= 25
 
 
-def test_both_notations_are_on_the_shelf() -> None:
+def test_both_notations_are_in_the_library() -> None:
     assert {p.suffix for p in PATHS} == {".mech", ".yaml"}
 
 

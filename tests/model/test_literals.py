@@ -184,7 +184,7 @@ def test_a_name_that_the_description_has_is_left_to_it() -> None:
     assert "d_O_2" in names
 
 
-def test_both_intensities_of_a_load_are_told_apart_on_paper() -> None:
+def test_both_intensities_of_a_load_differ_on_paper() -> None:
     text_of = SIZES.replace("intensity 10 N/(5 mm)", "intensity 2 N/mm to 1 N/mm")
     varied = mechc.loads(text_of.replace("friction pin", "# friction pin"))
     sizes = {p.name: p.unit for p in varied._compilation.mechanism.literals}

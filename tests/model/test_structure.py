@@ -123,7 +123,7 @@ def test_pivots_and_sliders_hold_their_pins() -> None:
         ({"arm": "AB", "second_link": "BD"}, "gear the ground at A, BD at B"),
     ],
 )
-def test_wheels_on_an_arm_are_told_apart_by_what_they_are_fixed_to(carried, name) -> None:
+def test_wheels_on_an_arm_differ_by_their_links(carried, name) -> None:
     """Two trains on one arm share their centres, so that these alone would name both."""
     own = {"first_link": "", "second_link": "", **carried}
     pair = WheelPair("gear", "A", own.pop("first_link"), ONE, "B", own.pop("second_link"), ONE,

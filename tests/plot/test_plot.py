@@ -348,7 +348,7 @@ def test_a_stroke_without_a_drive_points_here(capsys):
     assert "`mechc plot FILE --x alpha` runs over its range" in capsys.readouterr().err
 
 
-def test_dead_centres_are_told_from_loads_across_a_velocity():
+def test_dead_centres_are_no_loads_across_a_velocity():
     rocker = mechc.load("crank_rocker").plot(language="uk")
     (curve,) = rocker.plot.curves
     assert list(curve.dead_centres) == [m.at.x for m in curve.marks if m.kind == "zero"]

@@ -1,4 +1,4 @@
-"""Coordinates and directions in formulas, and rubbing speeds that are made of speed ratios."""
+"""Coordinates and directions in formulas, and sliding speeds that are made of speed ratios."""
 
 import math
 
@@ -58,7 +58,7 @@ def test_a_name_of_ones_own_goes_before():
         mechc.loads(f"{ROCKER}let u = x_G\n")
 
 
-def test_the_rubbing_speed_at_a_pin():
+def test_the_sliding_speed_at_a_pin():
     """(ω₁ − ω₂)·r at the pin B, for a crank at 10 rad/s and a pin of 20 mm."""
     text = f"""{ROCKER}find i1 = omega_AB/omega_OA
 find i2 = omega_CB/omega_OA

@@ -61,7 +61,7 @@ def numbers(compilation, account):
 
 
 @pytest.mark.parametrize("name", DESCRIPTIONS)
-def test_the_power_of_a_released_bond(name):
+def test_the_power_of_a_released_constraint(name):
     """The ratios of speeds, put into the power equation, give the force that was found."""
     compilation = compiled(name)
     checked = 0

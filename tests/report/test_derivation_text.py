@@ -140,7 +140,7 @@ def test_a_weight_is_its_mass_times_g_and_nothing_is_defined_twice() -> None:
 @pytest.mark.parametrize(
     ("language", "tangent", "unit"), [("uk", "tg α", "мм"), ("ru", "tg α", "мм")]
 )
-def test_a_derivation_is_told_in_the_language(language: str, tangent: str, unit: str) -> None:
+def test_a_derivation_is_in_the_language(language: str, tangent: str, unit: str) -> None:
     found = compile_source(read(find("karpenko_fig7_single_lever")))
     shown = render(found.derivation, found.mechanism, language=language)
     assert "tg α" in shown

@@ -91,7 +91,7 @@ def angles(formula):
 
 
 @pytest.mark.parametrize("name", CLOSED)
-def test_angles_have_no_whole_turns_and_nothing_is_told_twice(name):
+def test_angles_have_no_whole_turns_and_nothing_stands_twice(name):
     for item in found(name):
         assert not isinstance(item.numbers, Constant)
         assert all(-180 <= a <= 360 for a in angles(item.numbers or item.left))

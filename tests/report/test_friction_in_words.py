@@ -210,7 +210,7 @@ def test_an_efficiency_is_the_share_of_two_ratios():
     assert "η_i = i_f/i = " in derived("fedoriv_fig2b_with_friction")
 
 
-def test_only_what_rubs_is_explained():
+def test_only_pairs_with_friction_are_explained():
     assert "friction circle" not in derived("d45_16_wedge_hook_with_friction").split("first")[0]
     assert "The friction of a pin" in derived("lever_clamp_with_friction")
 

@@ -84,7 +84,7 @@ def test_units_and_decimals_of_pictures_are_those_of_the_language():
     assert "mathrm{/m}" not in plans
 
 
-def test_a_part_that_there_is_not_is_told_at_its_place(capsys, tmp_path):
+def test_a_part_that_there_is_not_is_reported_at_its_place(capsys, tmp_path):
     path = tmp_path / "rocker.mech"
     path.write_text(f"{ROCKER}report schemes, k\n")
     assert main(["check", str(path)]) == 1

@@ -375,7 +375,7 @@ def test_bodies_are_in_balance_along_the_stroke(name):
         assert assert_balance(made.cut_free(here, {}), made.drawn(here)) >= 3
 
 
-def test_names_are_told_apart():
+def test_names_differ():
     lever = mechc.load("lever_first_class")
     with pytest.raises(TypeError, match="'Q' is no parameter"):
         lever.free_bodies(Q=1)

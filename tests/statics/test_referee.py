@@ -252,7 +252,7 @@ def test_the_referee_checks_every_coefficient_of_a_linear_form():
         cross_check(pose, (wrong,), report())
 
 
-def test_the_referee_balances_as_many_loads_as_there_are_freedoms():
+def test_the_referee_balances_as_many_loads_as_there_are_degrees_of_freedom():
     # An equalising beam: P pulls at its middle, F and Q at its ends.
     points = {"A": (-1, 0), "M": (0, 0), "B": (2, 0)}
     loads = [force("P", "M"), force("F", "A"), force("Q", "B")]

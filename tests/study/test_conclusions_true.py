@@ -98,7 +98,7 @@ def assert_order(name, result, limit, side):
 
 
 @every_mechanism
-def test_dead_centres_are_told_from_loads_across_the_motion(name):
+def test_dead_centres_are_no_loads_across_the_motion(name):
     if not all(p.value is not None for p in begun(name).mechanism.parameters):
         pytest.skip("parameters without values")
     for result in with_places(name):

@@ -675,7 +675,7 @@ def test_a_wedge_is_judged_by_the_force_that_it_gives(tmp_path, capsys):
 # ----------------------------------------------------------------------------------- laws
 
 
-RUBBING = [
+WITH_FRICTION = [
     "claw", "d45_05_wedge_roller_lever", "d45_06_double_wedge", "d45_11_screw_lever",
     "d45_15_cam_lever", "d45_16_wedge_hook", "fedoriv_fig1", "fedoriv_fig2a", "fedoriv_fig2b",
     "karpenko_fig1", "karpenko_fig3", "karpenko_fig4", "karpenko_fig7", "karpenko_fig9",
@@ -750,7 +750,7 @@ def assert_run(mechanism: SolvedMechanism, result: Analysis, course: EfficiencyR
         assert is_within(place, course.usual) == (0.9 <= eta <= 0.95), (course.parameter, place)
 
 
-@pytest.mark.parametrize("name", [*RUBBING, *OWN])
+@pytest.mark.parametrize("name", [*WITH_FRICTION, *OWN])
 def test_what_is_stated_is_true_of_code(name):
     mechanism = mechc.loads(OWN[name]) if name in OWN else mechc.load(f"{name}_with_friction")
     for result in mechanism.results.values():

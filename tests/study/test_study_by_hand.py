@@ -209,7 +209,7 @@ def test_what_the_default_pose_is_not_on_cannot_be_reached():
     assert [s.reached for s in with_reached([first, second], None, "", False)] == [True, True]
 
 
-def test_columns_of_one_name_are_told_apart():
+def test_columns_of_one_name_differ():
     columns = [Filled(Column("k", LENGTH, c), abs) for c in ("result", "slope", "slope")]
     assert [f.column.name for f in named_apart(columns)] == ["k", "k (slope)", "k (slope)'"]
 

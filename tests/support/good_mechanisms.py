@@ -10,8 +10,8 @@ from mechc.syntax.notation import read
 from paths import CORPUS, LIBRARY
 
 GOOD = sorted((CORPUS / "good").glob("*.mech"))
-SHELF = sorted(p for p in LIBRARY.iterdir() if p.suffix in {".mech", ".yaml"})
-ALL = {path.stem: path for path in (*SHELF, *GOOD)}
+OF_LIBRARY = sorted(p for p in LIBRARY.iterdir() if p.suffix in {".mech", ".yaml"})
+ALL = {path.stem: path for path in (*OF_LIBRARY, *GOOD)}
 
 
 @cache

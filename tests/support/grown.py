@@ -85,7 +85,7 @@ class Grown:
         return name
 
     def hold(self, around: str, besides: set[str]) -> str:
-        """Return the point that a new link may hang on at its far end: a new pivot, or another pin."""
+        """Return the point for the far end of a new link: a new pivot, or another pin."""
         others = [p for p in self.moving if p not in besides]
         if others and self.dice.random() < 0.2:
             return self.dice.choice(others)

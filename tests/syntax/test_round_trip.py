@@ -52,7 +52,7 @@ def test_yaml_gives_the_tree_back_in_its_own_order(tree):
 
 @some
 @given(files())
-def test_the_order_of_yaml_is_settled(tree):
+def test_yaml_has_one_order(tree):
     ordered = in_yaml_order(tree)
     assert in_yaml_order(ordered) == ordered
     assert sorted(map(str, ordered.statements)) == sorted(map(str, tree.statements))

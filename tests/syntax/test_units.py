@@ -88,7 +88,7 @@ def test_every_spelling_leads_to_a_unit_and_is_none_itself():
         ("2 in^2", "2 in^2", None),
     ],
 )
-def test_inches_are_told_from_the_word_of_a_range(line, value, ends):
+def test_inches_are_not_the_word_of_a_range(line, value, ends):
     found = param(line)
     behind = f" in {' .. '.join(ends)}" if ends else ""
     assert to_dsl(ast.File((found,), ())) == f"param a = {value}{behind}\n"

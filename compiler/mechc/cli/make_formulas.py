@@ -42,8 +42,8 @@ def _formula(entry: Mapping[str, Any]) -> Formula:
 
 def sheets() -> str:
     """Return the section of the README that lists the calculation sheets."""
-    shelf = library().keys() - mechanisms().keys()
-    described = {name: Compilation(read(library()[name])).mechanism for name in sorted(shelf)}
+    names = library().keys() - mechanisms().keys()
+    described = {name: Compilation(read(library()[name])).mechanism for name in sorted(names)}
     rows = [f"| `{name}` | {m.title} | {m.source} |" for name, m in described.items()]
     intro = f"{MADE} from the files in `library/sheets`."
     return "\n".join((SHEETS, intro, "", "| name | sheet | source |", "|---|---|---|", *rows, ""))

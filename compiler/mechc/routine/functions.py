@@ -223,7 +223,7 @@ def _readable(
 def _without(
     inside: frozenset[str], formula: Formula, known: Sequence[tuple[str, Formula]]
 ) -> tuple[list[Step], tuple[str, ...]]:
-    """Return the definitions that a formula rests on but for those inside systems, and names of these."""
+    """Return the definitions that a formula rests on, and its names inside systems."""
     used, where = set(symbols(formula)), list[Step]()
     for name, found in reversed(known):
         if name in used - inside:

@@ -126,11 +126,11 @@ class _Intervals:
             is_near = _are_near(grid, grid[end], grid[beside])
             if states[end] is None and is_near and self._is_beyond(grid[end]):
                 states[end] = states[beside]
-        self._settle(grid, states)
+        self._fill_gaps(grid, states)
         self._bridge(grid, states)
         return states
 
-    def _settle(self, grid: Sequence[float], states: list[State | None]) -> None:
+    def _fill_gaps(self, grid: Sequence[float], states: list[State | None]) -> None:
         """Give a value at which iteration gives up the state of one next to it, but for rounding.
 
         Beside a dead centre iteration may fail for one number and succeed for the next.

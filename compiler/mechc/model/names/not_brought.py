@@ -41,7 +41,7 @@ def reason(name: str, use: ast.Brought, known: Collection[str]) -> str:
 
 
 def _alike(form: Form, use: ast.Brought, known: Iterable[str]) -> list[str]:
-    """Return the names of one form under a prefix, as ``M_R_C`` of forces: one of them may be meant."""
+    """Return the names of one form under a prefix, as ``M_R_C`` of forces: one may be meant."""
     begins = f"{use.prefix}_"
     own = ((name, form_of(name.removeprefix(begins))) for name in known if name.startswith(begins))
     return sorted(name for name, other in own if other and other.prefix == form.prefix)

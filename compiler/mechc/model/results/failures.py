@@ -40,7 +40,7 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
 
 
 def broken_formula(condition: Require, values: Values, source: Source) -> str:
-    """Return what is said of a formula that has no value at these values."""
+    """Return the message of a formula that has no value at these values."""
     sides = evaluate(condition.left, values), evaluate(condition.right, values)
     return failure(condition, sides, source).message
 

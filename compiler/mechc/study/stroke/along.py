@@ -29,7 +29,7 @@ T = TypeVar("T")
 
 
 def _keeping(value: Callable[[Values], T], at: Callable[[float], Values]) -> Callable[[float], T]:
-    """Return what is computed of the values at a value of the drive, each once."""
+    """Return a function of the drive, computed of its values there once each."""
     known: dict[float, T] = {}
 
     def function(x: float) -> T:
@@ -124,7 +124,7 @@ class Along:
         return self._functions[key][2]
 
     def together(self, values: Sequence[Product]) -> list[Function]:
-        """Return what the compiler found on its way as functions that are found all at once.
+        """Return intermediate results of the compiler as functions that are evaluated together.
 
         But for rounding they have the values of :meth:`inside`.
         """

@@ -1,0 +1,60 @@
+"""The code speaks the field's words: none of the private ones that were once said for them."""
+
+import ast
+import re
+from collections.abc import Iterator
+
+from paths import PACKAGE, TESTS
+
+SAID_BEFORE = {
+    "rub": "friction", "rubs": "friction", "rubbing": "with friction", "knee": "toggle",
+    "felt": "dual", "told": "shown", "untold": "new", "settle": "solve", "settled": "solved",
+    "mend": "fix", "bond": "joint", "entangled": "coupled", "loosened": "released",
+    "shelf": "list", "freedoms": "degrees of freedom", "saying": "sentence",
+}  # fmt: skip
+"""Private words, and what books say."""
+
+FILES = sorted([*PACKAGE.rglob("*.py"), *TESTS.rglob("*.py")])
+
+
+def names(tree: ast.AST) -> Iterator[str]:
+    """Yield the names that a file gives: of functions, classes, arguments, variables."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.FunctionDef(name=name) | ast.ClassDef(name=name) | ast.arg(arg=name):
+                yield name
+            case ast.Name(id=name, ctx=ast.Store()) | ast.Attribute(attr=name, ctx=ast.Store()):
+                yield name
+
+
+def parts(name: str) -> list[str]:
+    """Return the words of a name.
+
+    >>> parts("_FrictionPair_of")
+    ['friction', 'pair', 'of']
+    """
+    return [part.lower() for part in re.findall(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])", name)]
+
+
+def test_no_name_has_a_private_word() -> None:
+    found = {
+        f"{path.name}: {name} (say {SAID_BEFORE[word]})"
+        for path in FILES
+        for name in names(ast.parse(path.read_text(encoding="utf-8")))
+        for word in parts(name)
+        if word in SAID_BEFORE
+    }
+    assert not found
+
+
+def docstrings(tree: ast.AST) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+            yield ast.get_docstring(node) or ""
+
+
+def test_docstrings_say_what_comes_back() -> None:
+    """A first line that begins with "Return what" is a riddle."""
+    trees = ((path, ast.parse(path.read_text(encoding="utf-8"))) for path in FILES)
+    begun = ((path, text) for path, tree in trees for text in docstrings(tree))
+    assert [path.name for path, text in begun if text.startswith("Return what ")] == []
