@@ -41,6 +41,7 @@ from .work import Allowance
 
 if TYPE_CHECKING:
     from .calculation.calculation import Calculation
+    from .equilibrium.equilibrium import Equilibrium
     from .pose.motion import Motion
     from .report.derivation.steps import Derivation
     from .routine.steps import Routine
@@ -276,7 +277,18 @@ class Pipeline:
             return calculated(self.results)
         from .report.derivation.from_solution import derive
 
-        return self._sound(derive(self.solution, self.results))
+        return self._sound(derive(self.solution, self.results, self.forces_at_joints))
+
+    @Stage
+    @of_linkages
+    def forces_at_joints(self) -> "tuple[Equilibrium, ...]":
+        """The sums of forces and moments that lead to forces at joints, where any are asked for."""
+        if not any(one.releases for one in self.balance.solved):
+            return ()
+        from .equilibrium.from_plan import at_joints
+
+        with within(Allowance(), self.report):
+            return at_joints(self.pose, self.balance.solved)
 
     @Stage
     def motion(self) -> "Motion | None":

@@ -9,7 +9,7 @@ from mechc.cli import main
 from mechc.driver import Compilation
 from mechc.equilibrium.equilibrium import Equilibrium
 from mechc.formula.evaluate import evaluate
-from mechc.model.mechanism import LoadForm, LoadRatio, Pivot
+from mechc.model.mechanism import LoadForm, LoadRatio, Pivot, Slider
 from mechc.model.values import completed
 from mechc.power.loads import given_size
 from mechc.source import Source
@@ -88,8 +88,10 @@ FORCES = {
     "crank_rocker": ["R_O1_x", "R_O1_y", "N_AB", "N_O2B"],
     "vice_grip": ["R_O_x", "R_O_y", "N_BS"],
     "whitworth": ["R_O_x", "R_O_y", "R_Q_x", "R_Q_y", "N_DE"],
-    "band_brake": [],  # its rope pulls at the pivot, too
-    "karpenko_fig4_lifting_tongs": ["N_AB"],  # halves share the pivot
+    "band_brake": ["R_O_x", "R_O_y", "N_OG"],  # its rope pulls at the pivot, a weight at the link
+    "karpenko_fig4_lifting_tongs": ["N_AB", "R_O_x", "R_O_y"],  # halves share the pivot
+    "copies_claw": ["N_KA", "R_O_x"],
+    "loads_on_links": ["N_OB", "N_BC"],
 }
 
 
@@ -98,12 +100,37 @@ def test_forces_at_joints_are_those_of_virtual_power(name):
     text, mechanism = ALL[name].read_text(encoding="utf-8").rstrip(), begun(name).mechanism
     asked = [f"find R_{pivot.point}" for pivot in mechanism.each(Pivot)]
     asked += [f"find N_{link.name}" for link in mechanism.links if len(link.points) == 2]
+    links = [(link.name, p) for link in mechanism.links for p in link.points]
+    asked += [f"find R_{p} on {name}" for name, p in links if is_held(name, p, mechanism)]
     found = Compilation(Source(f"{name}.mech", "\n".join([text, *asked, ""])))
     at_joints = [each.result for each in found.equilibrium if each.is_at_joint]
     assert {*FORCES[name]} <= {*at_joints}
     assert agree(found, 2) >= len(at_joints)
     explained = [name for e in found.by_equilibrium.explanations for name in e.results]
     assert len(explained) == len({*explained})
+
+
+def is_held(name, point, mechanism):
+    """Return whether a link meets others at a point, or the ground."""
+    others = [body for body in mechanism.bodies if body.name != name and point in body.points]
+    return (
+        bool(others)
+        or point in mechanism.fixed
+        or point in {g.point for g in mechanism.each(Slider)}
+    )
+
+
+@pytest.mark.parametrize("name", ["double_butterfly", "watt_closed", "tilted_gravity_linkage"])
+def test_forces_at_pins_between_links_are_those_of_virtual_power(name):
+    """One component pair each, as loops of several links have many."""
+    text, mechanism = ALL[name].read_text(encoding="utf-8").rstrip(), begun(name).mechanism
+    pins = [(k.name, p) for k in mechanism.links for p in k.points if is_held(k.name, p, mechanism)]
+    found = Compilation(
+        Source("m.mech", "\n".join([text, *(f"find R_{p} on {k}" for k, p in pins), ""]))
+    )
+    at_joints = {each.result for each in found.equilibrium if each.is_at_joint}
+    assert {f"R_{p}_on_{k}_{axis}" for k, p in pins for axis in "xy"} <= at_joints
+    assert agree(found, 1) >= len(at_joints)
 
 
 def asks_for_load(name):

@@ -9,6 +9,7 @@ from mechc.formula.tree import Power, Product, Symbol
 from mechc.formula.walk import symbols
 from mechc.model.targets import Efficiency, WithFriction
 from mechc.power.numbers import default_values
+from mechc.report.derivation.forces import of_forces
 from mechc.report.derivation.steps import SentenceKind
 from mechc.report.text.derivation import render
 from mechc.source import Source
@@ -65,7 +66,7 @@ def test_the_power_of_a_released_constraint(name):
     """The ratios of speeds, put into the power equation, give the force that was found."""
     compilation = compiled(name)
     checked = 0
-    for account in compilation.derivation.explanations:
+    for account in of_forces(compilation.solution):
         values = numbers(compilation, account)
         for paragraph in account.paragraphs:
             if "speed" not in paragraph.formulas:
@@ -79,6 +80,26 @@ def test_the_power_of_a_released_constraint(name):
             assert evaluate(power.left, values) == pytest.approx(0, abs=1e-9)
             checked += 1
     assert checked
+
+
+@pytest.mark.parametrize("name", DESCRIPTIONS)
+def test_forces_at_joints_follow_from_sums_with_what_is_known(name):
+    """Each printed sum holds, those of forces found before under their names."""
+    compilation, values = compiled(name), {}
+    for account in compilation.derivation.explanations:
+        assert not any("speed" in paragraph.formulas for paragraph in account.paragraphs)
+        known = numbers(compilation, account)
+        held = {n for one in compilation.balance.solved for r in one.releases for n in r.held}
+        values = {**values, **{n: value for n, value in known.items() if n not in held}}
+        for equation in (e for p in account.paragraphs for e in p.equations):
+            if isinstance(equation.left, Symbol):
+                values.setdefault(equation.left.name, evaluate(equation.right, values))
+                assert evaluate(equation.right, values) == pytest.approx(values[equation.left.name])
+    for account in compilation.derivation.explanations:
+        for equation in (e for p in account.paragraphs for e in p.equations):
+            if symbols(equation.left) <= values.keys():
+                sides = [evaluate(side, values) for side in equation]
+                assert sides[0] == pytest.approx(sides[1], abs=1e-9)
 
 
 def speed_in(ratio):
@@ -102,11 +123,13 @@ def test_a_force_is_stated_under_one_heading_with_its_direction():
     assert "R_E = √(1 + tan² α) · |W|" in text
 
 
-def test_a_rod_without_loads_is_let_go_along_its_line_once():
+def test_a_rod_without_loads_passes_on_what_was_found_along_its_line():
     compilation = compiled("toggle")
     accounts = {a.results[0]: a for a in compilation.derivation.explanations}
     on_rod = accounts["R_B_on_BC_x"]
-    assert [p.sentence for p in on_rod.paragraphs] == [SentenceKind.ROD]
+    (paragraph,) = on_rod.paragraphs
+    assert paragraph.sentence is SentenceKind.ROD
+    assert [symbols(e.right) & {"N_BC"} for e in paragraph.equations] == [{"N_BC"}] * 2
 
 
 def test_a_guide_presses_across_itself():

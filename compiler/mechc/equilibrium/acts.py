@@ -37,13 +37,15 @@ X, Y = Angle(), QUARTER
 class Act(NamedTuple):
     """A force ``along`` a line, ``at`` an arm from a body's first point; a couple has no line.
 
-    It counts ``size`` times.
+    It counts ``size`` times. ``pin`` is the pin through which it acts on the body, '' where it
+    acts on the body itself.
     """
 
     name: str
     size: Product
     along: Angle | None
     at: Vector = ()
+    pin: str = ""
 
 
 @frozen
@@ -111,14 +113,14 @@ def balances(body: FreeBody) -> Iterator[Balance]:
     """Yield the sums of moments about each point of a body and of forces in each direction."""
     for centre, place in body.frame.items():
         moments = ((act.name, _moment(act, place)) for act in body.acts)
-        yield Balance(body.name, _summed(moments), centre)
+        yield Balance(body.name, summed(moments), centre)
     for line in body.lines:
-        terms = _summed((act.name, _part(act, line)) for act in body.acts)
+        terms = summed((act.name, part_along(act, line)) for act in body.acts)
         across = next((rod for name, rod in body.rods.items() if name not in terms), "")
         yield Balance(body.name, terms, "", line, line == body.guide, across)
 
 
-def _summed(parts: Iterable[tuple[str, Product]]) -> Terms:
+def summed(parts: Iterable[tuple[str, Product]]) -> Terms:
     """Return the coefficient of each force in a sum, those that vanish left out."""
     terms: dict[str, list[Product]] = {}
     for name, part in parts:
@@ -135,7 +137,7 @@ def _moment(act: Act, centre: Vector) -> Product:
     return act.size * add(length * sine(act.along - angle) for length, angle in arm)
 
 
-def _part(act: Act, line: Angle) -> Product:
+def part_along(act: Act, line: Angle) -> Product:
     """Return the component of what acts along a line."""
     return ZERO if act.along is None else act.size * cosine(act.along - line)
 

@@ -19,9 +19,10 @@ from .exerted import Exerted, by_joints, by_loads
 
 
 class Cut(NamedTuple):
-    """All free bodies, and the forces between them."""
+    """All free bodies, what acts on the ground at each pivot, and the forces between them."""
 
     bodies: tuple[FreeBody, ...]
+    ground: Mapping[str, tuple[Act, ...]]
     forces: tuple[JointForce, ...]
 
 
@@ -34,7 +35,9 @@ def cut_free(pose: Pose) -> Cut:
     for body, act in (*(act for each in exerted for act in each.acts), *by_loads(cut)):
         acts.setdefault(body, []).append(act)
     rods = {f.names[0]: f.subject[0] for f in forces if f.kind == "rod"}
-    return Cut(tuple(_free_body(name, acts[name], rods, cut) for name in acts), forces)
+    fixed = pose.mechanism.fixed
+    bodies = (_free_body(name, acts[name], rods, cut) for name in acts if name not in fixed)
+    return Cut(tuple(bodies), {p: tuple(acts.get(p, ())) for p in fixed}, forces)
 
 
 def _named_apart(exerted: Iterable[Exerted], mechanism: Mechanism) -> Iterator[Exerted]:

@@ -42,6 +42,8 @@ class Balance(NamedTuple):
 
     Of moments it has the ``centre``; of forces the direction ``along``, which is that of the
     guide of the body or pin where it ``is_guide``. ``across`` is the rod that has no part in it.
+    With a ``pin`` it is no sum over a body, but of what makes up the force there, on the body or,
+    where that is '', of the ground.
     """
 
     body: str
@@ -50,6 +52,7 @@ class Balance(NamedTuple):
     along: Angle | None = None
     is_guide: bool = False
     across: str = ""
+    pin: str = ""
 
 
 class Found(NamedTuple):

@@ -31,7 +31,7 @@ from .acts import QUARTER, Act, Cutting, X, Y, unit
 from .equilibrium import JointForce
 
 ActOnBody = tuple[str, Act]
-"""The body that something acts on, and what acts."""
+"""The body that something acts on, and what acts; a pivot stands for the ground there."""
 
 
 class Exerted(NamedTuple):
@@ -93,7 +93,7 @@ def _pin(point: str, cut: Cutting) -> Iterator[Exerted]:
             act
             for name, along in zip(force.names, lines, strict=True)
             for act in (
-                (body, _at(name, along, cut.pose.frames[body][point])),
+                (body, _at(name, along, cut.pose.frames[body][point], pin=point)),
                 *_on_pin(name, point, along, cut.rigid[body], cut, Product(-1)),
             )
         ]
@@ -257,15 +257,15 @@ def _loaded(
 def _on_pin(
     name: str, point: str, along: Angle, by: Iterable[str], cut: Cutting, size: Product = ONE
 ) -> Iterator[ActOnBody]:
-    """Yield what goes through some points, and acts on what carries a pin; the ground is free."""
-    if host := cut.host(point):
-        arm = cut.pose.frames[host][point] if host in cut.rigid else ()
-        often = cut.repeats(cut.rigid.get(host, (point,)), by)
-        yield host, _at(name, along, arm, size.scaled(often))
+    """Yield what goes through some points, and acts on what carries a pin."""
+    host = cut.host(point) or point
+    arm = cut.pose.frames[host][point] if host in cut.rigid else ()
+    often = cut.repeats(cut.rigid.get(host, (point,)), by)
+    yield host, _at(name, along, arm, size.scaled(often), point)
 
 
-def _at(name: str, along: Angle, at: Vector, size: Product = ONE) -> Act:
-    return Act(name, size, along, gathered(at))
+def _at(name: str, along: Angle, at: Vector, size: Product = ONE, pin: str = "") -> Act:
+    return Act(name, size, along, gathered(at), pin)
 
 
 def _couple(name: str, body: str, size: Product) -> Iterator[ActOnBody]:

@@ -1,20 +1,19 @@
 """Forces by the equilibrium of free bodies: cut free, sums written, an order chosen."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Report
 from ..diagnostics import derivation as messages
 from ..frozen import replace
 from ..kinematics.plan import Plan
-from ..model.load_kinds import acts_at
-from ..model.mechanism import Axial, LoadForm, LoadRatio, Mechanism, Normal, Reaction
-from ..model.targets import Target
+from ..model.mechanism import LoadForm, LoadRatio
 from ..pose.pose import Pose
 from ..power.balance import Solved
 from ..power.numbers import pose_values
 from .acts import balances
+from .at_joints import called, force_between, made_up
 from .bodies import Cut, cut_free
-from .equilibrium import Equilibrium, Step
+from .equilibrium import Balance, Equilibrium, Step
 from .order import Names, candidates, steps_to
 
 
@@ -22,10 +21,10 @@ def by_equilibrium(plan: Plan, solved: Sequence[Solved], report: Report) -> tupl
     """Return the steps to each load that is asked for, then to forces at joints.
 
     Reports E731 where there are none, E730 of a load that nobody would find so by hand. A force at
-    a joint is left out there, and where free bodies have other components of it.
+    a joint is left out there.
     """
     pose = plan.graph.pose
-    cut = cut_free(pose)
+    cut = _with_names(cut_free(pose), pose, solved)
     found: list[Equilibrium] = []
     for find in pose.mechanism.finds:
         match find.target:
@@ -43,46 +42,32 @@ def by_equilibrium(plan: Plan, solved: Sequence[Solved], report: Report) -> tupl
     return tuple(found)
 
 
-def _forces(pose: Pose, cut: Cut, solved: Sequence[Solved]) -> Iterator[Equilibrium]:
-    """Yield the steps to forces at joints, all loads but those that are held being known."""
+def at_joints(pose: Pose, solved: Sequence[Solved]) -> tuple[Equilibrium, ...]:
+    """Return the steps to forces at joints, all loads but those that are held being known.
+
+    Left out are those that no sums lead to.
+    """
+    return tuple(_forces(pose, _with_names(cut_free(pose), pose, solved), solved))
+
+
+def _with_names(cut: Cut, pose: Pose, solved: Iterable[Solved]) -> Cut:
+    """Return what is cut free, forces that are asked for under the names of results."""
+    asked = ((force_between(one.result.target, cut, pose), one.result.name) for one in solved)
+    return called(cut, {force: name for force, name in asked if force})
+
+
+def _forces(pose: Pose, cut: Cut, solved: Iterable[Solved]) -> Iterator[Equilibrium]:
     loads = frozenset(load.name for load in pose.mechanism.loads)
     for one in solved:
-        force = _force(one.result.target, cut, pose)
-        if force and one.releases:
-            known = loads.difference(one.releases[0].held)
-            if steps := _steps(pose, cut, force, known):
-                found = _equilibrium(one.result.name, force, cut, steps, pose)
-                yield replace(found, is_at_joint=True)
-
-
-def _force(target: Target | None, cut: Cut, pose: Pose) -> str:
-    """Return the name that a force at a joint has on free bodies, '' where they have none for it.
-
-    The ground exerts what it does on the one body at a pivot; where there are several, or halves
-    that share it, each has a force of its own, and so have a rope or a load that end there.
-    """
-    place = 0
-    match target:
-        case Reaction(point, "", "x" | "y" as part):
-            subjects, place = _alone_at(point, pose.mechanism), "xy".index(part)
-        case Axial(link):
-            subjects = [("rod", link)]
-        case Normal(point):
-            bodies = [body.name for body in pose.mechanism.bodies]
-            subjects = [("guide", point), *(("touch", point, body) for body in bodies)]
-        case _:
-            return ""
-    found = [f.names[place] for f in cut.forces if (f.kind, *f.subject[:2]) in subjects]
-    return found[0] if len(found) == 1 else ""
-
-
-def _alone_at(pivot: str, mechanism: Mechanism) -> list[tuple[str, ...]]:
-    """Return the body that alone is held by a pivot, as the subject of the force there."""
-    bodies = [body for body in mechanism.bodies if pivot in body.points]
-    joints = [joint for joint in mechanism.joints if pivot in joint.points]
-    loads = [load for load in mechanism.loads if acts_at(pivot, load)]
-    is_alone = len(bodies) == len(joints) == 1 and not loads and pivot not in mechanism.shared
-    return [("pivot", bodies[0].name, pivot)] if is_alone else []
+        if not one.releases:
+            continue
+        force = force_between(one.result.target, cut, pose)
+        whole = None if force else made_up(one.result.target, one.result.name, cut, pose)
+        load = force or (whole and one.result.name)
+        known = loads.difference(one.releases[0].held)
+        if load and (steps := _steps(pose, cut, load, known, whole)):
+            found = _equilibrium(one.result.name, load, cut, steps, pose)
+            yield replace(found, is_at_joint=True)
 
 
 def _known(plan: Plan, target: LoadRatio | LoadForm) -> Names:
@@ -97,8 +82,11 @@ def _known(plan: Plan, target: LoadRatio | LoadForm) -> Names:
     return loads - {target.above}
 
 
-def _steps(pose: Pose, cut: Cut, load: str, known: Names) -> tuple[Step, ...]:
-    sums = (balance for body in cut.bodies for balance in balances(body))
+def _steps(
+    pose: Pose, cut: Cut, load: str, known: Names, more: Balance | None = None
+) -> tuple[Step, ...]:
+    sums = [balance for body in cut.bodies for balance in balances(body)]
+    sums += [more] if more else []
     values, made_up = pose_values(pose), frozenset(pose.placeholders)
     ground = frozenset(n for f in cut.forces if f.kind in ("pivot", "guide") for n in f.names)
     return steps_to(load, candidates(sums, known, values, made_up), ground)

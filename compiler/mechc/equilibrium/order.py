@@ -27,7 +27,10 @@ Names = frozenset[str]
 
 @frozen
 class Candidate:
-    """A sum that may be taken: its unknown forces, what each counts at one pose, how long it is."""
+    """A sum that may be taken: its unknown forces, what each counts at one pose, how long it is.
+
+    The arms make a sum of moments longer by two.
+    """
 
     balance: Balance
     unknown: Names
@@ -58,7 +61,7 @@ def _candidate(
         numbers = dict.fromkeys(balance.terms, 1.0)
     most = max(map(abs, numbers.values()))
     numbers = {name: n / most for name, n in numbers.items() if abs(n) > VANISHED * most}
-    length = sum(map(count_operations, formulas)) + 2 * len(formulas)
+    length = sum(map(count_operations, formulas)) + 2 * len(formulas) + 2 * bool(balance.centre)
     return Candidate(balance, frozenset(balance.terms) - known, numbers, length)
 
 

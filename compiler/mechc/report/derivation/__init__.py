@@ -1,1 +1,8 @@
 """The derivation in steps, read off the plan: what the report and the terminal print."""
+
+TYPE_CHECKING = False
+if not TYPE_CHECKING:
+    from ...later import waiting
+
+    SELDOM = {"equilibrium"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -45,16 +45,20 @@ def derive_by_equilibrium(
 ) -> Derivation:
     """Return the derivation of what was asked for, by the equilibrium of free bodies.
 
-    A force at a joint of which they have other components is found by virtual power.
+    A force at a joint that no sums lead to is found by virtual power.
     """
-    pose = solution.plan.graph.pose
-    writer = _Writer(pose)
-    groups = tuple(_together(solution, {each.result: each for each in loads}))
-    by_sums = tuple(writer.explanation(names, found) for names, found in groups)
-    met = frozenset(name for names, _ in groups for name in names)
-    explanations = (*by_sums, *of_forces(solution, met), *of_friction(solution, results))
+    explanations = (*explained_by_sums(solution, loads), *of_friction(solution, results))
     derivation = Derivation((), (), (), tuple(results), explanations)
-    return replace(derivation, position=tuple(position_steps(pose, derivation)))
+    position = position_steps(solution.plan.graph.pose, derivation)
+    return replace(derivation, position=tuple(position))
+
+
+def explained_by_sums(solution: Solution, loads: Iterable[Equilibrium]) -> Iterator[Explanation]:
+    """Yield how results follow from sums of forces and moments; forces without, by a release."""
+    writer = _Writer(solution.plan.graph.pose)
+    groups = tuple(_together(solution, {each.result: each for each in loads}))
+    yield from (writer.explanation(names, found) for names, found in groups)
+    yield from of_forces(solution, frozenset(name for names, _ in groups for name in names))
 
 
 def _together(
@@ -83,10 +87,11 @@ class _Writer:
         Where a force has been found already, or has another name, it is said which one is meant.
         """
         paragraphs = [p for equilibrium in found for p in self._paragraphs(equilibrium)]
-        if called := [_called(each) for each in found if each.is_at_joint]:
+        called = [_called(each) for each in found if each.result != each.load and each.is_at_joint]
+        if called:
             last = paragraphs.pop() if paragraphs else Paragraph(SentenceKind.EQUILIBRIUM)
-            new = [equation for equation in called if equation.left != equation.right]
-            paragraphs.append(replace(last, equations=(*last.equations, *new)))
+            paragraphs.append(replace(last, equations=(*last.equations, *called)))
+        paragraphs = list(_merged(paragraphs))
         sides = [side for p in paragraphs for equation in p.equations for side in equation]
         where = tuple(intermediates(self._pose, symbols(*sides)))
         return Explanation(names, tuple(paragraphs), where)
@@ -101,7 +106,7 @@ class _Writer:
             if new:
                 self._found |= new
                 yield from self._forces(step, equilibrium.forces)
-                yield from _sums(step, self._pose)
+                yield from self._sums(step, equilibrium)
 
     def _forces(self, step: Step, forces: Iterable[JointForce]) -> Iterator[Paragraph]:
         """Yield the explanation of the forces that a step meets first."""
@@ -111,10 +116,56 @@ class _Writer:
                 self._met.update(force.names)
                 yield _force(force)
 
+    def _sums(self, step: Step, equilibrium: Equilibrium) -> Iterator[Paragraph]:
+        """Yield the sums of a step, the last with what follows."""
+        *most, last = step.balances
+        found = tuple(map(_solved, step.found))
+        if last.pin:
+            yield self._made_up(last, found, equilibrium)
+            return
+        for balance in most:
+            yield _sum(balance, (), self._pose)
+        if most:
+            yield _sum(last, (), self._pose)
+            yield Paragraph(SentenceKind.SOLVED_TOGETHER, found)
+        else:
+            yield _sum(last, () if self._is_result(step, equilibrium) else found, self._pose)
+
+    def _is_result(self, step: Step, equilibrium: Equilibrium) -> bool:
+        """Return whether a step gives a force in given loads, as the result is stated."""
+        (found,) = step.found
+        is_found = equilibrium.is_at_joint and equilibrium.result == found.name
+        loads = {load.name for load in self._pose.mechanism.loads} - self._found.keys()
+        return is_found and loads >= found.terms.keys()
+
+    def _made_up(
+        self, balance: Balance, found: tuple[Equation, ...], equilibrium: Equilibrium
+    ) -> Paragraph:
+        """Return what a force at a joint is the sum of, with the reason."""
+        names = {"point": (balance.pin,), "link": (balance.body,)}
+        mechanism = self._pose.mechanism
+        if balance.body:
+            is_rod = any((f.kind, *f.subject) == ("rod", balance.body) for f in equilibrium.forces)
+            return Paragraph(SentenceKind.ROD if is_rod else SentenceKind.MADE_UP, found, names)
+        if balance.pin not in mechanism.fixed:
+            return Paragraph(SentenceKind.SMOOTH, found, names)
+        is_shared = balance.pin in mechanism.shared
+        sentence = SentenceKind.SHARED if is_shared else SentenceKind.MADE_UP_BY_GROUND
+        return Paragraph(sentence, found, names)
+
 
 def _called(equilibrium: Equilibrium) -> Equation:
     """Return the name of a result and that of the force on free bodies that it is."""
     return Equation(Symbol(equilibrium.result), Symbol(equilibrium.load))
+
+
+def _merged(paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
+    """Yield paragraphs, those that say the same of different components as one."""
+    alike = groupby(paragraphs, lambda p: (p.sentence, {**p.names}, {**p.formulas}))
+    for _, group in alike:
+        first, *others = group
+        more = (equation for other in others for equation in other.equations)
+        yield replace(first, equations=(*first.equations, *more)) if others else first
 
 
 def _force(force: JointForce) -> Paragraph:
@@ -123,17 +174,6 @@ def _force(force: JointForce) -> Paragraph:
     names = {place: (name,) for place, name in zip(places, force.subject, strict=False)}
     letters = zip(("force", "other"), map(Symbol, force.names), strict=False)
     return Paragraph(sentence, (), names, dict(letters))
-
-
-def _sums(step: Step, pose: Pose) -> Iterator[Paragraph]:
-    """Yield the sums of a step, the last with what follows."""
-    *most, last = step.balances
-    found = tuple(map(_solved, step.found))
-    for balance in most:
-        yield _sum(balance, (), pose)
-    yield _sum(last, () if most else found, pose)
-    if most:
-        yield Paragraph(SentenceKind.SOLVED_TOGETHER, found)
 
 
 def _sum(balance: Balance, found: tuple[Equation, ...], pose: Pose) -> Paragraph:

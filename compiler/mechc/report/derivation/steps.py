@@ -254,6 +254,10 @@ class SentenceKind(StrEnum):
     """Forces on a pin in a direction."""
     PIN_ACROSS = "pin across"
     """Forces on a pin across a rod."""
+    MADE_UP = "made up"
+    """The force on a link at a pin, of those that act there."""
+    MADE_UP_BY_GROUND = "made up by ground"
+    """The same of the ground, at a pivot."""
     SOLVED_TOGETHER = "solved together"
     """The forces that several sums give together."""
 

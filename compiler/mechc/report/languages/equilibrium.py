@@ -26,6 +26,8 @@ ENGLISH = {
     "forces across": "Forces on {link} perpendicular to the rod {rod}:",
     "pin along": "Forces on the pin {point} in the direction {direction}:",
     "pin across": "Forces on the pin {point} perpendicular to the rod {rod}:",
+    "made up": "The force on {link} at {point} is the sum of those that act on it there:",
+    "made up by ground": "The force of the ground at {point} balances all that acts there:",
     "solved together": "These equations together give",
 }
 
@@ -58,6 +60,8 @@ UKRAINIAN = {
     "pin along": "Рівняння рівноваги шарніра {point} у проєкції на напрям {direction}:",
     "pin across": "Рівняння рівноваги шарніра {point} у проєкції на перпендикуляр до стрижня "
     "{rod}:",
+    "made up": "Реакція на ланку {link} у шарнірі {point} — сума сил, що діють на неї там:",
+    "made up by ground": "Реакція стояка в шарнірі {point} зрівноважує всі сили, що діють там:",
     "solved together": "Розв’язавши ці рівняння разом, маємо",
 }
 
@@ -91,5 +95,8 @@ RUSSIAN = {
     "pin along": "Уравнение равновесия шарнира {point} в проекции на направление {direction}:",
     "pin across": "Уравнение равновесия шарнира {point} в проекции на перпендикуляр к стержню "
     "{rod}:",
+    "made up": "Реакция на звено {link} в шарнире {point} — сумма сил, действующих на него там:",
+    "made up by ground": "Реакция стойки в шарнире {point} уравновешивает все действующие там "
+    "силы:",
     "solved together": "Решив эти уравнения совместно, получаем",
 }
