@@ -136,9 +136,12 @@ def test_nothing_is_remarked_upon(name: str) -> None:
     assert found == REMARKED.get(name, set())
 
 
-def turned(values: dict[str, float]) -> dict[str, float]:
-    """Return a nearby pose, every quantity moved by a step of its own."""
-    return {name: v * (1 + 0.01 * math.sin(i + 1)) for i, (name, v) in enumerate(values.items())}
+def nearby(tree: ast.File, values: dict[str, float]) -> dict[str, float]:
+    """Return a nearby pose, every quantity moved by a step of its own, and the lets with them."""
+    lets = {let.name.text for let in reference_geometry.every(tree, ast.Let)}
+    given = ((name, value) for name, value in values.items() if name not in lets)
+    moved = {name: v * (1 + 0.01 * math.sin(i + 1)) for i, (name, v) in enumerate(given)}
+    return reference_geometry.defined(tree, moved)
 
 
 @cache
@@ -158,7 +161,7 @@ def test_agrees_with_coordinates_and_singular_values(name: str, moved: bool) -> 
     """Ratios and loads without friction; friction and joint forces have references elsewhere."""
     tree = tree_of(source_of(name))
     values = reference_geometry.defaults(tree)
-    values = turned(values) if moved else values
+    values = nearby(tree, values) if moved else values
     expected = reference_kinematics.results(tree, values)
     compared = 0
     for function in compiled(name).routine.functions:
