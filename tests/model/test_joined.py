@@ -401,3 +401,14 @@ def test_a_wrong_unit_and_a_pivot_without_place_of_a_part(tmp_path: Path) -> Non
     without = HALF.replace("pivot O at (0 mm, 0 mm)", "pivot O")
     text = refused(written(tmp_path, CRANK_BESIDE.replace("assembly O1BC cw\n", ""), half=without))
     assert_says({"E312", "write `pivot O at (0 mm, 0 mm)`"}, text)
+
+
+def test_remarks_of_a_part_keep_their_translations(tmp_path: Path) -> None:
+    """A remark of a part ends with the part's name, as it does in a sheet, and so it is spoken."""
+    toggle = TOGGLE.replace('as "length of both links"', "# length of both links")
+    toggle += 'translate "length of both links" uk "довжина обох ланок"\n'
+    path = written(tmp_path, JOINED, toggle=toggle)
+    compilation = Compilation(files.read(path))
+    spoken = compilation.mechanism.translations["uk"]
+    assert spoken["length of both links (toggle)"] == "довжина обох ланок (toggle)"
+    assert not [d for d in compilation.report.diagnostics if d.code == "W224"]

@@ -69,11 +69,21 @@ def unknown_unit(
         let s = 2*l              # right
     """
     product = f"a product is written with '*', as in 2*{unit}" if unit.isalnum() else ""
+    product = _OTHER_UNITS.get(unit, product)
     spaces = "a compound unit has no spaces, as in 2 m/s^2"
     usual = product or spaces if where else "name a unit such as mm, kN, MPa or cm^3"
     if not where and unit.lower() in ("l", "liter", "litre", "liters", "litres"):
         hint = "a litre is a dm^3"
     return Message(span, f"'{unit}'{where} is not a unit", hint or near_miss(unit, known) or usual)
+
+
+_OTHER_UNITS = {
+    **dict.fromkeys(("hp", "PS", "HP"), "a horsepower is 745.7 W, a metric one 735.5 W"),
+    **dict.fromkeys(("h", "hr", "hour", "hours"), "an hour is 3600 s"),
+    **dict.fromkeys(("nm",), "a nanometre is 1e-3 um; a torque is in N*m"),
+    "min": "a range stands behind 'in': in LOW .. HIGH; minutes are min behind a number",
+}
+"""Units that mechc does not know, and what there is in their place."""
 
 
 @coded("E104")
@@ -178,13 +188,14 @@ def unfinished_statement(span: Span, expected: list[str], hint: str = "") -> Mes
 
 
 @coded("E109")
-def missing_equals(span: Span, found: str) -> Message:
+def missing_equals(span: Span, found: str, hint: str = "") -> Message:
     """An ``=`` is missing between a name and its value.
 
     param a 40 mm            # wrong
     param a = 40 mm          # right
     """
-    return Message(span, f"found {found}, expected '=' and a value", "write NAME = VALUE")
+    message = f"found {found}, expected '=' and a value"
+    return Message(span, message, hint or "write NAME = VALUE")
 
 
 @coded("E110")
@@ -232,7 +243,8 @@ def unexpected_character(span: Span, character: str, hint: str) -> Message:
         param α = 12°            # wrong
         param alpha = 12°        # right
     """
-    return Message(span, f"unexpected character '{character}'", hint or "leave it out")
+    shown = f"'{character}'" if character.isprintable() else f"U+{ord(character):04X}"
+    return Message(span, f"unexpected character {shown}", hint or "leave it out")
 
 
 @coded("E113")

@@ -116,6 +116,17 @@ def colon_without_space(span: Span, text: str) -> Message:
     return Message(span, f"the colon in '{text}' has no space behind it", f"write {key}: {value}")
 
 
+@coded("W287")
+def text_cut_short(span: Span, comment: str) -> Message:
+    """A text of YAML ends at a ``#``, which begins a comment where a space stands before it.
+
+    title: Jack #2       # warned of: the title is Jack
+    title: "Jack #2"     # right
+    """
+    shown = comment if len(comment) < 30 else f"{comment[:30]}…"
+    return Message(span, f"the text ends here: '{shown}' is a comment", "put the text in quotes")
+
+
 @coded("E128")
 def one_document(span: Span) -> Message:
     """A file holds one description, so ``---`` may stand only at its top."""

@@ -17,7 +17,7 @@ from .fault import Fault, check_length, note
 from .layout import BESIDE, BY_NAME
 from .once import check_once
 from .sections import Section, Shape
-from .yaml_comments import comments, with_comments
+from .yaml_comments import comments, texts_cut_short, with_comments
 from .yaml_entries import several, statements
 from .yaml_nodes import Listing, Mapping, Node, Scalar, compose
 from .yaml_scalars import described
@@ -40,6 +40,8 @@ def parse(source: Source, report: Report) -> ast.File:
     root = compose(report)
     found_statements = list(read_root(root, report)) if root else []
     check_once(found_statements, report)
+    for span in texts_cut_short(root, source) if root else ():
+        report.add(syntax_yaml.text_cut_short(span, source.written(span)))
     return with_comments(found_statements, comments(root, source), source)
 
 
@@ -55,7 +57,7 @@ def read_root(root: Node, report: Report) -> Iterator[ast.Statement]:
             yield from read_section(BY_NAME[name.text], name, value, root, report)
         elif name.text not in BESIDE:
             allowed = [*BY_NAME, *BESIDE]
-            hint = yaml_slips.of_key(name.text, allowed)
+            hint = yaml_slips.of_section(name.text, allowed)
             place = "the description"
             note(syntax_yaml.unknown_key(name.span, name.text, place, allowed, hint), report)
         elif not {key.text for key, _ in root.entries}.intersection(BESIDE[name.text]):
@@ -111,6 +113,7 @@ def items(section: Section, name: Scalar, value: Node, report: Report) -> Iterat
             yield None, value
         case _:
             hint = yaml_slips.of_shape(value.text) if isinstance(value, Scalar) else ""
+            hint = hint or yaml_slips.written(section.name)
             expected = expected_shape(section)
             note(syntax_yaml.wrong_shape(value.span, described(value), expected, hint), report)
 

@@ -40,6 +40,23 @@ SAID_OTHERWISE = {
     "cylinder": "a link of variable length is a telescope: telescope AB",
     "piston": "a point that the ground guides is a slider: slider B along x",
     "range": "a range stands behind its parameter: param a = 2 mm in 1 mm .. 5 mm",
+    "chain": "a chain is a belt: belt O1 20 mm, O2 30 mm",
+    "pulley": "a pulley leads a belt, belt O1 20 mm, O2 30 mm, or a rope, rope A, K along y",
+    "symmetric": "a half is mirrored: mirror across 90 deg sharing K",
+    "symmetry": "a half is mirrored: mirror across 90 deg sharing K",
+    **dict.fromkeys(("import", "include"), 'what is used has a prefix: use "pin.mech" as pin'),
+    **dict.fromkeys(("hinge", "support", "bearing"), "a pin on the ground is a pivot: pivot O"),
+    **dict.fromkeys(("lever", "rocker", "coupler"), "a lever is a link of its points: link OAB"),
+    **dict.fromkeys(("guide", "prismatic"), "what the ground guides is a slider: slider B along x"),
+    "cam": "a cam touches: contact A on WX normal 80 deg",
+    "mass": "a mass acts by its weight: weight W mass 2 kg at G",
+    "input": "what moves is driven: drive phi from 10 deg to 80 deg",
+    **dict.fromkeys(("result", "output", "solve"), "a result is asked for: find k = P/F"),
+    **dict.fromkeys(("assume", "constraint", "condition"), "a condition is: require a < 2 mm"),
+    **dict.fromkeys(("units", "unit"), "each number has its unit behind it: param a = 40 mm"),
+    "title": 'a title stands behind the name: mechanism clamp "Toggle clamp"',
+    **dict.fromkeys(("author", "description"), 'where it comes from is a source: source "Book"'),
+    "end": "a description ends with its file: leave it out",
 }
 """What people call a thing, and how it is stated here."""
 
@@ -135,7 +152,9 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
     if token.type == "RIGHT" and not is_open(line[:position]):
         return syntax.unclosed_bracket(span, ")")
     if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
-        return syntax.missing_equals(span, described(token))
+        is_glued = text.startswith(".") and before is not None and span_of(before).end == span.start
+        hint = f"a name has no dot: write {before}_{text[1:].split()[0]}" if is_glued else ""
+        return syntax.missing_equals(span, described(token), hint)
     hint = example(line, allowed) if lacks_name else ""
     if start in ("let_value", "condition"):
         hint = slips.of_asking(line, position, allowed)
@@ -160,6 +179,8 @@ def unknown_statement(line: Sequence[Token]) -> Diagnostic:
         hint = PLACE.format(word.upper())
     if len(points_of(word)) > 1:
         hint = f"a vector is written {word} = length @ direction"
+    if len(line) > 2 and line[1].type == "NAME" and line[2] == "=" and not points_of(word):
+        hint = f"a value is declared by param, a formula is a let: param {line[1]} = …"
     if word.lower() in statement_words():
         hint = f"did you mean {word.lower()!r}?"
     hint = SAID_OTHERWISE.get(word.lower(), hint)

@@ -7,7 +7,16 @@ from ..units import UNITS
 from .grammar import keywords, spelling
 from .lalr import Token, span_of
 from .lines import OPERAND_ENDS
-from .vocabulary import CHOICE, FUNCTIONS, NAME, RANGE, TWINS, split_quantity
+from .vocabulary import (
+    CHOICE,
+    DIAMETER,
+    FUNCTIONS,
+    LANGUAGES,
+    NAME,
+    RANGE,
+    TWINS,
+    split_quantity,
+)
 from .written import WRITTEN, example, words_behind
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
@@ -22,6 +31,8 @@ _MOVES = (
     "a drive is what moves, drive phi from 10 deg to 80 deg; the force of a cylinder is an "
     "actuator, actuator P between A and B, that of a motor a torque, torque M on OA"
 )
+
+_GRAVITY = "gravity has a direction, gravity along -y; its size is a param g = 9.81 m/s^2"
 
 _ALL_HOLD = (
     "all conditions hold at once, each in a line of its own; what differs from case to case is a "
@@ -49,6 +60,8 @@ STATED = {
     ("FORCE", "perpendicular"): _SQUARE,
     ("FORCE", "normal"): _SQUARE,
     ("FORCE", "perp"): _SQUARE,
+    ("GRAVITY", "9.81 m/s^2"): _GRAVITY,
+    ("GRAVITY", "9.81"): _GRAVITY,
     ("DRIVE", "on"): _MOVES,
     ("DRIVE", "at"): _MOVES,
     ("DRIVE", "between"): _MOVES,
@@ -57,6 +70,13 @@ STATED = {
     ("TELESCOPE", "="): "a telescope is declared, and its length is a line of its own: AB = 60 mm",
     ("SLIDE", "="): "a slide is declared, and its lengths are lines of their own: WX = 60 mm",
     ("WEIGHT", "at"): "a weight has a mass: weight W mass 2 kg at G",
+    ("USE", "with"): "what is given stands in brackets: use cylinder as cyl (P = 2 kN)",
+    ("TRANSLATE", "ua"): 'Ukrainian is uk: translate "handle" uk "рукоятка"',
+    ("LET", "otherwise"): "what is meant where no case holds stands behind 'else'",
+    ("LET", "or"): "conditions are joined by 'and'; another case is one of its own behind a ','",
+    ("MIRROR", "and"): "a ',' stands between points: sharing K, L",
+    ("COPIES", "and"): "a ',' stands between points: sharing K, L",
+    ("EXPECT", "and"): "a ',' stands between values: at alpha = 10 deg, l = 200 mm",
 }
 """What is said otherwise in a statement, by its word and what does not fit in it."""
 
@@ -67,6 +87,11 @@ PARTED = "a ',' stands between two values"
 
 ONE_EACH = frozenset({"PIVOT", "SLIDER", "LINK", "SLIDE", "TELESCOPE", "PARAM", "LET"})
 """A statement with one of these words is about one thing, and has no comma outside brackets."""
+
+PICKED = ("nearest", "closest", "previous", "last", "first")
+"""What people call a size of a list."""
+
+LATER_TITLES = frozenset({"MECHANISM", "SHEET"})
 
 FORMULAS = frozenset({"PARAM", "LET", "REQUIRE"})
 """Words of the statements that give or compare what formulas come to."""
@@ -108,8 +133,9 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     """Return a hint for the slips that are made most, '' where it is none of them."""
     token, before = line[position], line[position - 1] if position else None
     return (
-        _of_comment(line, position)
+        _of_comment(line, position, allowed)
         or _of_label(line, position)
+        or _of_text(line, position)
         or _of_decimals(line, position)
         or (line[0].type in FORMULAS and of_asking(line, position, allowed))
         or _of_bracket(line, position, allowed)
@@ -118,9 +144,11 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or _of_radius(line, position)
         or _of_name(line, position)
         or _of_vector(line, position, allowed)
-        or _of_neighbours(token, before, allowed)
-        or _of_sign(token, before, allowed)
+        or _of_picking(line, position)
         or CHOICES.get(line[0].type, "")
+        or _of_neighbours(line, position, allowed)
+        or (example(line, allowed) if str(token) in words_behind(line) else "")
+        or _of_sign(token, before, allowed)
         or example(line, allowed)
     )
 
@@ -157,7 +185,7 @@ def of_asking(line: Sequence[Token], position: int, allowed: set[str]) -> str:
 def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     """Return a hint where a vector, a place or a named result is written otherwise."""
     token, before = str(line[position]), str(line[position - 1]) if position else ""
-    if "AT_SIGN" in allowed and token in (",", "<", "at"):
+    if "AT_SIGN" in allowed and token in (",", "<", "at", "angle", "along", "dir"):
         return "a direction stands behind '@', as in OA = a @ 30 deg"
     if token in UNITS and "(" in map(str, line[:position]):
         return f"each value has its unit: (20 {token}, 35 {token})"
@@ -169,9 +197,12 @@ def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     return ""
 
 
-def _of_comment(line: Sequence[Token], position: int) -> str:
-    """Return a hint at a remark behind two strokes."""
-    is_comment = [str(token) for token in line[position : position + 2]] == ["/", "/"]
+def _of_comment(line: Sequence[Token], position: int, allowed: set[str]) -> str:
+    """Return a hint at a remark behind two strokes, or a stroke and a star, or two dashes."""
+    signs = "".join(map(str, line[position : position + 2]))
+    before = "".join(map(str, line[max(position - 1, 0) : position + 1]))
+    is_comment = "//" in (signs, before) or signs == "/*"
+    is_comment |= signs == "--" and "TIMES_SIGN" not in allowed
     return "a comment begins with '#'" if is_comment else ""
 
 
@@ -179,7 +210,30 @@ def _of_label(line: Sequence[Token], position: int) -> str:
     """Return a hint at a text behind a statement that takes none."""
     text = line[position]
     is_label = position > 1 and text.type == "STRING" and position == len(line) - 1
+    if is_label and line[position - 1] == "=":
+        return f"a value stands without quotes: {text[1:-1]}"
+    if is_label and line[position - 1].type == "NUMBER" and text[1:-1] in UNITS:
+        return f"a unit stands without quotes: {line[position - 1]} {text[1:-1]}"
     return f"a label stands behind '#': # {text[1:-1]}" if is_label else ""
+
+
+def _of_text(line: Sequence[Token], position: int) -> str:
+    """Return a hint at a text without quotes: a title, a label, a source."""
+    token, before = line[position], str(line[position - 1]) if position else ""
+    if line[0].type in LATER_TITLES and token in LANGUAGES and position > 2:
+        return f'a title in another language is a line: translate "{line[2][1:-1]}" {token} "…"'
+    is_title = line[0].type in LATER_TITLES and position == 2
+    if token.type == "NAME" and (is_title or before in ("as", "source")):
+        rest = " ".join(map(str, line[position:]))
+        return f'a text stands in double quotes: {before} "{rest}"'
+    return ""
+
+
+def _of_picking(line: Sequence[Token], position: int) -> str:
+    """Return a hint at a size that is picked from a list by another word than ``next``."""
+    before = str(line[position - 1]) if position else ""
+    picks = line[0].type == "LET" and before in PICKED and "in" in map(str, line[position:])
+    return ASKED["next"].format(WRITTEN["let next"]) if picks else ""
 
 
 def _of_decimals(line: Sequence[Token], position: int) -> str:
@@ -239,19 +293,20 @@ def _of_name(line: Sequence[Token], position: int) -> str:
     return ""
 
 
-def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str:
+def _of_neighbours(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     """Return a hint where two operands, or a function and its argument, stand side by side."""
+    token, before = line[position], line[position - 1] if position else None
     text, previous = str(token), str(before or "")
     if token.type == "NUMBER" and before is not None and before.type == "NUMBER":
         if split_quantity(before)[1] == "in":
             return RANGE
         if split_quantity(before)[1]:
             return PARTED if "COMMA" in allowed else ""
+        if line[position + 1 : position + 2] == ["/"]:
+            return "a fraction is a part of one number with a point: 7 7/8 is 7.875"
         return "digits stand together, as in 1200 mm"
     if text == previous and text in DOUBLED:
         return DOUBLED[text]
-    if text == previous == "/":
-        return "a comment begins with '#'"
     if previous == "if":
         return CHOICE
     if previous in FUNCTIONS or previous in TWINS:
@@ -262,10 +317,27 @@ def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str
     if token.type == "NAME" and (hint := near_miss(text, words)):
         return hint
     if token.type in ("NAME", "LEFT") and before is not None and before.type in OPERAND_ENDS:
-        if before.type == "NUMBER" and split_quantity(before)[1] and "COMMA" in allowed:
-            return PARTED
-        return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
+        if before.type == "NUMBER" and split_quantity(before)[1]:
+            return PARTED if "COMMA" in allowed else ""
+        return _of_product(line, position, allowed)
     return ""
+
+
+def _of_product(line: Sequence[Token], position: int, allowed: set[str]) -> str:
+    """Return a hint where a name or a bracket stands behind an operand."""
+    words = [str(token) for token in line[: position + 2]]
+    if words[position] == "(" and words[position + 1 :] and words[position + 1] in UNITS:
+        return f"a unit stands without brackets: {words[position - 1]} {words[position + 1]}"
+    if words[position] == "(" and words[position - 2 : position - 1] == ["^"]:
+        function, power = words[position - 3], words[position - 1]
+        if function in FUNCTIONS or function in TWINS:
+            return f"a power of a function stands behind it: {function}(…)^{power}"
+    if (words[0], words[position]) == ("friction", "radius"):
+        return DIAMETER
+    if (words[0], words[position]) == ("let", "of"):
+        return ASKED["at"].format(WRITTEN["let at"])
+    is_formula = line[0].type in FORMULAS | {"EXPECT", "NAME", "NUMBER"} or words[0] in FUNCTIONS
+    return "a product is written with '*'" if is_formula and "TIMES_SIGN" in allowed else ""
 
 
 def _of_sign(token: Token, before: Token | None, allowed: set[str]) -> str:
@@ -280,6 +352,8 @@ def _of_sign(token: Token, before: Token | None, allowed: set[str]) -> str:
     if before is not None and before.type in OPERATORS:
         return f"the '{before}' has no right side"
     if text in ("to", "from") and {"..", "in"} & {spelling().get(name) for name in allowed}:
+        return RANGE
+    if text == ":" and ".." in {spelling().get(name) for name in allowed}:
         return RANGE
     if text == ":" and "TIMES_SIGN" in allowed:
         return "a quotient is written with '/'"

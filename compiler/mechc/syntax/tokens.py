@@ -6,6 +6,7 @@ YAML they differ from those in the scalar's value, so the caller passes the ``pl
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import takewhile
+from typing import TYPE_CHECKING
 
 from ..diagnostics import Diagnostic, syntax, syntax_limits
 from ..source import Span
@@ -16,6 +17,13 @@ from .grammar import lexed
 from .lalr import Token, span_of
 from .vocabulary import CHOICE, DIAMETER, RANGE, split_quantity
 
+if TYPE_CHECKING:
+    from . import strange as characters
+else:
+    from ..later import Later
+
+    characters = Later("mechc.syntax.strange")
+
 Sweep = Callable[[int], int]
 
 LONGEST_UNIT = max(map(len, UNITS))
@@ -24,38 +32,6 @@ BEGINS_OPERAND = frozenset({"NAME", "NUMBER", "LEFT", "PLUS", "MINUS"})
 
 BLANKS = frozenset(" \t\u00a0\u2007\u2009\u202f")
 """What may stand between a number and its unit: word processors put spaces that do not break."""
-
-LOOKALIKES = {
-    "−": "the minus sign is '-'",
-    "–": "the minus sign is '-'",
-    "·": "a product is written with '*'",
-    "×": "a product is written with '*'",
-    "÷": "a quotient is written with '/'",
-    "²": "a square is written '^2'",
-    "³": "a cube is written '^3'",
-    "√": "a root is written sqrt(…)",
-    "≤": "write '<='",
-    "≥": "write '>='",
-    "≠": "write '!='",
-    "…": "a range is written with two dots",
-    "—": "the minus sign is '-'",
-    "°": "degrees belong to a number, as in 30°; a parameter has its own unit",
-    "∈": "a range stands behind 'in', as in 10 deg in 2 deg .. 40 deg",
-    "∠": "a direction is an angle behind '@', as in OB = l @ 30 deg",
-    "%": "a comment begins with '#'; a hundredth is written 0.01",
-    "_": "digits stand together, as in 1200",
-    ".": "a range is written with two dots",
-    "'": "a text stands in double quotes; feet are ft, minutes of arc are 1/60 deg",
-    "“": "a text stands in plain double quotes",
-    "„": "a text stands in plain double quotes",
-    "«": "a text stands in plain double quotes",
-    "’": "a prime is written with '",
-    "′": "a prime is written with '",
-    "[": "lists are for YAML; here repeat the statement",
-    "{": "mappings are for YAML",
-    ";": "statements end with their line",
-    "π": "write pi",
-}
 
 
 def tokens(text: str, places: Sweep | None = None) -> list[Token]:
@@ -138,9 +114,9 @@ def check(line: Iterable[Token]) -> None:
     """Refuse what the grammar cannot speak of: strange characters, sizes, glued units."""
     before: Token | None = None
     line = list(line)
-    for token, behind in zip(line, [*line[1:], None], strict=True):
+    for position, token in enumerate(line):
         if token.type == "STRANGE":
-            raise Fault(strange(token, dotted(before, behind) if token == "." else ""))
+            raise Fault(strange(line, position))
         if token.type == "NUMBER":
             check_number(token)
         if before is not None and before.type == "NUMBER":
@@ -166,30 +142,17 @@ def dotted(before: Token | None, behind: Token | None) -> str:
     return f"units are multiplied with '*', as in {unit}*{behind}" if unit else ""
 
 
-def strange(token: Token, meant: str = "") -> Diagnostic:
-    """Return the error about a character outside the language; ``meant`` is a hint."""
+def strange(line: Sequence[Token], position: int) -> Diagnostic:
+    """Return the error about a character outside the language."""
+    token = line[position]
     span, character = span_of(token), str(token)
     if character.startswith('"'):
         return syntax.unclosed_text(span)
-    hint = meant or LOOKALIKES.get(character, "")
-    if character.isdecimal():
-        hint = f"digits are 0 to 9: write {int(character)}"
-    elif not hint and character.isalpha():
-        hint = f"names are written in Latin letters; this is {script(character)}"
+    before = line[position - 1] if position else None
+    behind = line[position + 1] if position + 1 < len(line) else None
+    hint = dotted(before, behind) if character == "." else ""
+    hint = hint or characters.meaning(line, position)
     return syntax.unexpected_character(Span(span.start, span.start + 1), character, hint)
-
-
-def script(character: str) -> str:
-    """Say which alphabet a letter is from; look-alikes are hard to see.
-
-    >>> script("А"), script("α"), script("é")
-    ('a Cyrillic letter', 'a Greek letter: write its name, as in alpha', 'another letter')
-    """
-    if "\u0400" <= character <= "\u04ff":
-        return "a Cyrillic letter"
-    if "\u0370" <= character <= "\u03ff":
-        return "a Greek letter: write its name, as in alpha"
-    return "another letter"
 
 
 def check_number(token: Token) -> None:

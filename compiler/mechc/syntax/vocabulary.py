@@ -125,6 +125,8 @@ def apart(text: str, one_each: bool = False) -> str:
     >>> apart("O B"), apart("OB, BK"), apart("O at (0, 0)")
     ('points are written together: OB', 'a list stands in brackets: [OB, BK]', '')
     """
+    if text.startswith("-") and points_of(text[1:]):
+        return f"an entry of a list has a space behind its '-': - {text[1:]}"
     parts = [part for part in re.split(f"[{ROOM}]+", text) if part]
     counts = [len(points_of(part)) for part in parts]
     if len(parts) < 2 or not all(counts):

@@ -9,9 +9,11 @@ from collections.abc import Iterator, Sequence
 from ..frozen import replace
 from ..named import NamedTuple
 from ..patterns import pattern
-from ..source import Source
+from ..source import Source, Span
 from . import ast
 from .yaml_nodes import Listing, Mapping, Node, Scalar
+
+CUT = pattern(r"[ \t]+(#\w[^\n]*)")
 
 COMMENT = pattern(r"(?:(?<=\s)|(?<![\s\S]))#([^\n]*)")
 
@@ -55,6 +57,24 @@ def scalar_spans(node: Node) -> Iterator[tuple[int, int]]:
             for key, value in entries:
                 yield key.span
                 yield from scalar_spans(value)
+
+
+TEXTS = frozenset({"title", "source", "label", "about", "text", "en", "uk", "ru"})
+"""Keys whose values people write in their own words."""
+
+
+def texts_cut_short(node: Node, source: Source) -> Iterator[Span]:
+    """Yield the comments without a space behind their ``#`` that cut a text: ``title: Jack #2``."""
+    match node:
+        case Listing(items=items):
+            for item in items:
+                yield from texts_cut_short(item, source)
+        case Mapping(entries=entries):
+            for key, value in entries:
+                if key.text not in TEXTS or not isinstance(value, Scalar):
+                    yield from texts_cut_short(value, source)
+                elif not value.quoted and (found := CUT.match(source.text, value.span.end)):
+                    yield Span(found.start(1), found.end(1))
 
 
 def with_comments(

@@ -58,7 +58,10 @@ def table(value: Node, where: str, section: Section) -> Mapping:
         return value
     keys = [key.name for entry in section.entries for key in entry.keys]
     expected = f"a mapping with keys of {', '.join(keys)}"
-    raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected))
+    if section.name in yaml_slips.WRITTEN:
+        expected = "a mapping"
+    hint = yaml_slips.written(section.name)
+    raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected, hint))
 
 
 def by_keys(section: Section, value: Mapping, where: str) -> list[Chosen]:

@@ -56,6 +56,10 @@ class Open(NamedTuple):
     children: list[Node]
 
 
+OPENED = (" flow ", "quoted scalar")
+"""What was opened and is not closed, in the words of the reader of YAML."""
+
+
 def compose(report: Report) -> Node | None:
     """Return the document's root, or None if it is empty.
 
@@ -91,7 +95,7 @@ def events(report: Report) -> Iterator[yaml.Event]:
         mark = error.problem_mark or error.context_mark
         at = mark.index if mark else 0
         problem = (error.problem or "").replace("'<stream end>'", "the end of the text")
-        in_brackets = error.context is not None and " flow " in error.context
+        in_brackets = error.context is not None and any(w in error.context for w in OPENED)
         opened = error.context_mark.index if in_brackets and error.context_mark else None
         raise report.fail(not_yaml(at, problem, report.source.text, opened)) from None
     except yaml.reader.ReaderError as error:

@@ -6,6 +6,7 @@ from typing import Final
 
 from ..named import NamedTuple
 from ..patterns import pattern
+from .vocabulary import POINTS
 
 GLUED: Final = pattern(
     r"^\s*(?:- )?([A-Za-z][\w']*):([^\s/:'\"][^:\n]*?)\s*(?:\n[^\n]*)?\Z", re.MULTILINE
@@ -32,15 +33,67 @@ MEANT: Final[Mapping[str, Collection[str]]] = {
     **dict.fromkeys(("direction", "angle", "dir"), ("along", "angle", "normal")),
     **dict.fromkeys(("on", "point"), ("at", "link")),
     **dict.fromkeys(("min", "max", "limits"), ("range",)),
+    **dict.fromkeys(("author", "reference", "book"), ("source",)),
+    **dict.fromkeys(("mu", "friction", "coefficient"), ("f",)),
+    **dict.fromkeys(("d", "pin_diameter"), ("diameter",)),
+    **dict.fromkeys(("columns", "values", "data"), ("rows", "sizes")),
+    **dict.fromkeys(("formula", "expression"), ("value",)),
+    **dict.fromkeys(("ua", "ukrainian"), ("uk",)),
+    **dict.fromkeys(("stiffness", "k", "c"), ("rate",)),
     "name": ("mechanism",),
     "label": ("title",),
+    "description": ("title", "label"),
 }
 """The keys that people may mean by another one, the first that a place has."""
 
 SAID: Final[Mapping[str, str]] = {
+    "<<": "mappings are not merged: write the entries themselves",
+    "units": "each number has its unit behind it: 40 mm",
+    "version": "the version of the language is a key of its own: mechc: 1",
+    "from": "a range has two dots: {phi: 10 deg .. 80 deg}",
+    "size": "a load has its value by a let: let: {F: 20 N}",
+    "file": "rows stand in the description: rows: [[1, 0.388], [0.9, 0.400]]",
     "unit": "a unit stands behind its number: {value: 200 mm}",
     "value": "a load has its value by a let: let: {F: 20 N}",
 }
+
+
+WRITTEN: Final[Mapping[str, str]] = {
+    "params": "{a: 40 mm, alpha: {value: 10 deg, range: 2 deg .. 40 deg}}",
+    "drive": "{phi: 10 deg .. 80 deg}",
+    "pivots": "[O], or {O: [0 mm, 0 mm]}",
+    "sliders": "{K: 90 deg}",
+    "slides": "{WXY: x}",
+    "slots": "{B: OC}",
+    "gears": "[{O1: 20 mm, O2: 30 mm}]",
+    "belts": "[{O1: 20 mm, O2: 30 mm}]",
+    "racks": "[{A: O, radius: 20 mm}]",
+    "screws": "{A: {pitch: 5 mm, link: OB}}",
+    "contacts": "{A: {with: WX, normal: 80 deg}}",
+    "points": "{A: [20 mm, 35 mm]}",
+    "geometry": "{OA: a @ alpha}",
+    "assembly": "{ABC: ccw}",
+    "forces": "{P: {at: A, along: x}}",
+    "torques": "{M: {link: OA}}",
+    "weights": "{W: {mass: 2 kg, at: G}}",
+    "actuators": "{P: {between: [A, B]}}",
+    "springs": "[{between: [A, B], rate: 5 N/mm, free: 40 mm}]",
+    "friction": "{pins: {f: 0.1, diameter: 10 mm}}",
+    "let": "{p: 4*P/(pi*d^2)}",
+    "tables": "{m: {rows: [[1, 0.388], [0.9, 0.400]]}}",
+    "lists": "{bores: [32 mm, 40 mm]}",
+    "use": "{cyl: {name: cylinder, with: {P: 2 kN}}}",
+    "require": "[0 deg < alpha < 90 deg]",
+    "expect": "[k = 0.353 at alpha = 10 deg]",
+    "report": "[scheme, k, plot k over alpha]",
+    "translate": "[{text: handle, uk: рукоятка}]",
+}
+"""How the value of a section is written, by the section's key."""
+
+
+def written(section: str) -> str:
+    """Return the hint that shows how a section is written, '' where none is known."""
+    return f"it is written: {section}: {WRITTEN[section]}" if section in WRITTEN else ""
 
 
 class Slip(NamedTuple):
@@ -53,6 +106,8 @@ class Slip(NamedTuple):
 def of_text(text: str, at: int, problem: str, opened: int | None) -> Slip:
     """Return the slip in text that is no YAML; ``opened`` is where a bracket opens."""
     found = text[at : at + 1]
+    if "unexpected end of stream" in problem or "quoted scalar" in problem:
+        return Slip(opened if opened is not None else at, "this quote is not closed")
     if found == "@":
         return Slip(at, "a value cannot begin with '@': write {angle: …}")
     if found in ("`", "%"):
@@ -110,6 +165,17 @@ def of_shape(text: str) -> str:
     """
     first = re.match(r"([A-Za-z][\w']*)\s*=", text)
     return f"in YAML a colon stands for '=': {first[1]}: …" if first else ""
+
+
+def of_section(key: str, allowed: Iterable[str]) -> str:
+    """Return a hint at a key that a description does not have: a line of a section, misplaced.
+
+    >>> of_section("BK", ["geometry", "links"])
+    "it is a line of 'geometry' or 'links': indent it below that key"
+    """
+    if POINTS.fullmatch(key) and len(key) > 1:
+        return "it is a line of 'geometry' or 'links': indent it below that key"
+    return of_key(key, allowed)
 
 
 def of_key(key: str, allowed: Iterable[str]) -> str:

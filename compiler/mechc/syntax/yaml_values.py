@@ -16,6 +16,8 @@ from .yaml_scalars import described, one_of, parsed, scalar_of
 
 Fields = tuple[Any, ...]
 
+RANGE_OF = "a range has two dots and no brackets: 2 deg .. 40 deg"
+
 
 def values(key: Key, node: Node, source: Source) -> dict[str, Any]:
     """Return the fields that a value fills. Raises :class:`Fault` if it does not fit."""
@@ -161,6 +163,9 @@ def pin(node: Node, source: Source) -> Fields:
 
 def range_of(node: Node, source: Source) -> Fields:
     """Read ``low .. high``."""
+    if isinstance(node, Listing):
+        expected = "a range LOW .. HIGH"
+        raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, RANGE_OF))
     low, high = parsed("range", "a range LOW .. HIGH", node, source)
     return low, high
 
@@ -272,7 +277,9 @@ def text_of(node: Node, source: Source) -> Fields:
     """Read a text."""
     if isinstance(node, Scalar):
         return ("" if node.empty else node.text,)
-    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "a text"))
+    expected, is_spoken = "a text", isinstance(node, Table)
+    hint = "other languages stand apart: translate: [{text: …, uk: …}]" if is_spoken else ""
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
 
 
 def flag(node: Node, source: Source) -> Fields:

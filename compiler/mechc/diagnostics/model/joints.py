@@ -69,7 +69,8 @@ def vector_again(span: Span, points: str, corner: bool, first: Span) -> Message:
         AB = @ alpha             # wrong
         AB = 40 mm @ alpha       # right
     """
-    hint = "remove one" if corner else "write length and direction in one: AB = l @ alpha"
+    both = "leave one of the two out, or write length and direction in one: AB = l @ alpha"
+    hint = "remove one" if corner else both
     return Message(span, f"{points} is given twice", hint, (Related(first, "given here first"),))
 
 

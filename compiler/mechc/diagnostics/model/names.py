@@ -75,6 +75,14 @@ def _declare_it(name: str, known: Collection[str]) -> str:
     return f"declare it, 'param {name} = …'; {offered(name, known, 'names declared')}"
 
 
+def point_as_quantity(name: str) -> str:
+    """Return the hint at the name of a point in a formula or a direction."""
+    return (
+        f"{name} is a point: its coordinates are x_{name} and y_{name}, "
+        "and a direction is an angle, x, -x, y, -y, or one between points, AB"
+    )
+
+
 def power_of_unit(name: str) -> str:
     """Return the hint at a unit with its power behind it, '' for other names.
 

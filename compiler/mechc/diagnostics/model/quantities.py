@@ -92,10 +92,12 @@ def wrong_dimension(
             hint = "kg measures a mass; the force of a mass is given in kgf, or in N"
     if (found, wanted) == (PRESSURE, FORCE):
         hint = "the force of a cylinder is its pressure on the piston: let P = p*pi*D^2/4"
+    if (found, what) == (ACCELERATION, "the direction"):
+        hint = "gravity has a direction, -y; its size is a parameter: g = 9.81 m/s^2"
     if (found, what) == (ANGLE, "a coefficient of friction"):
         hint = "the coefficient for an angle of friction is its tangent: tan(6 deg)"
     if (found, what) in ((ANGLE, "the length"), (LENGTH, "the direction")):
-        hint = "the length stands before '@', the direction behind it"
+        hint = "the length stands before '@', the direction behind it; else look for a wrong unit"
     hint = hint or LOST
     if declared and wanted in (LENGTH, ANGLE) and found not in (LENGTH, ANGLE, NUMBER):
         return Message(declared, said, hint, (Related(span, f"'{name}' is {what} here"),))
@@ -119,6 +121,8 @@ def bare_number(span: Span, digits: str, wanted: Dimension, use: Span | None = N
     hint = f"write {digits} {unit}" if unit else "write its unit"
     if wanted == FREQUENCY:
         hint = f"write {digits} rpm, or {digits} {unit}"
+    if wanted == ANGLE and digits.startswith("9.8"):
+        hint = f"write {digits} deg; gravity is a direction, its size a parameter: g = 9.81 m/s^2"
     related = used_at(use, span) if use else ()
     return Message(span, f"{digits} what? Expected {described(wanted)}", hint, related)
 

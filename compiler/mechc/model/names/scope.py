@@ -213,6 +213,8 @@ class Scope:
         hint = hint or messages.power_of_unit(symbol.name)
         if symbol.name == "radius":
             hint = messages.NEGATIVE_RADIUS
+        if symbol.name in self.points.places:
+            hint = messages.point_as_quantity(symbol.name)
         if symbol.name.lower() in AXES:
             hint = messages.axis_in_words(symbol.name, AXES[symbol.name.lower()])
         use = not_brought.of_a_use(symbol.name, self.brought)

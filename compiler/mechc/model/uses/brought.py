@@ -46,7 +46,7 @@ def brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Stateme
         return f"{prefix}_{name}" if name in names else name
 
     for statement in own:
-        described = with_origin(_labelled(statement), used.mechanism.name)
+        described = with_origin(labelled(statement), used.mechanism.name)
         there = moved.moved(described, used.start, renamed)
         match statement, there:
             case ast.Param(name=name), ast.Param():
@@ -184,7 +184,7 @@ def labels(statements: Iterable[ast.Statement]) -> set[str]:
     return said
 
 
-def _labelled(statement: ast.Statement) -> ast.Statement:
+def labelled(statement: ast.Statement) -> ast.Statement:
     """Return a statement whose remark is its text, as it is in a sheet, also where it is used."""
     if isinstance(statement, ast.Param | ast.Let) and not statement.label:
         return replace(statement, label=statement.remark)

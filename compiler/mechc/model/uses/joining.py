@@ -13,14 +13,23 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...diagnostics import Report
 from ...diagnostics import joining as messages
+from ...diagnostics.model import quantities
 from ...frozen import replace
 from ...syntax import ast, moved
-from ...units import DIMENSIONS, UNITS, Dimension
+from ...units import ANGLE, DIMENSIONS, UNITS, Dimension
 from ..forces.force_pairs import spring_name
 from ..linkage.carriers import is_held
 from ..names.forms import COORDINATES, form_of, form_of_pose
 from .at_joints import AtJoints
-from .brought import declared, given_to, labels, parameter, translated, with_origin
+from .brought import (
+    declared,
+    given_to,
+    labelled,
+    labels,
+    parameter,
+    translated,
+    with_origin,
+)
 from .composed import Used
 from .framed import Frame, between, literal, same
 from .joint_points import Joining, Part, Whole, is_a_part, joints, move_alike
@@ -130,16 +139,28 @@ def _frame(joining: Joining, report: Report) -> Frame:
     there, here = _places(joining.own), _places(joining.whole.statements)
     use = joining.use
     drawn = [(p, q) for p, q in joining.joined.items() if p in there and q in here]
-    frame = Frame(use.at, use.turned)
+    turned = _turn(use, report)
+    frame = Frame(use.at, turned)
     if use.at is None and drawn:
         first, outside = drawn[0]
-        frame = between(here[outside], there[first], use.turned)
+        frame = between(here[outside], there[first], turned)
     for inside, outside in drawn:
         if not same(frame.place(there[inside]), here[outside]):
             spans = there[inside].span, here[outside].span
             report.add(messages.other_place(use.prefix.span, inside, outside, *spans))
             break
     return frame
+
+
+def _turn(use: ast.Use, report: Report) -> ast.Expr | None:
+    """Return by what a part is turned; None where that is a number of another dimension."""
+    found = literal(use.turned) if use.turned else None
+    unit = UNITS.get(found[1]) if found else None
+    if use.turned is None or unit is None or unit.dimension == ANGLE:
+        return use.turned
+    what = "what a part is turned by"
+    report.add(quantities.wrong_dimension(use.turned.span, unit.dimension, ANGLE, what))
+    return None
 
 
 def _places(statements: Iterable[ast.Statement]) -> dict[str, ast.Cartesian]:
@@ -165,7 +186,8 @@ def _statements(
     called = {f"{prefix}.{own}": name for own, name in points.items()}
     at_joints = AtJoints(joining.whole.statements, joining.joined, called)
     for statement in _coming(joining, behind, at_joints, points):
-        there = frame.statement(renamed(with_origin(statement, used.mechanism.name), names))
+        described = with_origin(labelled(statement), used.mechanism.name)
+        there = frame.statement(renamed(described, names))
         if isinstance(statement, ast.Param) and isinstance(there, ast.Param):
             yield from _parameter(statement.name.text, there, joining, given)
         else:
