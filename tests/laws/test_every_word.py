@@ -62,7 +62,16 @@ use toggle_clamp as T at (10 mm, 0 mm) turned 20 deg joining T.H = A without P
 force P at K along x
 find k = P/T_F
 """
+BOLT = """
+sheet bolt
+param d_min = 7.6 mm in 5 mm .. 12 mm
+list threads "ISO 262" = 6 mm, 8 mm, 10 mm, 12 mm
+table pitches "ISO 261" = 6 mm: 1 mm, 8 mm: 1.25 mm, 10 mm: 1.5 mm, 12 mm: 1.75 mm
+let d = next d_min in threads
+let p = pitches at exactly d
+"""
 OWN = {
+    "bolt": BOLT,
     "lamp": LAMP,
     "overhang_edges": PLUNGER.format(shape="edges", collar="outer 40 mm inner 20 mm wear"),
     "overhang_linear": PLUNGER.format(shape="linear", collar="outer 40 mm inner 20 mm pressure"),
