@@ -1,5 +1,6 @@
 """Chains whose friction is coupled."""
 
+import re
 from random import Random
 
 from force_samples import Compiled
@@ -56,3 +57,21 @@ def chain(seed: int) -> str:
             "find k = P/F",
         ]
     )
+
+
+AS_GIVEN = re.compile(r"(-?\d+(?:\.\d+)?) deg(?! \.\.)")
+"""A direction that is given, no end of a range."""
+
+
+def squared(text: str, step: int) -> str:
+    """Return a description whose directions as given are multiples of so many degrees.
+
+    Slips are zero there, and what is computed of them is a rounding of either sign.
+    """
+    lines = (line.partition(" in ") for line in text.split("\n"))
+    turned = ((_turned(head, step), between, ends) for head, between, ends in lines)
+    return "\n".join(map("".join, turned))
+
+
+def _turned(text: str, step: int) -> str:
+    return AS_GIVEN.sub(lambda found: f"{step * round(float(found[1]) / step):g} deg", text)

@@ -40,6 +40,12 @@ BENDS, WITHIN_BENDS = 4, 41
 OUTSIDE = 201
 """Places along a stretch that lies outside the range, or has none."""
 
+NIL = 1e-10
+"""A ratio that is smaller is a zero that was rounded, one above the inverse a pole."""
+
+ASIDE = 1.7e-8
+"""The part of the range by which places are moved: a slip may be zero at a round value alone."""
+
 STATES = {0: "free", 3: "locked", 4: "jammed"}
 """What the status in code means; of others nothing is known."""
 
@@ -77,7 +83,8 @@ class Ratios:
         values: Mapping[str, float | Array] = {**self.defaults, name: places}
         k, real = (np.broadcast_to(evaluate(f, values), places.shape) for f in self.parts)
         with np.errstate(all="ignore"):
-            return k, np.where(k != 0, real / k, np.nan)
+            is_dead = (np.abs(k) <= NIL) | (np.fmax(np.abs(k), np.abs(real)) >= 1 / NIL)
+            return k, np.where(is_dead, np.nan, real / k)
 
     def states(self, values: Mapping[str, float | Array]) -> Array:
         """Return the statuses in code, with the other parameters at their values."""
@@ -109,7 +116,7 @@ def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[s
     parts = [(s.within, s.state) for s in reach.stretches if s.within]
     ends = [end for within, _ in parts for end in within]
     near = [e + way * d * (high - low) for e in ends for d in BESIDE for way in (1, -1)]
-    even = np.linspace(low, high, DENSE + 2)[1:-1]
+    even = np.linspace(low, high, DENSE + 2)[1:-1] + ASIDE * (high - low)
     places = np.unique([*even, *near, *bent(ratios, reach.parameter, even)])
     places = places[(places > low) & (places < high)]
     for x, k, share in zip(places, *ratios.along(reach.parameter, places), strict=True):
@@ -156,7 +163,7 @@ def throughout(
     ends = reach.range or (math.nan, math.nan)
     low = stretch.low.x if stretch.low else ends[0]
     high = stretch.high.x if stretch.high else ends[1]
-    places = low + (high - low) * np.linspace(NEAR, 1 - NEAR, OUTSIDE)
+    places = low + (high - low) * (np.linspace(NEAR, 1 - NEAR, OUTSIDE) + ASIDE)
     for x, code in zip(places, ratios.states({reach.parameter: places}), strict=True):
         if STATES.get(int(code), stretch.state) != stretch.state:
             yield f"{result.name} at {reach.parameter} = {x!r}: {stretch.state}, is {code}"
@@ -198,8 +205,8 @@ def _holds(result: Analysis, known: Mapping[str, float]) -> bool:
 
 def run(ratios: Ratios, result: Result, course: EfficiencyRange) -> Iterator[str]:
     """Yield what an efficiency comes to beyond what it is said to run through."""
-    places = np.linspace(*course.range, DENSE)[1:-1]
     width = course.range[1] - course.range[0]
+    places = np.linspace(*course.range, DENSE)[1:-1] + ASIDE * width
     k, share = ratios.along(course.parameter, places)
     driven = ratios.sense * k < 0
     with np.errstate(all="ignore"):

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
-from ..formula.choices import spelled_out
+from ..formula.choices import equal_within, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ..model.result import Drive
 from ..routine.quotient import is_decimal, quotient_of
@@ -78,9 +78,11 @@ class Printer(ABC):
                 assert_never(formula)
 
     def condition(self, guard: Guard) -> str:
-        """Return a guard as a comparison."""
-        operator = "==" if guard.operator == "=" else guard.operator
-        return f"{self.print(guard.left)} {operator} {self.print(guard.right)}"
+        """Return a guard as a comparison; sides are equal but for rounding."""
+        if guard.operator == "=":
+            gap, slack = equal_within(guard.left, guard.right)
+            return f"{self.print(gap)} <= {self.print(slack)}"
+        return f"{self.print(guard.left)} {guard.operator} {self.print(guard.right)}"
 
     def _term(self, term: Formula) -> str:
         return self.print(term, Level.PRODUCT if isinstance(term, Sum) else Level.SUM)

@@ -6,7 +6,8 @@ where it holds and else 0, and NaN where a side of it is. ``interpolate(x, x1, y
 lies between two rows of a table in proportion, ``row(x, x1, y1, …)`` is the value of the row at x
 (to :data:`NEAR`), ``next(x, s1, s2, …)`` the smallest size that is no less than x; they have no
 value elsewhere. ``met(x, x1, x2, …)`` is x at a row, else that of the rows which lies nearest.
-Machines know the first only (:func:`spelled_out`).
+``sense(x, size)`` is the sign of x, and 0 where nothing but rounding is left of it against
+``size``. Machines know the first only (:func:`spelled_out`).
 """
 
 import math
@@ -15,7 +16,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TypeGuard, TypeVar
 
-from .tree import Call, Formula, negative, number, product, quotient, total
+from .tree import ZERO, Call, Formula, negative, number, product, quotient, total
 
 Part = TypeVar("Part")
 
@@ -31,6 +32,18 @@ SIGNS: Mapping[str, str] = {
     "differs": "!=",
 }
 """Conditions by the sign between their sides."""
+
+SENSELESS = 2.0**-40
+"""What is below this part of its size, some 1e-12, is a zero that was rounded: it has no sense.
+
+A power of two that no user writes, so that code in single precision finds it (``emit.c.real``).
+"""
+
+EQUAL = 2.0**-30
+"""By what part of themselves, some 1e-9, two sides may differ that are equal but for rounding.
+
+A power of two for the same reason; where both are near 0 they may differ by :data:`SENSELESS`.
+"""
 
 CONDITIONS: Mapping[str, str] = {sign: name for name, sign in SIGNS.items()}
 
@@ -98,6 +111,14 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
 """The functions of this module on floats."""
 
 
+def equal_within(left: Formula, right: Formula) -> tuple[Formula, Formula]:
+    """Return by how much two sides differ, and how much they may where they are to be equal."""
+    gap = Call("abs", (total([left, negative(right)]),))
+    sizes = total([Call("abs", (left,)), Call("abs", (right,))])
+    part = product([(number(Fraction(EQUAL)), 1), (sizes, 1)])
+    return gap, total([part, number(Fraction(SENSELESS))])
+
+
 def is_choice(formula: Formula) -> TypeGuard[Call]:
     """Return whether a formula chooses between values."""
     return isinstance(formula, Call) and formula.function == "choose"
@@ -131,6 +152,10 @@ def spelled_out(function: str, arguments: tuple[Formula, ...]) -> Formula | None
         case "next", (x, *sizes):
             found = _halved(x, [(size, size) for size in sizes])
             return Call("choose", (Call("at_most", (x, sizes[-1])), found))
+        case "sense", (x, size):
+            least = product([(number(Fraction(SENSELESS)), 1), (size, 1)])
+            is_more = Call("more", (Call("abs", (x,)), least))
+            return Call("choose", (is_more, Call("sign", (x,)), ZERO))
         case "both", _:
             return product((condition, 1) for condition in arguments)
         case "count", _:

@@ -194,5 +194,6 @@ _OF_SEVERAL: Mapping[str, Callable[[Sequence[Formula], Sequence[Formula]], Formu
     "hypot": _of_hypot,
     "min": lambda a, s: _of_extreme(-1, a, s),
     "max": lambda a, s: _of_extreme(1, a, s),
+    "sense": lambda a, s: ZERO,
 }
 """The slopes of functions of several arguments, from those of the arguments."""

@@ -10,6 +10,12 @@ def _cot(x: float) -> float:
     return math.cos(x) / math.sin(x)
 
 
+def _sense(x: float, size: float) -> float:
+    if abs(x) <= choices.SENSELESS * size:
+        return 0.0
+    return math.copysign(1.0, x) if x == x else x
+
+
 FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "sin": math.sin,
     "cos": math.cos,
@@ -25,10 +31,11 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "hypot": math.hypot,
     "abs": abs,
     "sign": lambda x: math.copysign(1.0, x) if x else x,
+    "sense": _sense,
     "min": min,
     "max": max,
     "exp": math.exp,
     "log": math.log,
     **choices.FUNCTIONS,
 }
-"""Every function of the language, ``sign`` and those of choices, with its meaning on floats."""
+"""Every function of the language, ``sign``, ``sense`` and those of choices, on floats."""

@@ -36,6 +36,7 @@ from ..model.result import Definition
 from ..named import NamedTuple
 from .naming import Sizes
 from .pairs import Component, LoadedPair
+from .senses import sense_of
 
 NOTHING = number(Fraction(1, 10**30))
 """What is added to pressing forces so that none of them vanishes, where no slope would be."""
@@ -187,17 +188,16 @@ def _definitions(of: Coupled, sense: int) -> Iterator[Definition]:
     for name, pair in zip(of.names.alone, of.pairs, strict=True):
         ideal = (_per_scale(of, row.ideal.name) for row in pair)
         yield Definition(name, Call("hypot", (*ideal, number(ROUNDED))))
+    yield from _against(of, [sense_of(p.slip) for p in of.loaded], sense)
     slips = [p.slip.formula() for p in of.loaded]
-    yield from _against(of, slips, sense)
     for name, loaded, slip in zip(of.names.added, of.loaded, slips, strict=True):
         yield Definition(name, _power(loaded.pair.factor.formula(), slip, sense))
     yield from _of_the_load(of)
     yield from _solutions(of)
 
 
-def _against(of: Coupled, slips: Sequence[Formula], sense: int) -> Iterator[Definition]:
-    """Yield by how much a unit of each true size changes a component."""
-    sides = [Call("sign", (slip,)) for slip in slips]
+def _against(of: Coupled, sides: Sequence[Formula], sense: int) -> Iterator[Definition]:
+    """Yield by how much a unit of each true size changes a component; ``sides`` is of slips."""
     for share in of.shares:
         parts = [(number(-sense), 1), (share.amount, 1), (sides[share.place], 1)]
         yield Definition(share.name, product(parts))

@@ -102,5 +102,5 @@ class ForceLines:
 
     def slip(self, surface: Surface) -> Product:
         """Return the sign of the slip in the motion that is meant."""
-        sign = self._signs.of(f"sigma_{surface.name}", surface.slip)
+        sign = self._signs.sense(f"sigma_{surface.name}", surface.slip)
         return sign.scaled(self._sense * surface.turn)

@@ -20,6 +20,7 @@ from .iterated import named_factor
 from .naming import Sizes
 from .normal_forces import load_of, term_of
 from .pairs import FrictionPair, LoadedPair, radii
+from .senses import sense_of
 from .signs import AtOnePose
 from .steps import Step
 
@@ -44,9 +45,7 @@ class ForceWithFriction:
 
     def at_any_pose(self) -> Named:
         """Return the force with signs that follow from the pose."""
-        formula = self._formula(
-            lambda pair: pair.factor, lambda slip: Call("sign", (slip.formula(),))
-        )
+        formula = self._formula(lambda pair: pair.factor, sense_of)
         sizes = self._sizes
         return Named(formula, sizes.definitions, sizes.positive, inside=sizes.inside)
 

@@ -61,7 +61,7 @@ class LinearSolver:
         return sign
 
     def _slip(self, pressed: LoadedPair) -> Product:
-        return self._signs.of(f"sigma_{pressed.pair.name}", pressed.slip)
+        return self._signs.sense(f"sigma_{pressed.pair.name}", pressed.slip)
 
     def _solved(self, sides: Sequence[Product]) -> list[Product]:
         """Return the sizes of the pressing forces by Cramer's rule."""

@@ -20,6 +20,7 @@ from ..formula.tree import Call, Formula
 from ..model.result import Definition
 from ..power.tolerances import VANISHED
 from .naming import Meanings, OwnNames
+from .senses import sense_of
 from .tolerances import ACUTE_MARGIN
 
 Inverse = Literal["asin", "atan"]
@@ -49,6 +50,10 @@ class Signs(Protocol):
 
     def of(self, name: str, value: Product) -> Product:
         """Return the sign of a value, which may be called ``name``."""
+        ...
+
+    def sense(self, name: str, slip: Product) -> Product:
+        """Return the sense of a slip, 0 where that is rounding; it may be called ``name``."""
         ...
 
     def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
@@ -137,9 +142,22 @@ class AtAnyPose(_Names):
         if not signed.factors:
             return signed
         factors = Product(1, signed.factors)
-        sign = self.define(name, Call("sign", (factors.formula(),)))
-        self._own.add(Length(sign))
-        return Product.symbol(sign).scaled(signed.coefficient)
+        return self._defined(name, Call("sign", (factors.formula(),)), signed)
+
+    def sense(self, name: str, slip: Product) -> Product:
+        """Return the name of the sense, with a minus for that of the opposite."""
+        signed = bare(slip)
+        if not signed.factors:
+            return signed
+        sense = sense_of(slip.scaled(signed.coefficient))
+        if not isinstance(sense, Call):
+            return Product(signed.coefficient)
+        return self._defined(name, sense, signed)
+
+    def _defined(self, name: str, sign: Formula, signed: Product) -> Product:
+        known = self.define(name, sign)
+        self._own.add(Length(known))
+        return Product.symbol(known).scaled(signed.coefficient)
 
     def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a named angle, which carries its sign."""
@@ -192,12 +210,16 @@ class AtOnePose(_Names):
         parts = (self._sign_of(Product.of(factor)) for factor in telling.factors)
         return Product(math.prod(parts)).scaled(telling.coefficient)
 
+    def sense(self, name: str, slip: Product) -> Product:
+        """Return 1, 0 or -1, and note what the slip is the product of."""
+        return self.of(name, slip)
+
     def _sign_of(self, factor: Product) -> int:
         """Return the sign of a factor; note it where other values would change it."""
         known = 1 if is_root(factor) else sign(factor, self._box)
         if known is not None:
             return known
-        here = _sign(factor.evaluate(self._values))
+        here = int(evaluate(sense_of(factor), self._values))
         self.conditions[factor.formula()] = here
         return here
 

@@ -7,6 +7,7 @@ import math
 import operator
 from collections.abc import Callable, Iterable, Mapping
 
+from ..formula.choices import EQUAL, SENSELESS
 from ..formula.evaluate import Evaluation, evaluate, solver
 from ..formula.straight_line import Solution, StraightLine, in_order
 from ..formula.tree import Formula, Number, Symbol, System
@@ -15,7 +16,6 @@ from ..units import ANGLE, LENGTH
 from .formulas.order import ordered
 from .mechanism import Mechanism, Parameter, Require
 from .result import Result
-from .tolerances import SAME_VALUE, VANISHED
 
 Values = Mapping[str, float]
 
@@ -24,7 +24,7 @@ _COMPARE: Mapping[str, Callable[[float, float], bool]] = {
     "<=": operator.le,
     ">": operator.gt,
     ">=": operator.ge,
-    "=": lambda left, right: math.isclose(left, right, rel_tol=SAME_VALUE, abs_tol=VANISHED),
+    "=": lambda left, right: abs(left - right) <= EQUAL * (abs(left) + abs(right)) + SENSELESS,
     "!=": operator.ne,
 }
 

@@ -11,7 +11,7 @@ from typing import TypeAlias, assert_never
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula.choices import SIGNS, spelled_out
+from ..formula.choices import SIGNS, equal_within, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ..model.result import Drive
 from .newton import Array, follow
@@ -167,6 +167,9 @@ def _stacked(values: list[Array], like: Array) -> Array:
 
 
 def _holds(guard: Guard, scope: Mapping[str, Array]) -> NDArray[np.bool_]:
+    if guard.operator == "=":
+        gap, slack = equal_within(guard.left, guard.right)
+        return np.less_equal(compute(gap, scope), compute(slack, scope))
     return _HOLDS[guard.operator](compute(guard.left, scope), compute(guard.right, scope))
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import count
 
-from ..formula.choices import CONDITIONS, SIGNS
+from ..formula.choices import CONDITIONS, SIGNS, equal_within
 from ..formula.derivative import partials
 from ..formula.tree import (
     ONE,
@@ -71,7 +71,7 @@ def gradient(function: Function) -> Pose | None:
 
 def _holding(guards: Sequence[Guard]) -> Formula:
     """Return 1 where all conditions hold, else NaN."""
-    conditions = [Call(CONDITIONS[g.operator], (g.left, g.right)) for g in guards]
+    conditions = [_condition(guard) for guard in guards]
     return product([(Call("choose", (c, ONE)), 1) for c in conditions]) if conditions else ONE
 
 
@@ -151,6 +151,12 @@ class _Backwards:
         else:
             self.add(base, _over(product([(adjoint, 1), (exponent, 1), (value, 1)]), base))
         self.add(exponent, product([(adjoint, 1), (value, 1), (Call("log", (base,)), 1)]))
+
+
+def _condition(guard: Guard) -> Formula:
+    if guard.operator == "=":
+        return Call("at_most", equal_within(guard.left, guard.right))
+    return Call(CONDITIONS[guard.operator], (guard.left, guard.right))
 
 
 def _slopes(function: str, arguments: tuple[Formula, ...]) -> list[Formula]:

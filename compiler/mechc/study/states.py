@@ -176,8 +176,8 @@ class Moving:
 
 
 def is_sign(formula: Formula) -> bool:
-    """Return whether a formula is the sign of another."""
-    return isinstance(formula, Call) and formula.function == "sign"
+    """Return whether a formula is the sign of another, or its sense."""
+    return isinstance(formula, Call) and formula.function in ("sign", "sense")
 
 
 def solutions(result: Result) -> Iterator[Implicit]:

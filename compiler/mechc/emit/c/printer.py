@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from typing import assert_never
 
-from ...formula.choices import SIGNS
+from ...formula.choices import SIGNS, equal_within
 from ...formula.sharing import each_part
 from ...formula.tree import Call, Formula
 from ...routine.steps import Guard
@@ -68,8 +68,8 @@ def guarded(guard: Guard, printer: Printer, output: str) -> str:
         case ">=":
             return f"mechc_if_no_more({right}, {left}, {output})"
         case "=":
-            above = f"mechc_if_no_more({right}, {left}, {output})"
-            return f"mechc_if_no_more({left}, {right}, {above})"
+            gap, slack = map(printer.print, equal_within(guard.left, guard.right))
+            return f"mechc_if_no_more({gap}, {slack}, {output})"
         case "!=":
             return f"mechc_if_apart({left}, {right}, {output})"
         case _:

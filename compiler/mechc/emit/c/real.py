@@ -45,12 +45,19 @@ FLOAT = Real("float", "uint32_t", 31, "0x7f800000u", "0x7fffffffu", 3e-4, 1e-8)
 
 REALS = {real.name: real for real in (DOUBLE, FLOAT)}
 
-OF_ROUNDING = {"1e+60": "1e+36", "70368744177664.0": "1e+8"}
+OF_ROUNDING = {
+    "1e+60": "1e+36",
+    "70368744177664.0": "1e+8",
+    "1099511627776.0": "1e+5",
+    "1073741824.0": "1e+5",
+}
 """Numbers that stand for the rounding of ``double``, and those that do so for ``float``.
 
 They keep a friction circle's root off zero, 1/(10^30)^2, and friction from being solved where
 rounding decides, 1/:data:`~mechc.friction.coupled.TOO_LARGE`: where forces of 1e4 times their
-sum cancel, ``float`` leaves three digits.
+sum cancel, ``float`` leaves three digits. A slip has no sense below
+:data:`~mechc.formula.choices.SENSELESS` of its size, 1e-5 there, and by
+:data:`~mechc.formula.choices.EQUAL`, 1e-5 too, equal sides may differ.
 """
 _LARGEST, _LEAST = 3.4e38, 1.2e-38
 _FUNCTIONS = """

@@ -1,0 +1,119 @@
+"""A slip that is zero at the values given has no sense, on paper and in code.
+
+What is computed of it is a rounding of either sign, and friction with that sign would be a
+number that no hand finds.
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from friction_chains import chain, squared
+from friction_statements import refuted
+from mechc import loads
+from mechc.algebra.angle import Angle
+from mechc.algebra.product import Product
+from mechc.algebra.sums import add
+from mechc.algebra.trigonometry import cosine, sine
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation
+from mechc.formula.evaluate import evaluate
+from mechc.formula.to_text import text
+from mechc.friction.senses import sense_of, size_of
+from mechc.routine.evaluate import evaluate as by_interpreter
+from mechc.source import Source
+
+RIGHT, DIAGONAL = 90, 45
+
+
+def at(**terms: int) -> Angle:
+    return Angle(tuple(terms.items()))
+
+
+def squared_chains(seeds: range) -> Iterator[tuple[int, Compilation]]:
+    for seed in seeds:
+        written = squared(chain(seed), RIGHT if seed % 2 else DIAGONAL)
+        compilation = Compilation(Source("square.mech", written))
+        try:
+            _ = compilation.results
+        except MechcError as error:
+            if {d.code for d in error.diagnostics} & {"E601", "E817"}:
+                raise
+            continue
+        yield seed, compilation
+
+
+def test_a_sense_is_that_of_the_value():
+    a, b = Product.symbol("a"), Product.symbol("b")
+    slip = add([a * sine(at(t=1)), -b * cosine(at(t=1))]) / sine(at(s=1))
+    sense = sense_of(slip)
+    for t in np.linspace(-3, 3, 41):
+        for s in (-0.4, 2.0):
+            values = {"a": 2e-6, "b": 3e-6, "t": t, "s": s}
+            assert evaluate(sense, values) == math.copysign(1, slip.evaluate(values))
+
+
+@pytest.mark.parametrize("turns", range(1, 40))
+def test_a_zero_that_was_rounded_has_no_sense(turns):
+    """Both terms are roundings, so that their sum is not small against them, but against a + b."""
+    slip = add([Product.symbol("a") * sine(at(t=1)), Product.symbol("b") * sine(at(s=1))])
+    values = {"a": 2e-6, "b": 3e-6, "t": math.pi * turns, "s": -math.pi * turns}
+    assert slip.evaluate(values) != 0
+    assert evaluate(sense_of(slip), values) == 0
+
+
+def test_the_size_of_a_sum_is_that_of_its_terms():
+    a, b = Product.symbol("a"), Product.symbol("b")
+    slip = add([a.scaled(-2) * sine(at(t=1)), b * cosine(at(s=1)) / cosine(at(u=1))])
+    size = size_of(slip)
+    values = {"a": -1.5, "b": 3.0, "t": 0.4, "s": 1.1, "u": 0.6}
+    assert evaluate(size, values) == pytest.approx((2 * 1.5 + 3) / math.cos(0.6))
+    assert text(sense_of(Product.symbol("a") * sine(at(t=1)))) == "sense(a*sin(t), abs(a))"
+
+
+SQUARE = chain(91000066)
+"""The guide is square to BA at the values given, so that O does not slip."""
+
+
+def test_a_guide_square_to_a_link_takes_no_friction_from_the_pivot():
+    """Self-locking is told to 69.22 deg; by the sign of a rounding code moved from 68.34 deg."""
+    mechanism = loads(SQUARE)
+    angles = np.radians([68.0, 68.5, 69.0, 69.1])
+    assert np.all(mechanism.evaluate(t2=angles)["k_f"] > 0)
+    angles = np.radians([69.3, 69.8])
+    assert np.all(mechanism.evaluate(t2=angles)["k_f"] < 0)
+    compilation = Compilation(Source("square.mech", SQUARE))
+    _ = compilation.results
+    assert list(refuted(compilation)) == []
+
+
+def hold_at_the_values_given(compilation: Compilation) -> int:
+    """Compare the numbers on paper with those of code, at the values given; return how many."""
+    functions = {f.name: f for f in compilation.routine.functions}
+    compared = 0
+    for result in compilation.results:
+        if result.name not in functions or result.default is None:
+            continue
+        code = functions[result.name]
+        found = by_interpreter(code, {i.name: i.default for i in code.inputs})
+        if math.isfinite(result.default) and abs(result.default) < 1e9:
+            assert found == pytest.approx(result.default, rel=1e-7, abs=1e-9), result.name
+            compared += 1
+    return compared
+
+
+def test_chains_with_right_angles():
+    tried = list(squared_chains(range(95000000, 95000008)))
+    assert len(tried) > 3
+    assert sum(hold_at_the_values_given(c) for _, c in tried) > 12
+    for seed, compilation in tried[:2]:
+        assert list(refuted(compilation)) == [], seed
+
+
+@pytest.mark.slow
+def test_many_chains_with_right_angles():
+    for seed, compilation in squared_chains(range(95000020, 95000060)):
+        hold_at_the_values_given(compilation)
+        assert list(refuted(compilation)) == [], seed
