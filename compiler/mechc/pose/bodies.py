@@ -1,9 +1,11 @@
-"""Slides, slots and contacts at a pose: directions, and where pins touch bodies."""
+"""Bodies at a pose: their frames, directions along bodies, and where pins touch them."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
+from ..diagnostics import Report
+from ..diagnostics import pose as messages
 from ..model.entries import vector_between
 from ..model.mechanism import (
     Along,
@@ -11,15 +13,18 @@ from ..model.mechanism import (
     Contact,
     Direction,
     Geometry,
+    Link,
     Mechanism,
     Offset,
+    Slide,
     Slot,
+    Telescope,
 )
 from .closure import Condition, across
 from .directions import Directions
 from .loops.vector_graph import chained
 from .pose import Arm, PointContact, Vector
-from .vectors import Vectors
+from .vectors import Missing, Vectors
 
 Find = Callable[[Direction, str, str], Angle]
 """Resolves a direction: its name, and what it is wanted for."""
@@ -106,3 +111,48 @@ def on_the_line(slots: Sequence[PointContact], vectors: Vectors) -> list[Conditi
             name = chained(chain)
             conditions.append(Condition(name, arms, (slot.normal,), slot.span))
     return conditions
+
+
+Frame = Mapping[str, Vector]
+
+
+def frames(
+    mechanism: Mechanism, vectors: Vectors, missing: Missing, report: Report
+) -> Mapping[str, Frame]:
+    """Return the frame of every link, slide and telescope; E301 where a vector is missing."""
+    found = {link.name: _of_link(link, vectors, missing, report) for link in mechanism.links}
+    found |= {slide.name: _of_slide(slide, vectors) for slide in mechanism.slides}
+    return found | {t.name: _of_telescope(t, vectors) for t in mechanism.cylinders}
+
+
+def _of_link(link: Link, vectors: Vectors, missing: Missing, report: Report) -> Frame:
+    base = link.points[0]
+    frame: dict[str, Vector] = {base: ()}
+    for point in link.points[1:]:
+        vector = vectors.path(base, point, link.points) or vectors.path(base, point)
+        if vector is None and missing.is_first(base, point):
+            what = f"link {link.name}"
+            report.add(messages.missing_direction(link.span, f"{base}{point}", what))
+        elif vector == ():
+            report.add(messages.points_coincide(link.span, f"{base}{point}"))
+        frame[point] = vector or ()
+    return frame
+
+
+def _of_slide(slide: Slide, vectors: Vectors) -> Frame:
+    """Return the frame of a slide, as far as it is given.
+
+    Velocities need none of it; where a vector is missing the guide's couple is open.
+    """
+    base = slide.points[0]
+    paths = {p: vectors.path(base, p) or () for p in slide.points}
+    return {p: () if vectors.is_open(path) else path for p, path in paths.items()}
+
+
+def _of_telescope(telescope: Telescope, vectors: Vectors) -> Frame:
+    """Return the vector between the ends of a telescope as one arm along it.
+
+    The pair of forces inside has seen to that, or reported what is missing.
+    """
+    first, second = telescope.points
+    return {first: (), second: vectors.path(first, second) or ()}

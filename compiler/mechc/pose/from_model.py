@@ -1,36 +1,29 @@
 """From the mechanism to its pose: directions found, loops checked, frames laid out."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Set
 
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import (
-    Along,
-    Direction,
-    Force,
-    ForcePair,
-    Link,
-    Mechanism,
-    Slide,
-    Slider,
-    Telescope,
-)
+from ..model.mechanism import ForcePair, Link, Mechanism, Slider
 from ..model.results import failures
 from ..model.values import holds
-from .bodies import aligned, on_the_line, touches
+from ..named import NamedTuple
+from ..source import Span
+from . import lines
+from .bodies import aligned, frames, on_the_line, touches
 from .closure import Closure, Condition, across
 from .directions import Directions
 from .drawn import drawn_elsewhere, driven_to, given_by_hand
 from .force_pairs import Pairing, thrust_line
 from .idle import contradictions, remarks
-from .loops.closed import Closed, Open
+from .loops.closed import Closed
 from .loops.closing import close
 from .loops.guide_lines import with_lines
 from .loops.vector_graph import chained, mentioned
-from .pose import Pose, Vector
+from .pose import Pose
 from .pruning import pruned
 from .queries import with_directions
 from .samples import poses_nearby
@@ -60,10 +53,13 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
         report.add(fault)
     report.stop_on_errors()
     mechanism = with_directions(mechanism, vectors, report)
-    survey = _Survey(mechanism, terms, directions, vectors, report)
-    pose = survey.pose(closed)
-    unfound = survey.report_unfound(pose, closed.found, closed.left)
-    survey.close_loops(pose, unfound)
+    read = _Read(mechanism, terms, directions, vectors, Missing(vectors), report)
+    pose = _pose(read, closed)
+    unfound = _links_without_direction(pose, read, closed)
+    if not read.missing.are_any:
+        for fault in explained(mechanism, vectors, read.sought(closed), unfound, closed.left):
+            report.add(fault)
+    _check_loops(pose, read, unfound.keys())
     report.stop_on_errors()
     _remark(pose, vectors, closed, report)
     return driven_to(pruned(pose), report)
@@ -90,200 +86,96 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
         report.add(messages.gears_apart(*misfit))
 
 
-class _Survey:
-    """Reads frames and named directions off the vectors, reporting what is missing."""
+class _Read(NamedTuple):
+    """What a pose is read from, and the vectors that were found missing on the way."""
 
-    def __init__(
-        self,
-        mechanism: Mechanism,
-        terms: Terms,
-        directions: Directions,
-        vectors: Vectors,
-        report: Report,
-    ) -> None:
-        self._mechanism, self._terms = mechanism, terms
-        self._directions, self._vectors, self._report = directions, vectors, report
-        self._missing = Missing(vectors)
+    mechanism: Mechanism
+    terms: Terms
+    directions: Directions
+    vectors: Vectors
+    missing: Missing
+    report: Report
 
-    def pose(self, closed: Closed) -> Pose:
-        """Return all directions and frames, read in the order of their definitions."""
-        guides, axis = self.guides(), self.axis()
-        lines = {**self.lines(), **self.thrusts()}
-        held = tuple(touches(self._mechanism, self._directions, self._vectors, self.direction))
-        frames, slides = self.frames(), self.slides()
-        return Pose(
-            mechanism=self._mechanism,
-            frames=frames,
-            guides=guides,
-            lines=lines,
-            axis=axis,
-            definitions=tuple(self._terms.definitions),
-            placeholders=dict.fromkeys(self._vectors.placeholders),
-            free=tuple(p.name for p in self._mechanism.parameters if not p.dependent),
-            rates=closed.rates,
-            slides=slides,
-            touches=held,
-            radii={radius: self._terms.length(radius) for radius in radii(self._mechanism)},
-            limits=closed.limits,
-            loops=closed.loops,
-            closing=tuple(self._terms.definitions),
-            put_in=tuple(d for d in self._terms.definitions if d.name in closed.put_in),
-            vectors=self._vectors.given(),
-            solved=closed.solved,
-            falls=self.falls(),
-        )
+    def sought(self, closed: Closed) -> Mapping[str, tuple[str, str, Span]]:
+        """Return the directions that a loop was to give, and none did."""
+        return {n: at for n, at in self.directions.sought.items() if n not in closed.found}
 
-    def falls(self) -> Mapping[str, tuple[Angle, ...]]:
-        """Return the directions of the falls of every rope."""
-        return {rope.id: tuple(self._fall(w) for w in rope.ways) for rope in self._mechanism.ropes}
 
-    def _fall(self, way: Direction) -> Angle:
-        return self.direction(way, "theta_rope", "a fall of the rope")
+def _pose(read: _Read, closed: Closed) -> Pose:
+    """Return all directions and frames, read in the order of their definitions."""
+    mechanism, terms, directions, vectors, missing, report = read
+    named = lines.Lines(directions, vectors, missing, report)
+    guides, axis = lines.guides(mechanism, named), lines.mirror_line(mechanism, named)
+    of_loads = {**lines.forces(mechanism, named), **_thrusts(read, axis)}
+    held = tuple(touches(mechanism, directions, vectors, named.of))
+    laid_out = frames(mechanism, vectors, missing, report)
+    slides = lines.slides(mechanism, named)
+    return Pose(
+        mechanism=mechanism,
+        frames=laid_out,
+        guides=guides,
+        lines=of_loads,
+        axis=axis,
+        definitions=tuple(terms.definitions),
+        placeholders=dict.fromkeys(vectors.placeholders),
+        free=tuple(p.name for p in mechanism.parameters if not p.dependent),
+        rates=closed.rates,
+        slides=slides,
+        touches=held,
+        radii={radius: terms.length(radius) for radius in radii(mechanism)},
+        limits=closed.limits,
+        loops=closed.loops,
+        closing=tuple(terms.definitions),
+        put_in=tuple(d for d in terms.definitions if d.name in closed.put_in),
+        vectors=vectors.given(),
+        solved=closed.solved,
+        falls=lines.falls(mechanism, named),
+    )
 
-    def frames(self) -> Mapping[str, Mapping[str, Vector]]:
-        """Return the frames of links and slides."""
-        frames = {link.name: self.frame(link) for link in self._mechanism.links}
-        frames |= {slide.name: self.layout(slide) for slide in self._mechanism.slides}
-        return frames | {t.name: self.stretched(t) for t in self._mechanism.cylinders}
 
-    def stretched(self, telescope: Telescope) -> Mapping[str, Vector]:
-        """Return the vector between the ends of a telescope as one arm along it.
+def _thrusts(read: _Read, axis: Angle | None) -> Mapping[str, Angle]:
+    """Return the direction in which each pair of forces pushes its second point."""
+    pairing = Pairing(read.mechanism, read.terms, read.vectors, axis, read.report)
+    pairs = (load for load in read.mechanism.loads if isinstance(load, ForcePair))
+    return {pair.name: thrust_line(pair, pairing) for pair in pairs}
 
-        The pair of forces inside has seen to that, or reported what is missing.
-        """
-        first, second = telescope.points
-        return {first: (), second: self._vectors.path(first, second) or ()}
 
-    def frame(self, link: Link) -> Mapping[str, Vector]:
-        """Return the vectors from a link's first point to each of its points."""
-        base = link.points[0]
-        frame: dict[str, Vector] = {base: ()}
-        for point in link.points[1:]:
-            vector = self._vectors.path(base, point, link.points) or self._vectors.path(base, point)
-            if not vector:
-                self._report_missing(link, base, point, vector)
-                vector = ()
-            frame[point] = vector
-        return frame
+def _links_without_direction(pose: Pose, read: _Read, closed: Closed) -> Mapping[str, Link]:
+    """Return the directions that no loop gives, each with the first link that needs it."""
+    sought, needed = read.sought(closed).keys(), dict[str, Link]()
+    for link in pose.mechanism.links:
+        used = {n for vector in pose.frames[link.name].values() for n in mentioned(vector)}
+        needed |= dict.fromkeys(sorted(used & sought - needed.keys()), link)
+    return needed
 
-    def layout(self, slide: Slide) -> Mapping[str, Vector]:
-        """Return the vectors from a slide's first point, as far as they are given.
 
-        Velocities need none of them; where one is missing the guide's couple is open.
-        """
-        base = slide.points[0]
-        paths = {p: self._vectors.path(base, p) or () for p in slide.points}
-        return {p: () if self._vectors.is_open(path) else path for p, path in paths.items()}
+def _check_loops(pose: Pose, read: _Read, unfound: Set[str]) -> None:
+    """Report every loop that does not close for independent symbols, all of them known."""
+    mechanism, vectors = read.mechanism, read.vectors
+    given = given_by_hand(mechanism) if mechanism.drawn else None
+    closure = Closure(pose.placeholders, {d.name for d in pose.definitions}, given)
+    values = poses_nearby(mechanism, pose.definitions)
+    slots = on_the_line([t for t in pose.touches if t.kind == "slot"], vectors)
+    for condition in (*_loops(vectors), *_guide_lines(pose, vectors), *slots):
+        if unfound & mentioned(condition.arms):
+            continue
+        if fault := closure.check(condition, values):
+            read.report.add_first(fault)
 
-    def _report_missing(self, link: Link, base: str, point: str, found: Vector | None) -> None:
-        name = f"link {link.name}"
-        if found is None and self._missing.is_first(base, point):
-            self._report.add(messages.missing_direction(link.span, f"{base}{point}", name))
-        elif found is not None:
-            self._report.add(messages.points_coincide(link.span, f"{base}{point}"))
 
-    def guides(self) -> Mapping[str, Angle]:
-        """Return the direction of every guide."""
-        return {
-            s.point: self.direction(s.along, f"theta_{s.point}", f"the guide of {s.point}")
-            for s in self._mechanism.each(Slider)
-        }
+def _loops(vectors: Vectors) -> list[Condition]:
+    """Return the condition of every loop: it closes in any direction."""
+    everywhere = (Angle(), Angle.constant(90))
+    return [
+        Condition(chained(p or "origin" for p in loop.points), loop.arms, everywhere, loop.span)
+        for loop in vectors.loops
+    ]
 
-    def lines(self) -> Mapping[str, Angle]:
-        """Return the direction of every force."""
-        return {
-            f.name: self.direction(f.along, f"theta_{f.name}", f"the force {f.name}")
-            for f in self._mechanism.loads
-            if isinstance(f, Force)
-        }
 
-    def axis(self) -> Angle | None:
-        """Return the direction of the mirror line."""
-        mirror = self._mechanism.mirror
-        return self.direction(mirror.across, "theta_mirror", "the mirror") if mirror else None
-
-    def slides(self) -> Mapping[str, Angle]:
-        """Return the direction of every body that only translates."""
-        return {
-            s.name: self.direction(s.along, f"theta_{s.name}", f"the slide {s.name}")
-            for s in self._mechanism.slides
-        }
-
-    def thrusts(self) -> Mapping[str, Angle]:
-        """Return the direction in which each pair of forces pushes its second point."""
-        pairs = [t for t in self._mechanism.loads if isinstance(t, ForcePair)]
-        return {t.name: thrust_line(t, self._pairing()) for t in pairs}
-
-    def _pairing(self) -> Pairing:
-        return Pairing(self._mechanism, self._terms, self._vectors, self.axis(), self._report)
-
-    def direction(self, direction: Direction, name: str, for_what: str) -> Angle:
-        """Return a direction as an angle; report one that nothing gives."""
-        angle = self._directions.resolve(direction, name)
-        if angle is None:
-            assert isinstance(direction, Along)
-            angle = self._along_path(direction, for_what)
-        return angle or Angle()
-
-    def _along_path(self, direction: Along, for_what: str) -> Angle | None:
-        """Return the direction of a vector that is a sum, named where it is no single arm."""
-        tail, head, quarter, span = (
-            direction.tail,
-            direction.head,
-            direction.quarter,
-            direction.span,
-        )
-        vector = self._vectors.path(tail, head)
-        if vector is None:
-            if self._missing.is_first(tail, head):
-                self._report.add(messages.missing_direction(span, f"{tail}{head}", for_what))
-        elif not vector or (len(vector) > 1 and self._vectors.is_open(vector)):
-            self._report.add(messages.no_direction_of_its_own(span, f"{tail}{head}"))
-        elif len(vector) > 1:
-            return self._vectors.straighten(tail, head) + Angle.constant(90 * quarter)
-        else:
-            sign = -1 if vector[0].length.coefficient < 0 else 1
-            return vector[0].angle + Angle.constant(90 * quarter + (0 if sign > 0 else 180))
-        return None
-
-    def report_unfound(self, pose: Pose, found: frozenset[str], left: Open) -> frozenset[str]:
-        """Report why the directions of links are open that no loop gives; name directions."""
-        sought = {n: at for n, at in self._directions.sought.items() if n not in found}
-        needed: dict[str, Link] = {}
-        for link in self._mechanism.links:
-            used = {n for vector in pose.frames[link.name].values() for n in mentioned(vector)}
-            needed |= dict.fromkeys(sorted(used & sought.keys() - needed.keys()), link)
-        causes = explained(self._mechanism, self._vectors, sought, needed, left)
-        for fault in () if self._missing.are_any else causes:
-            self._report.add(fault)
-        return frozenset(needed)
-
-    def close_loops(self, pose: Pose, unfound: frozenset[str]) -> None:
-        """Report every loop that does not close for independent symbols, all of them known."""
-        given = given_by_hand(self._mechanism) if self._mechanism.drawn else None
-        closure = Closure(pose.placeholders, {d.name for d in pose.definitions}, given)
-        values = poses_nearby(self._mechanism, pose.definitions)
-        slots = on_the_line([t for t in pose.touches if t.kind == "slot"], self._vectors)
-        for condition in (*self._loops(), *self._guide_lines(pose), *slots):
-            if unfound & mentioned(condition.arms):
-                continue
-            if fault := closure.check(condition, values):
-                self._report.add_first(fault)
-
-    def _loops(self) -> list[Condition]:
-        everywhere = (Angle(), Angle.constant(90))
-        return [
-            Condition(chained(p or "origin" for p in loop.points), loop.arms, everywhere, loop.span)
-            for loop in self._vectors.loops
-        ]
-
-    def _guide_lines(self, pose: Pose) -> list[Condition]:
-        """Return the condition of every guide that is said to pass through a point."""
-        conditions = []
-        for slider in self._mechanism.each(Slider):
-            chain = slider.through and self._vectors.chain(slider.point, slider.through)
-            if chain:
-                arms, normal = self._vectors.arms(chain), across(pose.guides[slider.point])
-                name = chained(chain)
-                conditions.append(Condition(name, arms, (normal,), slider.span))
-        return conditions
+def _guide_lines(pose: Pose, vectors: Vectors) -> Iterator[Condition]:
+    """Yield the condition of every guide that is said to pass through a point."""
+    for slider in pose.mechanism.each(Slider):
+        chain = slider.through and vectors.chain(slider.point, slider.through)
+        if chain:
+            normal = across(pose.guides[slider.point])
+            yield Condition(chained(chain), vectors.arms(chain), (normal,), slider.span)

@@ -1,0 +1,84 @@
+"""The directions that parts of a mechanism have: guides, forces, slides, ropes, the mirror line."""
+
+from collections.abc import Mapping
+
+from ..algebra.angle import Angle
+from ..diagnostics import Report
+from ..diagnostics import pose as messages
+from ..model.mechanism import Along, Direction, Force, Mechanism, Slider
+from .directions import Directions
+from .vectors import Missing, Vectors
+
+
+class Lines:
+    """Directions as angles; one that nothing gives is reported, once for all that ask for it."""
+
+    def __init__(
+        self, directions: Directions, vectors: Vectors, missing: Missing, report: Report
+    ) -> None:
+        self._directions, self._vectors = directions, vectors
+        self._missing, self._report = missing, report
+
+    def of(self, direction: Direction, name: str, for_what: str) -> Angle:
+        """Return a direction, of whose angle ``name`` is the name where it has to have one."""
+        angle = self._directions.resolve(direction, name)
+        if angle is None:
+            assert isinstance(direction, Along)
+            angle = self._along_path(direction, for_what)
+        return angle or Angle()
+
+    def _along_path(self, direction: Along, for_what: str) -> Angle | None:
+        """Return the direction of a vector that is a sum, named where it is no single arm."""
+        tail, head, quarter = direction.tail, direction.head, direction.quarter
+        vector = self._vectors.path(tail, head)
+        if vector is None:
+            if self._missing.is_first(tail, head):
+                message = messages.missing_direction(direction.span, f"{tail}{head}", for_what)
+                self._report.add(message)
+        elif not vector or (len(vector) > 1 and self._vectors.is_open(vector)):
+            self._report.add(messages.no_direction_of_its_own(direction.span, f"{tail}{head}"))
+        elif len(vector) > 1:
+            return self._vectors.straighten(tail, head) + Angle.constant(90 * quarter)
+        else:
+            sign = -1 if vector[0].length.coefficient < 0 else 1
+            return vector[0].angle + Angle.constant(90 * quarter + (0 if sign > 0 else 180))
+        return None
+
+
+def guides(mechanism: Mechanism, lines: Lines) -> Mapping[str, Angle]:
+    """Return the direction of the guide of every slider, by its point."""
+    return {
+        s.point: lines.of(s.along, f"theta_{s.point}", f"the guide of {s.point}")
+        for s in mechanism.each(Slider)
+    }
+
+
+def mirror_line(mechanism: Mechanism, lines: Lines) -> Angle | None:
+    """Return the direction of the mirror line; None without a mirror."""
+    mirror = mechanism.mirror
+    return lines.of(mirror.across, "theta_mirror", "the mirror") if mirror else None
+
+
+def forces(mechanism: Mechanism, lines: Lines) -> Mapping[str, Angle]:
+    """Return the direction of every force."""
+    return {
+        f.name: lines.of(f.along, f"theta_{f.name}", f"the force {f.name}")
+        for f in mechanism.loads
+        if isinstance(f, Force)
+    }
+
+
+def slides(mechanism: Mechanism, lines: Lines) -> Mapping[str, Angle]:
+    """Return the direction of every body that only translates."""
+    return {
+        s.name: lines.of(s.along, f"theta_{s.name}", f"the slide {s.name}")
+        for s in mechanism.slides
+    }
+
+
+def falls(mechanism: Mechanism, lines: Lines) -> Mapping[str, tuple[Angle, ...]]:
+    """Return the directions of the falls of every rope."""
+    return {
+        rope.id: tuple(lines.of(way, "theta_rope", "a fall of the rope") for way in rope.ways)
+        for rope in mechanism.ropes
+    }
