@@ -26,8 +26,8 @@ PAIRS = {
     "gear O 20 mm, C 50 mm": -0.4,
     "gear C 50 mm, O 20 mm": -0.4,
     "gear O 20 mm, C 50 mm inner": 0.4,
-    "belt O 20 mm, C 50 mm": 0.4,
-    "belt O 20 mm, C 50 mm crossed": -0.4,
+    "belt O 16 mm, C 40 mm": 0.4,
+    "belt O 16 mm, C 40 mm crossed": -0.4,
 }
 
 LEVER = "pivot C at (70 mm, 0 mm)\nlink CB\nB at (90 mm, 30 mm)\n"
