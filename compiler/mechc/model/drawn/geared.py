@@ -83,93 +83,104 @@ def _with_named_size(joint: Joint, sketch: Sketch) -> Joint:
             return joint
 
 
-class Train:
-    """The motions since the drawing that are known, and what wheels make of them."""
+# -------------------------------------------------------------------- what wheels tie
 
-    def __init__(self, mechanism: Mechanism, sketch: Sketch, values: Values) -> None:
-        self._mechanism, self._sketch, self._values = mechanism, sketch, values
-        self._motions: dict[str, Formula] = {"": ZERO}
+
+def _tie(mesh: Mesh, mechanism: Mechanism) -> tuple[Term, ...]:
+    """Return the motions that a pair of wheels ties."""
+    match mesh:
+        case WheelPair(first_link=first, second_link=second):
+            ahead = mesh.first_radius
+            back = negative(mesh.second_radius) if mesh.same else mesh.second_radius
+            arm = negative(total([ahead, back]))
+            return Term(first, "", ahead), Term(second, "", back), Term(mesh.arm, "", arm)
+        case Rack(point, _, link, radius):
+            return Term(link, "", radius), Term(_guided(point, mechanism), point, number(-1))
+        case Screw(point, pitch, link):
+            for_radian = product([(pitch, 1), (number(2), -1), (PI, -1)])
+            return Term(link, "", for_radian), Term(_guided(point, mechanism), point, number(-1))
+        case _:
+            assert_never(mesh)
+
+
+def _guided(point: str, mechanism: Mechanism) -> str:
+    """Return the body that a point of a guide stands for: its slide, or itself."""
+    return next((slide.name for slide in mechanism.slides_at(point)), point)
+
+
+def _matters(term: Term, mechanism: Mechanism) -> bool:
+    if term.point:
+        return place_matters(term.point, mechanism)
+    links = (link for link in mechanism.links if link.name == term.body)
+    return any(direction_matters(link, mechanism) for link in links)
+
+
+def _led(
+    tie: tuple[Term, ...], motions: Mapping[str, Formula], values: Values
+) -> tuple[Term, Formula] | None:
+    """Return the one motion of a tie that is not known, and what it is."""
+    unknown = [term for term in tie if term.body not in motions]
+    if len(unknown) != 1 or _is_nil(unknown[0].factor, values):
+        return None
+    (led,) = unknown
+    others = ((t.factor, motions[t.body]) for t in tie if t is not led)
+    parts = (
+        product([(factor, 1), (led.factor, -1), (motion, 1), (number(-1), 1)])
+        for factor, motion in others
+    )
+    return led, total(parts)
+
+
+def _is_nil(factor: Formula, values: Values) -> bool:
+    """Return whether a motion does not count: an arm's, where inner wheels are alike."""
+    if not symbols(factor) <= values.keys():
+        return False
+    return math.isclose(evaluate(factor, values), 0, abs_tol=VANISHED)
+
+
+# ------------------------------------------------------------------------- the train
+
+
+class Train(NamedTuple):
+    """A drawn mechanism whose wheels are followed from the drawing on, at its ``values``."""
+
+    mechanism: Mechanism
+    sketch: Sketch
+    values: Values
 
     def followers(self, held: Independent) -> Iterator[Geometry]:
         """Yield where links and sliders are that nothing but wheels leads, wheel after wheel."""
         if not any(self._free(held)):
             return
-        self._motions |= dict(self._given())
-        ties = [self._tie(mesh) for mesh in self._mechanism.meshes]
-        while one := next(filter(None, map(self._led, ties)), None):
+        motions = {"": ZERO, **dict(self._given())}
+        ties = [_tie(mesh, self.mechanism) for mesh in self.mechanism.meshes]
+        while one := next(filter(None, (_led(tie, motions, self.values) for tie in ties)), None):
             led, motion = one
-            self._motions[led.body] = motion
+            motions[led.body] = motion
             row = self._row(led)
             if row is not None and held.takes(row):
                 yield self._placed(led, motion)
 
-    def _led(self, tie: tuple[Term, ...]) -> tuple[Term, Formula] | None:
-        """Return the one motion of a tie that is not known, and what it is."""
-        unknown = [term for term in tie if term.body not in self._motions]
-        if len(unknown) != 1 or self._is_nil(unknown[0].factor):
-            return None
-        (led,) = unknown
-        others = ((t.factor, self._motions[t.body]) for t in tie if t is not led)
-        parts = (
-            product([(factor, 1), (led.factor, -1), (motion, 1), (number(-1), 1)])
-            for factor, motion in others
-        )
-        return led, total(parts)
-
-    def _is_nil(self, factor: Formula) -> bool:
-        """Return whether a motion does not count: an arm's, where inner wheels are alike."""
-        return symbols(factor) <= self._values.keys() and math.isclose(
-            self._value(factor), 0, abs_tol=VANISHED
-        )
-
     def check(self, held: Independent, report: Report) -> None:
         """Report E516 for what wheels alone lead, where the leader's motion is no formula."""
         for mesh, term in self._free(held):
-            if self._matters(term):
+            if _matters(term, self.mechanism):
                 report.add(messages.wheels_alone_lead(mesh.span, term.body, mesh.id))
 
     def _free(self, held: Independent) -> Iterator[tuple[Mesh, Term]]:
         """Yield the terms of motions that wheels tie and nothing else holds."""
-        for mesh in self._mechanism.meshes:
-            for term in self._tie(mesh):
+        for mesh in self.mechanism.meshes:
+            for term in _tie(mesh, self.mechanism):
                 row = self._row(term)
                 if row is not None and held.lacks(row):
                     yield mesh, term
 
-    def _matters(self, term: Term) -> bool:
-        if term.point:
-            return place_matters(term.point, self._mechanism)
-        links = (link for link in self._mechanism.links if link.name == term.body)
-        return any(direction_matters(link, self._mechanism) for link in links)
-
-    def _tie(self, mesh: Mesh) -> tuple[Term, ...]:
-        """Return the motions that a pair of wheels ties."""
-        match mesh:
-            case WheelPair(first_link=first, second_link=second):
-                ahead = mesh.first_radius
-                back = negative(mesh.second_radius) if mesh.same else mesh.second_radius
-                arm = negative(total([ahead, back]))
-                return Term(first, "", ahead), Term(second, "", back), Term(mesh.arm, "", arm)
-            case Rack(point, _, link, radius):
-                return Term(link, "", radius), Term(self._guided(point), point, number(-1))
-            case Screw(point, pitch, link):
-                for_radian = product([(pitch, 1), (number(2), -1), (PI, -1)])
-                return Term(link, "", for_radian), Term(self._guided(point), point, number(-1))
-            case _:
-                assert_never(mesh)
-
-    def _guided(self, point: str) -> str:
-        """Return the body that a point of a guide stands for: its slide, or itself."""
-        return next((slide.name for slide in self._mechanism.slides_at(point)), point)
-
-    # -------------------------------------------------------------------- what is known
-
     def _given(self) -> Iterator[tuple[str, Formula]]:
         """Yield the motions since the drawing that the geometry gives."""
-        for entry in self._mechanism.geometry:
-            if not self._sketch.has(entry):
+        for entry in self.mechanism.geometry:
+            if not self.sketch.has(entry):
                 continue
-            for link in self._mechanism.links:
+            for link in self.mechanism.links:
                 if isinstance(entry, Arrow) and {entry.tail, entry.head} <= set(link.points):
                     yield from self._turn(link.name, entry)
             yield from self._way(entry)
@@ -177,10 +188,10 @@ class Train:
     def _turn(self, link: str, entry: Arrow) -> Iterator[tuple[str, Formula]]:
         """Yield the turn of a link; full turns of the drive since the drawing are none."""
         towards = entry.direction
-        if isinstance(towards, Absolute) and symbols(towards.angle) <= self._values.keys():
-            drawn = self._sketch.start(entry.tail, entry.head)
-            x, y = self._sketch.way(entry.tail, entry.head)
-            full = round((self._value(towards.angle) - math.atan2(y, x)) / math.tau)
+        if isinstance(towards, Absolute) and symbols(towards.angle) <= self.values.keys():
+            drawn = self.sketch.start(entry.tail, entry.head)
+            x, y = self.sketch.way(entry.tail, entry.head)
+            full = round((evaluate(towards.angle, self.values) - math.atan2(y, x)) / math.tau)
             yield link, total([towards.angle, negative(drawn), degrees(-360 * full)])
 
     def _way(self, entry: Geometry) -> Iterator[tuple[str, Formula]]:
@@ -192,46 +203,41 @@ class Train:
                 vector = x, y
             case _:
                 return
-        guide = self._guide(head) if tail in {"", *self._mechanism.fixed} else None
+        guide = self._guide(head) if tail in {"", *self.mechanism.fixed} else None
         way = _along(guide, vector) if guide else None
-        if guide and way and symbols(way) <= self._values.keys():
-            drawn = _along(guide, self._sketch.offset(tail, head))
-            yield self._guided(head), total([way, negative(drawn)])
-
-    def _value(self, formula: Formula) -> float:
-        return evaluate(formula, self._values)
-
-    # ------------------------------------------------------------------- where it leads
+        if guide and way and symbols(way) <= self.values.keys():
+            drawn = _along(guide, self.sketch.offset(tail, head))
+            yield _guided(head, self.mechanism), total([way, negative(drawn)])
 
     def _guide(self, point: str) -> Formula | None:
         """Return the direction of a point's guide; None where it is no angle of the ground."""
-        found = [s.along for s in self._mechanism.each(Slider) if s.point == point]
-        found += [s.along for s in self._mechanism.slides_at(point)]
+        found = [s.along for s in self.mechanism.each(Slider) if s.point == point]
+        found += [s.along for s in self.mechanism.slides_at(point)]
         return self._angle(found[0]) if found else None
 
     def _angle(self, direction: Direction) -> Formula | None:
         match direction:
             case Absolute(angle):
                 return angle
-            case Along(tail, head, quarter) if {tail, head} <= self._mechanism.fixed:
-                if self._sketch.has_all((tail, head)):
-                    return total([self._sketch.start(tail, head), degrees(90 * quarter)])
+            case Along(tail, head, quarter) if {tail, head} <= self.mechanism.fixed:
+                if self.sketch.has_all((tail, head)):
+                    return total([self.sketch.start(tail, head), degrees(90 * quarter)])
         return None
 
     def _arm(self, term: Term) -> tuple[str, str] | None:
         """Return a drawn arm of a link; None of the ground."""
-        links = (link for link in self._mechanism.links if link.name == term.body)
-        return next((arm for link in links for arm in self._sketch.arms(link.points)), None)
+        links = (link for link in self.mechanism.links if link.name == term.body)
+        return next((arm for link in links for arm in self.sketch.arms(link.points)), None)
 
     def _row(self, term: Term) -> Row | None:
         """Return the row of a motion; None where nothing drawn takes part in it."""
         if not term.point:
             arm = self._arm(term)
-            return direction(*arm, self._sketch) if arm else None
+            return direction(*arm, self.sketch) if arm else None
         guide = self._guide(term.point)
-        if guide is None or not symbols(guide) <= self._values.keys():
+        if guide is None or not symbols(guide) <= self.values.keys():
             return None
-        return fixed(term.point, self._value(guide) - math.pi / 2)
+        return fixed(term.point, evaluate(guide, self.values) - math.pi / 2)
 
     def _placed(self, term: Term, motion: Formula) -> Geometry:
         """Return where a link or a slider is after a motion from its drawn place."""
@@ -239,11 +245,11 @@ class Train:
             return self._moved(term.point, motion)
         arm = self._arm(term)
         assert arm is not None
-        span = self._sketch.span(arm[1])
-        return Arrow(*arm, None, Absolute(total([self._sketch.start(*arm), motion]), span), span)
+        span = self.sketch.span(arm[1])
+        return Arrow(*arm, None, Absolute(total([self.sketch.start(*arm), motion]), span), span)
 
     def _moved(self, point: str, way: Formula) -> Geometry:
-        guide, sketch = self._guide(point), self._sketch
+        guide, sketch = self._guide(point), self.sketch
         assert guide is not None
         x, y = sketch.offset("", point)
         along, up = (product([(way, 1), (part, 1)]) for part in _unit(guide))
