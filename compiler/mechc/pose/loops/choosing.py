@@ -7,6 +7,7 @@ from ...diagnostics import MechcError, Report
 from ...diagnostics import closures as closure_messages
 from ...diagnostics import pose as messages
 from ...model.mechanism import Assembly
+from ...named import NamedTuple
 from ..samples import Values
 from ..tolerances import FLAT_TRIANGLE
 from .assembly_hints import AssemblyHints, Loops, group_span, is_ahead
@@ -26,7 +27,11 @@ class Choice:
     def __init__(self, state: State, report: Report) -> None:
         self._state, self._report = state, report
         self._unused = list(state.mechanism.assemblies)
-        self._lines: Mapping[str, GuideLine] = {}
+
+    @property
+    def unused(self) -> tuple[Assembly, ...]:
+        """Return the lines that decided nothing."""
+        return tuple(self._unused)
 
     def choose(
         self, closures: Sequence[Closure], group: Loops, within: Collection[str] | None = None
@@ -37,115 +42,25 @@ class Choice:
         is reported with it. ``within`` are the points of a body that closes by itself: only
         they have places yet.
         """
-        base = self._state.base
-        poses = [self._state.tried(c, base) for c in closures]
+        state = self._state
+        poses = [state.tried(c, state.base) for c in closures]
         possible = [i for i, p in enumerate(poses) if all(map(math.isfinite, p.values()))]
         if not possible:
             raise self._none(closures, group)
         if len(closures) == 1:
             return closures[0]
-        possible = self._with_lengths(possible, poses, group) or possible
-        self._lines = self._guide_lines_of(group)
+        possible = _with_lengths(possible, poses, group, state) or possible
+        read = Reading(state, _guide_lines(group, state))
         lines = [a for a in self._unused if within is None or set(a.points) <= set(within)]
-        decisive = self._decisive_lines(lines, poses, possible)
+        decisive = read.decisive(lines, poses, possible)
         self._unused = [a for a in self._unused if a not in decisive]
-        meant = [i for i in possible if all(self._holds(a, poses, i) for a in decisive)]
+        meant = [i for i in possible if all(read.holds(a, poses, i) for a in decisive)]
         if not decisive and len(meant) > 1:
-            meant = self._by_the_drawing(meant, poses, group, within)
+            meant = _by_the_drawing(meant, poses, group, state, within)
         left = meant or possible
         if len(meant) != 1:
-            self._report_open(decisive, [poses[i] for i in left], group, not meant)
+            self._report_open(decisive, [poses[i] for i in left], group, read, not meant)
         return closures[left[0]]
-
-    def _by_the_drawing(
-        self,
-        possible: list[int],
-        poses: Sequence[Values],
-        group: Loops,
-        within: Collection[str] | None,
-    ) -> list[int]:
-        """Return the closure nearest to the drawing, or the one ahead of its guide; else all."""
-        drawn = nearest(poses, possible, self._state, within)
-        ahead = self._reaching_ahead(group, poses)
-        return drawn or (ahead if len(ahead) == 1 else possible)
-
-    def _decisive_lines(
-        self, lines: Sequence[Assembly], poses: Sequence[Values], possible: Sequence[int]
-    ) -> list[Assembly]:
-        """Return the lines that decide; of several, none that says the same of all closures.
-
-        A pin whose place another line gives as well stands at one place in all of them.
-        """
-        decisive = [a for a in lines if self._decides(a, poses, self._state.base)]
-        separating = [a for a in decisive if self._separates(a, poses, possible)]
-        turns = [a for a in decisive if len(a.points) == 3]
-        return [*separating, *(a for a in turns if a not in separating)] if separating else decisive
-
-    def _separates(
-        self, assembly: Assembly, poses: Sequence[Values], possible: Sequence[int]
-    ) -> bool:
-        """Return whether a line holds in some closures and not in others."""
-        return len({self._holds(assembly, poses, i) for i in possible}) > 1
-
-    @property
-    def unused(self) -> tuple[Assembly, ...]:
-        """Return the lines that decided nothing."""
-        return tuple(self._unused)
-
-    def _guide_lines_of(self, group: Loops) -> Mapping[str, GuideLine]:
-        """Return the line of each pin; of several lines the one along which the group closes."""
-        guide_lines = sorted(self._state.guide_lines, key=lambda line: line.length in group.unknown)
-        return {line.pin: line for line in guide_lines}
-
-    def _with_lengths(
-        self, indices: Sequence[int], poses: Sequence[Values], group: Loops
-    ) -> list[int]:
-        """Return the closures in which no vector has a negative length; places may be negative."""
-        places = {line.length for line in self._state.guide_lines} | self._state.named
-        lengths = group.unknown - self._state.angles - places
-        return [i for i in indices if all(poses[i].get(n, 0.0) >= 0 for n in lengths)]
-
-    def _reaching_ahead(self, group: Loops, poses: Sequence[Values]) -> list[int]:
-        """Return the closures in which no length is negative."""
-        names = group.unknown - self._state.angles
-        lengths = [[p[n] for n in names if n in p] for p in poses]
-        return [i for i, sizes in enumerate(lengths) if sizes and min(sizes) >= 0]
-
-    def _decides(self, assembly: Assembly, poses: Sequence[Values], before: Values) -> bool:
-        """Return whether this group is what places the points named."""
-        if self._measure(assembly, before) is not None:
-            return False
-        return all(self._measure(assembly, p) is not None for p in poses)
-
-    def _measure(self, assembly: Assembly, values: Values) -> float | None:
-        """Return twice the triangle's area, or the place along the guide; None if open."""
-        start = self._start(assembly, values)
-        if start is None:
-            return None
-        places = self._state.graph.places(start, values, assembly.points)
-        if not set(assembly.points) <= places.keys():
-            return None
-        corners = [places[point] for point in assembly.points]
-        if len(corners) == 3:
-            return _doubled_area(*corners)
-        ((x, y),) = corners
-        along = self._lines[assembly.points[0]].angle.evaluate(values)
-        return x * math.cos(along) + y * math.sin(along)
-
-    def _start(self, assembly: Assembly, values: Values) -> str | None:
-        """Return a point to measure from: the fixed end of a guide, or the first point."""
-        if len(assembly.points) == 3:
-            return assembly.points[0]
-        line = self._lines.get(assembly.points[0])
-        return line.start if line and line.angle.names <= values.keys() else None
-
-    def _holds(self, assembly: Assembly, poses: Sequence[Values], i: int) -> bool:
-        mine = self._measure(assembly, poses[i]) or 0.0
-        if assembly.mode in ("ccw", "cw"):
-            return mine > 0 if assembly.mode == "ccw" else mine < 0
-        others = [self._measure(assembly, p) or 0.0 for p in poses]
-        ahead = [is_ahead(place, others) for place in others]
-        return not all(ahead) and ahead[i] == (assembly.mode == "forward")
 
     def _none(self, closures: Sequence[Closure], group: Loops) -> MechcError:
         """Return that nothing closes, unless that rests on a closure taken for the time being."""
@@ -158,12 +73,17 @@ class Choice:
         )
 
     def _report_open(
-        self, decisive: Sequence[Assembly], poses: Sequence[Values], group: Loops, refuted: bool
+        self,
+        decisive: Sequence[Assembly],
+        poses: Sequence[Values],
+        group: Loops,
+        read: "Reading",
+        refuted: bool,
     ) -> None:
         """Report that nothing distinguishes the closures at some poses, and what would."""
         drive = self._state.mechanism.drive
-        lines = {point: line for point, line in self._lines.items() if line.length in group.unknown}
-        hints = AssemblyHints(group, lines, self._measure, self._state.angles)
+        lines = {point: line for point, line in read.lines.items() if line.length in group.unknown}
+        hints = AssemblyHints(group, lines, read.measure, self._state.angles)
         hint = hints.hint(poses, drive.parameter if drive else "", refuted)
         if decisive:
             self._report.stop_on_errors()
@@ -172,6 +92,103 @@ class Choice:
         else:
             loop, number = loop_name(group.cycle), len(poses)
             self._report.add(closure_messages.closure_open(group_span(group), loop, number, hint))
+
+
+def _with_lengths(
+    indices: Sequence[int], poses: Sequence[Values], group: Loops, state: State
+) -> list[int]:
+    """Return the closures in which no vector has a negative length; places may be negative."""
+    places = {line.length for line in state.guide_lines} | state.named
+    lengths = group.unknown - state.angles - places
+    return [i for i in indices if all(poses[i].get(n, 0.0) >= 0 for n in lengths)]
+
+
+def _guide_lines(group: Loops, state: State) -> Mapping[str, GuideLine]:
+    """Return the line of each pin; of several lines the one along which the group closes."""
+    guide_lines = sorted(state.guide_lines, key=lambda line: line.length in group.unknown)
+    return {line.pin: line for line in guide_lines}
+
+
+def _by_the_drawing(
+    possible: list[int],
+    poses: Sequence[Values],
+    group: Loops,
+    state: State,
+    within: Collection[str] | None,
+) -> list[int]:
+    """Return the closure nearest to the drawing, or the one ahead of its guide; else all."""
+    drawn = nearest(poses, possible, state, within)
+    ahead = _reaching_ahead(group, poses, state)
+    return drawn or (ahead if len(ahead) == 1 else possible)
+
+
+def _reaching_ahead(group: Loops, poses: Sequence[Values], state: State) -> list[int]:
+    """Return the closures in which no length is negative."""
+    names = group.unknown - state.angles
+    lengths = [[p[n] for n in names if n in p] for p in poses]
+    return [i for i, sizes in enumerate(lengths) if sizes and min(sizes) >= 0]
+
+
+class Reading(NamedTuple):
+    """How ``assembly`` lines are read at poses; a line on a pin along its guide, of ``lines``."""
+
+    state: State
+    lines: Mapping[str, GuideLine]
+
+    def decisive(
+        self, lines: Sequence[Assembly], poses: Sequence[Values], possible: Sequence[int]
+    ) -> list[Assembly]:
+        """Return the lines that decide; of several, none that says the same of all closures.
+
+        A pin whose place another line gives as well stands at one place in all of them.
+        """
+        decisive = [a for a in lines if self._decides(a, poses)]
+        separating = [a for a in decisive if self._separates(a, poses, possible)]
+        turns = [a for a in decisive if len(a.points) == 3]
+        return [*separating, *(a for a in turns if a not in separating)] if separating else decisive
+
+    def _separates(
+        self, assembly: Assembly, poses: Sequence[Values], possible: Sequence[int]
+    ) -> bool:
+        """Return whether a line holds in some closures and not in others."""
+        return len({self.holds(assembly, poses, i) for i in possible}) > 1
+
+    def _decides(self, assembly: Assembly, poses: Sequence[Values]) -> bool:
+        """Return whether this group is what places the points named."""
+        if self.measure(assembly, self.state.base) is not None:
+            return False
+        return all(self.measure(assembly, p) is not None for p in poses)
+
+    def holds(self, assembly: Assembly, poses: Sequence[Values], i: int) -> bool:
+        """Return whether a line holds in one of the poses; a place ahead is so among them."""
+        mine = self.measure(assembly, poses[i]) or 0.0
+        if assembly.mode in ("ccw", "cw"):
+            return mine > 0 if assembly.mode == "ccw" else mine < 0
+        others = [self.measure(assembly, p) or 0.0 for p in poses]
+        ahead = [is_ahead(place, others) for place in others]
+        return not all(ahead) and ahead[i] == (assembly.mode == "forward")
+
+    def measure(self, assembly: Assembly, values: Values) -> float | None:
+        """Return twice the triangle's area, or the place along the guide; None if open."""
+        start = self._start(assembly, values)
+        if start is None:
+            return None
+        places = self.state.graph.places(start, values, assembly.points)
+        if not set(assembly.points) <= places.keys():
+            return None
+        corners = [places[point] for point in assembly.points]
+        if len(corners) == 3:
+            return _doubled_area(*corners)
+        ((x, y),) = corners
+        along = self.lines[assembly.points[0]].angle.evaluate(values)
+        return x * math.cos(along) + y * math.sin(along)
+
+    def _start(self, assembly: Assembly, values: Values) -> str | None:
+        """Return a point to measure from: the fixed end of a guide, or the first point."""
+        if len(assembly.points) == 3:
+            return assembly.points[0]
+        line = self.lines.get(assembly.points[0])
+        return line.start if line and line.angle.names <= values.keys() else None
 
 
 def _doubled_area(a: Corner, b: Corner, c: Corner) -> float:
