@@ -242,8 +242,23 @@ def test_a_force_with_friction_is_stated_once_under_a_heading_of_its_own():
     compilation = compile_source(Source("crank.mech", ITERATED))
     shown = render(compilation.derivation, compilation.mechanism)
     stated = shown.partition("Force at a joint, with friction")[2]
-    assert stated.count("This holds while") == 1
+    assert "This holds while" not in stated
+    assert stated.count("This holds under the same conditions as k_f.") == 1
     assert "R_A_on_AB_f = √(R_A_on_AB_x_f² + R_A_on_AB_y_f²)" in stated
+
+
+def test_what_is_long_multiplied_out_keeps_the_names_of_its_parts():
+    """A lift of five joints: eight lines of sines otherwise, for each of four results."""
+    source = find("scissor_table").read_text("utf-8")
+    text = source + "\nparam f = 0.1\nfriction pins f diameter 20 mm\n"
+    compilation = compile_source(Source("lift.mech", text))
+    shown = " ".join(render(compilation.derivation, compilation.mechanism).split())
+    assert "k_f = k + ρ · n_AAMD · Ω_AAMD + " in shown
+    assert "k_f₁ = k + ρ · r_AAMD · Ω_AAMD + ρk · Ω_AAE + " in shown
+    assert "k_hold = k − ρ · n_AAMD_hold" in shown
+    assert shown.count("Ω_AAMD = ") == 2  # the definition, and its number
+    assert "η_k = k/k_f - This holds while k > 0." in shown
+    assert shown.count("under the same conditions as k_f.") == 1
 
 
 def test_check_tells_the_parts_of_a_force_once():

@@ -10,6 +10,7 @@ from functools import cached_property
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box, sign
 from ..algebra.product import Product
+from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Power, Symbol, number, product, quotient
 from ..frozen import replace
 from ..kinematics.plan import Plan
@@ -21,6 +22,7 @@ from ..power.numbers import default_values, value_of
 from ..source import Span
 from ..units import ANGLE, NUMBER
 from .closed_form import Named, Operator, Printed
+from .iterated import SHORT
 from .steps import Step
 
 
@@ -98,6 +100,9 @@ class Drives:
         if case is None:
             return None
         where, holds = (*case.where, Definition(name, case.formula)), case.holds
+        if count_operations(self._ideal.formula) > SHORT:
+            above, below = (self._k, Symbol(name))[:: self._exponent]
+            here, where = quotient(above, below), self._with_ideal(where)
         if self._exponent < 0:
             value = value_of(real, default_values(self._plan))
             if value is not None and value * self._here < 0:
@@ -105,9 +110,14 @@ class Drives:
             else:
                 holds += (Require(here, ">", ZERO, span),)
         if self._in_range is None:
-            where = (*where, self._definition())
+            where = self._with_ideal(where)
             holds += tuple(Require(f, o, ZERO, span) for f, o in self._condition(self._k))
         return Case(here, where, holds, case.guards)
+
+    def _with_ideal(self, where: tuple[Definition, ...]) -> tuple[Definition, ...]:
+        """Return definitions with that of the ratio without friction."""
+        ideal = self._definition()
+        return where if ideal in where else (*where, ideal)
 
     def _anywhere(self, name: str) -> Formula:
         """Return |σ|·(k/k_f)^σ, σ the sign that depends on which side drives: 0 at a dead centre.

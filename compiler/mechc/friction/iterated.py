@@ -10,9 +10,10 @@ from functools import partial
 from ..algebra.angle import Rational
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
+from ..formula.operations import count_operations
 from ..formula.tree import Formula, Symbol, negative, total
 from ..model.mechanism import Mechanism
-from ..model.result import Result
+from ..model.result import Definition, Result
 from ..named import NamedTuple
 from ..power.joint_forces import size_of
 from ..power.speeds import even, magnitude
@@ -37,8 +38,14 @@ def first_order(
 def first_order_case(
     name: str, ideal: Result, pressed: Sequence[LoadedPair], sense: int, signs: AtOnePose
 ) -> Printed:
-    """Return the same for the signs of a pose, and the forces and slips that it sums up."""
+    """Return the same for the signs of a pose, and the forces and slips that it sums up.
+
+    Where it is longer than these, they keep their names in it.
+    """
     parts = _powers(pressed, positive_at(signs))
+    formula = _with(ideal.formula, parts, sense)
+    if count_operations(formula) > LINE:
+        return _in_names(ideal, parts, sense, signs)
     labels = radii(part.pair for part in parts)
     terms: list[Formula] = [Symbol(ideal.name)]
     forces: dict[Formula, Formula] = {}
@@ -54,8 +61,34 @@ def first_order_case(
         equations=(*equations, (Symbol(name), total(terms))),
         defined=tuple(signs.definitions),
     )
-    formula = _with(ideal.formula, parts, sense)
     return Printed(formula, (), conditions(signs), (step,))
+
+
+def _in_names(ideal: Result, parts: Sequence["Power"], sense: int, signs: AtOnePose) -> Printed:
+    """Return the load in the names of forces and slips, those that are alike under one."""
+    labels = radii(part.pair for part in parts)
+
+    def called(name: str, size: Product) -> Formula:
+        formula = size.formula()
+        same = formula == ideal.formula
+        return Symbol(ideal.name if same else signs.define(name, formula))
+
+    terms: list[Formula] = [Symbol(ideal.name)]
+    for part in parts:
+        factor = named_factor(part.pair, labels, signs).formula()
+        force = called(f"r_{part.pair.name}", part.force)
+        slip = called(_slip_name(part.pair), part.slip)
+        terms.append(power(sense * part.times, factor, force, slip))
+    where = (_called_so(ideal), *signs.definitions)
+    return Printed(total(terms), where, conditions(signs), (Step("first order"),))
+
+
+LINE = 60
+"""Operations of a formula that is multiplied out: more are several lines, and names are read."""
+
+
+def _called_so(ideal: Result) -> Definition:
+    return Definition(ideal.name, ideal.formula)
 
 
 def _called(name: str, size: Product, named: dict[Formula, Formula], signs: AtOnePose) -> Formula:
@@ -148,19 +181,27 @@ def exact(
 
 
 def exact_case(
-    ideal: Formula, pressed: Sequence[LoadedPair], sizes: Sizes, signs: AtOnePose
+    ideal: Result, pressed: Sequence[LoadedPair], sizes: Sizes, signs: AtOnePose
 ) -> Printed:
-    """Return the same with a name for each slip, its sign that of a pose."""
+    """Return the same with a name for each slip, its sign that of a pose.
+
+    So has the load without friction, where it is long.
+    """
     labels, positive = radii(p.pair for p in pressed), positive_at(signs)
     parts = []
     for p in pressed:
         slip = Symbol(signs.define(_slip_name(p.pair), positive(p.slip_of_one).formula()))
         parts.append(Part(p.pair, named_factor(p.pair, labels, signs).formula(), slip, p.times))
-    where = (*signs.definitions, *sizes.definitions)
+    is_long = count_operations(ideal.formula) > SHORT
+    without, known = (Symbol(ideal.name), (_called_so(ideal),)) if is_long else (ideal.formula, ())
+    where = (*known, *signs.definitions, *sizes.definitions)
     steps = (Step("iterated"),)
-    formula = _sum(ideal, parts, sizes)
+    formula = _sum(without, parts, sizes)
     return Printed(formula, where, conditions(signs), steps, sizes.positive)
 
+
+SHORT = 8
+"""Operations of a formula without friction that is as short to read as its name."""
 
 ONCE = Fraction(1)
 

@@ -176,7 +176,7 @@ def _exactly(problem: Problem, find: Find, case: Case, loaded: Loaded, sense: Se
     if closed and stands(closed):
         return replace(closed, elsewhere=iterated(problem, ideal.formula, added, sizes))
     found = iterated(problem, ideal.formula, added, sizes)
-    way = partial(exact_case, ideal.formula, added, sizes)
+    way = partial(exact_case, ideal, added, sizes)
     found = replace(found, case=problem.default.printed(way, endings))
     if closed and not stands(found):
         return replace(closed, elsewhere=iterated(problem, ideal.formula, added, sizes))

@@ -1,12 +1,13 @@
 """What every find is answered from: the power equations, and which loads follow from which."""
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from ..algebra.product import Product
 from ..diagnostics import Report
 from ..diagnostics import power as messages
+from ..formula.facing import facing
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..kinematics.plan import Plan
@@ -16,6 +17,7 @@ from ..units import Dimension
 from .balance import Equations, Term, equations_of
 from .definitions import open_lengths, resting_on
 from .loads import given_size, terms
+from .numbers import default_values
 from .reading import Reading
 
 if TYPE_CHECKING:
@@ -27,7 +29,8 @@ class Problem:
     """The power equations of a plan, and the loads in them.
 
     ``asked_for`` are the loads that do work and are asked for, ``left`` those that work, have
-    no size and are not asked for. ``reactions`` gives the forces at joints, found once.
+    no size and are not asked for. ``reactions`` gives the forces at joints, found once, ``values``
+    are those at the default pose.
     """
 
     plan: Plan
@@ -39,6 +42,7 @@ class Problem:
     asked_for: tuple[str, ...]
     left: tuple[str, ...]
     reactions: "Callable[[], Reactions]"
+    values: Callable[[], Mapping[str, float]]
 
     @property
     def mechanism(self) -> Mechanism:
@@ -70,6 +74,7 @@ class Problem:
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
         """Return a formula as a result, with the definitions that it rests on."""
+        formula = facing(formula, self.values)
         where = resting_on(self.reading.plan, formula, values)
         self.check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)
@@ -96,7 +101,10 @@ def problem_of(plan: Plan, report: Report) -> Problem:
         return Reactions(plan.graph.pose, problem.driving, known=(plan,))
 
     reading = Reading(plan)
-    problem = Problem(plan, parts, equations, reading, report, loads, asked, left, reactions)
+    values = cache(partial(default_values, plan))
+    problem = Problem(
+        plan, parts, equations, reading, report, loads, asked, left, reactions, values
+    )
     return problem
 
 

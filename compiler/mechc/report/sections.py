@@ -17,7 +17,7 @@ from .definitions import Letters, as_written, given_loads, letters
 from .derivation.friction import exact_name
 from .derivation.steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
 from .note import NoteLine, own_lines
-from .sentences.remarks import reaction
+from .sentences.remarks import own_conditions, reaction
 
 LONG = 24
 """The size of a force that takes more operations is given by the components."""
@@ -93,7 +93,7 @@ def _results(
         )
         needed = (d for r in results for d in earlier.of(r) if d.name not in lines)
         fresh = [*rested, *needed]
-        brief = (in_short(r, results) for r in _conditioned_once(results))
+        brief = (in_short(r, results) for r in earlier.conditioned(_conditioned_once(results)))
         shown = tuple(_by_exact(r, derivation) for r in brief)
         weighs = any(d.name in known.usual for d in fresh)
         where = tuple(as_written(fresh, known))
@@ -111,6 +111,7 @@ class Shown:
     def __init__(self) -> None:
         self._results: set[str] = set()
         self._known: dict[str, Formula] = {}
+        self._conditions: dict[tuple[tuple[Formula, str, Formula], ...], str] = {}
 
     def of(self, result: Analysis) -> list[Definition]:
         """Return the new ones of a result's definitions, and note them."""
@@ -129,6 +130,14 @@ class Shown:
         fresh = [d for d in needed if d in new or _system(d) in systems]
         self._known |= dict(fresh)
         return fresh
+
+    def conditioned(self, results: Iterable[Analysis]) -> Iterator[Analysis]:
+        """Yield results, one with several conditions that an earlier one had with its name."""
+        for result in results:
+            holds = tuple((r.left, r.operator, r.right) for r in own_conditions(result))
+            known = self._conditions.setdefault(holds, result.name)
+            is_known = known != result.name and len(holds) > 1
+            yield replace(result, holds_as=known) if is_known else result
 
     def definitions(self, where: Iterable[Definition]) -> None:
         """Note names with what they stand for."""

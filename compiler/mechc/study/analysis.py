@@ -119,7 +119,8 @@ class Analysis(Result):
     parameter (by a proof of the sign of the derivative, never by sampling) and ``scopes`` for
     which values that is proved;
     ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
-    the conditions of a result that is printed for one case; ``inside`` are the names of its
+    the conditions of a result that is printed for one case, those of the earlier result
+    ``holds_as`` if it is named; ``inside`` are the names of its
     ``where`` that are coefficients of a system. ``locking`` states of a ratio with friction where
     nothing moves, ``driven`` of it whether the other loads drive the motion at the default pose
     (None where that is not known), ``courses`` of an efficiency what it runs through, ``extents``
@@ -137,6 +138,7 @@ class Analysis(Result):
     derivatives: Mapping[str, Formula] | None = None
     slopes: Mapping[str, Slope] = MappingProxyType({})
     holds: tuple[Require, ...] = ()
+    holds_as: str = ""
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
     driven: bool | None = None

@@ -318,6 +318,7 @@ LOCALE = Locale(
     along_stroke=along_stroke.EN,
     comparison={"number": "No.", "scheme": "Scheme", "results": "Force transmission"},
     holds="This holds while {conditions}.",
+    holds_as="This holds under the same conditions as {result}.",
     requirements="The result holds for",
     numbers="Numerical values",
     at_default="At the values given",

@@ -146,6 +146,7 @@ class Locale(NamedTuple):
     """The heads of a table of several mechanisms."""
 
     holds: str
+    holds_as: str
     requirements: str
     numbers: str
     at_default: str

@@ -324,6 +324,7 @@ LOCALE = Locale(
     along_stroke=along_stroke.RU,
     comparison={"number": "№", "scheme": "Схема", "results": "Передача силы"},
     holds="Это справедливо, пока {conditions}.",
+    holds_as="Это справедливо при тех же условиях, что и {result}.",
     requirements="Результат справедлив, если",
     numbers="Числовые значения",
     at_default="При заданных значениях",

@@ -325,6 +325,7 @@ LOCALE = Locale(
     along_stroke=along_stroke.UK,
     comparison={"number": "№", "scheme": "Схема", "results": "Передавання сили"},
     holds="Це справедливо, доки {conditions}.",
+    holds_as="Це справедливо за тих самих умов, що й {result}.",
     requirements="Результат справедливий, якщо",
     numbers="Числові значення",
     at_default="За заданих значень",

@@ -121,14 +121,18 @@ def carrier(force: Target) -> str:
 
 
 def ratio(result: Analysis) -> Formula | None:
-    """Return the ratio that was asked for, ``P/F`` or ``V_D/V_A``; None for anything else."""
+    """Return the ratio that was asked for, ``P/F`` or ``V_D/V_A``; None for anything else.
+
+    None as well where the formula of the result is the ratio.
+    """
     match result.target:
         case LoadRatio(above, below):
             return quotient(Symbol(above), Symbol(below))
         case SpeedRatio(above, below):
             return quotient(Symbol(above.name), Symbol(below.name))
         case Efficiency():
-            return _share(result)
+            share = _share(result)
+            return None if share == result.formula else share
         case _:
             return None
 
@@ -198,6 +202,8 @@ def _is_news(names: Iterable[str], result: Analysis) -> bool:
 
 
 def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
+    if result.holds_as:
+        return [locale.holds_as.format(result=_spelled(Symbol(result.holds_as), spell))]
     held = own_conditions(result)
     return [locale.holds.format(conditions=conditions(held, spell))] if held else []
 
