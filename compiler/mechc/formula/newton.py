@@ -25,11 +25,12 @@ Equations = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matr
 Status = Literal[0, 1, 2]
 """0: solved; 1: the branch ends on the way; 2: corrections ran out."""
 
-CORRECTIONS = 96
-"""Corrections of the unknowns altogether, those of steps that are given up among them."""
+CORRECTIONS = 192
+"""Corrections of the unknowns altogether, those of steps that are given up among them.
 
-LONGER = 2 * CORRECTIONS
-"""The same where a branch that ends says something of the mechanism: that friction jams it."""
+With half as many the way past a place where two branches nearly meet was not found at one pose in
+thirty of some triads, be it found at those next to it.
+"""
 
 CONTRACTION = 0.4
 """What a correction may be at most, as a part of the one before."""

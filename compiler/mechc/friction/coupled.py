@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
 from ..formula.names import another
-from ..formula.newton import LONGER
 from ..formula.tree import (
     ONE,
     Call,
@@ -286,7 +285,6 @@ def _system(names: Names, pairs: Sequence[Sequence[Row]]) -> System:
         every,
         _anchor(names, [r for pair in pairs for r in pair]),
         (*names.alone, 1.0),
-        LONGER,
     )
 
 
