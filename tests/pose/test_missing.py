@@ -17,7 +17,7 @@ class Given:
 def first_of(asked: str, *given: str) -> list[str]:
     """Return which vectors are reported, asked for in this order."""
     missing = Missing(Given(*given))  # type: ignore[arg-type]
-    return [pair for pair in asked.split() if missing.is_first(*pair)]
+    return [pair for pair in asked.split() if missing.add(*pair)]
 
 
 def test_a_vector_is_missing_once_in_either_sense() -> None:
@@ -37,5 +37,5 @@ def test_vectors_that_are_given_lead_on_from_missing_ones() -> None:
 def test_any_are_missing_once_one_was_reported() -> None:
     missing = Missing(Given())  # type: ignore[arg-type]
     assert not missing.are_any
-    assert missing.is_first("A", "B")
+    assert missing.add("A", "B")
     assert missing.are_any

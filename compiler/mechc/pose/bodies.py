@@ -130,7 +130,7 @@ def _of_link(link: Link, vectors: Vectors, missing: Missing, report: Report) -> 
     frame: dict[str, Vector] = {base: ()}
     for point in link.points[1:]:
         vector = vectors.path(base, point, link.points) or vectors.path(base, point)
-        if vector is None and missing.is_first(base, point):
+        if vector is None and missing.add(base, point):
             what = f"link {link.name}"
             report.add(messages.missing_direction(link.span, f"{base}{point}", what))
         elif vector == ():

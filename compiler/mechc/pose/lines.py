@@ -32,7 +32,7 @@ class Lines:
         tail, head, quarter = direction.tail, direction.head, direction.quarter
         vector = self._vectors.path(tail, head)
         if vector is None:
-            if self._missing.is_first(tail, head):
+            if self._missing.add(tail, head):
                 message = messages.missing_direction(direction.span, f"{tail}{head}", for_what)
                 self._report.add(message)
         elif not vector or (len(vector) > 1 and self._vectors.is_open(vector)):

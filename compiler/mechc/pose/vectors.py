@@ -202,8 +202,8 @@ class Missing:
         """Return whether a vector is missing, without which loops stay open."""
         return bool(self._asked)
 
-    def is_first(self, tail: str, head: str) -> bool:
-        """Return whether a missing vector would not follow from those missing before; note it."""
+    def add(self, tail: str, head: str) -> bool:
+        """Note a missing vector; return whether it does not follow from those missing before."""
         if len(self._asked) < MOST and self._follows(tail, head):
             return False
         self._asked.append((tail, head))
