@@ -87,7 +87,11 @@ def _rule(rule: LarkRule) -> Rule:
 
 
 def _children(rule: LarkRule) -> list[int | None]:
-    """Return the places of a rule's parts, without the words that only mark it."""
+    """Return the places of a rule's parts, without the words that only mark it.
+
+    None stands for a part that may be missing and is, ``~place`` for one that has the parts of a
+    rule of its own, which take its place.
+    """
     symbols: Any = rule.expansion
     options: Any = rule.options
     places = iter(range(len(symbols)))

@@ -163,26 +163,35 @@ def read_expects(
     subjects = _subjects(file, finds, found, scope)
     failed = _failed(file, subjects, found)  # and, as they are met, other names of no result
     lets = written_out(found, scope)
-    expects: list[Expect] = []
+    expects: list[Expect | None] = []
     for statement in every(file, ast.Expect):
-        if isinstance(statement.subject, ast.Symbol) and statement.subject.name in failed:
+        named = statement.subject.name if isinstance(statement.subject, ast.Symbol) else ""
+        if named in failed:
             continue
         subject = _subject(statement.subject, finds, subjects, scope)
-        if subject is None and isinstance(statement.subject, ast.Symbol):
-            failed.add(statement.subject.name)
-        value = Reader(scope, EXPECTED).read(statement.value)
-        at = _settings(statement, scope)
-        if (
-            subject is None
-            or value is None
-            or not _suits(value, subjects[subject], "the result", scope)
-        ):
-            continue
-        formula = _of_parameters(value, lets, scope)
-        tolerance = _tolerance(statement, value, formula, scope)
-        stated = statement.tolerance is not None
-        expects.append(Expect(subject, formula, at, tolerance, statement.span, stated))
-    return expects
+        if subject is None and named:
+            failed.add(named)
+        dimension = subjects[subject] if subject else None
+        expects.append(_expect(statement, subject, dimension, lets, scope))
+    return [expect for expect in expects if expect]
+
+
+def _expect(
+    statement: ast.Expect,
+    subject: str | None,
+    dimension: Dimension | None,
+    lets: Mapping[str, Formula],
+    scope: Scope,
+) -> Expect | None:
+    """Return what is expected; None where it is of no result, or where it cannot be read."""
+    value = Reader(scope, EXPECTED).read(statement.value)
+    at = _settings(statement, scope)
+    if subject is None or value is None or not _suits(value, dimension, "the result", scope):
+        return None
+    formula = _of_parameters(value, lets, scope)
+    tolerance = _tolerance(statement, value, formula, scope)
+    stated = statement.tolerance is not None
+    return Expect(subject, formula, at, tolerance, statement.span, stated)
 
 
 def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: Scope) -> Fraction:

@@ -47,17 +47,21 @@ def _in_full_once(
 
 
 def _sentence(step: Step, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
-    first, *rest = step.subject or ("",)
-    *before, last = rest or (first,)
-    together = first if len(first.rstrip("'0123456789")) > 1 else "".join(step.subject)
+    """Return the sentence of a step; rules name what they are applied to by its place among all.
+
+    ``joined`` are points as one name, ``OAB``; what stands first and is a link has that already.
+    """
+    first, *others = step.subject or ("",)
+    others = others or [first]
+    is_link = len(first.rstrip("'0123456789")) > 1
     return template.format(
         first=spell(first),
-        rest=enumeration((spell(s) for s in rest or (first,)), locale),
-        second=spell((*before, last)[0]),
-        point=spell((first, *before)[-1]),
-        last=spell(last),
-        all=enumeration((spell(s) for s in step.subject), locale),
-        joined=spell(together),
+        second=spell(others[0]),
+        last=spell(others[-1]),
+        point=spell(others[-2] if len(others) > 1 else first),
+        rest=enumeration(map(spell, others), locale),
+        all=enumeration(map(spell, step.subject), locale),
+        joined=spell(first if is_link else "".join(step.subject)),
     )
 
 
