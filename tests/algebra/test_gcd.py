@@ -44,6 +44,19 @@ def test_what_remains_is_coprime(f, g):
     assert len(common(divided(f, found), divided(g, found))) == 1
 
 
+@pytest.mark.parametrize(
+    ("whole", "part"),
+    [
+        ({(2, 0): 1}, {(1, 1): 1}),  # x^2 by x·y
+        ({(1, 0): 1, (0, 0): 1}, {(1, 0): 1, (0, 0): 2}),  # x + 1 by x + 2
+    ],
+)
+def test_what_is_no_divisor_is_noticed(whole, part):
+    """Division ends: the highest term falls with each of the quotient, none is negative."""
+    with pytest.raises(AssertionError, match="not a divisor"):
+        divided(whole, part)
+
+
 SHARED = [
     add([a * cosine(A), b * sine(B)]),
     add([a, b * cosine(A - B)]),

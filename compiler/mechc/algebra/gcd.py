@@ -55,7 +55,9 @@ def _by_remainders(f: Poly, g: Poly, reach: list[int]) -> Poly:
     x = min((i for i, d in enumerate(reach) if d), key=lambda i: max(degrees(f)[i], degrees(g)[i]))
     contents = _content(f, x), _content(g, x)
     f, g = divided(f, contents[0]), divided(g, contents[1])
-    while degrees(g)[x] > reach[x]:
+    for _ in range(reach[x], degrees(g)[x]):  # each remainder is of a lower degree
+        if degrees(g)[x] == reach[x]:
+            break
         rest = _remainder(f, g, x)
         f, g = g, stripped(divided(rest, _content(rest, x)))
     return times(g, common(*contents))
@@ -65,9 +67,10 @@ def _remainder(f: Poly, g: Poly, x: int) -> Poly:
     """Return the pseudo-remainder of f by g in the variable x."""
     degree = degrees(g)[x]
     lead = {_without(e, x): v for e, v in g.items() if e[x] == degree}
-    while f and (top := degrees(f)[x]) >= degree:
+    for top in range(degrees(f)[x], degree - 1, -1):
         factor = {(*e[:x], top - degree, *e[x + 1 :]): v for e, v in f.items() if e[x] == top}
-        f = _less(times(f, lead), times(factor, g))
+        if factor:
+            f = _less(times(f, lead), times(factor, g))
         if len(f) > LIMIT:
             raise TooLongError
     return f
@@ -97,7 +100,10 @@ def times(f: Poly, g: Poly) -> Poly:
 
 
 def divided(f: Poly, g: Poly) -> Poly:
-    """Return the quotient of a polynomial by one of its divisors."""
+    """Return the quotient of a polynomial by one of its divisors.
+
+    The highest exponents of what is left fall with every term of the quotient.
+    """
     lead = max(g)
     inverse = pow(g[lead], -1, PRIME)
     rest, quotient = dict(f), Poly()
@@ -111,6 +117,8 @@ def divided(f: Poly, g: Poly) -> Poly:
             left = (rest.pop(place, 0) - v * value) % PRIME
             if left:
                 rest[place] = left
+        assert min(at, default=0) >= 0, "not a divisor"
+        assert top not in rest, "the highest term is left"
     return quotient
 
 
@@ -188,14 +196,20 @@ def _along(values: Poly, x: int) -> list[int]:
 
 
 def _common_degree(f: list[int], g: list[int]) -> int:
+    """Return the degree of the common divisor: of two that are divided, the lower one falls."""
     while g:
         spend(1 + max(len(f) - len(g), 0) * len(g))
-        inverse = pow(g[-1], -1, PRIME)
-        while len(f) >= len(g):
-            factor, at = f[-1] * inverse, len(f) - len(g)
-            for i, v in enumerate(g):
-                f[at + i] = (f[at + i] - factor * v) % PRIME
-            while f and not f[-1]:
-                f.pop()
-        f, g = g, f
+        f, g = g, _rest(f, g)
     return len(f) - 1
+
+
+def _rest(f: list[int], g: list[int]) -> list[int]:
+    """Return the remainder of f by g, shorter than g."""
+    rest, inverse = list(f), pow(g[-1], -1, PRIME)
+    for at in range(len(f) - len(g), -1, -1):
+        factor = rest.pop() * inverse % PRIME
+        for i, v in enumerate(g[:-1]):
+            rest[at + i] = (rest[at + i] - factor * v) % PRIME
+    while rest and not rest[-1]:
+        rest.pop()
+    return rest
