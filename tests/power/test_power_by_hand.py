@@ -12,7 +12,7 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol, number, product
 from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
-from mechc.model.mechanism import Axial, Mirror, Normal, Reaction, Speed
+from mechc.model.mechanism import Axial, Mirror, Normal, Pivot, Reaction, Speed
 from mechc.pose.pose import Arm
 from mechc.power.balance import equations_of
 from mechc.power.joint_forces import called, find_force, holding, joint_of, line_of, size_of
@@ -254,3 +254,11 @@ def test_what_nothing_joins_is_named():
     assert looseness(slider_crank().mechanism) == ""
     bare = replace(two_bars().mechanism, joints=two_bars().mechanism.joints[:1])
     assert looseness(bare) == "hold link BK, which hangs on pin B alone"
+
+
+def test_a_link_that_its_own_slot_holds_is_not_loose():
+    mechanism = slotted().mechanism
+    joints = tuple(j for j in mechanism.joints if not (isinstance(j, Pivot) and j.point == "Q"))
+    assert looseness(replace(mechanism, joints=joints)) == ""
+    others = tuple(j for j in joints if isinstance(j, Pivot))
+    assert looseness(replace(mechanism, joints=others)) == "join link OA to link QB: nothing does"
