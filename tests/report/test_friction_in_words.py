@@ -443,3 +443,13 @@ def test_a_given_efficiency_multiplies_a_ratio_that_is_proved_to_be_negative():
 def test_of_a_ratio_that_is_proved_to_be_negative_the_smaller_force_arrives():
     found = mechc.loads(crank("240 deg", PINS, "r", "param r: length").text).evaluate(r=0.04)
     assert found["eta_k"] == pytest.approx(found["k_f"] / found["k"])
+
+
+@pytest.mark.parametrize(
+    ("name", "is_said"), [("screw_jack_with_friction", False), ("claw_with_friction", True)]
+)
+def test_what_textbooks_assume_of_joints_is_said_of_joints(name, is_said):
+    compilation = compile_source(read(find(name)))
+    shown = " ".join(render(compilation.derivation, compilation.mechanism).split())
+    assert "η_k runs from" in shown
+    assert ("oiled joints" in shown) == ("between 0.9 and 0.95" in shown) == is_said

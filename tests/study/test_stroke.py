@@ -749,3 +749,20 @@ def test_equal_links_that_fold_make_no_pole_and_no_jumps_of_rounding(tmp_path):
     places = [math.degrees(s.drive) for s in found.singular]
     assert places == pytest.approx([44.268, 60.65], abs=1e-3)
     assert [math.degrees(b.drive) for b in found.branches] == [pytest.approx(60.65, abs=1e-3)]
+
+
+def test_the_zero_of_a_load_is_named():
+    """A weight on a lever needs no moment where it hangs above the pivot."""
+    source = """
+param phi = 40 deg
+pivot O
+link OA
+OA = 1.2 m @ phi
+drive phi from 20 deg to 160 deg
+weight W mass 10 kg at A
+torque M on OA
+find M
+"""
+    (zero,) = Compilation(Source("lever.mech", source)).stroke(9).singular
+    assert (zero.result, zero.value) == ("M", "0")
+    assert math.isclose(zero.drive, math.pi / 2)

@@ -84,7 +84,8 @@ class EfficiencyRange:
     """The values of an efficiency over a parameter's range, 0 where nothing moves.
 
     It is found by sampling; the lowest and highest are refined. ``usual`` are the stretches
-    on which it is in :data:`USUAL`.
+    on which it is in :data:`USUAL`, which says something of pins and guides alone:
+    ``is_of_joints`` where any have friction.
     """
 
     parameter: str
@@ -93,3 +94,4 @@ class EfficiencyRange:
     least: float
     greatest: float
     usual: tuple[Range, ...]
+    is_of_joints: bool = True

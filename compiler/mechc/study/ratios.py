@@ -5,6 +5,8 @@ from collections.abc import Iterator
 
 from ..formula.walk import symbols
 from ..friction.solution import Solution
+from ..frozen import replace
+from ..model.joint_friction import GuideFriction, PinFriction
 from ..model.locking import USUAL, EfficiencyRange, Range
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense, WithFriction
 from ..model.result import FrictionResult, Result
@@ -69,12 +71,14 @@ def efficiency_ranges(study: Study, efficiency: Result) -> Iterator[EfficiencyRa
     of, sense = efficiency.target.of, efficiency.target.sense
     both, mechanism = (study.ideal(of), study.real(of, sense)), study.mechanism
     turning = set(moved(mechanism, both))
+    pairs = mechanism.friction.joints
+    is_of_joints = any(isinstance(pair, PinFriction | GuideFriction) for pair in pairs)
     for name in varying(mechanism, both):
         ends, moving = range_of(name, mechanism), study.moving(of, sense, name)
         if ends and moving:
             found = _Run(moving, *ends).found(name, unit_of(name, mechanism))
             if found and (name in turning or found.greatest - found.least > SAME_EFFICIENCY):
-                yield found
+                yield replace(found, is_of_joints=is_of_joints)
 
 
 class _Run:

@@ -37,7 +37,7 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
         yield from _locking(result.locking, locale, spell)
     for course in result.courses:
         yield _course(result, course, locale, spell)
-    if any(course.least != course.greatest for course in result.courses):
+    if any(course.least != course.greatest and course.is_of_joints for course in result.courses):
         yield locale.why_usual
     reaches = result.locking.reaches if result.locking else ()
     shown = [s for reach in reaches for s in reach.stretches if _is_shown(s, reach)]
@@ -157,7 +157,8 @@ def _course(result: Analysis, course: EfficiencyRange, locale: Locale, spell: Sp
         least=least,
         greatest=greatest,
     )
-    return f"{said}." if least == greatest else f"{said}; {_usual(course, locale, spell)}."
+    is_bare = least == greatest or not course.is_of_joints
+    return f"{said}." if is_bare else f"{said}; {_usual(course, locale, spell)}."
 
 
 def _usual(course: EfficiencyRange, locale: Locale, spell: Speller) -> str:

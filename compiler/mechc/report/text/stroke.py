@@ -253,6 +253,8 @@ def _course(name: str, course: EfficiencyRange, shown: Written) -> str:
     reached = (course.least, course.greatest, *USUAL)
     least, greatest, low, high = (shown.number(f"{round(x, 3):g}") for x in reached)
     where = shown.says("and").join(parts) or shown.says("no part")
+    if not course.is_of_joints:
+        return shown.says("course alone", name=name, least=least, greatest=greatest)
     return shown.says(
         "course", name=name, least=least, greatest=greatest, low=low, high=high, parts=where
     )

@@ -7,7 +7,7 @@ from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...frozen import frozen
-from ...model.mechanism import LoadRatio, Mechanism, Parameter, SpeedRatio
+from ...model.mechanism import LoadForm, LoadRatio, Mechanism, Parameter, SpeedRatio
 from ...pose.pose import Pose
 from ..analysis import Analysis
 from .along import Along
@@ -54,6 +54,11 @@ class Run:
     def quotients(self) -> list[Analysis]:
         """Return the results that are ratios of loads or of speeds."""
         return [r for r in self.results if isinstance(r.target, LoadRatio | SpeedRatio)]
+
+    @property
+    def forms(self) -> list[Analysis]:
+        """Return the loads that are found from all others."""
+        return [r for r in self.results if isinstance(r.target, LoadForm)]
 
     def values(self, formula: Formula, of: Analysis) -> Callable[[float], float]:
         """Return a formula of a result as a function of the drive."""

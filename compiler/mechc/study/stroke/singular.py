@@ -35,7 +35,7 @@ GROWS = 5.0
 def singular_along(
     run: Run, stretches: Sequence[StrokeInterval], branches: Sequence[Branch]
 ) -> tuple[Singular, ...]:
-    """Return the singular poses of every ratio of loads, or of speeds, along a stroke."""
+    """Return the singular poses of every ratio of loads, or of speeds, and the zeros of loads."""
     ratios = run.quotients
     found = [
         pose
@@ -44,8 +44,22 @@ def singular_along(
         if not is_nil(result, run.along, stretch)
         for pose in singular_poses(result, run.drive.name, run.along, stretch, run.within(stretch))
     ]
-    orders = {r.name: partial(order_of, run, r) for r in ratios}
+    found += [
+        zero
+        for stretch in stretches
+        for load in run.forms
+        if not is_nil(load, run.along, stretch)
+        for zero in _zeros_of_load(load, run, stretch)
+    ]
+    orders = {r.name: partial(order_of, run, r) for r in (*ratios, *run.forms)}
     return distinguished(found, branches, run.range, orders)
+
+
+def _zeros_of_load(load: Analysis, run: Run, stretch: StrokeInterval) -> Iterator[Singular]:
+    """Yield where the others balance without a load."""
+    size = run.along.function(load.formula, load)
+    for root in _other_zeros(size, run.within(stretch), []):
+        yield Singular(load.name, "0", "other", *root, None)
 
 
 def order_of(run: Run, result: Analysis, x: float) -> Order | None:
