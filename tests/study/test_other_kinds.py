@@ -59,9 +59,9 @@ def test_a_toggle_that_folds_has_no_zeros_of_rounding(tmp_path):
         part.low <= one.drive <= part.high for one in (*stroke.singular, *stroke.extrema)
     )
     table = " ".join(to_table(stroke).split())
-    assert "k = 0 throughout, from phi = 105.558 deg to phi = 116.456 deg" in table
+    assert "k = 0 at all places looked at, from phi = 105.558 deg to phi = 116.456 deg" in table
     page = " ".join(render(compilation.reported, compilation.mechanism, unicode=False).split())
-    assert "k is 0 throughout for 105.6 deg <= phi <= 116.5 deg" in page
+    assert "k is 0 at all places looked at for 105.6 deg <= phi <= 116.5 deg" in page
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -25,6 +25,9 @@ INSIDE = (1e-8, 1e-6)
 FALLS = 0.5
 """The speed of what stands still is less than this part nearer by: at an end of a loop a tenth."""
 
+ROUNDED = 1e-6
+"""What angles of links that lie on one another leave of a zero, at half the digits."""
+
 STILL = 1e-7
 """A share of speed that is rounding."""
 
@@ -54,6 +57,18 @@ def stuck(ratios: Ratios, stroke: Stroke, name: str, places: np.ndarray) -> Iter
         if said != STATES[int(code)]:
             yield f"{name} at {stroke.drive} = {x!r}: said {said}, is {STATES[int(code)]}"
             return
+
+
+def zero_throughout(mechanism: SolvedMechanism, stroke: Stroke) -> Iterator[str]:
+    """Yield where a result is not zero on a part on which it is said to be, but for rounding."""
+    for part in stroke.nil:
+        width = part.high - part.low
+        places = np.linspace(part.low + NEAR * width, part.high - NEAR * width, DENSE)
+        is_constant = not mechanism[part.result].free_symbols
+        values = {} if is_constant else {stroke.drive: places}
+        found = mechanism.evaluate(**values)[part.result]
+        if np.nanmax(np.abs(found), initial=0.0) > ROUNDED:
+            yield f"{part.result} is {np.nanmax(np.abs(found))} between {part.low} and {part.high}"
 
 
 def moving(mechanism: SolvedMechanism, stroke: Stroke) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding
@@ -10,8 +11,8 @@ from ..tolerances import LOST, NEGLIGIBLE
 from .along import Along
 from .stroke import Extremum, StrokeInterval
 
-FEW = 8
-"""Parts of a stretch between which a result that is zero everywhere shows it."""
+FEW, MANY = 8, 180
+"""Parts of a stretch between which a result shows that it is not zero, and that it seems to be."""
 
 
 def rounded(
@@ -29,10 +30,15 @@ def rounded(
 
 
 def is_nil(result: Result, along: Along, stretch: StrokeInterval) -> bool:
-    """Return whether a result is zero but for rounding all over a stretch."""
-    grid = spaced(stretch.low, stretch.high, FEW)[1:-1]
-    values = (along.of(result.formula, result, x) for x in grid)
-    return all(_beyond(v, x, result, along) == 0 for v, x in zip(values, grid, strict=True))
+    """Return whether a result is zero but for rounding wherever a stretch is looked at.
+
+    That is no proof, and what states it says that it was looked at.
+    """
+    grids = (spaced(stretch.low, stretch.high, parts)[1:-1] for parts in (FEW, MANY))
+    return all(
+        _beyond(along.of(result.formula, result, x), x, result, along) == 0
+        for x in chain.from_iterable(grids)
+    )
 
 
 def is_nothing(

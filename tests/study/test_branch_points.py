@@ -1,0 +1,136 @@
+"""Branch points, at which a loop "can go on in two ways", against the loop equations themselves."""
+
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mechc
+from branchings import Flat, dyad, folding, four_bar, limit, slider_crank, toggle, ways_on
+from mechc.api import SolvedMechanism
+from mechc.diagnostics import MechcError
+from mechc.frozen import replace
+from mechc.study.stroke.stroke import ZeroInterval
+from other_kinds import other, put_toggle
+from stroke_statements import zero_throughout
+
+POSES, APART = 6, 2e-3
+"""Poses on one side of a branch point that lead to it, and how far apart they are, in radians."""
+
+
+def pose_at(mechanism: SolvedMechanism, flat: Flat, drive: float) -> np.ndarray | None:
+    """Return the coordinates to which poses on one side lead, in millimetres, and the drive."""
+    for way in (APART, -APART):
+        there = [drive + way * i for i in range(1, POSES + 1)]
+        places = [mechanism.points(phi=at) for at in there]
+        if all(status == 0 for _, status in places):
+            rows = [[1000 * p[f"{c}_{q}"] for q in flat.pins for c in "xy"] for p, _ in places]
+            return limit([np.array([*row, at]) for row, at in zip(rows, there, strict=True)])
+    return None
+
+
+def hold(flats: Iterable[tuple[Flat, Path | None]]) -> tuple[int, int]:
+    """Try every branch point that is stated, and that none is left out; return both numbers."""
+    strokes = tried = 0
+    for flat, folder in flats:
+        try:
+            mechanism = loaded(flat.text, folder)
+            stroke = mechanism.stroke(3)
+        except MechcError as error:
+            if {d.code for d in error.diagnostics if d.code[0] == "E"} != {"E343"}:
+                raise
+            continue
+        assert list(zero_throughout(mechanism, stroke)) == [], flat.text
+        stated = [branch.drive for branch in stroke.branches]
+        assert flat.drive is None or any(abs(x - flat.drive) < 1e-5 for x in stated), flat.text
+        for drive in stated:
+            pose = pose_at(mechanism, flat, drive)
+            assert pose is not None, flat.text
+            assert ways_on(flat.equations, pose) == 2, flat.text
+            tried += 1
+        strokes += 1
+    return strokes, tried
+
+
+def loaded(text: str, folder: Path | None) -> SolvedMechanism:
+    """Compile a text, from a folder if it uses what is there."""
+    if folder is None:
+        return mechc.loads(text)
+    path = folder / "press.mech"
+    path.write_text(text, "utf-8")
+    return mechc.load(path)
+
+
+def joined(seeds: range):
+    with tempfile.TemporaryDirectory() as name:
+        put_toggle(Path(name))
+        yield from ((toggle(other("joined", seed)), Path(name)) for seed in seeds)
+
+
+def test_a_loop_that_lies_flat_goes_on_in_two_ways():
+    assert hold((folding(seed), None) for seed in range(24)) == (24, 24)
+    kinds = {folding(seed).equations.__qualname__.split(".")[0] for seed in range(24)}
+    assert kinds == {kind.__name__ for kind in (dyad, four_bar, slider_crank)}
+
+
+def test_a_toggle_that_folds_goes_on_in_two_ways():
+    assert hold(joined(range(95000033, 95000038))) == (5, 2)
+
+
+def test_a_zero_that_is_none_would_be_seen():
+    mechanism = mechc.loads(four_bar_of(100).text)
+    stroke = mechanism.stroke(3)
+    (part,) = stroke.stretches
+    false = ZeroInterval("k", part.low, part.high)
+    assert list(zero_throughout(mechanism, replace(stroke, nil=(false,))))
+
+
+def test_at_the_end_of_a_loop_it_does_not():
+    """A four-bar linkage comes to its end where rod and rocker are straight: no second way."""
+    flat = four_bar_of(100)
+    mechanism = mechc.loads(flat.text)
+    stroke = mechanism.stroke(3)
+    assert not stroke.branches
+    (end,) = (s.high for s in stroke.stretches)
+    place, _ = mechanism.points(phi=end - 1e-9)
+    pose = np.array([*(1000 * place[f"{c}_{q}"] for q in "AB" for c in "xy"), end])
+    assert ways_on(flat.equations, pose) is None
+
+
+def test_a_loop_that_closes_at_one_pose_alone_has_no_way_on():
+    """B is reached where A is nearest to C, and nowhere else."""
+    flat = four_bar_of(70)  # |AC| is 70 mm at least, at phi = 0, and b + c is 70 mm
+    assert ways_on(flat.equations, np.array([30.0, 0, 60, 0, 0])) == 0
+
+
+def four_bar_of(both: int) -> Flat:
+    """Return a four-bar linkage whose rod and rocker are so long together, half each but for 5."""
+    a, d, b = 30, 100, both // 2 - 5
+    c = both - b
+    text = (
+        "param phi = 20 deg\ndrive phi from 10 deg to 120 deg\n"
+        f"pivot O at (0 mm, 0 mm)\npivot C at ({d} mm, 0 mm)\nlink OA\nlink AB\nlink CB\n"
+        f"OA = {a} mm @ phi\nAB = {b} mm\nCB = {c} mm\nassembly ABC cw\n"
+        "torque M on OA\ntorque F on CB\nfind k = M/F\n"
+    )
+
+    def equations(z: np.ndarray) -> np.ndarray:
+        ax, ay, bx, by, phi = z
+        gaps = ax - a * np.cos(phi), ay - a * np.sin(phi)
+        return np.array([*gaps, np.hypot(bx - ax, by - ay) - b, np.hypot(bx - d, by) - c])
+
+    return Flat(text, ("A", "B"), equations, None)
+
+
+@pytest.mark.slow
+def test_many_loops_that_lie_flat():
+    assert hold((folding(seed), None) for seed in range(24, 244)) == (220, 220)
+
+
+@pytest.mark.slow
+def test_many_toggles_that_fold():
+    strokes, tried = hold(joined(range(95001000, 95001200)))
+    assert strokes > 150
+    assert tried > 5
