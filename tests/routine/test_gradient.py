@@ -43,7 +43,7 @@ def test_slopes_are_those_of_differences(name):
         values = {n: array[:5] for n, array in poses(function).items()}
         found, _ = pose(program, values)
         own, *slopes = (np.broadcast_to(found[n], 5) for n in program.outputs)
-        np.testing.assert_allclose(own, evaluate(function, values), rtol=1e-13)
+        np.testing.assert_allclose(own, evaluate(function, values), rtol=1e-13, atol=1e-15)
         for item, slope in zip(function.inputs, slopes, strict=True):
             x = values[item.name]
             step = 1e-5 * np.maximum(np.abs(x), 1e-2)

@@ -78,8 +78,7 @@ def test_shared_parts_become_steps_with_readable_names() -> None:
         "t1 = sqrt((1 - p1)*(1 + p1))",
     ]
     assert text(k.output) == (
-        "(a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1"
-        " - 3*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi"
+        "(sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi"
     )
 
 

@@ -29,6 +29,7 @@ from ..formula.tree import (
 from ..formula.walk import symbols
 from ..named import NamedTuple
 from . import angle_offsets
+from .common_factors import with_common_factors
 from .steps import Solve, Solver, Statement, Step
 from .table import (
     Apply,
@@ -68,7 +69,9 @@ def share(
     (Step(name='sin_x', formula=Call(function='sin', arguments=(Symbol(name='x'),))),)
     """
     definitions = _with_constants(definitions, results)
-    table, roots = tabulate([*(formula for _, formula in definitions), *results])
+    table, roots = with_common_factors(
+        *tabulate([*(formula for _, formula in definitions), *results])
+    )
     names = [name for name, _ in definitions]
     writer = _Writer(table, _used_twice(table, roots), {*taken, *names})
     writer.expect(zip(names, roots, strict=False))
@@ -135,24 +138,12 @@ def _used_twice(table: Table, roots: Sequence[int]) -> frozenset[int]:
         ways = min(uses[index], 1) if _is_work(entry, table) else uses[index]
         for part in parts(entry):
             uses[part] += ways
-    constant = _constants(table)
+    constant = table.constants()
     return frozenset(
         index
         for index, number in uses.items()
         if number > 1 and index not in constant and _is_step(table.entries[index], table)
     )
-
-
-def _constants(table: Table) -> set[int]:
-    constant: set[int] = set()
-    for index, entry in enumerate(table.entries):
-        if isinstance(entry, Leaf):
-            known = not isinstance(entry.formula, Symbol)
-        else:
-            known = all(part in constant for part in parts(entry))
-        if known:
-            constant.add(index)
-    return constant
 
 
 def _is_step(entry: Entry, table: Table) -> bool:
@@ -282,10 +273,17 @@ class _Writer:
                 return self._scaled_words(coefficient, part)
             case Unknown(system, which, arguments):
                 return self._solution(system, arguments).names[which]
-            case Terms(terms) if all(self._labels[t] for t in terms):
+            case Ratio((one, other), ()) if self._labels[one] and self._labels[other]:
+                second = "squared" if one == other else self._labels[other]
+                return f"{self._labels[one]}_{second}"
+            case Terms(terms) if all(map(self._is_named, terms)):
                 return "_plus_".join(self._labels[t] for t in terms).replace("plus_minus", "minus")
             case _:
                 return ""
+
+    def _is_named(self, term: int) -> bool:
+        """Return whether a term has a label, and is no product, of which a sum were too long."""
+        return bool(self._labels[term]) and not isinstance(self.table.entries[term], Ratio)
 
     def _scaled_words(self, coefficient: Fraction, part: int) -> str:
         sign, size = "minus_" if coefficient < 0 else "", abs(coefficient)

@@ -128,6 +128,30 @@ class Table:
         self.lower = Once(self._lower)
         self._known: dict[object, int] = {}
 
+    def add(self, entry: Entry) -> int:
+        """Return the place of an entry whose parts are in the table, putting it there."""
+        return self._add(entry, (type(entry), *entry))
+
+    def reached(self, roots: Iterable[int]) -> frozenset[int]:
+        """Return the entries that some need, these among them."""
+        needed = set(roots)
+        for index in range(len(self.entries) - 1, -1, -1):
+            if index in needed:
+                needed.update(parts(self.entries[index]))
+        return frozenset(needed)
+
+    def constants(self) -> frozenset[int]:
+        """Return the entries that rest on no symbol."""
+        constant = set[int]()
+        for index, entry in enumerate(self.entries):
+            if isinstance(entry, Leaf):
+                known = not isinstance(entry.formula, Symbol)
+            else:
+                known = constant.issuperset(parts(entry))
+            if known:
+                constant.add(index)
+        return frozenset(constant)
+
     def _lower(self, formula: Formula) -> int:
         """Return the entry of a formula, putting it and its parts into the table."""
         return self._lower_one(formula, tuple(map(self.lower, children(formula))))

@@ -236,7 +236,7 @@ class _Turning:
         self.used |= carried.keys()
         turns = [u for n, c in carried.items() for u in _repeated(self.units[n], int(c))]
         rest = Angle(tuple(t for t in angle.terms if t[0] not in carried), angle.degrees)
-        return [*turns, plain(rest)] if rest.terms or rest.degrees else turns
+        return [plain(rest), *turns] if rest.terms or rest.degrees else turns
 
 
 def _is_root(formula: Formula) -> bool:

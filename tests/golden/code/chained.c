@@ -113,7 +113,7 @@ double chained_k(double a, double b, double phi)
     if (!(theta >= 0.0)) {
         return NAN;
     }
-    return (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi;
+    return (sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi;
 }
 
 static inline double chained_k_quick(double a, double b, double phi)
@@ -124,7 +124,7 @@ static inline double chained_k_quick(double a, double b, double phi)
     const double cos_phi = mechc_cos_of_pair(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
-    return mechc_if_no_more(0.0, theta, (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi);
+    return mechc_if_no_more(0.0, theta, (sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi);
 }
 
 void chained_k_n(
@@ -163,7 +163,7 @@ double chained_P(double a, double b, double phi, double m, double M)
     if (!(theta >= 0.0 && m > a)) {
         return NAN;
     }
-    return ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b);
+    return ((sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi)*F + M/(cos_phi*b);
 }
 
 static inline double chained_P_quick(double a, double b, double phi, double m, double M)
@@ -175,7 +175,7 @@ static inline double chained_P_quick(double a, double b, double phi, double m, d
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
     const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
-    return mechc_if_less(a, m, mechc_if_no_more(0.0, theta, ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)));
+    return mechc_if_less(a, m, mechc_if_no_more(0.0, theta, ((sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi)*F + M/(cos_phi*b)));
 }
 
 void chained_P_n(
@@ -225,7 +225,7 @@ double chained_twice(double a, double b, double phi, double m, double M)
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
     const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
-    const double P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b);
+    const double P = ((sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi)*F + M/(cos_phi*b);
     const double w = a + b;
     if (!(theta >= 0.0 && m > a)) {
         return NAN;
@@ -242,7 +242,7 @@ static inline double chained_twice_quick(double a, double b, double phi, double 
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
     const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
-    const double P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b);
+    const double P = ((sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi)*F + M/(cos_phi*b);
     const double w = a + b;
     return mechc_if_less(a, m, mechc_if_no_more(0.0, theta, 2.0*P*w));
 }

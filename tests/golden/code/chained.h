@@ -33,7 +33,7 @@ extern "C" {
  *   phi: rad; 40 deg, in 20 deg .. 40 deg
  * NaN unless
  *   theta >= 0
- * 29 operations. The second form computes k[0 .. n - 1];
+ * 25 operations. The second form computes k[0 .. n - 1];
  * its arrays must not overlap.
  */
 double chained_k(double a, double b, double phi);
@@ -60,7 +60,7 @@ void chained_k_n(
  * NaN unless
  *   theta >= 0
  *   m > a
- * 34 operations. The second form computes P[0 .. n - 1];
+ * 30 operations. The second form computes P[0 .. n - 1];
  * its arrays must not overlap.
  */
 double chained_P(double a, double b, double phi, double m, double M);
@@ -103,7 +103,7 @@ void chained_F_n(size_t n, const double *MECHC_RESTRICT m, double *MECHC_RESTRIC
  * NaN unless
  *   theta >= 0
  *   m > a
- * 37 operations. The second form computes twice[0 .. n - 1];
+ * 33 operations. The second form computes twice[0 .. n - 1];
  * its arrays must not overlap.
  */
 double chained_twice(double a, double b, double phi, double m, double M);

@@ -37,7 +37,7 @@ def k(a, b, phi):
         b: m; 250 mm, in 125 mm .. 250 mm
         phi: rad; 40 deg, in 20 deg .. 40 deg
 
-    Operations: 29
+    Operations: 25
     """
     return _in_blocks(_block_of_k, a, b, phi)
 
@@ -48,7 +48,7 @@ def _block_of_k(a, b, phi):
     theta = np.arcsin(p1)
     reach = a*cos_phi + cos_phi/sin_phi
     t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
-    k = (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi
+    k = (sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi
     k = np.where(theta >= 0.0, k, np.nan)
     return k
 
@@ -72,7 +72,7 @@ def P(a, b, phi, m, M):
         m: kg; 3 kg, in 1.5 kg .. 3 kg
         M: N*m
 
-    Operations: 34
+    Operations: 30
     """
     return _in_blocks(_block_of_P, a, b, phi, m, M)
 
@@ -84,7 +84,7 @@ def _block_of_P(a, b, phi, m, M):
     reach = a*cos_phi + cos_phi/sin_phi
     F = 10.0*m
     t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
-    P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)
+    P = ((sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi)*F + M/(cos_phi*b)
     P = np.where(theta >= 0.0, P, np.nan)
     P = np.where(m > a, P, np.nan)
     return P
@@ -129,7 +129,7 @@ def twice(a, b, phi, m, M):
         m: kg; 3 kg, in 1.5 kg .. 3 kg
         M: N*m
 
-    Operations: 37
+    Operations: 33
     """
     return _in_blocks(_block_of_twice, a, b, phi, m, M)
 
@@ -141,7 +141,7 @@ def _block_of_twice(a, b, phi, m, M):
     reach = a*cos_phi + cos_phi/sin_phi
     F = 10.0*m
     t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
-    P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)
+    P = ((sin_phi*t1 + cos_phi*p1)*reach*reach/t1 - 3.0*sin_phi*(cos_phi*t1 - p1*sin_phi)/cos_phi)*F + M/(cos_phi*b)
     w = a + b
     twice = 2.0*P*w
     twice = np.where(theta >= 0.0, twice, np.nan)
