@@ -11,6 +11,7 @@ from typing import Literal
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..frozen import frozen
+from ..model.targets import ForceAtJoint, Target
 from ..named import NamedTuple
 
 Kind = Literal["rod", "pivot", "pin", "guide", "touch", "rim", "rack", "thread", "rope", "couple"]
@@ -74,13 +75,18 @@ class Equilibrium:
     """The steps to a load or a force at a joint, the last of which gives it.
 
     ``load`` is its name on free bodies, ``forces`` are those that the steps mention. ``result`` is
-    the name of what was asked for, ``parts`` how many equal parts the mechanism has, of which one
-    is looked at.
+    the name of what was asked for, the ``target``; ``parts`` is how many equal parts the mechanism
+    has, of which one is looked at.
     """
 
     result: str
+    target: Target
     load: str
     forces: tuple[JointForce, ...]
     steps: tuple[Step, ...]
     parts: int = 1
-    is_at_joint: bool = False
+
+    @property
+    def is_at_joint(self) -> bool:
+        """Return whether a force at a joint was asked for, and not a load."""
+        return isinstance(self.target, ForceAtJoint)

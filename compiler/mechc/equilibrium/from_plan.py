@@ -4,9 +4,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Report
 from ..diagnostics import derivation as messages
-from ..frozen import replace
 from ..kinematics.plan import Plan
-from ..model.mechanism import LoadForm, LoadRatio
+from ..model.mechanism import LoadForm, LoadRatio, Target
 from ..pose.pose import Pose
 from ..power.balance import Solved
 from ..power.numbers import pose_values
@@ -30,7 +29,7 @@ def by_equilibrium(plan: Plan, solved: Sequence[Solved], report: Report) -> tupl
         match find.target:
             case LoadRatio(load) | LoadForm(load) as target:
                 if steps := _steps(pose, cut, load, _known(plan, target)):
-                    found.append(_equilibrium(find.name, load, cut, steps, pose))
+                    found.append(_equilibrium(find.name, target, load, cut, steps, pose))
                 else:
                     report.add(messages.no_equilibrium_by_hand(find.span, load))
             case _:
@@ -59,15 +58,15 @@ def _with_names(cut: Cut, pose: Pose, solved: Iterable[Solved]) -> Cut:
 def _forces(pose: Pose, cut: Cut, solved: Iterable[Solved]) -> Iterator[Equilibrium]:
     loads = frozenset(load.name for load in pose.mechanism.loads)
     for one in solved:
-        if not one.releases:
+        target = one.result.target
+        if target is None or not one.releases:
             continue
-        force = force_between(one.result.target, cut, pose)
-        whole = None if force else made_up(one.result.target, one.result.name, cut, pose)
+        force = force_between(target, cut, pose)
+        whole = None if force else made_up(target, one.result.name, cut, pose)
         load = force or (whole and one.result.name)
         known = loads.difference(one.releases[0].held)
         if load and (steps := _steps(pose, cut, load, known, whole)):
-            found = _equilibrium(one.result.name, load, cut, steps, pose)
-            yield replace(found, is_at_joint=True)
+            yield _equilibrium(one.result.name, target, load, cut, steps, pose)
 
 
 def _known(plan: Plan, target: LoadRatio | LoadForm) -> Names:
@@ -93,8 +92,8 @@ def _steps(
 
 
 def _equilibrium(
-    result: str, load: str, cut: Cut, steps: tuple[Step, ...], pose: Pose
+    result: str, target: Target, load: str, cut: Cut, steps: tuple[Step, ...], pose: Pose
 ) -> Equilibrium:
     met = {name for step in steps for balance in step.balances for name in balance.terms}
     forces = tuple(force for force in cut.forces if not met.isdisjoint(force.names))
-    return Equilibrium(result, load, forces, steps, int(pose.mechanism.parts))
+    return Equilibrium(result, target, load, forces, steps, int(pose.mechanism.parts))

@@ -8,7 +8,7 @@ from ..algebra.product import ONE, Product
 from ..formula.tree import Call, Formula, Symbol, number, product, total
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
-from ..model.mechanism import Axial, Normal, Reaction
+from ..model.mechanism import ForceAtJoint, Reaction
 from ..model.result import Definition
 from ..pose.pose import Arm
 from ..power.balance import Term
@@ -30,7 +30,7 @@ class ForceWithFriction:
 
     def __init__(
         self,
-        target: Reaction | Axial | Normal,
+        target: ForceAtJoint,
         plan: Plan,
         driving: str,
         pressed: Sequence[LoadedPair],

@@ -8,13 +8,11 @@ from ..formula.tree import ZERO, Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import (
-    Axial,
     Efficiency,
     Find,
+    ForceAtJoint,
     LoadForm,
     LoadRatio,
-    Normal,
-    Reaction,
     Require,
     Sense,
 )
@@ -226,7 +224,7 @@ def iterated(problem: Problem, ideal: Formula, loaded: Sequence[LoadedPair], siz
 
 
 def force_with_friction(
-    problem: Problem, find: Find, ideal: Result, force: Reaction | Axial | Normal, sense: Sense
+    problem: Problem, find: Find, ideal: Result, force: ForceAtJoint, sense: Sense
 ) -> SolvedWithFriction | None:
     """Return a force at a joint; None where equilibrium leaves it open, or friction does."""
     case = case_of_force(problem.driving, ideal, problem.equations)

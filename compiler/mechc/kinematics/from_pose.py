@@ -3,12 +3,10 @@
 from ..diagnostics import Report
 from ..diagnostics import kinematics as messages
 from ..model.mechanism import (
-    Axial,
+    ForceAtJoint,
     LoadForm,
     LoadRatio,
     Mechanism,
-    Normal,
-    Reaction,
     SpeedRatio,
 )
 from ..pose.pose import Pose
@@ -24,7 +22,7 @@ def plan_velocities(pose: Pose, report: Report) -> Plan:
     constraint. A frame, of whose joints forces are asked for, need not move.
     """
     finds = pose.mechanism.finds
-    asks_for_forces = any(isinstance(f.target, Reaction | Axial | Normal) for f in finds)
+    asks_for_forces = any(isinstance(f.target, ForceAtJoint) for f in finds)
     plan = plan_of(graph_of(pose), report, may_stand=asks_for_forces)
     if not plan.mobility:
         _check_frame(pose.mechanism, report)

@@ -64,6 +64,7 @@ from .quantities import Subject as Subject
 from .quantities import Taken as Taken
 from .targets import Axial as Axial
 from .targets import Efficiency as Efficiency
+from .targets import ForceAtJoint as ForceAtJoint
 from .targets import LoadForm as LoadForm
 from .targets import LoadRatio as LoadRatio
 from .targets import Normal as Normal

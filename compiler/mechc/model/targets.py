@@ -86,6 +86,10 @@ class Normal:
     point: str
 
 
+ForceAtJoint = Reaction | Axial | Normal
+"""A force that a joint or a rod passes on."""
+
+
 Sense = Literal["tightening", "releasing"]
 
 SIGNS: Mapping[Sense, int] = {"tightening": 1, "releasing": -1}
@@ -99,7 +103,7 @@ class WithFriction:
     ``order`` is that of the exact one, or the first in friction.
     """
 
-    of: LoadRatio | LoadForm | Reaction | Axial | Normal
+    of: LoadRatio | LoadForm | ForceAtJoint
     sense: Sense
     order: Literal["exact", "first"] = "exact"
 
@@ -112,7 +116,7 @@ class Efficiency:
     sense: Sense
 
 
-Target = LoadRatio | LoadForm | SpeedRatio | Reaction | Axial | Normal | WithFriction | Efficiency
+Target = LoadRatio | LoadForm | SpeedRatio | ForceAtJoint | WithFriction | Efficiency
 
 
 def whole(target: Target) -> Target:

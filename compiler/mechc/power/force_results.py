@@ -4,7 +4,7 @@ from ..diagnostics import Diagnostic
 from ..diagnostics import reactions as messages
 from ..formula.walk import symbols
 from ..kinematics.joint_refs import unclear
-from ..model.mechanism import Axial, Find, Normal, Reaction
+from ..model.mechanism import Find, ForceAtJoint, Normal, Reaction
 from ..model.result import Definition, Result
 from ..source import Span
 from ..units import ANGLE, FORCE
@@ -14,7 +14,7 @@ from .joint_forces import Found, called, find_force, joint_of
 from .problem import Problem
 
 
-def joint_force(problem: Problem, find: Find, asked: Reaction | Axial | Normal) -> Solved | None:
+def joint_force(problem: Problem, find: Find, asked: ForceAtJoint) -> Solved | None:
     """Return a force at a joint; None, with an error reported, where it is open."""
     pose, report = problem.plan.graph.pose, problem.report
     point = joint_of(asked, pose).point
@@ -32,7 +32,7 @@ def joint_force(problem: Problem, find: Find, asked: Reaction | Axial | Normal) 
     return Solved(_result(problem, find, asked, found), releases=found.releases)
 
 
-def _result(problem: Problem, find: Find, asked: Reaction | Axial | Normal, found: Found) -> Result:
+def _result(problem: Problem, find: Find, asked: ForceAtJoint, found: Found) -> Result:
     where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
     problem.check_lengths(find, [found.formula, *(d.formula for d in where)])
     given = _given_loads(problem, found)

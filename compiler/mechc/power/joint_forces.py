@@ -14,7 +14,7 @@ from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
 from ..kinematics.forms import QUARTER
 from ..kinematics.joint_refs import JointRef, held_end
 from ..kinematics.plan import Plan
-from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
+from ..model.mechanism import Axial, ForceAtJoint, Mechanism, Normal, Part, Reaction
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
 from .balance import Release
@@ -44,7 +44,7 @@ class Found(NamedTuple):
         return tuple(release.plan for release in self.releases)
 
 
-def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactions) -> Found | None:
+def find_force(target: ForceAtJoint, pose: Pose, reactions: Reactions) -> Found | None:
     """Return a force at a joint; None where equilibrium leaves it open."""
     transmitted = reactions.of(joint_of(target, pose))
     if transmitted is None:
@@ -56,7 +56,7 @@ def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactio
             return _linear(transmitted, component(transmitted, line_of(target, pose)))
 
 
-def called(target: Reaction | Axial | Normal) -> str:
+def called(target: ForceAtJoint) -> str:
     """Return the name of a force in the language, whatever component is asked for."""
     match target:
         case Reaction(point, link):
@@ -67,7 +67,7 @@ def called(target: Reaction | Axial | Normal) -> str:
             return f"N_{point}"
 
 
-def joint_of(target: Reaction | Axial | Normal, pose: Pose) -> JointRef:
+def joint_of(target: ForceAtJoint, pose: Pose) -> JointRef:
     """Return the joint whose force is asked for."""
     match target:
         case Reaction(point, link):
@@ -120,7 +120,7 @@ def _along(ahead: Sequence[Product], aside: Sequence[Product], line: Vector) -> 
     return ahead[0] / add(arm.length * cosine(arm.angle - first) for arm in line)
 
 
-def line_of(target: Reaction | Axial | Normal, pose: Pose) -> Vector:
+def line_of(target: ForceAtJoint, pose: Pose) -> Vector:
     """Return the unit vector along which a force, or a component of it, counts as positive."""
     match target:
         case Reaction(part=part):

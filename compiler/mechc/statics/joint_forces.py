@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Set
 
-from ..model.mechanism import Axial, Force, ForcePair, Normal, Reaction
+from ..model.mechanism import Axial, Force, ForceAtJoint, ForcePair, Normal, Reaction
 from .answers import Answer, combination, one_of, unknown_bases
 from .assembly import Plane
 from .balanced import Balanced
@@ -13,10 +13,8 @@ from .unfold import Unfolding
 Weights = Mapping[int, float]
 """A force as a combination of the unknowns of a system, by their columns."""
 
-Target = Reaction | Axial | Normal
 
-
-def joint_force(at: Balanced, target: Target, given: str, known: Set[str]) -> Answer:
+def joint_force(at: Balanced, target: ForceAtJoint, given: str, known: Set[str]) -> Answer:
     """Return a force at a joint where ``given`` is 1 and the rest of ``known`` loads are 0."""
     unknown, right = unknown_bases(at, at.tied[given], known), one_of(at, at.tied[given])
     parts = []
@@ -31,7 +29,7 @@ def joint_force(at: Balanced, target: Target, given: str, known: Set[str]) -> An
     return Answer(size, sum(p.influence for p in parts), trouble)
 
 
-def wanted_of(target: Target, unfolding: Unfolding, system: System) -> tuple[Weights, ...]:
+def wanted_of(target: ForceAtJoint, unfolding: Unfolding, system: System) -> tuple[Weights, ...]:
     """Return a force as a combination of unknowns, or both components of one whose size counts."""
     axes = {"x": Plane(1.0, 0.0), "y": Plane(0.0, 1.0)}
     match target:

@@ -19,6 +19,7 @@ from ..formula.walk import substitute, symbols
 from ..model.mechanism import (
     Axial,
     Efficiency,
+    ForceAtJoint,
     LoadForm,
     LoadRatio,
     Mechanism,
@@ -166,9 +167,7 @@ def _coefficients(result: Result, load: str, given: set[str]) -> Iterator[Questi
         yield Question(f"{result.name}/{other}", formula, result.where, ask)
 
 
-def _forces(
-    result: Result, target: Reaction | Axial | Normal, mechanism: Mechanism
-) -> Iterator[Question]:
+def _forces(result: Result, target: ForceAtJoint, mechanism: Mechanism) -> Iterator[Question]:
     """Ask for a force at a joint under one given load after another.
 
     The size of a force is checked where one load makes it; under several it follows from

@@ -8,13 +8,11 @@ from ...named import NamedTuple
 from ...syntax import ast
 from ...units import FREQUENCY, NUMBER, VELOCITY, Dimension
 from ..mechanism import (
-    Axial,
     Efficiency,
     Find,
+    ForceAtJoint,
     LoadForm,
     LoadRatio,
-    Normal,
-    Reaction,
     Sense,
     Speed,
     SpeedRatio,
@@ -95,13 +93,13 @@ def _remark_on_names(file: ast.File, scope: Scope) -> None:
 def _with_friction(find: Find, sense: Sense, has_friction: bool, scope: Scope) -> Iterator[Find]:
     """Yield the load or ratio with friction, to first order, when holding, its efficiency."""
     of = find.target
-    if not isinstance(of, LoadRatio | LoadForm | Reaction | Axial | Normal):
+    if not isinstance(of, LoadRatio | LoadForm | ForceAtJoint):
         return
     dimension = scope.entries[find.name].dimension
     more: list[tuple[str, Target, Dimension | None]] = [
         (f"{find.name}_f", WithFriction(of, sense), dimension)
     ]
-    if isinstance(of, Reaction | Axial | Normal):
+    if isinstance(of, ForceAtJoint):
         more = more if has_friction else []
     elif has_friction:
         more.append((f"{find.name}_f1", WithFriction(of, sense, "first"), dimension))
