@@ -69,6 +69,8 @@ def test_spans_are_the_parts_on_which_something_holds():
     places = [0.0, 1.0, 2.0, 3.0, 4.0]
     found = list(ranges.spans(places, lambda v: v < 0.5 or v > 2.5))
     assert found == [(0.0, pytest.approx(0.5)), (pytest.approx(2.5), 4.0)]
+    near = list(ranges.spans([0.5, 1.5, 2.0], lambda v: v < 1.4 or v > 1.6))
+    assert near == [(0.5, pytest.approx(1.4)), (pytest.approx(1.6), 2.0)]
 
 
 def result(formula, *where):
@@ -148,6 +150,9 @@ class Written:
 
     def of(self, formula, result, place):
         return self._at(place)
+
+    def function(self, formula, result):
+        return self._at
 
 
 class Plain:
