@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import groupby
 
 from ..formula.names import GREEK, JointForce, split_force, split_name, split_points, split_ratio
 from ..patterns import pattern
@@ -158,16 +159,9 @@ def _sign(token: str, before: str) -> str:
 
 def _joined(runs: Iterator[Run]) -> Iterator[Run]:
     """Yield runs of the same type as one."""
-    waiting: Run | None = None
-    for run in runs:
-        if waiting is not None and (waiting.italic, waiting.level) == (run.italic, run.level):
-            waiting = waiting._replace(text=waiting.text + run.text)
-        else:
-            if waiting is not None:
-                yield waiting
-            waiting = run
-    if waiting is not None:
-        yield waiting
+    for _, group in groupby(runs, key=lambda run: (run.italic, run.level)):
+        first, *others = group
+        yield first._replace(text="".join(run.text for run in (first, *others)))
 
 
 def box(runs: tuple[Run, ...], size: float) -> tuple[float, float]:

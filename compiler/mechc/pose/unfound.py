@@ -35,7 +35,7 @@ def explained(
         _without_value(mechanism.parameters, left.unknown),
         _without_place(mechanism, vectors),
         _without_input(mechanism, needed, sought, left),
-        _without_rail(mechanism, [sought[name][:2] for name in needed]),
+        _ends_on_guides(mechanism, [sought[name][:2] for name in needed]),
     )
     for cause in causes:
         if found := list(cause):
@@ -44,7 +44,7 @@ def explained(
     # With a drive one missing pivot or vector opens every loop that it is in.
     for name, link in [*needed.items()][: 1 if mechanism.drive else None]:
         tail, head, _ = sought[name]
-        guided = next((s.point for s in _rails(mechanism, {tail, head})), "")
+        guided = next((s.point for s in _guides_without_line(mechanism, {tail, head})), "")
         what, near = f"link {link.name}", _near(mechanism)
         yield plain.missing_direction(link.span, f"{tail}{head}", what, guided, near)
 
@@ -112,14 +112,16 @@ def _without_line(mechanism: Mechanism) -> Iterator[Diagnostic]:
             yield messages.guide_without_line(slider.span, slider.point, _near(mechanism))
 
 
-def _without_rail(mechanism: Mechanism, vectors: Sequence[tuple[str, str]]) -> Iterator[Diagnostic]:
+def _ends_on_guides(
+    mechanism: Mechanism, vectors: Sequence[tuple[str, str]]
+) -> Iterator[Diagnostic]:
     """Yield the guides without a line at which rods end whose directions a drive is to give."""
     ends = {point for pair in vectors for point in pair}
-    for slider in _rails(mechanism, ends) if mechanism.drive else ():
+    for slider in _guides_without_line(mechanism, ends) if mechanism.drive else ():
         yield messages.guide_without_line(slider.span, slider.point, _near(mechanism))
 
 
-def _rails(mechanism: Mechanism, ends: Collection[str]) -> Iterator[Slider]:
+def _guides_without_line(mechanism: Mechanism, ends: Collection[str]) -> Iterator[Slider]:
     """Yield the sliders among some points whose guides have no line."""
     sliders = mechanism.each(Slider)
     return (s for s in sliders if s.point in ends and not s.through)
