@@ -100,7 +100,7 @@ class Compilation(Pipeline):
         derivation, report = self.derivation, Report(self.source)
         try:
             with within(Allowance(), report):
-                results = with_extents(self.solution, self.results, report)
+                results = with_extents(self.solution, derivation.results, report)
         except MechcError:
             return derivation
         return replace(derivation, results=results)

@@ -1,12 +1,30 @@
-"""Sines of differences the way round in which a person writes them: positive at the values."""
+"""Sines of differences the way round in which a person writes them.
+
+That is positive at the values given, and with the constants of the directions that they are of:
+the angle between AB at psi and OA at delta − 67° is psi − delta + 67°, and no cosine of
+delta − psi + 23° is made of its sine.
+"""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from fractions import Fraction
 
 from .evaluate import Evaluation
-from .layout import has_minus
+from .layout import has_minus, in_degrees
 from .operations import count_operations
-from .tree import Call, Formula, Number, Power, Product, Sum, negative, number, product, total
+from .tree import (
+    Call,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Sum,
+    degrees,
+    negative,
+    number,
+    product,
+    total,
+)
 from .walk import children, rebuild, walk
 
 ROUNDING = 1e-9
@@ -16,11 +34,16 @@ LONG = 400
 """Formulas of more operations are read by machines alone."""
 
 
-def facing(formula: Formula, values: Callable[[], Mapping[str, float]]) -> Formula:
+Values = Callable[[], Mapping[str, float]]
+
+
+def facing(formula: Formula, values: Values, constants: Set[Fraction] = frozenset()) -> Formula:
     """Write sin(a − b)/sin(c − b) as sin(b − a)/sin(b − c) where both are negative at the values.
 
     So are more of them, with a minus in front or in pairs; the formula's value is the same. The
-    ``values`` are asked for only where there are such sines.
+    ``values`` are asked for only where there are such sines. A sine or cosine is turned by a
+    quarter where its constant is none of ``constants`` in degrees, and then becomes one, if the
+    formula grows no longer.
 
     >>> from .tree import Symbol, quotient
     >>> from .to_text import text
@@ -30,10 +53,69 @@ def facing(formula: Formula, values: Callable[[], Mapping[str, float]]) -> Formu
     'sin(b - a)/sin(b - c)'
     >>> text(facing(negative(sines[0]), lambda: {"a": 0.1, "b": 0.5}))
     'sin(b - a)'
+    >>> angle = total([a, negative(b), degrees(23)])
+    >>> turned = facing(Call("cos", (angle,)), lambda: {"a": 0.1, "b": 0.5}, {Fraction(67)})
+    >>> text(turned)
+    'sin(b - a + 67*pi/180)'
     """
-    if not any(map(_difference, walk(formula))) or count_operations(formula) > LONG:
+    if count_operations(formula) > LONG:
+        return formula
+    faced = _positive(formula, values)
+    turned = _of_directions(formula, constants) if constants else formula
+    if turned is formula or turned == formula:
+        return faced
+    return min(_positive(turned, values), faced, key=count_operations)
+
+
+def _positive(formula: Formula, values: Values) -> Formula:
+    if not any(map(_difference, walk(formula))):
         return formula
     return _faced(formula, Evaluation(values()))
+
+
+def condition(factor: Formula, values: Values, constants: Set[Fraction]) -> Formula:
+    """Return what is zero where a factor is, written as the factor is: its sign says nothing."""
+    if not isinstance(factor, Sum):
+        other = facing(negative(factor), values, constants)
+        if not has_minus(other):
+            return other
+    return facing(factor, values, constants)
+
+
+def _of_directions(formula: Formula, constants: Set[Fraction]) -> Formula:
+    parts = tuple(_of_directions(part, constants) for part in children(formula))
+    if isinstance(formula, Power) and isinstance(formula.exponent, Number):
+        sign, base = _without_sign(parts[0])
+        if sign < 0 and formula.exponent.value.denominator == 1:
+            times = sign**formula.exponent.value.numerator
+            return product([(number(int(times)), 1), (Power(base, formula.exponent), 1)])
+    whole = rebuild(formula, parts) if parts != children(formula) else formula
+    return _quarter_turned(whole, constants) or whole
+
+
+def _without_sign(formula: Formula) -> tuple[int, Formula]:
+    match formula:
+        case Product((Number(value), Call() as call)) if value == -1:
+            return -1, call
+    return 1, formula
+
+
+def _quarter_turned(formula: Formula, constants: Set[Fraction]) -> Formula | None:
+    """Return a sine as a cosine, or the other way round, where its constant is then known."""
+    match formula:
+        case Call("sin" | "cos" as function, (Sum(terms),)):
+            *others, last = terms
+            constant = in_degrees(last)
+            if constant is None or abs(constant) in constants:
+                return None
+            for turn in sorted((90, -90), key=lambda turn: abs(constant + turn)):
+                if abs(constant + turn) in constants:
+                    # cos x = sin(x + 90°), sin x = −cos(x + 90°)
+                    sign = (1 if function == "cos" else -1) * (1 if turn > 0 else -1)
+                    other = "sin" if function == "cos" else "cos"
+                    inside = total([*others, degrees(constant + turn)])
+                    return product([(number(sign), 1), (Call(other, (inside,)), 1)])
+    return None
 
 
 def _faced(formula: Formula, at: Evaluation) -> Formula:
@@ -62,12 +144,21 @@ def _turned(factor: Formula, at: Evaluation) -> Formula | None:
             return Power(turned, exponent) if turned else None
         case _ if difference := _difference(factor):
             try:
-                is_negative = math.sin(at.of(difference)) < -ROUNDING
+                if not math.sin(at.of(difference)) < -ROUNDING:
+                    return None
             except KeyError:
                 return None
-            terms = sorted(map(negative, difference.terms), key=has_minus)
-            return Call("sin", (total(terms),)) if is_negative else None
+            return Call("sin", (total(_led(map(negative, difference.terms))),))
     return None
+
+
+def _led(terms: Iterable[Formula]) -> list[Formula]:
+    """Return terms as they are read: those without a minus first, a constant last.
+
+    A constant is the first where all others have a minus.
+    """
+    ordered = sorted(terms, key=lambda term: (in_degrees(term) is not None, has_minus(term)))
+    return ordered[-1:] + ordered[:-1] if has_minus(ordered[0]) else ordered
 
 
 def _difference(formula: Formula) -> Sum | None:

@@ -13,6 +13,7 @@ from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
 from ..model.result import Result
+from ..pose.constants import constants_of
 from ..units import Dimension
 from .balance import Equations, Term, equations_of
 from .definitions import open_lengths, resting_on
@@ -74,7 +75,7 @@ class Problem:
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
         """Return a formula as a result, with the definitions that it rests on."""
-        formula = facing(formula, self.values)
+        formula = facing(formula, self.values, constants_of(self.plan.graph.pose))
         where = resting_on(self.reading.plan, formula, values)
         self.check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)

@@ -1,14 +1,18 @@
 """The derivation read off the plan: speeds step by step, then the power equation."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
-from ...formula.facing import facing
+from ...formula.facing import condition, facing
+from ...formula.tree import Formula
+from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
+from ...kinematics.plan import Plan
+from ...pose.constants import constants_of
 from ...power.numbers import default_values
-from ...study.analysis import Analysis
+from ...study.analysis import Analysis, Vanishing
 from . import equilibrium
 from .forces import of_forces
 from .friction import of_friction
@@ -42,27 +46,44 @@ def derive(
         (*at_joints, *of_friction(solution, results)),
         ratios=tuple(speeds.ratios),
     )
-    values = cache(partial(default_values, solution.plan))
-    derivation = _facing(derivation, values)
+    face = Facing(solution.plan)
+    derivation = _facing(derivation, face)
     position = position_steps(solution.plan.graph.pose, derivation)
-    last = tuple(_last_facing(step, values) for step in last_steps(derivation))
+    last = tuple(_last_facing(step, face.of) for step in last_steps(derivation))
     return replace(derivation, position=tuple(position), last_steps=last)
 
 
-Values = Callable[[], Mapping[str, float]]
+class Facing:
+    """Writes formulas as :func:`facing` does, at the default pose of a plan."""
+
+    def __init__(self, plan: Plan) -> None:
+        self._values = cache(partial(default_values, plan))
+        self._constants = constants_of(plan.graph.pose)
+
+    def of(self, formula: Formula) -> Formula:
+        """Return a formula with its sines of differences turned."""
+        return facing(formula, self._values, self._constants)
+
+    def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
+        """Return a condition under which a formula is zero or infinite as the formula has it."""
+        if limit.factor in walk(formula):
+            return limit
+        factor = condition(limit.factor, self._values, self._constants)
+        but = (condition(other, self._values, self._constants) for other in limit.but)
+        return limit._replace(factor=factor, but=tuple(but))
 
 
-def _last_facing(step: LastStep, values: Values) -> LastStep:
-    ratio = step.ratio._replace(right=facing(step.ratio.right, values))
-    chain = step.chain and step.chain._replace(product=facing(step.chain.product, values))
+def _last_facing(step: LastStep, face: Callable[[Formula], Formula]) -> LastStep:
+    ratio = step.ratio._replace(right=face(step.ratio.right))
+    chain = step.chain and step.chain._replace(product=face(step.chain.product))
     return LastStep(chain, ratio)
 
 
-def _facing(derivation: Derivation, values: Values) -> Derivation:
+def _facing(derivation: Derivation, face: Facing) -> Derivation:
     """Return the steps with sines of differences turned as those of the results are."""
 
     def turned(equations: Iterable[Equation]) -> tuple[Equation, ...]:
-        return tuple(Equation(*(facing(side, values) for side in e)) for e in equations)
+        return tuple(Equation(*(face.of(side) for side in e)) for e in equations)
 
     steps = (
         replace(step, relations=turned(step.relations), results=turned(step.results))
@@ -75,11 +96,21 @@ def _facing(derivation: Derivation, values: Values) -> Derivation:
         )
         for each in derivation.explanations
     )
-    ratios = (r._replace(formula=facing(r.formula, values)) for r in derivation.ratios)
-    results = (replace(r, formula=facing(r.formula, values)) for r in derivation.results)
+    ratios = (r._replace(formula=face.of(r.formula)) for r in derivation.ratios)
+
+    def faced(result: Analysis) -> Analysis:
+        formula = face.of(result.formula)
+        zeros, poles = (
+            tuple(face.zero(limit, formula) for limit in limits)
+            for limits in (result.zeros, result.poles)
+        )
+        slopes = result.derivatives
+        derivatives = slopes and {name: face.of(slope) for name, slope in slopes.items()}
+        return replace(result, formula=formula, zeros=zeros, poles=poles, derivatives=derivatives)
+
     return replace(
         derivation,
-        results=tuple(results),
+        results=tuple(map(faced, derivation.results)),
         steps=tuple(steps),
         balances=turned(derivation.balances),
         explanations=tuple(explanations),

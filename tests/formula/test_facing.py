@@ -1,0 +1,60 @@
+"""Sines of differences as a person writes them: the same value, positive, of given directions."""
+
+import random
+from fractions import Fraction
+
+import pytest
+
+import mechc
+from mechc.formula.evaluate import evaluate
+from mechc.formula.facing import condition, facing
+from mechc.formula.layout import has_minus
+from mechc.formula.operations import count_operations
+from mechc.formula.tree import Call, Symbol, degrees, negative, number, product, total
+
+NAMES = ("a", "b", "c")
+
+
+def some_formula(rng: random.Random):
+    """Return a product or a sum of powers of sines and cosines of differences."""
+    factors = [(number(rng.choice((-2, -1, 1, 3))), 1)]
+    for _ in range(rng.randrange(1, 5)):
+        one, other = (Symbol(name) for name in rng.sample(NAMES, 2))
+        parts = [one, negative(other), degrees(rng.choice((0, 20, 23, -40)))]
+        factors.append((Call(rng.choice(("sin", "cos")), (total(parts),)), rng.choice((1, -1, 2))))
+    whole = product(factors)
+    return total([whole, some_formula(rng)]) if rng.random() < 0.4 else whole
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_the_value_stays_and_nothing_grows(seed):
+    rng = random.Random(seed)
+    formula, values = some_formula(rng), {name: rng.uniform(-3, 3) for name in NAMES}
+    turned = facing(formula, lambda: values, {Fraction(70), Fraction(67)})
+    for _ in range(3):
+        assert evaluate(turned, values) == pytest.approx(evaluate(formula, values), rel=1e-9)
+        values = {name: rng.uniform(-3, 3) for name in NAMES}
+    assert count_operations(turned) <= count_operations(formula)
+
+
+@pytest.mark.parametrize("seed", range(50))
+def test_a_condition_vanishes_where_the_factor_does(seed):
+    rng = random.Random(seed)
+    formula, values = some_formula(rng), {name: rng.uniform(-3, 3) for name in NAMES}
+    turned = condition(formula, lambda: values, {Fraction(70), Fraction(67)})
+    size = abs(evaluate(formula, values))
+    assert abs(evaluate(turned, values)) == pytest.approx(size, rel=1e-9)
+    assert not has_minus(turned) or has_minus(formula)
+
+
+def test_a_velocity_is_projected_by_the_angle_between_the_links():
+    """CB leans by theta + 60 deg: the projection is on the sine of an angle with that."""
+    page = mechc.load("toggle_clamp").emit("latex")
+    assert r"\sin(\phi_{AB}-\theta-60^\circ)=V_B\sin\mu_B" in page
+    assert r"30^\circ" not in page.partition("Velocities")[2].partition("Numerical")[0]
+
+
+def test_sines_that_were_negative_both_are_turned_both():
+    page = mechc.load("crank_rocker").emit("latex")
+    assert r"\frac{\sin(\phi-\psi)}{\sin(\theta-\psi)}" in page
+    assert "sin(-" not in page
