@@ -67,6 +67,13 @@ def frozen(cls: type[T]) -> type[T]:
     return made
 
 
+class Hashed:
+    """A base of values that are hashed again and again: each keeps its hash."""
+
+    __slots__ = ("hash_kept",)
+    hash_kept: int
+
+
 def fields(of: object) -> tuple[Field, ...]:
     """Return the fields of a frozen class or object in the order of its arguments.
 
@@ -95,7 +102,8 @@ def _with_slots(cls: type[T], own: Iterable[Field], every: Iterable[Field]) -> t
     names = tuple(f.name for f in own)
     compared = [f.name for f in every if f.compare]
     left_out = {"__dict__", "__weakref__", *names}
-    body = _METHODS | {name: part for name, part in vars(cls).items() if name not in left_out}
+    methods = _METHODS | ({"__hash__": _kept_hash} if issubclass(cls, Hashed) else {})
+    body = methods | {name: part for name, part in vars(cls).items() if name not in left_out}
     body["__slots__"] = names
     body["__fields__"] = tuple(every)
     body["__match_args__"] = tuple(f.name for f in every if not f.kw_only)
@@ -171,6 +179,15 @@ def _eq(self: Any, other: Any) -> Any:
 
 def _hash(self: Any) -> int:
     return hash(self._compared(self))
+
+
+def _kept_hash(self: Any) -> int:
+    try:
+        kept: int = self.hash_kept
+    except AttributeError:
+        kept = hash(self._compared(self))
+        object.__setattr__(self, "hash_kept", kept)
+    return kept
 
 
 def _repr(self: Any) -> str:

@@ -13,7 +13,10 @@ from mechc.algebra.derivative import derivative
 from mechc.algebra.equality import equal
 from mechc.algebra.from_formula import to_angle, to_product
 from mechc.algebra.modular import PARTS, PRIME, Point, direction
+from mechc.algebra.product import Product, Sum
+from mechc.algebra.rank import independent_of
 from mechc.algebra.sums import add, canonical
+from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import (
     Call,
@@ -167,3 +170,33 @@ def test_angles_add_like_vectors():
     assert (a + b) * 3 == a * 3 + b * 3
     assert (a + b).half() * 2 == a + b
     assert a * 0 == Angle()
+
+
+# --------------------------------------------------------------------- known to be canonical
+
+
+@law
+@given(products(), products())
+def test_what_is_known_to_be_canonical_stays_as_it_is(p, q):
+    assume(q)
+    found = canonical(p / q)
+    for one in (found, -found, found.scaled(Fraction(-2, 3)), found * Product(3)):
+        assert canonical(one) == canonical(Product(one.coefficient, one.factors)) == one
+        assert one.is_canonical == found.is_canonical
+
+
+def test_a_product_of_what_is_canonical_may_cancel():
+    alpha = Angle.of("alpha")
+    single, double = sine(alpha), canonical(sine(alpha * 2) * sine(Angle.of("beta")))
+    assert double.is_canonical
+    quotient = double / single
+    assert not quotient.is_canonical
+    assert canonical(quotient) == (cosine(alpha) * sine(Angle.of("beta"))).scaled(2)
+
+
+def test_one_row_is_independent_unless_it_vanishes():
+    alpha, beta = Angle.of("alpha"), Angle.of("beta")
+    nothing = Product.of(Sum((sine(alpha), sine(alpha).scaled(-1))))
+    assert independent_of([{0: nothing, 3: sine(beta)}]) == [True]
+    assert independent_of([{0: nothing}]) == independent_of([{}]) == [False]
+    assert independent_of([{0: sine(alpha)}, {0: sine(beta)}]) == [True, False]

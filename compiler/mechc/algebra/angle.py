@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from ..formula.tree import Formula, Symbol, degrees, number, product, total
-from ..frozen import frozen
+from ..frozen import Hashed, frozen
 
 Rational = int | Fraction
 """An exact rational, kept as ``int`` where it is one: Fractions are ten times slower."""
@@ -28,7 +28,7 @@ def rational(value: Rational) -> Rational:
 
 
 @frozen
-class Angle:
+class Angle(Hashed):
     """``Σ coefficient · symbol + degrees``; terms sorted by name, no zero coefficients."""
 
     terms: tuple[tuple[str, Rational], ...] = ()

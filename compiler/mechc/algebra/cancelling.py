@@ -32,7 +32,9 @@ DIVIDED = 1024
 def canonical(product: Product) -> Product:
     """Return the product with all cancelled that divides, and few sines of constants."""
     spend(2 + len(product.factors))
-    return _cancelled(product.written()) if _may_cancel(product) else product
+    if product.is_canonical or not _may_cancel(product):
+        return product
+    return _cancelled(product.written())
 
 
 @kept
@@ -42,7 +44,9 @@ def _cancelled(written: Written) -> Product:
         spend(10 * len(product.factors))
         before = product
         product = joined(without_parts(_without_divisors(_without_common(product))))
-    return without_relations(product)
+    related = without_relations(product)
+    related.is_canonical = related is product
+    return related
 
 
 def _may_cancel(product: Product) -> bool:

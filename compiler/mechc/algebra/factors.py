@@ -8,7 +8,7 @@ from typing import Any, Literal, Protocol
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Number, Pi, Symbol
 from ..formula.tree import Constant as ConstantFormula
-from ..frozen import frozen
+from ..frozen import Hashed, frozen
 from .angle import Angle
 from .modular import Point
 
@@ -89,7 +89,7 @@ class Constant(Length):
 
 
 @frozen
-class Trig:
+class Trig(Hashed):
     """A sine or cosine of a canonical angle; made by ``sine`` and ``cosine`` only."""
 
     function: Function

@@ -56,7 +56,6 @@ class Point:
     def __init__(self, seed: int = 0) -> None:
         self.seed = seed
         self._lengths: dict[str, int] = {}
-        self._pairs: dict[Angle, tuple[int, int]] = {}
 
     def length(self, name: str) -> int:
         """Return the random value of a symbol."""
@@ -81,29 +80,27 @@ class Point:
 
     def trig(self, function: Literal["sin", "cos"], angle: Angle) -> int:
         """Return sin or cos from z = exp(i·angle)."""
-        z, conjugate = self._pair(angle)
+        z, conjugate = _turn(self.seed, angle)
         if function == "cos":
             return (z + conjugate) * _HALF % PRIME
         return (z - conjugate) * _half_over_i() % PRIME
 
-    def _pair(self, angle: Angle) -> tuple[int, int]:
-        """Return exp(i·angle) and exp(−i·angle)."""
-        pair = self._pairs.get(angle)
-        if pair is None:
-            z = self.exponential(angle)
-            pair = self._pairs[angle] = z, pow(z, -1, PRIME)
-        return pair
-
     def exponential(self, angle: Angle) -> int:
         """Return exp(i·angle): a power product of one random value per symbol."""
-        z = pow(_root_of_unity(), _parts(angle.degrees), PRIME) if angle.degrees else 1
-        for name, coefficient in angle.terms:
-            root, whole = _exponentials(self.seed, name)
-            if isinstance(coefficient, int):
-                z = z * pow(whole, coefficient, PRIME) % PRIME
-            else:
-                z = z * pow(root, _parts(coefficient), PRIME) % PRIME
-        return z
+        return _turn(self.seed, angle)[0]
+
+
+@lru_cache(maxsize=4096)
+def _turn(seed: int, angle: Angle) -> tuple[int, int]:
+    """Return exp(i·angle) and exp(−i·angle), which all points of a seed share."""
+    z = pow(_root_of_unity(), _parts(angle.degrees), PRIME) if angle.degrees else 1
+    for name, coefficient in angle.terms:
+        root, whole = _exponentials(seed, name)
+        if isinstance(coefficient, int):
+            z = z * pow(whole, coefficient, PRIME) % PRIME
+        else:
+            z = z * pow(root, _parts(coefficient), PRIME) % PRIME
+    return z, pow(z, -1, PRIME)
 
 
 def _drawn(seed: int, name: str) -> int:

@@ -30,13 +30,15 @@ class Product:
     'a*tan(alpha)/b'
     """
 
-    __slots__ = ("coefficient", "factors")
+    __slots__ = ("coefficient", "factors", "is_canonical")
 
     def __init__(
         self, coefficient: Rational = 1, factors: Mapping[Factor, int] | None = None
     ) -> None:
         self.coefficient = coefficient
         self.factors: Mapping[Factor, int] = factors if factors and coefficient else {}
+        self.is_canonical = False
+        """Whether it is known that nothing cancels, whatever the coefficient."""
 
     @staticmethod
     def symbol(name: str) -> "Product":
@@ -49,6 +51,10 @@ class Product:
         return Product(1, {factor: exponent})
 
     def __mul__(self, other: "Product") -> "Product":
+        if not other.factors:
+            return self.scaled(other.coefficient)
+        if not self.factors:
+            return other.scaled(self.coefficient)
         factors = dict(self.factors)
         for factor, exponent in other.factors.items():
             left = factors.get(factor, 0) + exponent
@@ -66,7 +72,7 @@ class Product:
         return self * other**-1
 
     def __neg__(self) -> "Product":
-        return Product(-self.coefficient, self.factors)
+        return self.scaled(-1)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Product):
@@ -102,7 +108,11 @@ class Product:
 
     def scaled(self, factor: Rational) -> "Product":
         """Return the product times a rational number."""
-        return Product(rational(self.coefficient * factor), self.factors)
+        if factor == 1:
+            return self
+        scaled = Product(rational(self.coefficient * factor), self.factors)
+        scaled.is_canonical = self.is_canonical
+        return scaled
 
     def evaluate(self, values: Mapping[str, float]) -> float:
         """Return the value on floats (may raise ZeroDivisionError at a pole)."""
@@ -269,7 +279,7 @@ def _written(value: Product) -> Formula:
     ordered = sorted(_with_tangents(factors), key=lambda fe: fe[0])
     high = [(_written(Product(1, ratio)), power)] if ratio else []
     plain = (_exponential(f, e) for _, f, e in ordered)
-    return product([(number(coefficient), 1), *plain, *high])
+    return product([*([(number(coefficient), 1)] if coefficient != 1 else []), *plain, *high])
 
 
 def _exponential(formula: Formula, exponent: int) -> tuple[Formula, int]:
@@ -351,11 +361,12 @@ def _with_tangents(
 ) -> Iterable[tuple[Place, Formula, int]]:
     """Yield (place, formula, exponent), a sine over its own cosine being a tangent."""
     left = dict(factors)
-    for factor in factors:
-        if not (isinstance(factor, Trig) and factor.function == "sin"):
+    cosines = {f.angle: f for f in factors if isinstance(f, Trig) and f.function == "cos"}
+    for factor in factors if cosines else ():
+        if not (isinstance(factor, Trig) and factor.function == "sin" and factor.angle in cosines):
             continue
-        twin = Trig("cos", factor.angle)
-        s, c = left[factor], left.get(twin, 0)
+        twin = cosines[factor.angle]
+        s, c = left[factor], left[twin]
         if s * c >= 0:
             continue
         common = min(abs(s), abs(c))

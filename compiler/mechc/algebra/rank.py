@@ -61,6 +61,14 @@ def independent(rows: Iterable[Residues]) -> list[bool]:
     return [echelon.take(row) for row in rows]
 
 
+def independent_of(rows: Sequence[Mapping[int, Product]]) -> list[bool]:
+    """Return the same of rows of products; of one row no more is asked than whether it is zero."""
+    point = Point()
+    if len(rows) == 1:
+        return [any(entry.residue(point) for entry in rows[0].values())]
+    return independent(residues(row, point) for row in rows)
+
+
 def numeric_rank(rows: Sequence[Mapping[int, float]], scaled: bool = True) -> int:
     """Return the rank of a numeric matrix by elimination with complete pivoting.
 

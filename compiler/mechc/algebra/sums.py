@@ -39,10 +39,10 @@ def add(products: Iterable[Product]) -> Product:
         terms = _merged(terms)
     if len(terms) <= 1:
         return canonical(terms[0]) if terms else ZERO
-    if any(map(_has_constants, terms)) and _vanishes(terms):
-        return ZERO
     common = _common(terms)
     rests = [t / common for t in terms]
+    if any(map(_has_constants, terms)) and _vanishes(rests):
+        return ZERO
     if sum(map(laurent.size, rests)) <= LIMIT and not any(map(_rests_on_names, rests)):
         return canonical(common * factoring.factored(rests))
     if _vanishes(rests):

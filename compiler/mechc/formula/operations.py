@@ -3,7 +3,7 @@
 from fractions import Fraction
 from typing import assert_never
 
-from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
+from .tree import Call, Compound, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
 
 
 def split_fraction(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
@@ -33,11 +33,24 @@ def count_operations(formula: Formula) -> int:
     >>> count_operations(product([(number(2), 1), (b, 1), (a, -1), (Call("cot", (t,)), 1)]))
     4
     """
+    if not isinstance(formula, Compound):
+        return _of_a_number(formula)
+    known: int | None = getattr(formula, "operations_in_it", None)
+    if known is None:
+        known = _counted(formula)
+        object.__setattr__(formula, "operations_in_it", known)
+    return known
+
+
+def _of_a_number(formula: Number | Pi | Symbol) -> int:
+    """Count the minus sign and the division in a number; a name has none."""
+    if not isinstance(formula, Number):
+        return 0
+    return (formula.value < 0) + (formula.value.denominator != 1)
+
+
+def _counted(formula: Sum | Product | Power | Call | Implicit) -> int:
     match formula:
-        case Number(value):
-            return (value < 0) + (value.denominator != 1)
-        case Pi() | Symbol():
-            return 0
         case Sum(terms):
             return sum(map(_term_operations, terms)) + len(terms) - 1
         case Product():

@@ -17,7 +17,7 @@ Quantities are SI; angles are radians. A constant angle is a rational multiple o
 from collections.abc import Iterable
 from fractions import Fraction
 
-from ..frozen import frozen
+from ..frozen import Hashed, frozen
 from .newton import CORRECTIONS
 
 
@@ -51,11 +51,12 @@ class Constant(Symbol):
         return hash(self.name)
 
 
-class Compound:
-    """A formula of parts; the names in it are kept with it once they were looked for."""
+class Compound(Hashed):
+    """A formula of parts; the names in it, and its length, are kept with it once they are known."""
 
-    __slots__ = ("names_in_it",)
+    __slots__ = ("names_in_it", "operations_in_it")
     names_in_it: frozenset[str]
+    operations_in_it: int
 
 
 @frozen

@@ -94,6 +94,9 @@ def _looked_for(formula: Formula) -> frozenset[str]:
         if not isinstance(node, Compound):
             names.update(_own_name(node))
             continue
+        if node is not formula and isinstance(node, Call):
+            names |= _names_in(node)  # many formulas have the same sine in them
+            continue
         if known := getattr(node, "names_in_it", None):
             names |= known
             continue

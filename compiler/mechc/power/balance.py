@@ -7,9 +7,8 @@ from collections.abc import Mapping, Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.determinant import determinant
-from ..algebra.modular import Point
 from ..algebra.product import Product
-from ..algebra.rank import independent, residues
+from ..algebra.rank import independent_of
 from ..algebra.sums import add, canonical
 from ..frozen import frozen
 from ..kinematics.plan import Plan, Speeds
@@ -151,9 +150,8 @@ def equations_of(terms: Sequence[Term]) -> Equations:
     columns = _columns(terms, owners)
     powers = {name: column for name, column in columns.items() if any(column)}
     motions = len(terms[0].speed) if terms else 0
-    point = Point()
     rows = [{n: c[m] for n, c in enumerate(powers.values()) if c[m]} for m in range(motions)]
-    kept = independent(residues(row, point) for row in rows)
+    kept = independent_of(rows)
     return Equations(
         owners,
         {n: [p for p, keep in zip(c, kept, strict=True) if keep] for n, c in powers.items()},
