@@ -47,6 +47,8 @@ def call(tmp_path, monkeypatch, capsys):
         ("compile clamp.mech --emit", USAGE, "requires an argument"),
         ("compile clamp.mech --emit c -D", USAGE, "requires an argument"),
         ("compile clamp.mech --emit c -D alpha", USAGE, "not NAME=VALUE"),
+        ("compile clamp.mech --emit c -D a=1mm -D a=2mm", USAGE, "'a' is set twice"),
+        ("compile clamp.mech --emit c -D a=1mm+-0.1mm", USAGE, "a value alone is set"),
         ("compile clamp.mech --emit c -D =3", USAGE, ""),
         ("check loop.mech", FILES, "E901"),
         ("derive folder", FILES, "is a directory"),

@@ -69,6 +69,9 @@ def _settings(given: tuple[str, ...]) -> Settings:
     for text in given:
         if "=" not in text:
             raise usage.BadParameter(f"{text!r} is not NAME=VALUE, as in -D alpha=30deg")
+    names = [text.partition("=")[0].strip() for text in given]
+    if twice := next((name for name in names if names.count(name) > 1), ""):
+        raise usage.BadParameter(f"{twice!r} is set twice")
     try:
         return dict(map(parse, given))
     except MechcError as error:

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from ..diagnostics import Diagnostic
 from ..diagnostics.model import doubts as messages
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula
-from ..formula.walk import symbols
+from ..formula.tree import Formula, Symbol
+from ..formula.walk import reached, symbols
 from ..source import Span
 from .doubtful_sizes import beyond_a_turn, vanishing_lengths
 from .entries import body_through
@@ -44,6 +44,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     yield from vanishing_lengths(mechanism, chain, values)
     yield from far_off(mechanism, values)
     yield from _asked_twice(mechanism.finds)
+    yield from _both_given(mechanism)
     yield from _coinciding(mechanism, values)
     yield from _within(mechanism.links)
     yield from _of_ground(mechanism)
@@ -90,10 +91,14 @@ def _within(links: Sequence[Link]) -> Iterator[Diagnostic]:
 
 
 def _of_ground(mechanism: Mechanism) -> Iterator[Diagnostic]:
-    """Yield the links between pivots alone."""
+    """Yield the links that two pivots hold, but for those of wheels, which may be on one axis."""
+    wheels = {p for j in mechanism.joints if isinstance(j, WheelPair | Rack) for p in j.points}
     for link in mechanism.links:
+        held = [point for point in link.points if point in mechanism.fixed - wheels]
         if set(link.points) <= mechanism.fixed:
             yield messages.link_of_ground(link.span, link.name)
+        elif len(held) > 1:
+            yield messages.link_of_ground(link.span, link.name, held)
 
 
 def _along_a_link(mechanism: Mechanism) -> Iterator[Diagnostic]:
@@ -138,6 +143,19 @@ def _asked_twice(finds: Sequence[Find]) -> Iterator[Diagnostic]:
         if other.name != find.name and find.span not in reported:
             reported.add(find.span)
             yield messages.asked_twice(find.span, find.name, other.name, other.span)
+
+
+def _both_given(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    """Yield the ratios both of whose loads have values: one of these follows from the other."""
+    formulas = {let.name: let.value for let in mechanism.lets}
+    spans = {let.name: let.span for let in mechanism.lets}
+    for find in mechanism.finds:
+        match find.target:
+            case LoadRatio(above=above, below=below) if {above, below} <= formulas.keys():
+                known = {**formulas, find.name: Symbol(find.name)}
+                if find.name not in reached((above, below), known):
+                    place = spans[above], find.name, above, below, find.span
+                    yield messages.both_given(*place)
 
 
 def _without_value(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:

@@ -7,11 +7,11 @@ its own, so that what may stand there is exactly what may stand in a file.
 from collections.abc import Iterable, Iterator, Mapping
 from typing import assert_never
 
-from ..diagnostics import Report
+from ..diagnostics import Report, syntax
 from ..frozen import replace
 from ..named import NamedTuple
 from ..patterns import pattern
-from ..source import Source
+from ..source import Source, Span
 from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast, moved
 from .notation import read
@@ -54,8 +54,15 @@ def parse(text: str, origin: str = COMMAND_LINE) -> tuple[str, Setting]:
     report = Report(Source(f"{origin} {text}", f"{_WORD}{setting}\n"))
     tree = read(report.source, report)
     report.stop_on_errors()
-    found = next(s.value for s in params(tree.statements) if s.value)
-    return name.strip(), Setting(moved.moved(found, -len(_WORD)), Source(origin, setting))
+    found = next(s for s in params(tree.statements) if s.value)
+    assert found.value is not None
+    if found.low or found.tolerance or found.label or found.about:
+        place = Span(found.value.span.end, found.span.end)
+        words = f"'{report.source.written(place).strip()}'"
+        hint = "a value alone is set; its range stands where the parameter is declared"
+        raise report.fail(syntax.unexpected_text(place, words, ["the end"], hint))
+    alone = moved.moved(found.value, -len(_WORD))
+    return name.strip(), Setting(alone, Source(origin, setting))
 
 
 def attached(source: Source, settings: Settings) -> Source:

@@ -17,7 +17,7 @@ from .vocabulary import (
     TWINS,
     split_quantity,
 )
-from .written import WRITTEN, example, words_behind
+from .written import WRITTEN, example, whole_example, words_behind
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
 
@@ -147,7 +147,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or _of_picking(line, position)
         or CHOICES.get(line[0].type, "")
         or _of_neighbours(line, position, allowed)
-        or (example(line, allowed) if str(token) in words_behind(line) else "")
+        or (whole_example(line) if token.isalpha() and token in words_behind(line) else "")
         or _of_sign(token, before, allowed)
         or example(line, allowed)
     )
@@ -189,6 +189,12 @@ def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         return "a direction stands behind '@', as in OA = a @ 30 deg"
     if token in UNITS and "(" in map(str, line[:position]):
         return f"each value has its unit: (20 {token}, 35 {token})"
+    if token == "=" and "at" in map(str, line[:position]) and line[position - 2] == "(":
+        return "a place is two lengths: (20 mm, 35 mm)"
+    if token == "," and "RIGHT" in allowed and "at" in map(str, line[:position]):
+        return "a place is two lengths, in the plane: (20 mm, 35 mm)"
+    if line[0].type == "LINK" and line[position].type == "NUMBER":
+        return f"a length is a line of its own: {line[1]} = {token}"
     if before == "at" and allowed == {"LEFT"}:
         return "a place stands in brackets: (0 mm, 0 mm)"
     is_named_last = line[position].type == "NAME" and "/" in map(str, line[:position])

@@ -82,6 +82,11 @@ def example(line: Sequence[Token], allowed: set[str]) -> str:
     may_follow = {spelling().get(name, "") for name in allowed}
     if not (allowed <= {"NAME"} or any(w.isalpha() or w in OPENING for w in may_follow)):
         return ""
+    return whole_example(line)
+
+
+def whole_example(line: Sequence[Token]) -> str:
+    """Return how a statement is written, '' where no example is known."""
     meant = _example(line)
     return f"it is written: {meant}" if meant else ""
 

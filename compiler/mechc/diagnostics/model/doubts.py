@@ -82,6 +82,21 @@ def asked_twice(span: Span, name: str, other: str, first: Span) -> Message:
     return Message(span, message, "remove one, or change what was copied", related)
 
 
+@coded("W288")
+def both_given(span: Span, name: str, above: str, below: str, asked: Span) -> Message:
+    """Both loads of a ratio have values, and the ratio says what one of them is.
+
+    find k = P/F
+    let F = 3 kN
+    let P = 2 kN      # warned of: balance demands k*F
+    let P = k*F       # right
+    """
+    related = (Related(asked, f"{name} is asked for here"),)
+    message = f"'{above}' has a value, and follows from '{below}': {above} = {name}*{below}"
+    hint = "leave one of the two out, or call what is there to bear it otherwise"
+    return Message(span, message, hint, related)
+
+
 @coded("W249")
 def drive_moves_nothing(span: Span, name: str) -> Message:
     """The driving coordinate stands in no vector, angle or guide: nothing moves with it.
@@ -154,16 +169,19 @@ def link_within_link(span: Span, link: str, other: str, first: Span) -> Message:
 
 
 @coded("W262")
-def link_of_ground(span: Span, link: str) -> Message:
-    """All pins of a link are pivots of the ground, so that it is a part of the ground.
+def link_of_ground(span: Span, link: str, held: Sequence[str] = ()) -> Message:
+    """Two pins of a link are pivots of the ground, so that it is a part of the ground.
 
     The ground needs no link: its pivots stand where they are said to::
 
         pivot O at (0 mm, 0 mm)
         pivot Q at (100 mm, 0 mm)
         link OQ                       # warned of
+        link OQA                      # warned of, too: A stands still
     """
     message = f"all points of link {link} are pivots of the ground, so it cannot move"
+    if held:
+        message = f"{listed(held, 'and')} of link {link} are pivots, so it cannot move"
     return Message(span, message, "leave it out, or correct its points")
 
 

@@ -52,6 +52,10 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
         whole = component[1]
         hint = f"write 'find {whole}', which gives {whole}_x, {whole}_y and {whole}_direction, too"
         return Message(span, message, hint)
+    if with_friction := re.fullmatch(r"eta_(\w+)|(\w+?)_(?:f1|f|hold)", name):
+        ideal = with_friction[1] or with_friction[2]
+        hint = f"with friction a line 'find {ideal} = …' brings {name} along: it is not asked for"
+        return Message(span, message, hint)
     if name.lower() in ("eta", "efficiency"):
         return Message(span, message, WITH_FRICTION)
     return Message(span, message, offered(name, loads, "loads"))

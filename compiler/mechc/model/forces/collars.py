@@ -48,7 +48,11 @@ def _thrust(statement: ast.CollarFriction, scope: Scope) -> Formula | None:
 def _faces(expression: ast.Expr, scope: Scope) -> Formula | None:
     what = "a number of faces"
     found = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, what)
-    return checked(found, expression.span, what, lambda v: v >= 1, scope)
+    return checked(found, expression.span, what, _is_a_number, scope)
+
+
+def _is_a_number(value: float) -> bool:
+    return value >= 1 and value == int(value)
 
 
 def _turning(statement: ast.CollarFriction, built: Mechanism, scope: Scope) -> Link | None:
