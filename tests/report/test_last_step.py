@@ -9,7 +9,7 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import substitute, symbols
 
-OPEN = ["karpenko_fig1_parallel_levers", "karpenko_fig9_packet_clamp"]
+OPEN = ["karpenko_fig1_parallel_levers", "karpenko_fig9_packet_clamp", "tied_chain", "claw_closed"]
 
 
 def test_speeds_found_one_after_another_make_a_product():
@@ -72,3 +72,13 @@ def test_the_power_of_a_cylinder_is_by_the_speed_of_the_end_that_the_lever_rule_
     ]
     (last,) = derivation.last_steps
     assert text(last.ratio.right) == "V_E*sin(mu_B - phi_CB)/(V_B*sin(mu_B))"
+
+
+def test_loads_that_are_tied_are_put_into_the_ratio_with_their_factor():
+    """The common half stands outside, a sum of minuses has one minus in front."""
+    shown = {
+        name: text(compiled(name).derivation.last_steps[0].ratio.right)
+        for name in ("claw_closed", "scissor_table")
+    }
+    assert shown["claw_closed"] == "-(V_C_R + f*V_C_T)/V_B"
+    assert shown["scissor_table"] == "(V_D*cos(phi_AM) - V_C_W)/(2*V_AE)"

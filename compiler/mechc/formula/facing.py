@@ -82,6 +82,21 @@ def condition(factor: Formula, values: Values, constants: Set[Fraction]) -> Form
     return facing(factor, values, constants)
 
 
+def led(formula: Formula) -> Formula:
+    """Return a formula in whose sums a term without a minus leads, where there is one.
+
+    >>> from .tree import Symbol
+    >>> from .to_text import text
+    >>> text(led(total([negative(Symbol("a")), Symbol("b")])))
+    'b - a'
+    """
+    parts = tuple(map(led, children(formula)))
+    if isinstance(formula, Sum) and has_minus(parts[0]):
+        lead = next((i for i, part in enumerate(parts) if not has_minus(part)), 0)
+        return total([parts[lead], *parts[:lead], *parts[lead + 1 :]])
+    return rebuild(formula, parts) if parts != children(formula) else formula
+
+
 def _of_directions(formula: Formula, constants: Set[Fraction]) -> Formula:
     parts = tuple(_of_directions(part, constants) for part in children(formula))
     if isinstance(formula, Power) and isinstance(formula.exponent, Number):
@@ -121,7 +136,13 @@ def _quarter_turned(formula: Formula, constants: Set[Fraction]) -> Formula | Non
 def _faced(formula: Formula, at: Evaluation) -> Formula:
     parts = tuple(_faced(part, at) for part in children(formula))
     whole = rebuild(formula, parts) if parts != children(formula) else formula
-    return _paired(whole.factors, at) or whole if isinstance(whole, Product) else whole
+    match whole:
+        case Product(factors):
+            return _paired(factors, at) or whole
+        case Power(base, Number(value) as exponent) if value.denominator == 1 and not value % 2:
+            return Power(negative(base), exponent) if has_minus(base) else whole
+        case _:
+            return whole
 
 
 def _paired(factors: Sequence[Formula], at: Evaluation) -> Formula | None:

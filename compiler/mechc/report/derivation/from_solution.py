@@ -4,7 +4,8 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
-from ...formula.facing import condition, facing
+from ...formula.facing import LONG, condition, facing, led
+from ...formula.operations import count_operations
 from ...formula.tree import Formula
 from ...formula.walk import walk
 from ...friction.solution import Solution
@@ -49,7 +50,10 @@ def derive(
     face = Facing(solution.plan)
     derivation = _facing(derivation, face)
     position = position_steps(solution.plan.graph.pose, derivation)
-    last = tuple(_last_facing(step, face.of) for step in last_steps(derivation))
+    last = tuple(
+        _last_facing(step, face.of)
+        for step in last_steps(derivation, solution.balance.equations.owners)
+    )
     return replace(derivation, position=tuple(position), last_steps=last)
 
 
@@ -61,8 +65,9 @@ class Facing:
         self._constants = constants_of(plan.graph.pose)
 
     def of(self, formula: Formula) -> Formula:
-        """Return a formula with its sines of differences turned."""
-        return facing(formula, self._values, self._constants)
+        """Return a formula with its sines of differences turned, its sums led by a plus."""
+        faced = facing(formula, self._values, self._constants)
+        return faced if count_operations(faced) > LONG else led(faced)
 
     def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
         """Return a condition under which a formula is zero or infinite as the formula has it."""

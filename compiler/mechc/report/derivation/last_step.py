@@ -1,18 +1,25 @@
 """The last step: the speeds found are put into the power equation, which gives P/F."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import pairwise
 
 from ...algebra.equality import equal
+from ...algebra.factoring import content_of
 from ...algebra.from_formula import to_product
-from ...formula.tree import Formula, Symbol, product, quotient
+from ...algebra.product import Product
+from ...formula.layout import has_minus
+from ...formula.tree import Formula, Sum, Symbol, negative, number, product, quotient, total
 from ...formula.walk import symbols
 from ...model.mechanism import LoadRatio, SpeedRatio
-from ..sentences.wording import is_speed
+from ..sentences.wording import is_speed, positive_first
 from .steps import Derivation, Equation, LastStep, PowerTerm, SpeedChain, Step
 
+Owners = Mapping[str, tuple[str, Product]]
+"""The load that each is tied to, itself where it is free, and the factor."""
 
-def last_steps(derivation: Derivation) -> Iterator[LastStep]:
+
+def last_steps(derivation: Derivation, owners: Owners) -> Iterator[LastStep]:
     """Yield the solution of the power equation for each ratio of two loads, in named speeds."""
     if len(derivation.balances) != 1:
         return
@@ -20,12 +27,52 @@ def last_steps(derivation: Derivation) -> Iterator[LastStep]:
     found = _found(derivation.steps)
     for result in derivation.results:
         target = result.target
-        if isinstance(target, LoadRatio) and {target.above, target.below} == terms.keys():
+        if not isinstance(target, LoadRatio):
+            continue
+        ratio = quotient(Symbol(target.above), Symbol(target.below))
+        if {target.above, target.below} == terms.keys():
             above, below = terms[target.above], terms[target.below]
-            ratio = quotient(Symbol(target.above), Symbol(target.below))
             chain = _in_ratios(above, below, found)
             chain = None if chain and _has_other_sign(chain, derivation) else chain
             yield LastStep(chain, Equation(ratio, _ratio(above, below)))
+        elif whole := _of_tied(target, derivation.terms, owners):
+            yield LastStep(None, Equation(ratio, whole))
+
+
+def _of_tied(target: LoadRatio, terms: Sequence[PowerTerm], owners: Owners) -> Formula | None:
+    """Return a ratio of loads to which all others are tied; None where there are more."""
+    asked = (target.above, target.below)
+    if any(owners[name][0] != name for name in asked):
+        return None
+    powers: dict[str, list[tuple[Product, Formula]]] = {name: [] for name in asked}
+    for term in terms:
+        owner, factor = owners[term.load]
+        if owner not in powers:
+            return None
+        powers[owner].append((to_product(term.times) * factor, term.speed))
+    if not all(powers.values()):
+        return None
+    (above, often), (below, seldom) = (_summed(powers[name]) for name in asked)
+    share = number(Fraction(seldom) / Fraction(often))
+    if any(map(has_minus, getattr(below, "terms", (below,)))):
+        return product([(share, 1), (quotient(_turned(below), above), 1)])
+    return product([(share, 1), (number(-1), 1), (quotient(below, above), 1)])
+
+
+def _turned(whole: Formula) -> Formula:
+    """Return a sum with the opposite sign, a positive term first."""
+    terms = whole.terms if isinstance(whole, Sum) else (whole,)
+    return total(positive_first(map(negative, terms)))
+
+
+def _summed(powers: Sequence[tuple[Product, Formula]]) -> tuple[Formula, Fraction]:
+    """Return a sum of powers without the number that all of its terms have, and that number."""
+    content = content_of(times.coefficient for times, _ in powers)
+    terms = [
+        product([(times.scaled(1 / Fraction(content)).formula(), 1), (speed, 1)])
+        for times, speed in powers
+    ]
+    return total(positive_first(terms)), Fraction(content)
 
 
 def _has_other_sign(chain: SpeedChain, derivation: Derivation) -> bool:
