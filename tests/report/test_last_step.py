@@ -81,4 +81,4 @@ def test_loads_that_are_tied_are_put_into_the_ratio_with_their_factor():
         for name in ("claw_closed", "scissor_table")
     }
     assert shown["claw_closed"] == "-(V_C_R + f*V_C_T)/V_B"
-    assert shown["scissor_table"] == "(V_D*cos(phi_AM) - V_C_W)/(2*V_AE)"
+    assert shown["scissor_table"] == "(cos(phi_AM)*V_D - V_C_W)/(2*V_AE)"
