@@ -109,6 +109,23 @@ KINDS = (
     ("wheelbarrow", "m     = 60 kg", "m     = 0 kg", "W255"),
     ("crank_rocker", "find k", "let F = 0 N\nfind k", "W255"),
     ("crank_rocker", "find k", "let z = 1/(a - 40 mm)\nfind k", "W256"),
+    ("toggle", "find k", "let F = 2 kN\nlet P = 1 kN\nfind k", "W288"),
+    ("wheelbarrow", "m     = 60 kg", "m     = 60 kg*9.81", "W278"),
+    ("wheelbarrow", "m     = 60 kg", "m     = 60 kg\nparam g = 9.81 mm/s^2", "W286"),
+    ("wheelbarrow", "m     = 60 kg", "m     = 60 kg\nparam g = -9.81 m/s^2", "E235"),
+    ("oscillating_cylinder", "actuator P between C and B", "actuator P between O and B", "W277"),
+    # friction
+    ("karpenko_fig9_with_friction", "find k =", "find k_f =", "W263"),
+    ("karpenko_fig7_with_friction", "axle d wheel D", "axle D wheel d", "E421"),
+    # conditions, ranges, expectations
+    ("toggle", "find k", "require alpha = 10 deg\nfind k", "W281"),
+    ("toggle", "find k", "require 1 mm < 2 mm\nfind k", "W282"),
+    ("toggle", "expect k = 0.353 at", "expect k = 0.353 +- 0.5 at", "W280"),
+    ("toggle", "0.353 at alpha = 10 deg", "2.384 at alpha = 50 deg", "W285"),
+    ("toggle", "at alpha = 10 deg", "at alpha = 12 deg, alpha = 10 deg", "E330"),
+    ("crank_rocker", "a   = 40 mm", "a   = 40 mm in 20 mm .. 400 mm", "W284"),
+    ("toggle", "find k", "let s = pi*50 mm^2/4\nfind k", "W279"),
+    ("crank_rocker", "to 360 deg", "to 360 deg speed 0 rpm", "W255"),
 )
 """A library mechanism, what a person meant and wrote, and the code of what is said of it."""
 

@@ -100,7 +100,7 @@ def meaning(line: Sequence[Token], position: int) -> str:
 
 
 def _behind(before: Token, token: Token, line: Sequence[Token], position: int) -> str:
-    """Return what a character means behind a number, or behind a name."""
+    """Return the hint at a character behind a number, or behind a name."""
     character, glued = token[:1], span_of(before).end == span_of(token).start
     if before.type == "NUMBER" and not split_quantity(before)[1]:
         return BEHIND_NUMBER.get(character, "")
@@ -135,7 +135,7 @@ def _question(line: Sequence[Token], position: int) -> str:
 
 
 def _word(line: Sequence[Token], position: int) -> str:
-    """Return what is written from a token on without a space."""
+    """Return the text from a token on, up to a space."""
     word, end = "", span_of(line[position]).start
     for token in line[position:]:
         if span_of(token).start != end:
@@ -145,7 +145,7 @@ def _word(line: Sequence[Token], position: int) -> str:
 
 
 def _of_kind(character: str) -> str:
-    """Return what is said of a fraction in one sign, or a letter of another alphabet."""
+    """Return the hint at a fraction in one sign, or a letter of another alphabet."""
     value = unicodedata.numeric(character, None) if len(character) == 1 else None
     if value is not None and not character.isalpha():
         return f"a fraction is a part of one number with a point: {character} is {value:.4g}"
