@@ -3,8 +3,10 @@
 import pytest
 
 from good_mechanisms import CLOSED, compiled
+from mechc.driver import Compilation
 from mechc.formula.walk import symbols
 from mechc.report.sections import outline
+from mechc.source import Source
 
 
 def steps(name):
@@ -50,3 +52,31 @@ def test_a_vector_that_is_a_sum_is_introduced_before_velocities_name_its_directi
     assert (step.kind, step.points) == ("sum", ("O", "C"))
     assert [d.name for d in step.definitions] == ["phi_OC", "len_OC"]
     assert steps("let_geometry") == ()
+
+
+BY_NUMBERS = """
+param phi = 30 deg
+param psi: angle
+param theta: angle
+pivot O1 at (0 mm, 0 mm)
+pivot O2 at (120 mm, 0 mm)
+link O1A
+link AB
+link O2B
+O1A = 50 mm @ phi
+AB = {coupler} mm @ psi
+O2B = 50 mm @ theta
+assembly ABO2 cw
+drive phi from 10 deg to 80 deg
+torque M on O1A
+torque T on O2B
+find k = M/T
+"""
+
+
+@pytest.mark.parametrize(("coupler", "kind"), [("120", "equal"), ("119", "triangle")])
+def test_what_follows_from_equal_numbers_is_said(coupler, kind):
+    """In a parallelogram the rocker stands as the crank does, and no law of cosines says so."""
+    source = Source("m.mech", BY_NUMBERS.format(coupler=coupler))
+    derivation = Compilation(source).derivation
+    assert [step.kind for step in derivation.position] == [kind]

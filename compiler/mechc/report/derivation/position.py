@@ -4,12 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
 from ...formula.names import split_points
-from ...formula.tree import Formula
-from ...formula.walk import reached, symbols
+from ...formula.tree import Call, Formula, Implicit, Power
+from ...formula.typesetting import HALF
+from ...formula.walk import reached, symbols, walk
 from ...model.result import Definition
-from ...pose.pose import Pose
+from ...pose.pose import Pose, SolvedLoop
 from ...study.analysis import Analysis
-from .steps import Derivation, PositionStep
+from .steps import Derivation, PositionKind, PositionStep
 
 
 def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]:
@@ -29,7 +30,26 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
         names = [n for n in loop.names if n in needed]
         if names:
             found = tuple(Definition(n, formulas[n]) for n in names)
-            yield PositionStep(loop.kind, loop.points, loop.is_clockwise, found)
+            yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found)
+
+
+_SOLVED = frozenset({"acos", "asin", "atan", "atan2", "hypot", "sqrt"})
+"""The functions by which a loop of two unknown parts is solved, whatever its lengths are."""
+
+
+def _kind(loop: SolvedLoop, found: Sequence[Definition]) -> PositionKind:
+    """Return how a loop is solved: by equal lengths where none of its laws was needed.
+
+    Lengths may be equal by their numbers alone, as in a parallelogram of four numbers.
+    """
+    parts = (part for definition in found for part in walk(definition.formula))
+    is_solved = any(
+        isinstance(part, Implicit)
+        or (isinstance(part, Call) and part.function in _SOLVED)
+        or (isinstance(part, Power) and part.exponent == HALF)
+        for part in parts
+    )
+    return loop.kind if is_solved or loop.kind not in ("triangle", "guide", "slot") else "equal"
 
 
 def _of_sums(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:

@@ -72,8 +72,9 @@ class Rule(StrEnum):
     """The same from the projections of the velocity on two lines."""
 
 
-PositionKind = Literal[LoopKind, "sum"]
-"""How a loop is solved, or that a vector is the ``sum`` of given ones."""
+PositionKind = Literal[LoopKind, "equal", "sum"]
+"""How a loop is solved, that ``equal`` lengths solve it, or that a vector is the ``sum`` of others.
+"""
 
 
 @frozen

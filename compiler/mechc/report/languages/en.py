@@ -104,6 +104,7 @@ LOCALE = Locale(
         "direction of that line and the place on it.",
         "aligned": "Loop {loop}: the line of the slot has the direction of the vector between its"
         " ends, the place on it is the length of that vector.",
+        "equal": "Loop {loop}: lengths in it are equal, so that its directions follow at once.",
         "lengths": "Loop {loop}: its projections give two lengths.",
         "sum": "The vector {loop} is a sum of vectors: its projections give direction and length.",
         "vector": "The vector between points of {loop} that have their places.",
