@@ -75,3 +75,10 @@ def test_c_agrees(tmp_path: Path) -> None:
 def test_exactly_is_a_name_anywhere_else() -> None:
     found = mechc.loads("sheet s\nparam exactly = 2\nlet at_most = 3*exactly\n")
     assert found.evaluate()["at_most"] == 6
+
+
+def test_a_range_over_rows_is_no_range_between_them() -> None:
+    text = "sheet s\nparam m = 2 in 1 .. 3\ntable t = 1: 5, 2: 6, 3: 7\nlet n = t at exactly m\n"
+    assert "W283" not in {d.code for d in sheet(text).report.diagnostics}
+    wide = sheet(text.replace("1 .. 3", "0 .. 3"))
+    assert "W283" in {d.code for d in wide.report.diagnostics}

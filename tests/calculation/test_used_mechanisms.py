@@ -1,5 +1,6 @@
 """Mechanisms that a sheet uses: what comes of them there is what comes of them alone."""
 
+import inspect
 import json
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -410,3 +411,81 @@ def noted(folder: Path, text: str) -> tuple[NoteLine, ...]:
     (folder / "sheet.mech").write_text(f"sheet s\n{text}", "utf-8")
     compilation = mechc.load(folder / "sheet.mech")._compilation
     return note(compilation.mechanism, compilation.results).lines
+
+
+EDGE = """mechanism edge
+pivot O at (0 mm, 0 mm)
+slider C along x
+slider E along y
+link AOD
+link CD
+link AE
+A at (-52 mm, 14 mm)
+D at (10 mm, 95 mm)
+C at (340 mm, 80 mm)
+E at (-60 mm, -60 mm)
+force P at C along -x
+force F at E along y
+friction pins 0.15 diameter 10 mm
+friction pin O 0.15 diameter 14 mm
+friction slider E 0.12
+friction slider C 0.1
+find k = P/F
+find R_O
+find N_CD
+find N_AE
+"""
+
+STRENGTH = """sheet strength
+use "edge.mech" as C (F = 4 kN)
+param t = 8 mm in 6 mm .. 16 mm
+param n = 1.6 in 1.2 .. 3
+let d_s = sqrt(2*C_R_O_f*n/(pi*(100 MPa))) in mm
+let d_b = C_R_O_f*n/(t*(200 MPa)) in mm
+let sigma = C_R_O_f/(t*d_s) in MPa
+let tau = 2*C_R_O_f/(pi*d_s^2) in MPa
+let N_1 = n*abs(C_N_CD_f)
+let N_2 = n*abs(C_N_AE_f)
+let H = n*abs(C_R_O_x_f)
+let V = n*abs(C_R_O_y_f)
+let Q = V + H
+"""
+
+
+def test_conditions_have_their_numbers_where_functions_are_computed_together(
+    tmp_path: Path,
+) -> None:
+    """A coefficient of friction that is a number has a name, by which a condition compares."""
+    (tmp_path / "edge.mech").write_text(EDGE, encoding="utf-8")
+    (tmp_path / "strength.mech").write_text(STRENGTH, encoding="utf-8")
+    solved = mechc.load(tmp_path / "strength.mech")
+    scope: dict[str, Any] = {"__name__": "strength"}
+    exec(solved.emit("python"), scope)
+    values = solved.evaluate()
+    for name in ("C_R_O_f", "d_s", "d_b", "Q"):
+        taken = inspect.signature(scope[name]).parameters
+        found = scope[name](*(scope["DEFAULTS"][argument] for argument in taken))
+        np.testing.assert_allclose(found, values[name], rtol=1e-12)
+
+
+def test_a_drawn_drive_that_reaches_below_zero_is_given(tmp_path: Path) -> None:
+    crank = """mechanism rocker
+pivot O at (0 mm, 0 mm)
+pivot C at (100 mm, 0 mm)
+link OA
+link AB
+link CB
+A at (20 mm, 34.6 mm)
+B at (80 mm, 60 mm)
+drive OA from -40 deg to 80 deg
+torque M on OA
+torque T on CB
+find k = M/T
+"""
+    (tmp_path / "rocker.mech").write_text(crank, encoding="utf-8")
+    text = 'sheet s\nuse "rocker.mech" as C (T = 2 N*m, phi_OA = -20 deg)\nlet z = 2*C_M\n'
+    (tmp_path / "s.mech").write_text(text, encoding="utf-8")
+    alone = mechc.load(tmp_path / "rocker.mech").evaluate(phi_OA="-20 deg")
+    found = mechc.load(tmp_path / "s.mech").evaluate()
+    np.testing.assert_allclose(found["C_k"], alone["k"], rtol=1e-12)
+    np.testing.assert_allclose(found["z"], 4 * alone["k"], rtol=1e-12)

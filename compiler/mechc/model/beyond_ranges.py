@@ -63,12 +63,14 @@ def _formula(require: Require) -> str:
 def _along(parameter: Parameter, require: Require) -> Iterator[float]:
     """Yield the ends of a range, then what is between, and what the parameter is compared with.
 
-    A choice may have values one by one, ``4 mm when n = 2``, and none between.
+    A choice may have values one by one, ``4 mm when n = 2``, and none between; so have rows that
+    are taken exactly.
     """
     low, high = bounds(parameter)
     yield from (low, high)
     compared = [f for f in walk(require.left) if isinstance(f, Call) and f.function in SIGNS]
-    if CONDITIONS["="] not in (call.function for call in compared):
+    by_rows = require.subject is not None and require.subject.kind == "row"
+    if not by_rows and CONDITIONS["="] not in (call.function for call in compared):
         yield from (low + (high - low) * step / STEPS for step in range(1, STEPS))
         limits = (f for call in compared for f in _against(parameter.name, call))
         yield from (limit for limit in limits if low < limit < high)

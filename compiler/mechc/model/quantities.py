@@ -31,7 +31,9 @@ class Parameter:
     other parameters (a *dependent* parameter). ``unit`` is what the user wrote, for
     output ('' when bare). ``low`` … ``high`` is the range of a free parameter, and
     ``tolerance`` how far its value may be off, a constant in SI. A formula is there as it was
-    ``written``, too. ``setting`` is where the command line gives its value, if it does.
+    ``written``, too. ``setting`` is where the command line gives its value, if it does; the
+    description then has the ``replaced`` one. With that it is drawn, until the pose moves it to
+    the one from ``outside``.
     """
 
     name: str
@@ -46,6 +48,8 @@ class Parameter:
     tolerance: Formula | None = None
     written: Written | None = None
     setting: Span | None = None
+    replaced: Formula | None = None
+    outside: Formula | None = None
 
     @property
     def given(self) -> Span:

@@ -97,7 +97,7 @@ def sides(require: ast.Require) -> list[WrittenSides]:
 def units(*formulas: Formula) -> list[str]:
     """Return the units written in formulas."""
     numbers = (part.name for f in formulas for part in walk(f) if isinstance(part, Constant))
-    return [split_quantity(number.strip("()"))[1] for number in numbers]
+    return [split_quantity(number.strip("(-)"))[1] for number in numbers]
 
 
 def expression(node: ast.Expr) -> Formula:

@@ -16,7 +16,7 @@ from . import lines
 from .bodies import aligned, frames, on_the_line, touches
 from .closure import Closure, Condition, across
 from .directions import Directions
-from .drawn import drawn_elsewhere, driven_to, given_by_hand
+from .drawn import drawn_elsewhere, given_by_hand, moved_from_drawing
 from .force_pairs import Pairing, thrust_line
 from .idle import contradictions, remarks
 from .loops.closed import Closed
@@ -62,11 +62,24 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     _check_loops(pose, read, unfound.keys())
     report.stop_on_errors()
     _remark(pose, vectors, closed, report)
-    return driven_to(pruned(pose), report)
+    moved = moved_from_drawing(pruned(pose), report)
+    _remark_on_conditions(moved, closed, report)
+    return moved
+
+
+def _remark_on_conditions(pose: Pose, closed: Closed, report: Report) -> None:
+    """Remark on conditions on what was found that the default pose breaks."""
+    default = poses_nearby(pose.mechanism, pose.closing)[0]
+    given = {p.name for p in pose.mechanism.parameters} - closed.found
+    lets = {let.name for let in pose.mechanism.lets}
+    for condition in pose.mechanism.requires:
+        is_given = symbols(condition.left) | symbols(condition.right) <= given
+        if not is_given and not holds(condition, default):
+            report.add(failures.broken(condition, default, report.source, lets))
 
 
 def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> None:
-    """Remark on what the default pose breaks: conditions on what was found, centre distances.
+    """Remark on what the drawing breaks: centre distances, places.
 
     E318 reports an assembly that it refutes; W301 remarks on others that decide nothing.
     """
@@ -74,12 +87,6 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
     for assembly in closed.idle:
         for remark in remarks(assembly, vectors, default):
             report.add(remark)
-    given = {p.name for p in pose.mechanism.parameters} - closed.found
-    lets = {let.name for let in pose.mechanism.lets}
-    for condition in pose.mechanism.requires:
-        is_given = symbols(condition.left) | symbols(condition.right) <= given
-        if not is_given and not holds(condition, default):
-            report.add(failures.broken(condition, default, report.source, lets))
     for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
         report.add(fault)
     for misfit in misfits(pose, vectors, default):

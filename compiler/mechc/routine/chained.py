@@ -12,12 +12,11 @@ from operator import or_
 from typing import TypeVar
 
 from ..formula.tree import Formula
-from ..formula.walk import symbols
 from ..frozen import replace
 from ..named import NamedTuple
 from .functions import operations
 from .many import Output, Program
-from .steps import Common, Function, Statement, formulas_of, mentioned, names_of
+from .steps import Common, Function, Statement, formulas_of, mentioned, names_in, names_of
 
 T = TypeVar("T")
 
@@ -71,9 +70,9 @@ class Needs:
             reached = self.of(formulas_of(statement))
             self._reached |= {n: reached | self._bits[n] for n in names_of(statement)}
 
-    def of(self, formulas: Iterable[Formula]) -> int:
+    def of(self, formulas: Sequence[Formula]) -> int:
         """Return all that formulas need."""
-        return self.named({name for formula in formulas for name in symbols(formula)})
+        return self.named(names_in(formulas))
 
     def named(self, names: Iterable[str]) -> int:
         """Return all that these names need, themselves included."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from ..formula.to_text import text
 from ..formula.tree import Call, Formula, Number, Power, Sum
 from ..formula.walk import symbols, walk
-from .steps import Function, formulas_of, names_of
+from .steps import Function, formulas_of, names_in, names_of
 
 
 def broken_promises(function: Function) -> list[str]:
@@ -25,17 +25,17 @@ def _compared(function: Function) -> list[Formula]:
 def _open_names(function: Function) -> Iterator[str]:
     known = {i.name for i in function.inputs}
     for step in function.steps:
-        names, used = names_of(step), frozenset[str]().union(*map(symbols, formulas_of(step)))
+        names, used = names_of(step), names_in(formulas_of(step))
         yield from (f"{', '.join(names)} uses {n} too early" for n in used - known)
         yield from (f"{name} means two things" for name in names if name in known)
         known.update(names)
     for formula in (function.output, *_compared(function)):
-        yield from (f"{n} is not defined" for n in symbols(formula) - known)
+        yield from (f"{n} is not defined" for n in names_in([formula]) - known)
 
 
 def _idle_inputs(function: Function) -> Iterator[str]:
     formulas = [*_formulas(function), *_compared(function)]
-    used = frozenset[str]().union(*map(symbols, formulas))
+    used = names_in(formulas)
     yield from (f"input {i.name} is not used" for i in function.inputs if i.name not in used)
 
 

@@ -8,7 +8,6 @@ does not show by itself whether anything moves: the status does.
 from collections.abc import Sequence, Set
 
 from ..formula.tree import Formula
-from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.result import Drive, FrictionResult
@@ -24,6 +23,7 @@ from .steps import (
     Status,
     formulas_of,
     mentioned,
+    names_in,
     names_of,
 )
 
@@ -99,10 +99,10 @@ def _sides(guards: Sequence[Guard]) -> list[Formula]:
 
 def _needed(steps: Sequence[Statement], ends: Sequence[Formula]) -> tuple[Statement, ...]:
     """Return the steps that solve systems, and those that they and the formulas rest on."""
-    needed = {name for formula in ends for name in symbols(formula)}
+    needed = {*names_in(ends)}
     kept: list[Statement] = []
     for step in reversed(steps):
         if isinstance(step, Solve) or not needed.isdisjoint(names_of(step)):
             kept.append(step)
-            needed |= {name for formula in formulas_of(step) for name in symbols(formula)}
+            needed |= names_in(formulas_of(step))
     return tuple(kept[::-1])

@@ -6,11 +6,11 @@ only. Parts that occur twice are steps of their own. The number of steps grows
 linearly with the mechanism.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal
 
 from ..formula.tree import Formula
-from ..formula.walk import symbols
+from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism
 from ..model.result import Drive
@@ -97,8 +97,12 @@ def formulas_of(statement: Statement) -> tuple[Formula, ...]:
 
 def mentioned(statements: Iterable[Statement], others: Iterable[Formula]) -> frozenset[str]:
     """Return the names that statements and other formulas use."""
-    formulas = [*(f for s in statements for f in formulas_of(s)), *others]
-    return frozenset[str]().union(*map(symbols, formulas))
+    return names_in([*(f for s in statements for f in formulas_of(s)), *others])
+
+
+def names_in(formulas: Sequence[Formula]) -> frozenset[str]:
+    """Return the names in formulas, those of numbers among them, which conditions have as such."""
+    return frozenset(c.name for c in constants(formulas)).union(*map(symbols, formulas))
 
 
 @frozen

@@ -8,14 +8,13 @@ more inputs each calls one that computes less.
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.result import FrictionResult
 from .chained import chained
 from .functions import Asked, operations
 from .many import Program
 from .scope import Scope
-from .steps import Common, Function
+from .steps import Common, Function, names_in
 
 MANY = 8
 """How many times over the same definitions are needed before they are computed together."""
@@ -53,7 +52,7 @@ def _sharing(
     number: int, group: Sequence[Asked], scope: Scope, names: Sequence[str]
 ) -> Iterator[Function]:
     program = Program(group, scope, names)
-    used = frozenset[str]().union(*map(symbols, program.ends))
+    used = names_in(list(program.ends))
     inputs = group[0].inputs
     handed = sorted(used - {i.name for i in inputs})
     common, work = Common(number, inputs, program.steps, tuple(handed)), operations(program.steps)

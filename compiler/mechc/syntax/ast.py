@@ -171,7 +171,10 @@ class SourceNote(Statement):
 
 @frozen
 class Param(Statement):
-    """``param NAME = VALUE +- TOLERANCE in LOW .. HIGH as "label"``, ``param NAME: dimension``."""
+    """``param NAME = VALUE +- TOLERANCE in LOW .. HIGH as "label"``, ``param NAME: dimension``.
+
+    ``replaced`` is the value of the line where one from outside stands in its place.
+    """
 
     name: Name
     value: Expr | None = None
@@ -181,6 +184,7 @@ class Param(Statement):
     label: str = ""
     about: str = ""
     tolerance: Expr | None = None
+    replaced: Expr | None = None
 
 
 @frozen

@@ -133,8 +133,9 @@ def _set(statement: ast.Statement, values: Mapping[str, ast.Expr]) -> ast.Statem
     if not isinstance(statement, ast.Param) or statement.name.text not in values:
         return statement
     dimension = statement.dimension or _dimension(statement.value)
-    found = replace(statement, value=values[statement.name.text], dimension=dimension)
-    follows = _names_something(values[statement.name.text])
+    value = values[statement.name.text]
+    found = replace(statement, value=value, replaced=statement.value, dimension=dimension)
+    follows = _names_something(value)
     return replace(found, low=None, high=None, tolerance=None) if follows else found
 
 

@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable
 
 from ...diagnostics import Report
 from ...diagnostics import drawn as messages
+from ...formula.walk import symbols
 from ...frozen import replace
 from ..mechanism import Drive, Mechanism, Offset, Parameter
 from ..values import Chain, defaults, dependent
@@ -26,9 +27,26 @@ from .sketch import Sketch
 def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     """Return the mechanism with the geometry that the drawn places give.
 
+    It is drawn with the values of the description: one from ``outside`` moves what is drawn, as
+    an argument of the code does, and makes no other mechanism of it.
+
     Reports E320 and E323 where a link cannot be driven, E321, E322 and E327 where points
     coincide, are off their lines or have no place, E326 where a range leaves out a value.
     """
+    described = tuple(map(_as_described, mechanism.parameters))
+    return _with_drawn(replace(mechanism, parameters=described), report)
+
+
+def _as_described(parameter: Parameter) -> Parameter:
+    """Return a parameter with the value that its own line has, if it has one."""
+    value = parameter.replaced
+    if value is None:
+        return parameter
+    dependent = bool(symbols(value))
+    return replace(parameter, value=value, dependent=dependent, outside=parameter.value)
+
+
+def _with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     sketch = Sketch(mechanism, Chain(dependent(mechanism)).complete(defaults(mechanism)))
     for fault in faults(mechanism, sketch):
         report.add(fault)

@@ -51,7 +51,9 @@ def read_parameter(
     parameter = replace(parameter, tolerance=_tolerance(parameter, statement, scope))
     _note_value(parameter, statement, scope)
     _check_range(parameter, statement, scope)
-    return replace(parameter, setting=scope.settings.get(name))
+    drawn = Reader(scope, DESCRIPTION).read(statement.replaced) if statement.replaced else None
+    replaced = drawn.formula if drawn else None
+    return replace(parameter, setting=scope.settings.get(name), replaced=replaced)
 
 
 def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:
