@@ -120,7 +120,7 @@ def test_a_force_is_stated_under_one_heading_with_its_direction():
     assert text.count("Normal force") == 1
     assert text.count("Force in a rod") == 2
     assert "φ_R_E = atan2(R_E_y, R_E_x)" in text
-    assert "R_E = √(1 + tan² α) · |W|" in text
+    assert "R_E = |W| / |cos α|" in text
 
 
 def test_a_rod_without_loads_passes_on_what_was_found_along_its_line():

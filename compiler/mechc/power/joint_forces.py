@@ -11,6 +11,7 @@ from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
+from ..formula.walk import walk
 from ..kinematics.forms import QUARTER
 from ..kinematics.joint_refs import JointRef, held_end
 from ..kinematics.plan import Plan
@@ -23,6 +24,9 @@ from .reactions import Reactions, Transmitted
 from .speeds import length, magnitude, root
 
 HALF_TURN = Angle.constant(180)
+
+SQUARES = 1
+"""By how much a root of two squares is longer to read than the one operation that it counts for."""
 
 Amounts = Mapping[str, Product]
 
@@ -191,7 +195,13 @@ def size_of(x: Product, y: Product, positive: Callable[[Product], Product]) -> P
     shared = _common(x, y)
     sides = tuple(_bare(part / shared) for part in (x, y))
     apart = positive(shared) * Product.of(Opaque(Call("hypot", sides)))
-    return min(merged, apart, key=lambda size: count_operations(size.formula()))
+    return min(merged, apart, key=lambda size: _length(size.formula()))
+
+
+def _length(formula: Formula) -> int:
+    """Return how long a formula is to read, where hypot(a, b) is the root of a² + b²."""
+    roots = sum(isinstance(part, Call) and part.function == "hypot" for part in walk(formula))
+    return count_operations(formula) + SQUARES * roots
 
 
 def _common(x: Product, y: Product) -> Product:
