@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator
 
 from ..diagnostics import Diagnostic
-from ..diagnostics.model import doubts as messages
+from ..diagnostics.model import doubtful_sizes as messages
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols

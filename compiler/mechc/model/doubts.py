@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from ..diagnostics import Diagnostic
+from ..diagnostics.model import doubtful_sizes as sizes
 from ..diagnostics.model import doubts as messages
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Symbol
@@ -175,10 +176,10 @@ def _of_no_size(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     values = {name: value for name, value in values.items() if name not in ranged}
     for let in mechanism.lets:
         if let.name in names and _is_zero(let.value, values):
-            yield messages.of_no_size(let.span, f"load '{let.name}'")
+            yield sizes.of_no_size(let.span, f"load '{let.name}'")
     for load in mechanism.loads:
         if load.tie is not None and _is_zero(load.tie, values):
-            yield messages.of_no_size(load.span, f"load '{load.name}'")
+            yield sizes.of_no_size(load.span, f"load '{load.name}'")
 
 
 def _is_zero(formula: Formula, values: Values) -> bool:

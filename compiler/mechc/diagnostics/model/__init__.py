@@ -6,8 +6,8 @@ if not TYPE_CHECKING:
     from ...later import waiting
 
     WORDS = {
-        *("collars", "doubts", "friction", "held", "joints", "loads", "lowering", "names"),
-        *("quantities", "reactions", "reported", "results", "sheets", "symmetry", "translations"),
-        "wheels",
+        *("collars", "doubtful_sizes", "doubts", "friction", "held", "joints", "loads"),
+        *("lowering", "names", "quantities", "reactions", "reported", "results", "sheets"),
+        *("symmetry", "translations", "wheels"),
     }
     __getattr__ = waiting(__name__, WORDS)

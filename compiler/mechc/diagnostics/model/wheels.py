@@ -1,5 +1,6 @@
-"""Messages for wheels, racks and screws, and for the links that they are fixed to."""
+"""Messages for wheels, racks, screws and pulleys, and for the links that they are fixed to."""
 
+import math
 from collections.abc import Iterable, Sequence
 
 from ...source import Span
@@ -167,3 +168,47 @@ def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Messa
     message = f"the wheels on {pivots} are {apart * 1000:.7g} mm apart and {so}"
     hint = f"their radii make {radii * 1000:.7g} mm: are they diameters?"
     return Message(span, message, hint)
+
+
+@coded("E416")
+def pulley_of_rope(span: Span, point: str, times: int, axles: Sequence[str]) -> Message:
+    """Friction of a rope is given where no rope, or more than one, runs over a pulley.
+
+    rope A, B along y, H along -y
+    friction rope A 0.2 wrap 180 deg     # wrong: the rope ends there
+    friction rope B 0.2 wrap 180 deg     # right
+    """
+    if times:
+        message = f"ropes run over pulleys on {point} {times} times, expected once"
+        return Message(span, message, "give one of them an axle of another name at the same place")
+    hint = f"write 'friction rope {axles[0]} …'" if axles else "add 'rope …'"
+    return Message(span, f"no rope runs over a pulley on {point}", hint)
+
+
+@coded("E417")
+def wrap_unlike_falls(span: Span, point: str, turn: float, wrap: float) -> Message:
+    """A rope turns by another angle than its wrap says, whole turns aside.
+
+    The wrap is positive where the rope goes counter-clockwise around the pulley, on its way
+    from the first point that its line names; on a pulley that is held, the sign is free.
+
+        rope A, B along y, H along -y
+        friction rope B 0.2 wrap 90 deg      # wrong: up and down again are 180 deg
+        friction rope B 0.2 wrap 540 deg     # right: one turn more
+    """
+    shown = f"{math.degrees(wrap):.6g} deg"
+    turned = math.degrees(turn) % 360
+    message = f"the rope turns by {turned:.6g} deg at {point}, the wrap is {shown}"
+    near = turned if turned <= 180 else turned - 360
+    return Message(span, message, f"write 'wrap {near:.6g} deg', or whole turns more")
+
+
+@coded("E418")
+def drum_of_another(span: Span, point: str, link: str) -> Message:
+    """A drum is fast in a link that does not turn about the drum's axle.
+
+    rope A, O along x, B along -x
+    friction rope O 0.3 wrap 180 deg drum 300 mm on CD     # wrong: CD has no point O
+    """
+    message = f"link {link} has no point {point}, so the drum cannot be fast in it"
+    return Message(span, message, f"name the link that turns about {point} behind 'on'")

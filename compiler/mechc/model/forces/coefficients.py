@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from ...diagnostics.model import doubts
+from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import friction as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
@@ -26,7 +26,7 @@ def coefficient(expression: ast.Expr, of: str, scope: Scope) -> Formula | None:
     formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, what)
     value = value_of(formula, scope) if formula else None
     if value is not None and value > 1:
-        scope.report.add(doubts.coefficient_above_one(expression.span, what, value))
+        scope.report.add(sizes.coefficient_above_one(expression.span, what, value))
     found = checked(formula, expression.span, what, lambda v: v >= 0, scope)
     return found and scope.named("f", of, found, NUMBER, expression.span)
 

@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from fractions import Fraction
 
-from ...diagnostics.model import doubts, names
+from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import loads as messages
 from ...diagnostics.model import lowering as lowering_messages
+from ...diagnostics.model import names
 from ...formula.evaluate import evaluate
 from ...formula.tree import (
     Call,
@@ -201,7 +202,7 @@ def _acceleration(scope: Scope) -> Formula | None:
     check_sign(g, declared, "the acceleration of free fall", scope)
     value = value_of(g, scope) if g else None
     if value is not None and value > 0 and not LEAST_G < value < MOST_G:
-        scope.report.add(doubts.strange_gravity(declared, value))
+        scope.report.add(sizes.strange_gravity(declared, value))
     return g
 
 
@@ -315,4 +316,4 @@ def _remark_on_weight_in_mass(file: ast.File, scope: Scope) -> None:
             mass = values.get(mass.name)
         for leaf in leaves(mass) if isinstance(mass, ast.Product) else ():
             if isinstance(leaf, ast.Number) and not leaf.unit and leaf.digits in G_IN_DIGITS:
-                scope.report.add(doubts.weight_in_mass(leaf.span, leaf.digits))
+                scope.report.add(sizes.weight_in_mass(leaf.span, leaf.digits))

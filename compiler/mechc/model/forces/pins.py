@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from ...diagnostics.model import doubts
+from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import friction as messages
 from ...formula.tree import Formula, number, product
 from ...source import Span
@@ -71,7 +71,7 @@ class Pins:
             free = self._named.isdisjoint(ends) and all(map(self._is_pin, ends))
             if together and free:
                 place = statement.diameter.span
-                self._scope.report.add(doubts.pins_overlap(place, diameter, ends, apart))
+                self._scope.report.add(sizes.pins_overlap(place, diameter, ends, apart))
                 return
 
     def _is_pin(self, point: str) -> bool:

@@ -3,7 +3,7 @@
 import math
 from fractions import Fraction
 
-from ...diagnostics.model import friction as messages
+from ...diagnostics.model import wheels as messages
 from ...formula.tree import number, product
 from ...frozen import replace
 from ...syntax import ast

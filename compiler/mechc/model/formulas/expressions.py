@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import assert_never
 
 from ...diagnostics import Report
-from ...diagnostics.model import doubts, names, quantities, reactions
+from ...diagnostics.model import doubtful_sizes as sizes
+from ...diagnostics.model import names, quantities, reactions
 from ...formula.to_text import text
 from ...formula.tree import (
     PI,
@@ -274,7 +275,7 @@ class Reader:
         for factor in above:
             if isinstance(factor, ast.Number) and (found := POWER_OF_LENGTH.fullmatch(factor.unit)):
                 place = factor.span
-                self.report.add(doubts.area_for_square(place, factor.digits, found[1], found[2]))
+                self.report.add(sizes.area_for_square(place, factor.digits, found[1], found[2]))
 
     def _divisible(self, factors: list[Quantity], signs: list[int]) -> bool:
         for factor, sign in zip(factors, signs, strict=True):

@@ -3,7 +3,8 @@
 import math
 
 from ...diagnostics import Report, drawn, stroke
-from ...diagnostics.model import doubts, held
+from ...diagnostics.model import doubtful_sizes as sizes
+from ...diagnostics.model import held
 from ...diagnostics.model import joints as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
@@ -69,7 +70,7 @@ def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | No
         return None
     rate = Reader(scope, DESCRIPTION).wanted(speed, dimension.over(TIME), "the speed")
     if rate is not None and value_of(rate, scope) == 0:
-        scope.report.add(doubts.of_no_size(speed.span, f"the speed of {name.text}"))
+        scope.report.add(sizes.of_no_size(speed.span, f"the speed of {name.text}"))
     return rate
 
 

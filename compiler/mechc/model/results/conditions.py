@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from ...diagnostics import Diagnostic, Report
 from ...diagnostics import uses as uses_messages
+from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import doubts, quantities
 from ...diagnostics.model import results as messages
 from ...formula.evaluate import evaluate
@@ -208,7 +209,7 @@ def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: 
         return Fraction(0)
     size = evaluate(found, {})
     if 0 < abs(evaluate(formula, {})) <= size:
-        scope.report.add(doubts.tolerance_of_all(statement.tolerance.span))
+        scope.report.add(sizes.tolerance_of_all(statement.tolerance.span))
     return Fraction(size)
 
 
@@ -290,7 +291,7 @@ def _remark_on_setting(name: ast.Name, value: float, scope: Scope) -> None:
         slack = SAME_VALUE * max(map(abs, ends))
         if not ends[0] - slack <= value <= ends[1] + slack:
             place = scope.entries[name.text].span
-            scope.report.add(doubts.setting_outside_range(name.span, name.text, place))
+            scope.report.add(sizes.setting_outside_range(name.span, name.text, place))
 
 
 def half_a_digit(value: ast.Expr) -> Fraction:
