@@ -107,6 +107,22 @@ CASES = {
     "exponents": (0, crank(length="a*cos(alpha)^64*(1 + sin(beta))^64")),
     "multiple_sines": (0, crank(length=f"a*({'+'.join(f'sin({i}*beta)' for i in range(1, 60))})")),
     "name": (1, crank().replace("mechanism m", "mechanism ../evil")),
+    "lets_of_a_sheet": (
+        1,
+        "sheet m\nparam a0 = 1 mm\n" + "".join(f"let a{i + 1} = a{i}*1.001\n" for i in range(1500)),
+    ),
+    "speeds_of_a_sheet": (
+        0,
+        "sheet m\nparam a0 = 1 rpm\n"
+        + "".join(f"let a{i + 1} = a{i} + 1 rpm\n" for i in range(500)),
+    ),
+    "tables_of_a_sheet": (
+        0,
+        "sheet m\nparam w = 3 mm in 1 mm .. 9 mm\n"
+        + "".join(
+            f"table t{i} = 0 mm: 1, 10 mm: {i + 2}\nlet c{i} = t{i} at w\n" for i in range(300)
+        ),
+    ),
     "empty": (1, ""),
     "carriage_returns": (1, crank().replace("\n", "\r")),
     "nul": (1, "mechanism m\n\0\0\n"),

@@ -30,21 +30,36 @@ def beyond_ranges(mechanism: Mechanism, report: Report) -> Iterator[Diagnostic]:
     ranged = [p for p in ranged if p.span.end <= len(source.text) and p.span not in said]
     if not given or not ranged:
         return
-    written = [r for r in mechanism.requires if r.subject is None]
     lets: Mapping[str, Formula] = {let.name: let.value for let in mechanism.lets}
     chain, values = Chain({**lets, **dependent(mechanism)}), defaults(mechanism)
     values = {name: value for name, value in values.items() if name not in lets}
     start = chain.complete(values)
-    sound = [r for r in given if holds(r, start)]
+    sound = [(r, _needs(r, chain)) for r in given if holds(r, start)]
+    written = [(r, _needs(r, chain)) for r in mechanism.requires if r.subject is None]
     for parameter in ranged:
-        for require in [r for r in sound if parameter.name in _needs(r, chain)]:
-            own = [w for w in written if _formula(require) not in _needs(w, chain)]
+        at = _Samples(parameter.name, values, chain)
+        for require, needs in [pair for pair in sound if parameter.name in pair[1]]:
+            own = [w for w, needed in written if _formula(require) not in needed]
             for value in _along(parameter, require):
-                known = chain.complete({**values, parameter.name: value})
+                known = at.value(value)
                 if not holds(require, known) and all(holds(w, known) for w in own):
-                    sound.remove(require)
+                    sound.remove((require, needs))
                     yield _said(require, parameter, value, known, source)
                     break
+
+
+class _Samples:
+    """All values where one parameter has another one, found once for each."""
+
+    def __init__(self, name: str, values: Values, chain: Chain) -> None:
+        self._name, self._values, self._chain = name, values, chain
+        self._known: dict[float, Values] = {}
+
+    def value(self, at: float) -> Values:
+        """Return the value of every name that has one, at a value of the parameter."""
+        if at not in self._known:
+            self._known[at] = self._chain.complete({**self._values, self._name: at})
+        return self._known[at]
 
 
 def _is_of_a_formula(require: Require) -> bool:

@@ -29,8 +29,10 @@ def note_turns(let: ast.Let, dimension: Dimension, lines: Mapping[str, Line], sc
     shown in Hz or a flow made of a volume, which is that for a turn as catalogues have it.
     """
     assert let.value is not None
+    if dimension not in (FREQUENCY, FLOW):
+        return
     names = [leaf.name for leaf in _leaves(let) if isinstance(leaf, ast.Symbol)]
-    units = set(_units(let, lines, set()))
+    units = _units(let, lines)
     if not units & TURNING or units & SAID:
         return
     shown = let.unit.text if let.unit else ""
@@ -45,17 +47,21 @@ def _measures(name: str, dimension: Dimension, scope: Scope) -> bool:
     return name in scope.entries and scope.entries[name].dimension == dimension
 
 
-def _units(line: Line, lines: Mapping[str, Line], seen: set[str]) -> Iterator[str]:
-    """Yield the units written in a line, and in those of what it mentions, each line once."""
-    if isinstance(line, ast.Taken) or line.name.text in seen:
-        return
-    seen.add(line.name.text)
-    for leaf in _leaves(line):
-        match leaf:
-            case ast.Number(unit=unit):
-                yield unit
-            case ast.Symbol(name) if name in lines:
-                yield from _units(lines[name], lines, seen)
+def _units(line: Line, lines: Mapping[str, Line]) -> set[str]:
+    """Return the units written in a line, and in those of what it rests on."""
+    units, seen, waiting = set[str](), set[str](), [line]
+    while waiting:
+        line = waiting.pop()
+        if isinstance(line, ast.Taken) or line.name.text in seen:
+            continue
+        seen.add(line.name.text)
+        for leaf in _leaves(line):
+            match leaf:
+                case ast.Number(unit=unit):
+                    units.add(unit)
+                case ast.Symbol(name) if name in lines:
+                    waiting.append(lines[name])
+    return units
 
 
 def _leaves(line: ast.Param | ast.Let) -> Iterator[ast.Symbol | ast.Number]:
