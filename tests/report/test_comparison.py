@@ -95,3 +95,11 @@ def test_pdflatex_sets_the_table(capsys, tmp_path):
     assert main(["report", *names, "--lang", "uk"]) == 0
     log = compile_tex("pdflatex", capsys.readouterr().out, tmp_path)
     assert "Overfull" not in log
+
+
+def test_what_only_a_formula_of_the_users_rests_on_is_not_defined(capsys):
+    """There beta is asin(f*d/L), and nothing mentions the radius of the friction circle."""
+    assert main(["report", "fedoriv_fig2a_with_friction", "--no-schemes", "--fragment"]) == 0
+    page = capsys.readouterr().out
+    assert r"\beta=\arcsin" in page
+    assert r"\rho" not in page

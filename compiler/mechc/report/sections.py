@@ -1,6 +1,6 @@
 """The results in the order of a report: those of one joint together, each name defined once."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from types import MappingProxyType
 
@@ -91,7 +91,7 @@ def _results(
         rested = earlier.new_definitions(
             [Symbol(d.name) for d in explanation.where], explanation.where
         )
-        needed = (d for r in results for d in earlier.of(r) if d.name not in lines)
+        needed = (d for r in results for d in earlier.of(r, lines))
         fresh = [*rested, *needed]
         brief = (in_short(r, results) for r in earlier.conditioned(_conditioned_once(results)))
         shown = tuple(_by_exact(r, derivation) for r in brief)
@@ -113,9 +113,13 @@ class Shown:
         self._known: dict[str, Formula] = {}
         self._conditions: dict[tuple[tuple[Formula, str, Formula], ...], str] = {}
 
-    def of(self, result: Analysis) -> list[Definition]:
-        """Return the new ones of a result's definitions, and note them."""
-        where = [d for d in result.where if d.name not in result.inside]
+    def of(self, result: Analysis, lines: Collection[str] = ()) -> list[Definition]:
+        """Return the new ones of a result's definitions, and note them.
+
+        What stands in ``lines`` of its own is none of them, nor what it alone rests on.
+        """
+        left_out = {*result.inside, *lines}
+        where = [d for d in result.where if d.name not in left_out]
         fresh = self.new_definitions([result.formula], where)
         self._results.add(result.name)
         return fresh
