@@ -5,6 +5,7 @@ import re
 import pytest
 
 from good_mechanisms import compiled
+from mechc.cli.main import main
 from mechc.driver import emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
@@ -59,3 +60,17 @@ def test_a_long_chain_has_a_short_report(language):
     assert text.count("=") < 90
     assert r"\begin{enumerate}" not in text
     assert "i_{DEF}=\\frac{\\omega_{DEF}}{\\omega_{OA}}" in text
+
+
+def test_angles_of_a_drawing_stand_once(tmp_path, capsys):
+    path = tmp_path / "m.mech"
+    path.write_text(
+        "mechanism m\npivot O at (30 mm, 0 mm)\nslider K along y\nlink KA\nlink OAJ\n"
+        "K at (0 mm, 10 mm)\nA at (20 mm, -15 mm)\nJ at (12 mm, 60 mm)\n"
+        "force P at K along y\nforce F at J along x\nfind k = P/F\n"
+    )
+    for command in (["derive"], ["compile", "--emit", "latex"]):
+        assert main([*command, str(path), "--brief", "--no-cache"]) == 0
+        page = capsys.readouterr().out.replace(r"\phi_{KA}&=", "φ_KA = ")
+        page = page.replace(r"\phi_{KA}=", "φ_KA = ")
+        assert page.count("φ_KA = ") == 1

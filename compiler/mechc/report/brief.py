@@ -4,7 +4,8 @@ from collections.abc import Iterable, Iterator
 
 from ..formula.operations import count_operations
 from ..formula.tree import Formula, Sum, Symbol, product
-from ..model.mechanism import LoadRatio
+from ..model.mechanism import LoadRatio, Mechanism
+from ..model.values import is_constant
 from .derivation.steps import Derivation, Equation
 from .evaluated import Evaluated
 from .sections import Outline
@@ -31,11 +32,20 @@ def _at_once(sides: Sides) -> Sides:
     return sides[:2] if isinstance(sides[1], Sum) else sides
 
 
-def short(found: Iterable[Evaluated], derivation: Derivation) -> Iterator[Evaluated]:
-    """Yield values, those of results with the numbers put in, of what they rest on without."""
+def short(
+    found: Iterable[Evaluated], derivation: Derivation, mechanism: Mechanism
+) -> Iterator[Evaluated]:
+    """Yield values, those of results with the numbers put in, of what they rest on without.
+
+    Angles and lengths of a drawing stand as numbers among the formulas already.
+    """
     results = {asked(result) for result in derivation.results}
+    shown = {Symbol(p.name) for p in mechanism.parameters if is_constant(p)}
     for item in found:
-        yield item if item.left in results else item._replace(numbers=None)
+        if item.left in results:
+            yield item
+        elif item.left not in shown:
+            yield item._replace(numbers=None)
 
 
 def at_length(

@@ -214,7 +214,9 @@ def brief(
     """Return the formulas of a report alone: of the position, the speeds, the loads, results."""
     mechanism = compiled.mechanism
     whole = outline(derivation, mechanism)
-    found = tuple(short(evaluated(whole, mechanism), derivation)) if options.numbers else ()
+    found = (
+        tuple(short(evaluated(whole, mechanism), derivation, mechanism)) if options.numbers else ()
+    )
     bare = [item for item in found if item.numbers is None]
     position = definitions([d for s in whole.position for d in s.where], locale, style, {})
     steps = [_equations(relations(derivation), locale, style)]

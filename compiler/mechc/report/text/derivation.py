@@ -94,7 +94,7 @@ def render_brief(
         results += _where(section.literals, section.where, spell, section.units)
     parts = [_title(mechanism, spell), position, _equations(relations(derivation), spell), results]
     text = "\n\n".join("\n".join(part) for part in parts if part) + "\n"
-    found = short(evaluated(whole, mechanism), derivation) if numbers else ()
+    found = short(evaluated(whole, mechanism), derivation, mechanism) if numbers else ()
     return text + "".join(f"{line.rstrip()}\n" for line in _numbers(found, spell))
 
 
