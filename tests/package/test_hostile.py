@@ -108,13 +108,13 @@ CASES = {
     "multiple_sines": (0, crank(length=f"a*({'+'.join(f'sin({i}*beta)' for i in range(1, 60))})")),
     "name": (1, crank().replace("mechanism m", "mechanism ../evil")),
     "lets_of_a_sheet": (
-        1,
+        4,
         "sheet m\nparam a0 = 1 mm\n" + "".join(f"let a{i + 1} = a{i}*1.001\n" for i in range(1500)),
     ),
     "speeds_of_a_sheet": (
         0,
         "sheet m\nparam a0 = 1 rpm\n"
-        + "".join(f"let a{i + 1} = a{i} + 1 rpm\n" for i in range(500)),
+        + "".join(f"let a{i + 1} = a{i} + 1 rpm\n" for i in range(300)),
     ),
     "tables_of_a_sheet": (
         0,
