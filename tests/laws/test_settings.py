@@ -127,3 +127,10 @@ def _near(value: float, parameter: Parameter, draw: Random) -> float:
         return moved
     low, high = (evaluate(end, {}) for end in parameter.range)
     return min(max(moved, low), high)
+
+
+def test_a_value_from_outside_beyond_the_stroke_is_remarked_on() -> None:
+    text = PRESS.replace("param phi = 60 deg in 20 deg .. 100 deg", "param phi = 60 deg")
+    for value, warned in (("130 deg", True), ("90 deg", False)):
+        found = compile_source(Source("press.mech", text), dict([parse(f"phi = {value}")]))
+        assert ("W222" in {d.code for d in found.report.diagnostics}) == warned

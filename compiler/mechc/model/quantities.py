@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import Literal
 
 from ..formula.tree import Formula
-from ..frozen import frozen
+from ..formula.walk import symbols
+from ..frozen import frozen, replace
 from ..named import NamedTuple
 from ..source import Span
 from ..units import NUMBER, Dimension
@@ -50,6 +51,14 @@ class Parameter:
     setting: Span | None = None
     replaced: Formula | None = None
     outside: Formula | None = None
+
+    @property
+    def moved(self) -> "Parameter":
+        """Return it with the value that it has from outside, if it has one."""
+        value = self.outside
+        if value is None:
+            return self
+        return replace(self, value=value, dependent=bool(symbols(value)), outside=None)
 
     @property
     def given(self) -> Span:

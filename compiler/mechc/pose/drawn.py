@@ -8,10 +8,9 @@ from ..diagnostics import Diagnostic, Report
 from ..diagnostics import drawn as messages
 from ..diagnostics import pose as pose_messages
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import Drawn, Mechanism, Parameter
+from ..model.mechanism import Drawn, Mechanism
 from ..model.values import Chain, defaults, dependent
 from ..units import in_unit
 from .loops.vector_graph import mentioned
@@ -77,29 +76,26 @@ def moved_from_drawing(pose: Pose, report: Report) -> Pose:
 
     Lengths and closures are those of the drawing. Reports E340 where a loop does not close there.
     """
-    set_to = {p.name: p.outside for p in pose.mechanism.parameters if p.outside}
     drive = pose.mechanism.drive
-    if drive and drive.start:
-        set_to[drive.parameter] = drive.start
-    if not set_to:
+    parameters = tuple(
+        replace(p, outside=drive.start)
+        if drive and drive.start and p.name == drive.parameter
+        else p
+        for p in pose.mechanism.parameters
+    )
+    first = next((p for p in parameters if p.outside), None)
+    if first is None:
         return pose
-    parameters = tuple(_set(p, set_to.get(p.name)) for p in pose.mechanism.parameters)
+    parameters = tuple(p.moved for p in parameters)
     moved = replace(
         pose,
         mechanism=replace(pose.mechanism, parameters=parameters),
         free=tuple(p.name for p in parameters if not p.dependent),
     )
     if loop := _open_loop(moved):
-        first = next(p for p in parameters if p.name in set_to)
         at = drive.span if drive and drive.parameter == first.name else first.given
         report.add(pose_messages.out_of_reach(at, loop, first.name))
     return moved
-
-
-def _set(parameter: Parameter, value: Formula | None) -> Parameter:
-    if value is None:
-        return parameter
-    return replace(parameter, value=value, dependent=bool(symbols(value)), outside=None)
 
 
 def _open_loop(pose: Pose) -> str:

@@ -102,7 +102,7 @@ def check_drives(mechanism: Mechanism, report: Report) -> None:
     for drive in mechanism.drives:
         for parameter in mechanism.parameters:
             if parameter.name == drive.parameter:
-                _check(drive, parameter, report)
+                _check(drive, parameter.moved, report)
 
 
 def _check(drive: Drive, moved: Parameter, report: Report) -> None:
