@@ -116,7 +116,8 @@ def shown(name):
 
 def test_a_force_is_stated_under_one_heading_with_its_direction():
     text = shown("toggle")
-    assert text.count("Force at a joint") == 3
+    assert text.count("Force at a joint") == 2
+    assert text.count("Force of a guide") == 1
     assert text.count("Normal force") == 1
     assert text.count("Force in a rod") == 2
     assert "φ_R_E = atan2(R_E_y, R_E_x)" in text

@@ -185,6 +185,8 @@ LOCALE = Locale(
     joint_forces={
         "joint": "Force at a joint",
         "joint with friction": "Force at a joint, with friction",
+        "guide": "Force of a guide",
+        "guide with friction": "Force of a guide, with friction",
         "normal": "Normal force",
         "normal with friction": "Normal force, with friction",
         "rod": "Force in a rod",

@@ -9,7 +9,7 @@ from ...model.mechanism import Mechanism, WithFriction
 from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..sentences.remarks import called, reaction
-from ..sentences.speller import couples_of, own_names
+from ..sentences.speller import couples_of, guided_of, own_names
 from .notation import Notation, of_first_order, of_force, spellings
 
 
@@ -25,6 +25,7 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
         style,
         angles=frozenset(angles),
         couples=couples_of(mechanism),
+        guided=guided_of(mechanism),
         texts=texts,
         own=own_names(mechanism),
     )

@@ -118,6 +118,7 @@ class Notation:
     texts: Mapping[str, str] = MappingProxyType({})
     angles: frozenset[str] = frozenset()
     couples: frozenset[str] = frozenset()
+    guided: frozenset[str] = frozenset()
     spellings: Mapping[str, str] = MappingProxyType({})
     subscripts: Mapping[str, str] = MappingProxyType({})
     own: frozenset[str] = frozenset()

@@ -242,6 +242,11 @@ class Speller(NamedTuple):
         """Return the loads that are couples."""
         return self.style.couples
 
+    @property
+    def guided(self) -> frozenset[str]:
+        """Return the points that a guide of the ground holds."""
+        return self.style.guided
+
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
         tex = [self._side(side, angle) for side in sides]

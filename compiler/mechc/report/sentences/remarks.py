@@ -1,6 +1,6 @@
 """The remarks on a result, in sentences, whatever the language and whoever prints."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from typing import assert_never
 
 from ...formula.layout import is_angle
@@ -80,14 +80,14 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
         case SpeedRatio():
             return locale.speed_ratio
         case Reaction() | Normal() | Axial():
-            return locale.joint_forces[carrier(result.target)]
+            return locale.joint_forces[carrier(result.target, spell.guided)]
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             ways = {None: sense, True: "driven", False: "drives"}
             said = locale.with_friction["first" if order == "first" else ways[result.driven]]
             of_drive = LoadWords([drive], spell.couples)
             return said.format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
         case WithFriction(force):
-            return locale.joint_forces[f"{carrier(force)} with friction"]
+            return locale.joint_forces[f"{carrier(force, spell.guided)} with friction"]
         case Efficiency():
             return locale.efficiency
         case None:
@@ -109,13 +109,18 @@ def headings(firsts: Iterable[Analysis], locale: Locale, spell: Speller) -> list
     return said
 
 
-def carrier(force: Target) -> str:
-    """Return the kind of part that passes a force on: a rope, a rod, or a guide by its normal."""
+def carrier(force: Target, guided: Set[str] = frozenset()) -> str:
+    """Return the kind of part that passes a force on: a rope, a rod, or a guide by its normal.
+
+    What the ground exerts on a ``guided`` point is the force of a guide, too.
+    """
     match force:
         case Axial(link):
             return "rope" if link.startswith(rope_id(())) else "rod"
         case Normal():
             return "normal"
+        case Reaction(point, "") if point in guided:
+            return "guide"
         case _:
             return "joint"
 

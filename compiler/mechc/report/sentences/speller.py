@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from ...formula.tree import Formula
-from ...model.mechanism import Mechanism, Torque
+from ...model.mechanism import Mechanism, Slider, Torque
 
 
 class Speller(Protocol):
@@ -18,6 +18,11 @@ class Speller(Protocol):
     @property
     def couples(self) -> frozenset[str]:
         """Return the loads that are couples, which languages with genders call by another word."""
+        ...
+
+    @property
+    def guided(self) -> frozenset[str]:
+        """Return the points that a guide of the ground holds, and no pivot."""
         ...
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
@@ -53,6 +58,12 @@ class LoadWords:
 def couples_of(mechanism: Mechanism) -> frozenset[str]:
     """Return the names of the loads that are couples."""
     return frozenset(load.name for load in mechanism.loads if isinstance(load, Torque))
+
+
+def guided_of(mechanism: Mechanism) -> frozenset[str]:
+    """Return the points that a guide of the ground holds, alone or with their body."""
+    sliders = {slider.point for slider in mechanism.each(Slider)}
+    return frozenset(sliders.union(*(slide.points for slide in mechanism.slides)))
 
 
 def own_names(mechanism: Mechanism) -> frozenset[str]:

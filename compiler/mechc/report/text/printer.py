@@ -63,6 +63,7 @@ class Signs:
     relations: Mapping[str, str]
     angles: frozenset[str] = frozenset()
     couples: frozenset[str] = frozenset()
+    guided: frozenset[str] = frozenset()
     functions: Mapping[str, str] = MappingProxyType({})
     choices: Mapping[str, str] = WRITTEN
     between: str = ", "

@@ -16,7 +16,7 @@ from ...units import ANGLE, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..put_in import Quantity, in_degrees
-from ..sentences.speller import couples_of, own_names
+from ..sentences.speller import couples_of, guided_of, own_names
 from .printer import ASCII, UNICODE, Signs, print_point, print_quantity, print_side
 
 SHOWN = 6
@@ -61,6 +61,11 @@ class Speller(NamedTuple):
     def couples(self) -> frozenset[str]:
         """Return the loads that are couples."""
         return self.signs.couples
+
+    @property
+    def guided(self) -> frozenset[str]:
+        """Return the points that a guide of the ground holds."""
+        return self.signs.guided
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
@@ -159,6 +164,7 @@ def speller(
         signs,
         angles=frozenset(angles),
         couples=couples_of(mechanism),
+        guided=guided_of(mechanism),
         functions=functions if language != "en" else {},
         choices=words.calculation,
         between=", " if words.decimal == "." else "; ",
