@@ -19,7 +19,6 @@ from ..formula.tree import (
     Constant,
     Formula,
     Number,
-    Pi,
     Power,
     Product,
     Sum,
@@ -30,6 +29,7 @@ from ..formula.walk import symbols
 from ..named import NamedTuple
 from . import angle_offsets
 from .common_factors import with_common_factors
+from .labels import shortened, words
 from .steps import Solve, Solver, Statement, Step
 from .table import (
     Apply,
@@ -44,9 +44,6 @@ from .table import (
     parts,
     tabulate,
 )
-
-LONGEST_LABEL = 24
-"""Characters of a step's name beyond which it is numbered instead."""
 
 
 class Shared(NamedTuple):
@@ -257,42 +254,10 @@ class _Writer:
         return label
 
     def _label(self, entry: Entry) -> str:
-        """Return the label of an entry in words, or '' where that would be long."""
-        words = self._words(entry)
-        return words if len(words) <= LONGEST_LABEL else ""
-
-    def _words(self, entry: Entry) -> str:
-        match entry:
-            case Leaf(Symbol(name)):
-                return name
-            case Leaf(Number(value)) if value.denominator == 1 and value >= 0:
-                return str(value)
-            case Apply(function, (argument,)) if self._labels[argument]:
-                return f"{function}_{self._labels[argument]}"
-            case Scaled(coefficient, part):
-                return self._scaled_words(coefficient, part)
-            case Unknown(system, which, arguments):
-                return self._solution(system, arguments).names[which]
-            case Ratio((one, other), ()) if self._labels[one] and self._labels[other]:
-                second = "squared" if one == other else self._labels[other]
-                return f"{self._labels[one]}_{second}"
-            case Terms(terms) if all(map(self._is_named, terms)):
-                return "_plus_".join(self._labels[t] for t in terms).replace("plus_minus", "minus")
-            case _:
-                return ""
-
-    def _is_named(self, term: int) -> bool:
-        """Return whether a term has a label, and is no product, of which a sum were too long."""
-        return bool(self._labels[term]) and not isinstance(self.table.entries[term], Ratio)
-
-    def _scaled_words(self, coefficient: Fraction, part: int) -> str:
-        sign, size = "minus_" if coefficient < 0 else "", abs(coefficient)
-        label = self._labels[part]
-        if self.table.entries[part] == Leaf(Pi()):
-            size, label = 180 * size, "deg"
-        if not label or size.denominator != 1:
-            return ""
-        return f"{sign}{'' if size == 1 else size}{label}"
+        """Return the label of an entry; a solution has the name of its unknown."""
+        if isinstance(entry, Unknown):
+            return shortened(self._solution(entry.system, entry.arguments).names[entry.which])
+        return shortened(words(entry, self._labels, self.table.entries))
 
 
 def _inverse(formula: Formula) -> Formula:
