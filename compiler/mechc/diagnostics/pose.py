@@ -38,8 +38,11 @@ def missing_direction(
 
         slider B along x             # wrong: on which line does B run?
         slider B along x through O   # right
+
+    The line of an actuator, a spring or a telescope follows where both ends have a place: that
+    of a pivot is given by ``pivot C at (50 mm, 0 mm)``.
     """
-    line = f"`{points} = @ alpha`"
+    line = f"`{points} = @ 30 deg`"
     place = f"say where the guide of {guided} lies, `slider {guided} along … through {near}`"
     return Message(
         at,
