@@ -319,7 +319,7 @@ def reserved_form(span: Span, name: str, meaning: str) -> Message:
 
 
 @coded("W201")
-def unused_parameter(span: Span, name: str) -> Message:
+def unused_parameter(span: Span, name: str, is_vector: bool = False) -> Message:
     """A parameter is declared and nothing uses it.
 
     Often a formula mentions another name than was meant.
@@ -328,7 +328,12 @@ def unused_parameter(span: Span, name: str) -> Message:
         param b = 50 mm      # warned of: b stands in no formula
         OB = a @ 90 deg
     """
-    return Message(span, f"nothing uses the parameter '{name}'", "use it or remove it")
+    hint = "use it or remove it"
+    if name in ("x", "y"):
+        hint = f"in a direction {name} is the axis: call the parameter otherwise"
+    if is_vector:
+        hint = f"in a formula {name} is a vector or its length: call the parameter otherwise"
+    return Message(span, f"nothing uses the parameter '{name}'", hint)
 
 
 @coded("W202")

@@ -80,6 +80,17 @@ def size_not_positive(span: Span, name: str) -> Message:
     return Message(span, f"a size of list '{name}' is not positive", "look at its sign")
 
 
+@coded("W289")
+def size_in_another_unit(span: Span, name: str, usual: str) -> Message:
+    """One size of a list has another unit than all others, and is far from them.
+
+    list pins = 5 mm, 6 mm, 8 mm, 10 cm     # warned of
+    list pins = 5 mm, 6 mm, 8 mm, 10 mm     # right
+    """
+    message = f"this size of list '{name}' is far from the others, which are in {usual}"
+    return Message(span, message, "is its unit right?")
+
+
 @coded("E213")
 def other_unit(span: Span, name: str, unit: str, found: Dimension, wanted: Dimension) -> Message:
     """A formula is to be shown in a unit of something else than it measures::

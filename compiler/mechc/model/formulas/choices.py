@@ -13,6 +13,7 @@ from ...formula.walk import symbols
 from ...named import NamedTuple
 from ...syntax import ast
 from ...units import LENGTH
+from ..constants import leaves
 from ..mechanism import Require, Subject
 from ..names.scope import FORMULA, Scope
 from ..statements import every
@@ -38,6 +39,9 @@ class Chosen(NamedTuple):
     requires: tuple[Require, ...] = ()
 
 
+JUMP = 5.0
+"""How many times the size before it a size in a unit of its own is without a doubt."""
+
 MOST = 200
 """Rows of a table, or sizes of a list: more are a file of data."""
 
@@ -57,6 +61,7 @@ def read_tables(file: ast.File, scope: Scope) -> Tables:
     for listed in every(file, ast.Sizes):
         if sizes := _alike([constant(s, scope, "a size of a list") for s in listed.sizes], scope):
             _check_order(sizes, listed.name.text, scope)
+            _check_units(listed.sizes, sizes, listed.name.text, scope)
             _check_least(sizes[0], listed.name.text, scope)
             found.sizes[listed.name.text] = sizes
     return found
@@ -91,6 +96,22 @@ def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:
         if not _value(before) < _value(after):
             scope.report.add(messages.not_in_order(after.span, name, before.span))
             return
+
+
+def _check_units(
+    written: Sequence[ast.Expr], sizes: Sequence[Quantity], name: str, scope: Scope
+) -> None:
+    """Say that one size alone has another unit, and is far from its neighbours."""
+    units = [next((n.unit for n in leaves(e) if isinstance(n, ast.Number)), "") for e in written]
+    usual = max(units, key=units.count)
+    odd = [i for i, unit in enumerate(units) if unit != usual]
+    if len(odd) != 1 or len(units) < 3:
+        return
+    values = [_value(size) for size in sizes]
+    here, rest = odd[0], [v for i, v in enumerate(values) if i != odd[0]]
+    nearest = min(rest, key=lambda value: abs(value - values[here]))
+    if not 1 / JUMP < values[here] / nearest < JUMP:
+        scope.report.add(messages.size_in_another_unit(sizes[here].span, name, usual))
 
 
 def _check_least(least: Quantity, name: str, scope: Scope) -> None:

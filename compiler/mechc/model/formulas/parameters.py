@@ -12,6 +12,7 @@ from ...formula.walk import symbols
 from ...frozen import replace
 from ...syntax import ast
 from ...syntax.settings import parse
+from ...syntax.vocabulary import points_of
 from ...units import DIMENSIONS, MASS, NUMBER, STIFFNESS, UNITS, Dimension
 from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
@@ -223,7 +224,8 @@ def warn_unused(parameters: Mapping[str, Parameter], scope: Scope) -> None:
     own = len(scope.report.source.text)
     for name, parameter in parameters.items():
         if name not in scope.used and parameter.span.start < own:
-            scope.report.add(names.unused_parameter(parameter.span, name))
+            is_vector = len(points_of(name)) > 1
+            scope.report.add(names.unused_parameter(parameter.span, name, is_vector))
 
 
 ORIGIN = "value"
