@@ -191,6 +191,7 @@ class AtOnePose(_Names):
         self._own = own
         self._values, self._box = dict(values), dict(box)
         self.conditions: dict[Formula, int] = {}
+        self._signs: dict[Factor, int] = {}
 
     def radius(self, name: str, factor: Product) -> Product:
         """Return the name of the radius, of a number too: rho^2 reads better than its digits."""
@@ -207,14 +208,20 @@ class AtOnePose(_Names):
         telling = bare(value)
         if not telling.factors:
             return telling
-        parts = (self._sign_of(Product.of(factor)) for factor in telling.factors)
+        parts = map(self._sign_of, telling.factors)
         return Product(math.prod(parts)).scaled(telling.coefficient)
 
     def sense(self, name: str, slip: Product) -> Product:
         """Return 1, 0 or -1, and note what the slip is the product of."""
         return self.of(name, slip)
 
-    def _sign_of(self, factor: Product) -> int:
+    def _sign_of(self, factor: Factor) -> int:
+        """Return the sign of a factor; along a chain the same ones are met again and again."""
+        if factor not in self._signs:
+            self._signs[factor] = self._looked_at(Product.of(factor))
+        return self._signs[factor]
+
+    def _looked_at(self, factor: Product) -> int:
         """Return the sign of a factor; note it where other values would change it."""
         known = 1 if is_root(factor) else sign(factor, self._box)
         if known is not None:
