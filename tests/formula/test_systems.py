@@ -2,6 +2,7 @@
 
 import math
 import random
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -9,14 +10,16 @@ import pytest
 from mechc.formula.continuation import continued
 from mechc.formula.derivative import derivative
 from mechc.formula.elimination import eliminate, quick
-from mechc.formula.evaluate import evaluate, solution
+from mechc.formula.evaluate import evaluate, solution, status, status_along
 from mechc.formula.newton import Way
 from mechc.formula.to_sympy import to_sympy
 from mechc.formula.to_text import text
 from mechc.formula.tree import (
     Call,
     Implicit,
+    Number,
     Power,
+    Product,
     Symbol,
     System,
     implicit,
@@ -113,6 +116,24 @@ def test_the_status_says_why() -> None:
     assert Way(circle, 0, [1.0]).follow([0.0], [0.0], [1.0])[0] == 1
     assert way.follow([1.0], [1.0], [4000.0])[0] == 2
     assert way.follow([1.0], [1.0], [math.nan])[0] == 2
+
+
+def test_a_status_of_many_values_is_that_of_each() -> None:
+    root = Implicit(ROOT, 0, (product([(s("a"), 1), (s("b"), -1)]),))
+    along = status_along(root)
+    for a, b in ((2.0, 1.0), (-2.0, 1.0), (1e9, 1.0), (1.0, 0.0), (-1e-3, 1.0)):
+        assert along({"a": a, "b": b, "c": 1.0}) == status(root, {"a": a, "b": b})
+    assert {along({"a": a, "b": 1.0}) for a in (2.0, -2.0, 1e9)} == {0, 1, 2}
+
+
+def test_small_whole_numbers_are_equal_to_those_that_are_made() -> None:
+    for value in (-100, -1, 0, 1, 7, 100):
+        assert number(value) == number(Fraction(value)) == Number(Fraction(value))
+    half = product([(number(2), 1), (number(4), -1), (s("a"), 1)])
+    assert half == Product((Number(Fraction(1, 2)), s("a")))
+    assert product([(number(2), 1), (number(2), -1), (s("a"), 1)]) == s("a")
+    assert product([(s("a"), 0)]) == number(1)
+    assert product([(s("a"), 1), (number(0), 1)]) == number(0)
 
 
 def test_elimination_tells_the_determinants_sign() -> None:

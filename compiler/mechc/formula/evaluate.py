@@ -12,7 +12,7 @@ from .derivative import jacobian
 from .elimination import Matrix
 from .functions import FUNCTIONS
 from .newton import Equations, Status, Way, scale, side_of
-from .straight_line import Solution, StraightLine
+from .straight_line import Solution, StraightLine, in_order
 from .tree import (
     Call,
     Constant,
@@ -26,7 +26,7 @@ from .tree import (
     Symbol,
     System,
 )
-from .walk import substitute
+from .walk import substitute, symbols
 
 SYSTEMS = 256
 """Of so many systems the code is kept."""
@@ -126,6 +126,14 @@ def status(formula: Implicit, values: Mapping[str, float]) -> Status:
     """Return how a solution was found, or why it was not; the work was counted as it was found."""
     here = Evaluation(values)
     return _followed(formula.system)(tuple(map(here.of, formula.arguments))).status
+
+
+def status_along(formula: Implicit) -> Callable[[Mapping[str, float]], Status]:
+    """Return the same as a function of the names' values, for many of them."""
+    names = sorted(symbols(formula))
+    code, given = straight_line(formula.arguments, names), in_order(names)
+    followed = _followed(formula.system)
+    return lambda values: followed(tuple(code.at(given(values)))).status
 
 
 def straight_line(

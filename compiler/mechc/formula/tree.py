@@ -16,6 +16,7 @@ Quantities are SI; angles are radians. A constant angle is a rational multiple o
 
 from collections.abc import Iterable
 from fractions import Fraction
+from math import prod
 
 from ..frozen import Hashed, frozen
 from .newton import CORRECTIONS
@@ -139,9 +140,19 @@ Formula = Number | Pi | Symbol | Sum | Product | Power | Call | Implicit
 ZERO, ONE, PI = Number(Fraction(0)), Number(Fraction(1)), Pi()
 
 
+FEW = 64
+"""Whole numbers below this stand in formulas again and again, and fractions are dear to make."""
+
+_WHOLE: dict[int, Number] = {}
+
+
 def number(value: int | Fraction) -> Number:
-    """Return an exact number."""
-    return Number(Fraction(value))
+    """Return an exact number; of small whole ones there is one each."""
+    if type(value) is not int or not -FEW < value < FEW:
+        return Number(Fraction(value))
+    if value not in _WHOLE:
+        _WHOLE[value] = Number(Fraction(value))
+    return _WHOLE[value]
 
 
 def degrees(value: int | Fraction) -> Formula:
@@ -172,24 +183,25 @@ def product(factors: Iterable[tuple[Formula, int]]) -> Formula:
 
     Numbers are gathered into one leading coefficient; ``0`` and ``1`` disappear.
     """
-    coefficient = Fraction(1)
+    numbers: list[Fraction] = []
     rest: list[Formula] = []
     for factor, exponent in factors:
         if isinstance(factor, Number):
-            coefficient *= factor.value**exponent
+            numbers.append(factor.value if exponent == 1 else factor.value**exponent)
         elif exponent == 1 and isinstance(factor, Product):
             head, *tail = factor.factors
             if isinstance(head, Number):
-                coefficient *= head.value
+                numbers.append(head.value)
                 rest.extend(tail)
             else:
                 rest.extend(factor.factors)
         elif exponent:
             rest.append(factor if exponent == 1 else power(factor, number(exponent)))
+    coefficient = prod(numbers[1:], start=numbers[0]) if numbers else 1
     if coefficient == 0:
         return ZERO
     if coefficient != 1 or not rest:
-        rest.insert(0, Number(coefficient))
+        rest.insert(0, number(coefficient))
     return rest[0] if len(rest) == 1 else Product(tuple(rest))
 
 

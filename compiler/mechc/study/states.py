@@ -11,16 +11,18 @@ found at all, nothing is said.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from functools import cached_property
 
-from ..formula.evaluate import status
+from ..formula.evaluate import status_along
+from ..formula.newton import Status
 from ..formula.tree import ZERO, Call, Formula, Implicit, Power, Product, Symbol
 from ..formula.walk import symbols, walk
 from ..frozen import replace
 from ..model.locking import State
 from ..model.result import Definition, FrictionResult, Result
 from ..model.targets import SIGNS, Sense
+from ..model.values import Values
 from ..named import NamedTuple
 from .sweep import VALUE, Sweep, guarded
 from .tolerances import NEGLIGIBLE
@@ -38,6 +40,9 @@ class Found(NamedTuple):
     driven: bool | None
 
 
+Way = tuple[Set[str], Callable[[Values], Status]]
+"""The names that a system rests on, and how the way to its solution ends at their values."""
+
 NOWHERE = Found(None, math.nan, None)
 
 
@@ -48,6 +53,7 @@ class Moving:
         self.sweep, self.ideal, self.real = sweep, ideal, real
         self._sign = SIGNS[sense]
         self._known: dict[float, Found] = {}
+        self._ways: dict[int, list[Way]] = {}
         self._driven: dict[float, bool | None] = {}
         self._signs: dict[float, tuple[float, ...]] = {}
         self._factors: dict[float, tuple[float, ...]] = {}
@@ -155,10 +161,15 @@ class Moving:
         found = guarded(result, values)
         if math.isfinite(found):
             return found
-        unknowns = {id(unknown.system): unknown for unknown in solutions(result)}
-        known = [u for u in unknowns.values() if symbols(u) <= values.keys()]
-        ways = {status(unknown, values) for unknown in known}
+        ways = {way(values) for needed, way in self._ways_of(result) if needed <= values.keys()}
         return math.nan if ways and 2 not in ways else None
+
+    def _ways_of(self, result: Result) -> list[Way]:
+        """Return the ways to the solutions of a result's systems."""
+        if id(result) not in self._ways:
+            unknowns = {id(unknown.system): unknown for unknown in solutions(result)}
+            self._ways[id(result)] = [(symbols(u), status_along(u)) for u in unknowns.values()]
+        return self._ways[id(result)]
 
     def efficiency(self, x: float) -> float:
         """Return the efficiency, 0 where nothing moves, NaN at a dead centre."""
