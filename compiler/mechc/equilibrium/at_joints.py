@@ -82,7 +82,7 @@ def _outwards(link: str, point: str, pose: Pose) -> Vector:
 
 
 def _on_link(link: str, point: str, cut: Cut, pose: Pose) -> tuple[Act, ...] | None:
-    """Return what acts on a link through a pin."""
+    """Return the acts on a link through a pin."""
     body = next((b for b in cut.bodies if b.name == link), None)
     if body is not None:
         return tuple(act for act in body.acts if act.pin == point)
@@ -98,7 +98,7 @@ def _on_link(link: str, point: str, cut: Cut, pose: Pose) -> tuple[Act, ...] | N
 
 
 def _of_ground(point: str, cut: Cut, pose: Pose) -> tuple[Act, ...] | None:
-    """Return what the ground exerts at a pivot or a guide; None where a whole body is guided."""
+    """Return the force of the ground at a pivot or a guide; None where a whole body is guided."""
     if point in pose.mechanism.fixed:
         return tuple(act._replace(size=-act.size) for act in cut.ground[point])
     guides = [f for f in cut.forces if (f.kind, *f.subject) == ("guide", point)]
@@ -112,7 +112,7 @@ def _is_shared(point: str, link: str, pose: Pose) -> bool:
 
 
 def called(cut: Cut, names: Mapping[str, str]) -> Cut:
-    """Return what is cut free with forces under the names of what was asked for."""
+    """Return the free bodies with forces under the names of what was asked for."""
 
     def named(acts: Iterable[Act]) -> tuple[Act, ...]:
         return tuple(act._replace(name=names.get(act.name, act.name)) for act in acts)

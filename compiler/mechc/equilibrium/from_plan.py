@@ -50,7 +50,7 @@ def at_joints(pose: Pose, solved: Sequence[Solved]) -> tuple[Equilibrium, ...]:
 
 
 def _with_names(cut: Cut, pose: Pose, solved: Iterable[Solved]) -> Cut:
-    """Return what is cut free, forces that are asked for under the names of results."""
+    """Return the free bodies, forces that are asked for under the names of results."""
     asked = ((force_between(one.result.target, cut, pose), one.result.name) for one in solved)
     return called(cut, {force: name for force, name in asked if force})
 

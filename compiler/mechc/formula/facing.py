@@ -74,7 +74,7 @@ def _positive(formula: Formula, values: Values) -> Formula:
 
 
 def condition(factor: Formula, values: Values, constants: Set[Fraction]) -> Formula:
-    """Return what is zero where a factor is, written as the factor is: its sign says nothing."""
+    """Return a formula that is zero where a factor is, written as that is; its sign is free."""
     if not isinstance(factor, Sum):
         other = facing(negative(factor), values, constants)
         if not has_minus(other):

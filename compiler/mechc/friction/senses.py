@@ -36,7 +36,7 @@ def sense_of(value: Product) -> Formula:
 
 
 def size_of(value: Product) -> Formula:
-    """Return what a value would be were every sine 1, and all terms of sums of one sign."""
+    """Return the size of a value, were every sine 1, and all terms of sums of one sign."""
     sizes = ((_size(f) if e > 0 else _absolute(f), e) for f, e in value.factors.items())
     return product([(number(abs(Fraction(value.coefficient))), 1), *sizes])
 

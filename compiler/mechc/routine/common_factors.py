@@ -173,7 +173,7 @@ class _Products:
         self._most: list[tuple[int, Pair]] = []
 
     def pair(self, factor: int) -> Pair:
-        """Return what a factor that is a pair consists of."""
+        """Return the factors of a pair."""
         return self._pairs[factor - self._first]
 
     def share(self) -> None:

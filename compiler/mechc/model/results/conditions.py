@@ -184,7 +184,7 @@ def _expect(
     lets: Mapping[str, Formula],
     scope: Scope,
 ) -> Expect | None:
-    """Return what is expected; None where it is of no result, or where it cannot be read."""
+    """Return an expectation; None where it is of no result, or where it cannot be read."""
     value = Reader(scope, EXPECTED).read(statement.value)
     at = _settings(statement, scope)
     if subject is None or value is None or not _suits(value, dimension, "the result", scope):

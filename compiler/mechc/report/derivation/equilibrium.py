@@ -141,7 +141,7 @@ class _Writer:
     def _made_up(
         self, balance: Balance, found: tuple[Equation, ...], equilibrium: Equilibrium
     ) -> Paragraph:
-        """Return what a force at a joint is the sum of, with the reason."""
+        """Return the sum that a force at a joint is, with the reason."""
         names = {"point": (balance.pin,), "link": (balance.body,)}
         mechanism = self._pose.mechanism
         if balance.body:
