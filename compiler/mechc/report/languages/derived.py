@@ -20,7 +20,7 @@ ENGLISH = {
     "does work then, and this component is zero.",
     "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
     "line.",
-    "smooth": "The guide of {point} acts across itself only.",
+    "smooth": "The force of the guide of {point} is perpendicular to it.",
     "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
     "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
     "tightening, held back": "The motion is along the arrow of {drive}, which only just holds it "
@@ -101,7 +101,7 @@ UKRAINIAN = {
     "idle": "Відкинемо в’язь у точці {point} в напрямку {direction}: жодна сила роботи не "
     "виконує, і ця складова дорівнює нулю.",
     "rod": "Між шарнірами стрижня {link} навантажень немає, тому сила діє вздовж нього.",
-    "smooth": "Напрямна точки {point} тисне лише поперек себе.",
+    "smooth": "Реакція напрямної точки {point} перпендикулярна до неї.",
     "shared": "У точці {point} сили однакових частин поперек осі симетрії взаємно знищуються.",
     "tightening": "Рух відбувається в напрямку {of_drive:сили|моменту} {drive}; тертя "
     "протидіє кожному "
@@ -188,7 +188,7 @@ RUSSIAN = {
     "idle": "Отбросим связь в точке {point} в направлении {direction}: ни одна сила не "
     "совершает работы, и эта составляющая равна нулю.",
     "rod": "Между шарнирами стержня {link} нагрузок нет, поэтому сила действует вдоль него.",
-    "smooth": "Направляющая точки {point} давит только поперёк себя.",
+    "smooth": "Реакция направляющей точки {point} перпендикулярна к ней.",
     "shared": "В точке {point} силы одинаковых частей поперёк оси симметрии взаимно уничтожаются.",
     "tightening": "Движение происходит в направлении {of_drive:силы|момента} {drive}; трение "
     "противодействует каждому скольжению.",
