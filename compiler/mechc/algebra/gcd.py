@@ -102,9 +102,10 @@ def times(f: Poly, g: Poly) -> Poly:
 def divided(f: Poly, g: Poly) -> Poly:
     """Return the quotient of a polynomial by one of its divisors.
 
-    The highest exponents of what is left fall with every term of the quotient.
+    Its degrees are those of the one less those of the other, and the highest exponents of what is
+    left fall with each of its terms: there are no more of them than monomials of such degrees.
     """
-    lead = max(g)
+    lead, most = max(g), list(map(int.__sub__, degrees(f), degrees(g)))
     inverse = pow(g[lead], -1, PRIME)
     rest, quotient = dict(f), Poly()
     while rest:
@@ -117,7 +118,7 @@ def divided(f: Poly, g: Poly) -> Poly:
             left = (rest.pop(place, 0) - v * value) % PRIME
             if left:
                 rest[place] = left
-        assert min(at, default=0) >= 0, "not a divisor"
+        assert all(0 <= a <= m for a, m in zip(at, most, strict=True)), "not a divisor"
         assert top not in rest, "the highest term is left"
     return quotient
 
