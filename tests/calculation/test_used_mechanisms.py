@@ -485,3 +485,12 @@ find k = M/T
     found = mechc.load(tmp_path / "s.mech").evaluate()
     np.testing.assert_allclose(found["C_k"], alone["k"], rtol=1e-12)
     np.testing.assert_allclose(found["z"], 4 * alone["k"], rtol=1e-12)
+
+
+def test_arguments_of_ones_own_stand_before_those_brought_in(tmp_path: Path) -> None:
+    """Wherever the use stands: ``fmt`` moves it, as YAML has a place of its own for it."""
+    use, own = 'use "crank.mech" as c (F = 1 kN)\n', "param t = 3 mm\n"
+    for lines in (use + own, own + use):
+        solved = mechc.load(written(tmp_path, f"sheet s\n{lines}let x = c_M/t\n"))
+        function = next(f for f in solved._compilation.routine.functions if f.name == "x")
+        assert [i.name for i in function.inputs] == ["t", "c_r", "c_l", "c_phi"]

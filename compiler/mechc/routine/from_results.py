@@ -133,8 +133,13 @@ def _leading_to(names: Iterable[str], steps: Sequence[Statement]) -> tuple[State
 
 
 def _inputs(mechanism: Mechanism) -> dict[str, Input]:
-    """Return all that a function may take: free parameters, then loads, in declared order."""
-    free = [_parameter(p) for p in mechanism.parameters if not p.dependent]
+    """Return all that a function may take: free parameters, then loads, in declared order.
+
+    Those of the description itself come before what is brought in, wherever a ``use`` stands: YAML
+    has a place of its own for these lines.
+    """
+    own_first = sorted(mechanism.parameters, key=lambda p: p.name in mechanism.brought)
+    free = [_parameter(p) for p in own_first if not p.dependent]
     loads = [_load(load) for load in mechanism.loads if load.tie is None]
     return {item.name: item for item in (*free, *loads)}
 
