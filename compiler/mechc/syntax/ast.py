@@ -704,14 +704,15 @@ class Taken(Statement):
 class Brought(Statement):
     """A prefix under which something is used, what that is, and its loads that nothing gives.
 
-    ``inner`` are its loads that it gives itself, such as weights. No line says so: it stands
-    where a sheet or a mechanism is put in.
+    ``inner`` are its loads that it gives itself, such as weights, ``points`` the points of its
+    bodies. No line says so: it stands where a sheet or a mechanism is put in.
     """
 
     prefix: str
     used: str
     loads: tuple[str, ...]
     inner: tuple[str, ...] = ()
+    points: tuple[str, ...] = ()
 
 
 @frozen

@@ -123,6 +123,11 @@ def found_if_asked(used: str, result: str, alike: Sequence[str]) -> str:
     return f"{used} gives it once it has a line `find {result}`{has}"
 
 
+def no_such_points(used: str, strange: Sequence[str], points: Sequence[str]) -> str:
+    """Return the hint at a result of a used mechanism that is one of points it does not have."""
+    return f"{used} has no point {' or '.join(strange)}; its points are {', '.join(points)}"
+
+
 def named_by_a_let(used: str, prefix: str, quantity: str) -> str:
     """Return the hint at what a used mechanism has by itself: a length, a place, a weight."""
     return f"with a line `let q = {quantity}` {used} gives it as '{prefix}_q'"

@@ -146,7 +146,8 @@ def size_between_rows(span: Span, table: str, listed: str, sizes: Sequence[Span]
         let p = pitches at d                       # 1.5 mm for 10 mm: in proportion
         let p = pitches at exactly d               # an error for 10 mm
     """
-    message = f"list '{listed}' has sizes for which table '{table}' has no row: it is interpolated"
+    those = "a size" if len(sizes) == 1 else f"{len(sizes)} sizes"
+    message = f"list '{listed}' has {those} for which table '{table}' has no row: it interpolates"
     related = tuple(Related(size, "there is no row for this size") for size in sizes[:3])
     hint = f"add the rows, or take rows alone: '{table} at exactly …'"
     return Message(span, message, hint, related)

@@ -35,6 +35,9 @@ def reason(name: str, use: ast.Brought, known: Collection[str]) -> str:
     if at_links:
         return messages.meant(min(at_links, key=len))
     form = form_of_pose(ideal)
+    strange = [point for point in form.points if point not in use.points] if form else []
+    if strange:
+        return messages.no_such_points(use.used, strange, use.points)
     if ideal in use.inner or (form and form.prefix in OF_THE_POSE):
         return messages.named_by_a_let(use.used, use.prefix, ideal)
     return messages.found_if_asked(use.used, ideal, _alike(form, use, known)) if form else ""

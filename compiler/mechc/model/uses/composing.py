@@ -115,7 +115,8 @@ class _Composing:
         loads = tuple(name for name in used.loads if f"{prefix}_{name}" not in names)
         own = (load.name for load in used.mechanism.loads if load.name not in used.loads)
         inner = tuple(name for name in own if f"{prefix}_{name}" not in names)
-        return ast.Brought(use.span, prefix, use.used.text, loads, inner), *found
+        points = dict.fromkeys(p for body in used.mechanism.bodies for p in body.points)
+        return ast.Brought(use.span, prefix, use.used.text, loads, inner, tuple(points)), *found
 
     def _part(self, use: ast.Use, used: Used) -> Sequence[ast.Statement] | None:
         parts = [s for part in self._parts.values() for s in part.statements]
