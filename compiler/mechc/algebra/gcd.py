@@ -200,7 +200,9 @@ def _common_degree(f: list[int], g: list[int]) -> int:
     """Return the degree of the common divisor: of two that are divided, the lower one falls."""
     while g:
         spend(1 + max(len(f) - len(g), 0) * len(g))
-        f, g = g, _rest(f, g)
+        rest = _rest(f, g)
+        assert len(rest) < len(g), "a remainder is shorter"
+        f, g = g, rest
     return len(f) - 1
 
 
