@@ -226,7 +226,8 @@ class AtOnePose(_Names):
         known = 1 if is_root(factor) else sign(factor, self._box)
         if known is not None:
             return known
-        here = int(evaluate(sense_of(factor), self._values))
+        sense = evaluate(sense_of(factor), self._values)
+        here = 0 if math.isnan(sense) else int(sense)  # where no force balances there is none
         self.conditions[factor.formula()] = here
         return here
 
