@@ -83,8 +83,10 @@ class Ratios:
         values: Mapping[str, float | Array] = {**self.defaults, name: places}
         k, real = (np.broadcast_to(evaluate(f, values), places.shape) for f in self.parts)
         with np.errstate(all="ignore"):
-            is_dead = (np.abs(k) <= NIL) | (np.fmax(np.abs(k), np.abs(real)) >= 1 / NIL)
-            return k, np.where(is_dead, np.nan, real / k)
+            share = real / k
+            largest = np.fmax(np.fmax(np.abs(k), np.abs(real)), np.abs(share))
+            is_dead = (np.abs(k) <= NIL) | (largest >= 1 / NIL)
+            return k, np.where(is_dead, np.nan, share)
 
     def states(self, values: Mapping[str, float | Array]) -> Array:
         """Return the statuses in code, with the other parameters at their values."""
@@ -152,7 +154,12 @@ def who_drives(ratios: Ratios, result: Analysis) -> Iterator[str]:
     Friction makes the force of the load that drives larger, and smaller what holds it back.
     """
     share = float(ratios.along("", np.zeros(1))[1][0])
-    if result.driven is not None and share > 0 and (share < 1) != result.driven and share != 1:
+    if (
+        result.driven is not None
+        and share > 0
+        and (share < 1) != result.driven
+        and abs(share - 1) > NIL
+    ):
         yield f"{result.name}: driven is {result.driven}, and friction makes it {share} times k"
 
 

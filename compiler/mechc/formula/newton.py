@@ -32,6 +32,9 @@ With half as many the way past a place where two branches nearly meet was not fo
 thirty of some triads, be it found at those next to it.
 """
 
+LONGER = 2 * CORRECTIONS
+"""The same where a branch that ends says something of the mechanism: that friction jams it."""
+
 CONTRACTION = 0.4
 """What a correction may be at most, as a part of the one before."""
 

@@ -6,10 +6,10 @@ grow alike: the friction of a share t of the coefficients is t·D.
 
 The equations are homogeneous in loads and pressing forces, so that the loads need not stay
 the same on the way. Near a dead centre of the drive φ alone would not do: there D is large,
-because the drive that balances a friction is. What is kept near 1 is the size q of the load
-without friction, φ = q - g·Σ κ·n, where κ·n is what a friction adds to the driving load. With
-the g for which D - g·ideal·κ is least, this rest is of order one at a dead centre, too. Where φ
-passes zero the drive would need to be infinitely strong, and behind it the load to be
+because the drive that balances a friction is. What is kept is the size of forces and of the load
+q without friction together, φ = q - g·Σ κ·n, where κ·n is what a friction adds to the driving
+load. With the g for which D - g·ideal·κ is least, this rest is of order one at a dead centre, too.
+Where φ passes zero the drive would need to be infinitely strong, and behind it the load to be
 reversed: nothing balances. Nor does anything where the branch of solutions ends on the way.
 """
 
@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
 from ..formula.names import another
+from ..formula.newton import LONGER
 from ..formula.tree import (
     ONE,
     Call,
@@ -285,6 +286,7 @@ def _system(names: Names, pairs: Sequence[Sequence[Row]]) -> System:
         every,
         _anchor(names, [r for pair in pairs for r in pair]),
         (*names.alone, 1.0),
+        LONGER,
     )
 
 
@@ -314,13 +316,18 @@ def _force(row: Row, load: Formula, names: Names) -> Formula:
 
 
 def _measure(names: Names) -> Formula:
-    """Return the equation by which loads and forces keep their size altogether."""
-    without, part = Symbol(names.without), number(Fraction(1, len(names.unknowns) + 1))
-    more = (
-        total([Symbol(x), product([(number(-1), 1), (Symbol(a), 1), (without, 1)])])
+    """Return the equation by which loads and forces keep their size altogether.
+
+    It is a sphere, which each ray of solutions meets once: a plane is met by none that is parallel
+    to it, and solutions next to that one would be as large as they like.
+    """
+    part = number(Fraction(1, len(names.unknowns) + 1))
+    squares = (
+        total([product([(Symbol(x), 2)]), product([(number(-1), 1), (Symbol(a), 2)])])
         for x, a in zip(names.unknowns, names.alone, strict=True)
     )
-    return total([without, product([(part, 1), (total(more), 1)]), number(-1)])
+    without = product([(Symbol(names.without), 2)])
+    return total([without, product([(part, 1), (total(squares), 1)]), number(-1)])
 
 
 def _hypot(names: Iterator[str]) -> Formula:

@@ -19,7 +19,7 @@ from .ranges import last, turns, unit_of, varying
 from .ratios import Study
 from .sampling import CELLS, before_dead_centre, dead_centre, looked_at, nearest
 from .states import Moving
-from .tolerances import EXACT, NEARLY
+from .tolerances import EXACT, HALF_THE_DIGITS, NEARLY
 
 BEYOND = math.pi / 2
 """How far beyond its range an angle is followed, to the next dead centre at most."""
@@ -112,8 +112,18 @@ class _Intervals:
         for state, group in groupby(self._states(grid)):
             last = first + len(list(group)) - 1
             if state in ("locked", "jammed"):
-                yield self._interval(grid, first, last, state)
+                interval = self._interval(grid, first, last, state)
+                if not self._is_rounding(interval, high - low):
+                    yield interval
             first = last + 1
+
+    def _is_rounding(self, found: LockingInterval, width: float) -> bool:
+        """Return whether an interval is no wider than angles are inexact where loops end."""
+        ends = found.low, found.high
+        if not self.moving.is_iterated or not all(ends):
+            return False
+        begins, finishes = (end.x for end in ends if end)
+        return finishes - begins < HALF_THE_DIGITS * width
 
     def _states(self, grid: Sequence[float]) -> list[State | None]:
         """Return the state at each value.

@@ -43,6 +43,12 @@ NARROW_RANGE = 1e-9
 SMALLEST = 1e-300
 """What a width is relative to where both ends of a range are zero."""
 
+HALF_THE_DIGITS = 1e-7
+"""An interval narrower than this part of all that is looked at may be but rounding.
+
+Where links lie on one another, angles have half their digits, and k has either sign.
+"""
+
 VANISHED_MARGIN = 1e-12
 """A margin below this part of its greatest value is zero; twice what rounding makes of one."""
 
