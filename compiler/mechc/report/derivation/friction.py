@@ -20,6 +20,7 @@ from ...model.mechanism import (
 from ...model.result import FrictionResult, Result
 from ...model.targets import Sense, whole
 from ...power.balance import Solved
+from ...study.analysis import Analysis
 from ..sentences.wording import geometry_first, positive_first
 from .steps import Equation, Explanation, Paragraph, SentenceKind
 
@@ -51,7 +52,7 @@ _ROPES = Paragraph(
 _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 
 
-def of_friction(solution: Solution, results: Iterable[Result]) -> Iterator[Explanation]:
+def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Explanation]:
     """Yield an account of every result with friction that was found in steps.
 
     ``results`` are these in the form in which they are shown.
@@ -65,6 +66,9 @@ def of_friction(solution: Solution, results: Iterable[Result]) -> Iterator[Expla
         names = tuple(s.result.name for s in solved)
         if any(exact_name(r, results) for r in results if r.name in names):
             yield Explanation(names, (Paragraph(SentenceKind.FIRST_ORDER_SAME),))
+            continue
+        if solved[0].steps[0].kind == "iterated" and not _are_iterated(names, results):
+            yield Explanation(names, ())
             continue
         steps = earlier.with_one_meaning(solved[0].steps, place, names[0])
         steps = [_with_result(step, place, names[0]) for step in steps]
@@ -80,6 +84,16 @@ def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
     """Return the quantity of a result with friction, the same for all parts of one force."""
     target = solved.result.target and whole(solved.result.target)
     return target if isinstance(target, WithFriction) else None
+
+
+def _are_iterated(names: Sequence[str], results: Iterable[Analysis]) -> bool:
+    """Return whether results show anything of what is iterated: a force may rest on no friction."""
+    for result in results:
+        if result.name in names:
+            beside = [d.formula for d in result.where if d.name not in result.inside]
+            if result.inside & frozenset[str]().union(*map(symbols, (result.formula, *beside))):
+                return True
+    return False
 
 
 def exact_name(result: Result, results: Iterable[Result]) -> str:
