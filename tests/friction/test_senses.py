@@ -89,6 +89,46 @@ def test_a_guide_square_to_a_link_takes_no_friction_from_the_pivot():
     assert list(refuted(compilation)) == []
 
 
+NOTHING_OVER_NOTHING = """\
+param t1 = 180 deg
+slider A along t1
+pivot C
+link AB
+param t2 = -90 deg
+AB = 74.9 mm @ t2
+link CB
+param t3 = 0 deg
+CB = 101.2 mm @ t3
+param t4 = -180 deg
+slider D along t4
+link ADE
+param t5 = -90 deg
+AD = 93.6 mm @ t5
+param t6 = 90 deg
+AE = 56.3 mm @ t6
+force P at A along t1
+param t7 = -90 deg
+force F at D along t7
+torque M = 0.05 m*F on CB
+find k = P / F
+param q = 1
+friction pins 0.191*q diameter 6 mm coulomb
+friction pin A 0.15*q diameter 8 mm on ADE
+friction slider A 0.08*q guide 50 mm overhang 20 mm couple
+friction roller D 0.1*q axle 8 mm wheel 25 mm
+"""
+"""The guides of A and D are parallel and AD is square to both: k is 0/0 at the values given."""
+
+
+def test_an_efficiency_is_undetermined_where_the_ratio_is():
+    """It was a rounding of zero, as a number: 1.1e-15."""
+    compilation = Compilation(Source("open.mech", NOTHING_OVER_NOTHING))
+    found = {r.name: r for r in compilation.results}
+    assert found["k"].undetermined
+    assert found["eta_k"].undetermined
+    assert found["eta_k"].default is None
+
+
 def hold_at_the_values_given(compilation: Compilation) -> int:
     """Compare the numbers on paper with those of code, at the values given; return how many."""
     functions = {f.name: f for f in compilation.routine.functions}

@@ -118,6 +118,8 @@ def _with_default(
     said of that.
     """
     size = numbers.of(result)
+    if isinstance(find.target, Efficiency) and ideal.undetermined:
+        size = Size(None, undetermined=True)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
         report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips))
         size = Size(None)
