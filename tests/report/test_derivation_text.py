@@ -167,3 +167,12 @@ def test_a_direction_of_a_drawing_is_given_in_degrees() -> None:
     )
     given = render(drawn.derivation, drawn.mechanism).split("\n\n")[1]
     assert "φ_OA = 45°" in given
+
+
+def test_a_minus_of_angular_velocities_is_explained_where_steps_have_none() -> None:
+    """Steps count them as they turn, a ratio that is asked for counts counter-clockwise."""
+    found = compile_source(read(find("planetary_gear")))
+    shown = render(found.derivation, found.mechanism, width=200)
+    explained = "Angular velocities are positive counter-clockwise here"
+    assert shown.count(explained) == 1
+    assert explained in shown.partition("i_P = ")[2]

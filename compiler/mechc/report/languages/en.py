@@ -182,6 +182,8 @@ LOCALE = Locale(
     force_ratio="Force transmission coefficient",
     load="Load",
     speed_ratio="Velocity ratio",
+    opposite_senses="Angular velocities are positive counter-clockwise here: at the values given "
+    "these two have opposite senses.",
     joint_forces={
         "joint": "Force at a joint",
         "joint with friction": "Force at a joint, with friction",

@@ -87,6 +87,7 @@ class Locale(NamedTuple):
     force_ratio: str
     load: str
     speed_ratio: str
+    opposite_senses: str
     joint_forces: Mapping[str, str]
     """The headings of forces at joints, in rods and in ropes, without friction and with it."""
 

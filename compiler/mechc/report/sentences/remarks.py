@@ -15,6 +15,7 @@ from ...model.mechanism import (
     Normal,
     Reaction,
     Require,
+    Speed,
     SpeedRatio,
     Target,
     WithFriction,
@@ -186,7 +187,7 @@ def is_nameless(result: Analysis) -> bool:
 def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]:
     """Return the remarks on a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
-    said = _holds(result, locale, spell)
+    said = _holds(result, locale, spell) + _senses(result, locale)
     said += limits(result, symbol, locale, spell)
     said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
     said += _proportions(result, locale, spell)
@@ -211,6 +212,15 @@ def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
         return [locale.holds_as.format(result=_spelled(Symbol(result.holds_as), spell))]
     held = own_conditions(result)
     return [locale.holds.format(conditions=conditions(held, spell))] if held else []
+
+
+def _senses(result: Analysis, locale: Locale) -> list[str]:
+    """Say what the minus of a ratio of angular velocities means; steps count them as they turn."""
+    match result.target:
+        case SpeedRatio(Speed("link"), Speed("link")) if (result.default or 0) < 0:
+            return [locale.opposite_senses]
+        case _:
+            return []
 
 
 def _spelled(formula: Formula, spell: Speller) -> str:
