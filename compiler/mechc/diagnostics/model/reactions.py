@@ -21,6 +21,23 @@ def on_which_link(span: Span, point: str, links: Sequence[str]) -> Message:
     return Message(span, message, f"write {hint}" if hint else f"join a link to {point}")
 
 
+@coded("E217")
+def guide_of_copies(span: Span, point: str, link: str) -> Message:
+    """The force of a guide is asked for at a slider that several copies share.
+
+    Each branch pushes it sideways. How these forces add up depends on where the branches stand:
+    around an axis they cancel, side by side they do not. No line says which::
+
+        slider K along y
+        copies 3 sharing K
+        find R_K           # wrong, as is find N_K
+        find R_K on KA     # right: the force on one branch
+    """
+    message = f"the branches share {point}: how they push on its guide depends on how they stand"
+    hint = f"'find R_{point} on {link}' is the force on one branch" if link else "leave it out"
+    return Message(span, message, hint)
+
+
 @coded("E251")
 def point_of_another(span: Span, point: str, link: str) -> Message:
     """The force on a link is asked for at a point that is not one of its own.

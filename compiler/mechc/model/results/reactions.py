@@ -7,7 +7,18 @@ from ...diagnostics.model import reactions as messages
 from ...syntax import ast
 from ...units import ANGLE, FORCE, Dimension
 from ..joint_friction import RopeFriction
-from ..mechanism import Axial, Force, ForcePair, Link, Mechanism, Normal, Part, Reaction, Target
+from ..mechanism import (
+    Axial,
+    Force,
+    ForcePair,
+    Link,
+    Mechanism,
+    Normal,
+    Part,
+    Reaction,
+    Slider,
+    Target,
+)
 from ..names.forms import Form
 from ..names.scope import Scope
 
@@ -128,6 +139,20 @@ def warn_of_shared_pivots(mechanism: Mechanism, scope: Scope) -> None:
                 links = [link.name for link in mechanism.links if point in link.points]
                 if len(links) > 1 or (links and point in mechanism.shared):
                     scope.report.add(messages.force_of_the_ground(find.span, point, links))
+
+
+def check_guides_of_copies(mechanism: Mechanism, scope: Scope) -> None:
+    """Report forces of a guide on whose slider several copies push, each from where it stands."""
+    if mechanism.copies is None:
+        return
+    guided = {slider.point for slider in mechanism.each(Slider)}.intersection(
+        mechanism.copies.sharing
+    )
+    for find in mechanism.finds:
+        match find.target:
+            case Reaction(point, "") | Normal(point) if point in guided:
+                link = next((k.name for k in mechanism.links if point in k.points), "")
+                scope.report.add(messages.guide_of_copies(find.span, point, link))
 
 
 def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
