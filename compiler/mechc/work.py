@@ -67,6 +67,17 @@ def within_part(part: Allowance) -> Iterator[Allowance]:
             whole.left -= before - max(part.left, 0)
 
 
+def most_of_what_is_left() -> Allowance:
+    """Return a part of the allowance that leaves a tenth of what there is to what comes after.
+
+    >>> with at_most(Allowance(50)):
+    ...     most_of_what_is_left().left
+    45
+    """
+    whole = _ALLOWANCE.get()
+    return Allowance((LIMIT if whole is None else whole.left) * 9 // 10)
+
+
 def spend(steps: int) -> None:
     """Count steps; raise :class:`WorkLimitError` where the allowance is used up.
 

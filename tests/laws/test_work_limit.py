@@ -109,7 +109,7 @@ def test_a_study_of_ranges_ends_with_the_message():
 
 
 def test_what_takes_too_much_work_along_ranges_is_named_and_the_rest_is_given(monkeypatch):
-    monkeypatch.setattr(from_solution, "FRICTION", 1000)
+    monkeypatch.setattr(from_solution, "most_of_what_is_left", lambda: Allowance(1000))
     compilation = Compilation(Source("coupled.mech", COUPLED))
     names = [r.name for r in compilation.results]
     assert names == ["k", "k_f", "k_f1", "k_hold", "eta_k"]

@@ -12,8 +12,9 @@ FEW = 12
 def constants_of(pose: Pose) -> frozenset[Fraction]:
     """Return the constant parts of angles between given lines, in degrees from 0 to 180.
 
-    Coordinates are no lines. Lines have no sense, and a direction that a loop gives has no constant: neither the order in
-    which things are written nor a turn of the whole drawing changes what is found.
+    Coordinates are no lines. Lines have no sense, and a direction that a loop gives has no
+    constant: neither the order in which things are written nor a turn of the whole drawing
+    changes what is found.
     """
     between = (vector for ends, vector in pose.vectors.items() if all(ends))
     arms = (arm.angle for vector in between for arm in vector)

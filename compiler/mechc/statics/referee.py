@@ -34,6 +34,7 @@ from ..model.values import defaults
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
+from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import counted, friction, joint_forces, speeds, surfaces
 from .answers import Answer, load_coefficient, load_ratio
 from .balanced import Balanced
@@ -41,7 +42,17 @@ from .closure import worst_gap
 from .contacts import pulling, slack
 from .poses import Replay, Values, broken_at_default, candidates, free_values, varies
 from .tolerances import SMALLEST
-from .verdict import NEAR_SINGULAR, NO_MORE, NO_VALUE, STANDS, UNSETTLED, Trial, Untried, Verdict
+from .verdict import (
+    NEAR_SINGULAR,
+    NO_MORE,
+    NO_VALUE,
+    STANDS,
+    TOO_MUCH,
+    UNSETTLED,
+    Trial,
+    Untried,
+    Verdict,
+)
 
 POSES = 4
 """How many poses a result is checked at, where there are others than the default one."""
@@ -100,8 +111,9 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
             _count_pins(at, report)
     trials: list[Trial] = []
     remarks: list[Untried] = []
+    part = most_of_what_is_left()
     for question in _questions(results, pose.mechanism):
-        found, troubles = _cross_check(question, iter(balanced), wanted)
+        found, troubles = _cross_check(question, iter(balanced), wanted, part)
         trials.extend(found)
         if one := next((trial for trial in found if trial.is_one_of_several), None):
             report.add(_one_of_several(one, pose))
@@ -230,19 +242,31 @@ def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
     return {n: substitute(result.formula, {n: ONE}) for n in loads} if len(loads) == 1 else {}
 
 
-def _cross_check(question: Question, poses: Iterator[Balanced], wanted: int) -> CrossChecked:
-    """Try poses until enough of them give an answer by both methods."""
+def _cross_check(
+    question: Question, poses: Iterator[Balanced], wanted: int, part: Allowance
+) -> CrossChecked:
+    """Try poses until enough of them give an answer by both methods, or the part is used up."""
     trials: list[Trial] = []
     troubles: list[str] = []
     for at in poses:
-        trial = _try(question, at)
+        trial = _try_within(part, question, at)
         if isinstance(trial, Trial):
             trials.append(trial)
         else:
             troubles.append(trial)
-        if len(trials) == wanted:
+        if len(trials) == wanted or part.left < 0:
             break
     return CrossChecked(tuple(trials), tuple(troubles))
+
+
+def _try_within(part: Allowance, question: Question, at: Balanced) -> Trial | str:
+    try:
+        with within_part(part):
+            return _try(question, at)
+    except WorkLimitError:
+        if part.left >= 0:
+            raise
+        return TOO_MUCH
 
 
 def _try(question: Question, at: Balanced) -> Trial | str:
@@ -310,7 +334,7 @@ def _untried(
 
 def _unchecked(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
     """Return a warning, or an error where only equilibrium failed, and at every pose."""
-    if troubles and not {NO_VALUE, NEAR_SINGULAR, STANDS, UNSETTLED} & set(troubles):
+    if not {NO_VALUE, NEAR_SINGULAR, STANDS, UNSETTLED, TOO_MUCH} & set(troubles):
         return messages.no_equilibrium(span, name, troubles[-1])
     return messages.not_checked(span, name, troubles[-1])
 

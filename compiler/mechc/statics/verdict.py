@@ -36,7 +36,9 @@ NO_MORE = "no more poses meet the conditions of use"
 
 NO_SPEED = "the speed below the line vanishes"
 
-UNJUDGED = (NO_VALUE, NEAR_SINGULAR, NO_MORE, NO_SPEED)
+TOO_MUCH = "that takes too much work"
+
+UNJUDGED = (NO_VALUE, NEAR_SINGULAR, NO_MORE, NO_SPEED, TOO_MUCH)
 """Why a pose is not judged whose bodies have forces."""
 
 

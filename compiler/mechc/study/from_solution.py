@@ -26,7 +26,7 @@ from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
 from ..power.numbers import DefaultNumbers
 from ..units import LENGTH
-from ..work import LIMIT, Allowance, WorkLimitError, within_part
+from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
@@ -49,17 +49,13 @@ Each loop's rate rests on the one before, so that the formula of the slope nests
 """
 
 
-FRICTION = LIMIT * 9 // 10
-"""Steps for all that is said of friction along ranges: each place of each is solved anew."""
-
-
 def analyse(solution: Solution, report: Report) -> tuple[Analysis, ...]:
     """Return the results with what follows from each.
 
     W261 names those of which it is not looked at where friction locks them: it takes too much.
     """
     numbers, study = DefaultNumbers(solution.plan), cache(partial(_study, solution))
-    part = Allowance(FRICTION)
+    part = most_of_what_is_left()  # along ranges friction is solved anew at each place of each
     analyses: list[Analysis] = []
     for item in solution.solved:
         try:
