@@ -154,8 +154,8 @@ class Pipeline:
         return Used(file, pose.mechanism, used.source, solved(pose, used.solution.results))
 
     @Stage
-    def mechanism(self) -> Mechanism:
-        """Names resolved, quantities in SI, dimensions checked."""
+    def described(self) -> Mechanism:
+        """Names resolved, quantities in SI, dimensions checked; drawn as the text has it."""
         found = self._sound(resolve(self.composed, self.report))
         literals, parts = self._with_used.solved.literals, self._with_used.parts
         if not literals and not parts:
@@ -163,9 +163,14 @@ class Pipeline:
         return replace(found, literals=(*found.literals, *literals), subassemblies=parts)
 
     @Stage
+    def mechanism(self) -> Mechanism:
+        """The mechanism where values from outside move what is drawn."""
+        return self.described.moved
+
+    @Stage
     def pose(self) -> Pose:
-        """Every direction, given or found by closing a loop."""
-        return self._sound(solve_pose(self.mechanism, self.report))
+        """Every direction, given or found by closing a loop, of what was drawn first."""
+        return self._sound(solve_pose(self.described, self.report))
 
     @Stage
     @of_linkages

@@ -13,6 +13,7 @@ from mechc.files import library, read
 from mechc.formula.evaluate import evaluate
 from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
+from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.syntax.settings import parse
 from mechc.units import si_unit
@@ -134,3 +135,11 @@ def test_a_value_from_outside_beyond_the_stroke_is_remarked_on() -> None:
     for value, warned in (("130 deg", True), ("90 deg", False)):
         found = compile_source(Source("press.mech", text), dict([parse(f"phi = {value}")]))
         assert ("W222" in {d.code for d in found.report.diagnostics}) == warned
+
+
+def test_a_page_has_the_value_from_outside_in_what_is_given_and_in_numbers() -> None:
+    found = compile_source(Source("press.mech", PRESS), dict([parse("phi = 80 deg")]))
+    page = render(found.derivation, found.mechanism, width=200)
+    assert "φ = 80°" in page
+    assert "cos 80°" in page
+    assert "60°" not in page.partition("range")[0]

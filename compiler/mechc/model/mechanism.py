@@ -13,7 +13,7 @@ from typing import TypeVar
 
 from ..formula.tree import Formula, Number
 from ..formula.walk import symbols
-from ..frozen import frozen
+from ..frozen import frozen, replace
 from ..source import Span
 from .joint_friction import CollarFriction as CollarFriction
 from .joint_friction import FaceFriction as FaceFriction
@@ -282,6 +282,21 @@ class Mechanism:
     def symmetries(self) -> tuple[Mirror | Copies, ...]:
         """Return the mirror and the copies, as far as there are any."""
         return tuple(group for group in (self.mirror, self.copies) if group is not None)
+
+    @property
+    def moved(self) -> "Mechanism":
+        """Return it where its drive, and what has a value from outside, are set to.
+
+        It is drawn with the values of the description.
+        """
+        drive = self.drive
+        parameters = (
+            replace(p, outside=drive.start)
+            if drive and drive.start and p.name == drive.parameter
+            else p
+            for p in self.parameters
+        )
+        return replace(self, parameters=tuple(p.moved for p in parameters))
 
     @property
     def shared(self) -> frozenset[str]:

@@ -76,23 +76,14 @@ def moved_from_drawing(pose: Pose, report: Report) -> Pose:
 
     Lengths and closures are those of the drawing. Reports E340 where a loop does not close there.
     """
-    drive = pose.mechanism.drive
-    parameters = tuple(
-        replace(p, outside=drive.start)
-        if drive and drive.start and p.name == drive.parameter
-        else p
-        for p in pose.mechanism.parameters
-    )
-    first = next((p for p in parameters if p.outside), None)
+    mechanism, before = pose.mechanism.moved, pose.mechanism.parameters
+    first = next((p for p, b in zip(mechanism.parameters, before, strict=True) if p != b), None)
     if first is None:
         return pose
-    parameters = tuple(p.moved for p in parameters)
-    moved = replace(
-        pose,
-        mechanism=replace(pose.mechanism, parameters=parameters),
-        free=tuple(p.name for p in parameters if not p.dependent),
-    )
+    free = tuple(p.name for p in mechanism.parameters if not p.dependent)
+    moved = replace(pose, mechanism=mechanism, free=free)
     if loop := _open_loop(moved):
+        drive = mechanism.drive
         at = drive.span if drive and drive.parameter == first.name else first.given
         report.add(pose_messages.out_of_reach(at, loop, first.name))
     return moved
