@@ -494,3 +494,17 @@ def test_arguments_of_ones_own_stand_before_those_brought_in(tmp_path: Path) -> 
         solved = mechc.load(written(tmp_path, f"sheet s\n{lines}let x = c_M/t\n"))
         function = next(f for f in solved._compilation.routine.functions if f.name == "x")
         assert [i.name for i in function.inputs] == ["t", "c_r", "c_l", "c_phi"]
+
+
+def test_what_the_report_of_a_mechanism_leaves_out_is_not_said_to_be_derived(
+    tmp_path: Path,
+) -> None:
+    for line, said in (("", 0), ("report k\n", 1)):
+        (tmp_path / "edge.mech").write_text(EDGE + line, encoding="utf-8")
+        text = 'sheet s\nuse "edge.mech" as C (F = 4 kN)\nlet x = C_k*C_R_O\n'
+        (tmp_path / "s.mech").write_text(text, encoding="utf-8")
+        page = mechc.load(tmp_path / "s.mech").emit("latex")
+        below = page.partition("Results of the mechanism, derived below:")[2].partition(r"\par")[0]
+        others = page.partition("Results of the mechanism:")[2].partition(r"\par")[0]
+        assert "C_k=" in below
+        assert ("C_{R,O}=" in others, "C_{R,O}=" in below) == (bool(said), not said)

@@ -1,6 +1,6 @@
 """The report of a calculation sheet, ready for its template."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence, Set
 from itertools import groupby
 
 from ...frozen import replace
@@ -70,11 +70,16 @@ class NoteReport(NamedTuple):
 
 
 def note_report(
-    compiled: Compiled, locale: Locale, style: Notation, fragment: bool, is_derived: bool = False
+    compiled: Compiled,
+    locale: Locale,
+    style: Notation,
+    fragment: bool,
+    derived: Set[str] | None = None,
 ) -> NoteReport:
     """Return the report of a calculation sheet.
 
-    Of used mechanisms whose results it derives, too, behind the calculation, there are values only.
+    Of used mechanisms that are reported behind the calculation there are values only; which of
+    these are ``derived`` there is said.
     """
     mechanism = compiled.mechanism
     found = note(mechanism, compiled.derivation.results)
@@ -89,7 +94,7 @@ def note_report(
         source=translated(mechanism.source, style),
         parameters=tuple(parameter_row(p, locale, style) for p in found.given),
         tables=tuple(table_blocks(found.tables, style)),
-        lines=tuple(_lines(found.lines, locale, style, is_derived)),
+        lines=tuple(_lines(found.lines, locale, style, derived)),
         checks=tuple(_check(check, words, style) for check in found.checks),
         unused=_unused(found.unused, words, style),
     )
@@ -139,25 +144,36 @@ def _parts(columns: Sequence[tuple[Box, ...]]) -> Iterator[list[tuple[Box, ...]]
 
 
 def _lines(
-    lines: Iterable[NoteLine], locale: Locale, style: Notation, is_derived: bool
+    lines: Iterable[NoteLine], locale: Locale, style: Notation, derived: Set[str] | None
 ) -> Iterator[LineBlock]:
-    """Yield the formulas; what used mechanisms give in a row, where that is derived elsewhere."""
-    for is_taken, group in groupby(lines, lambda line: line.is_taken and is_derived):
+    """Yield the formulas; what used mechanisms give in a row, where they are reported elsewhere."""
+    for is_taken, group in groupby(lines, lambda line: line.is_taken and derived is not None):
         if is_taken:
-            label = locale.calculation["derived"]
-            yield LineBlock(label, _values(group, style), "")
+            yield from _taken([line for line in group if line.result], locale, style, derived or ())
         else:
             yield from (_line(line, locale, style) for line in group)
 
 
+def _taken(
+    lines: Sequence[NoteLine], locale: Locale, style: Notation, derived: Container[str]
+) -> Iterator[LineBlock]:
+    """Yield results of a mechanism in a row: those that its report derives, then the others."""
+    parts = {
+        "derived": [line for line in lines if line.name in derived],
+        "taken": [line for line in lines if line.name not in derived],
+    }
+    for key, part in parts.items():
+        if said := _values(part, style):
+            yield LineBlock(locale.calculation[key], rf"{said}.\par\medskip", "")
+
+
 def _values(lines: Iterable[NoteLine], style: Notation) -> str:
-    """Return the values of results in one line."""
-    said = (
+    """Return the values of results, '' where there are none."""
+    return ", ".join(
         math(f"{name(line.name, style)}={measure(line.value, style).tex}")
         for line in lines
-        if line.value and line.result
+        if line.value
     )
-    return rf"{', '.join(said)}.\par\medskip"
 
 
 def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:

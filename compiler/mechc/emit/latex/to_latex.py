@@ -86,7 +86,8 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
     derivation = compiled.by_equilibrium if options.by == "equilibrium" else compiled.reported
     if is_sheet(compiled.mechanism):
         used = () if options.brief else compiled.used_mechanisms
-        note = note_report(compiled, locale, style, options.fragment, is_derived=bool(used))
+        derived = _derived(used) if used else None
+        note = note_report(compiled, locale, style, options.fragment, derived)
         parts = (_used(prefix, part, locale, options) for prefix, part in used)
         return "\n".join((render("latex/note.jinja", note), *parts))
     style = style_of(compiled.mechanism, compiled.derivation.results, style)
@@ -96,6 +97,12 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
         return render("latex/brief.jinja", in_brief)
     whole = report(compiled, derivation, locale, style, options)
     return render("latex/body.jinja", whole)
+
+
+def _derived(used: Iterable[tuple[str, Compiled]]) -> frozenset[str]:
+    """Return the results that reports of used mechanisms derive, by their names in the sheet."""
+    reports = ((prefix, chosen(part.reported, part.mechanism)) for prefix, part in used)
+    return frozenset(f"{prefix}_{r.name}" for prefix, found in reports for r in found.results)
 
 
 def _used(prefix: str, compiled: Compiled, locale: Locale, options: Options) -> str:

@@ -314,6 +314,7 @@ LOCALE = Locale(
         "holds": "holds",
         "least": "holds, the least reserve",
         "derived": "Results of the mechanism, derived below",
+        "taken": "Results of the mechanism",
         "mechanism": "Mechanism {prefix}",
         "index": "In the calculation its quantities have the prefix {prefix}; "
         "here they stand as in its own description, at the values that the calculation gives it.",
