@@ -53,7 +53,7 @@ Stages = TypeVar("Stages", bound="Pipeline")
 
 STAGES: Mapping[str, str] = {
     "syntax": "composed",
-    "model": "mechanism",
+    "model": "described",
     "pose": "pose",
     "kinematics": "plan",
     "power": "balance",

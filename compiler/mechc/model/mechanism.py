@@ -290,12 +290,14 @@ class Mechanism:
         It is drawn with the values of the description.
         """
         drive = self.drive
-        parameters = (
+        parameters = [
             replace(p, outside=drive.start)
             if drive and drive.start and p.name == drive.parameter
             else p
             for p in self.parameters
-        )
+        ]
+        if not any(p.outside for p in parameters):
+            return self
         return replace(self, parameters=tuple(p.moved for p in parameters))
 
     @property

@@ -77,7 +77,8 @@ def moved_from_drawing(pose: Pose, report: Report) -> Pose:
     Lengths and closures are those of the drawing. Reports E340 where a loop does not close there.
     """
     mechanism, before = pose.mechanism.moved, pose.mechanism.parameters
-    first = next((p for p, b in zip(mechanism.parameters, before, strict=True) if p != b), None)
+    pairs = zip(mechanism.parameters, before, strict=True)
+    first = next((moved for moved, drawn in pairs if moved is not drawn), None)
     if first is None:
         return pose
     free = tuple(p.name for p in mechanism.parameters if not p.dependent)
