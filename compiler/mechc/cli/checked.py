@@ -48,7 +48,8 @@ FAILS: Final = "E550"
 def overview_of(compilation: Compilation, language: str) -> Iterator[str]:
     """Yield the lines on a description, as far as the stages went."""
     made = vars(compilation)
-    if mechanism := made.get("mechanism"):
+    if described := made.get("described"):
+        mechanism: Mechanism = described.moved
         spell = speller((), mechanism, unicode=False, language=language)
         yield f"{compilation.source.name}: {mechanism.name}"
         yield from overview(mechanism, made.get("pose"), compilation.source, spell)
