@@ -28,6 +28,9 @@ FALLS = 0.5
 ROUNDED = 1e-6
 """What angles of links that lie on one another leave of a zero, at half the digits."""
 
+CLEAR = 1e-3
+"""A part of a part at its ends, next to which rounding grows: a loop may end there."""
+
 STILL = 1e-7
 """A share of speed that is rounding."""
 
@@ -63,7 +66,7 @@ def zero_throughout(mechanism: SolvedMechanism, stroke: Stroke) -> Iterator[str]
     """Yield where a result is not zero on a part on which it is said to be, but for rounding."""
     for part in stroke.nil:
         width = part.high - part.low
-        places = np.linspace(part.low + NEAR * width, part.high - NEAR * width, DENSE)
+        places = np.linspace(part.low + CLEAR * width, part.high - CLEAR * width, DENSE)
         is_constant = not mechanism[part.result].free_symbols
         values = {} if is_constant else {stroke.drive: places}
         found = mechanism.evaluate(**values)[part.result]

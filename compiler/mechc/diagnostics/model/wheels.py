@@ -154,18 +154,17 @@ def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool)
 
 @coded("E236")
 def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Message:
-    """The wheels of a belt stand where they overlap, or touch one another.
+    """The wheels of a belt stand where they overlap.
 
-    A belt runs round both wheels in one plane, so that their pivots are farther apart than
-    the sum of their radii::
+    A belt runs round both wheels in one plane, so that their pivots are no nearer than the sum
+    of their radii::
 
         pivot O at (0, 0)
         pivot Q at (60 mm, 0)
         belt O 40 mm, Q 30 mm     # wrong: 70 mm
         belt O 20 mm, Q 30 mm     # right
     """
-    so = "overlap" if apart < radii * (1 - 1e-9) else "touch"
-    message = f"the wheels on {pivots} are {apart * 1000:.7g} mm apart and {so}"
+    message = f"the wheels on {pivots} are {apart * 1000:.7g} mm apart and overlap"
     hint = f"their radii make {radii * 1000:.7g} mm: are they diameters?"
     return Message(span, message, hint)
 

@@ -153,7 +153,7 @@ def check_belts(joints: Iterable[Joint], places: Iterable[Geometry], scope: Scop
         if ends[0] is None or ends[1] is None or radii is None:
             continue
         apart = math.dist(ends[0], ends[1])
-        if apart <= sum(radii) * (1 + SAME_VALUE):
+        if apart < sum(radii) * (1 - SAME_VALUE):
             pivots = f"{mesh.first} and {mesh.second}"
             scope.report.add(messages.wheels_overlap(mesh.span, pivots, apart, sum(radii)))
 
