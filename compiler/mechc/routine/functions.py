@@ -28,7 +28,7 @@ from .loops import closing_guard, unseen_loops
 from .scope import Scope, rename
 from .sharing import Shared, named, share
 from .sign_powers import in_choices
-from .steps import Checks, Function, Guard, Input, Solve, Statement, Step, formulas_of
+from .steps import Checks, Function, Guard, Input, Solve, Statement, Step, formulas_of, names_in
 from .unit_vectors import in_unit_vectors
 
 
@@ -141,9 +141,7 @@ def steps_to(
 ) -> Shared:
     """Return the steps to formulas, and those in their terms; names of guards are kept."""
     sides = [side for guard in guards for side in (guard.left, guard.right)]
-    known = constants(sides)
-    asked = {name for side in sides for name in symbols(side)}.union(c.name for c in known)
-    definitions = [*map(named, known), *definitions]
+    asked, definitions = names_in(sides), [*map(named, constants(sides)), *definitions]
     taken = {*names, *(name for name, _ in definitions)}
     alike = OneOfEach()
     definitions = [(name, in_choices(alike.of(formula))) for name, formula in definitions]
