@@ -1,6 +1,6 @@
 """Results at given values: which values may be given, and what is kept for the next ones."""
 
-from collections.abc import Mapping, Set
+from collections.abc import Iterable, Mapping, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -9,9 +9,11 @@ from .driver import Compilation
 from .formula.to_text import text
 from .formula.tree import Formula
 from .formula.walk import symbols
+from .frozen import replace
 from .model.formulas.parameters import in_si
+from .model.mechanism import Mechanism
+from .model.result import Definition, FrictionResult, Result
 from .model.values import dependent
-from .routine.freed import freed, given_loads
 from .study.poses import default_pose
 from .units import Dimension
 
@@ -121,3 +123,34 @@ def _in_si(name: str, value: Any, dimension: Dimension) -> Any:
     if isinstance(value, list | tuple):
         return [_in_si(name, each, dimension) for each in value]
     return value
+
+
+def given_loads(mechanism: Mechanism, results: Iterable[Result]) -> frozenset[str]:
+    """Return the loads that results take from the description: weights, and those with a let."""
+    loads = {load.name for load in mechanism.loads}
+    asked = {r.name for r in results if r.target is not None}
+    used = {d.name for r in results for d in r.where} | {let.name for let in mechanism.lets}
+    return frozenset((loads & used) - asked)
+
+
+def freed(
+    mechanism: Mechanism, results: Iterable[Result], names: Set[str]
+) -> tuple[Mechanism, tuple[Result, ...]]:
+    """Return a mechanism and its results with loads of these names given by nothing."""
+    loads = (replace(k, tie=None) if k.name in names else k for k in mechanism.loads)
+    others = (r for r in results if r.name not in names)
+    return replace(mechanism, loads=tuple(loads)), tuple(_freed(r, names) for r in others)
+
+
+def _freed(result: Result, names: Set[str]) -> Result:
+    where = _without(result.where, names)
+    elsewhere = _freed(result.elsewhere, names) if result.elsewhere else None
+    changed = replace(result, where=where, elsewhere=elsewhere)
+    if not isinstance(changed, FrictionResult) or changed.case is None:
+        return changed
+    case = replace(changed.case, where=_without(changed.case.where, names))
+    return replace(changed, case=case)
+
+
+def _without(where: Iterable[Definition], names: Set[str]) -> tuple[Definition, ...]:
+    return tuple(d for d in where if d.name not in names)

@@ -31,9 +31,8 @@ from mechc.drawing.lettering import name as lettering_of
 from mechc.drawing.moving import Marks
 from mechc.drawing.paper import on_paper
 from mechc.driver import Compilation
-from mechc.emit.svg.picture import to_svg
+from mechc.emit.svg.picture import to_png, to_svg
 from mechc.emit.tikz.picture import to_tikz
-from mechc.emit.typst.picture import to_png
 from mechc.figure.figure import Actuator, Force, Spring, Torque
 from mechc.files import find, mechanisms, read
 from mechc.formula.names import split_points

@@ -1,10 +1,9 @@
 """Formulas as graphs: equal parts are one object, and each is met once."""
 
 from mechc.formula.derivative import derivative
-from mechc.formula.once import Once
 from mechc.formula.sharing import OneOfEach, each_part
 from mechc.formula.tree import Call, Formula, Symbol, number, product, total
-from mechc.formula.walk import walk
+from mechc.formula.walk import Once, walk
 
 
 def doubled(times: int) -> Formula:

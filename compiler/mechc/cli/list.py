@@ -18,7 +18,7 @@ from .terminal import give, line_width, say
 from .usage import Word
 
 NOTED = "titles.json"
-"""The file in the library that ``python -m mechc.cli.make_titles`` makes anew: reading all the
+"""The file in the library that ``python -m mechc.cli.make_gallery`` makes anew: reading all the
 descriptions for their titles takes longer than any one of them to be compiled."""
 
 SOURCE = 34

@@ -1,6 +1,7 @@
 """The gallery of the library: ``python -m mechc.cli.make_gallery`` draws every mechanism anew.
 
-Pictures go into ``library/pictures``, their table into the last section of its README.
+Pictures go into ``library/pictures``, their table into the last section of its README, and all
+titles into the file that ``mechc list`` reads.
 """
 
 from collections.abc import Iterator
@@ -11,6 +12,7 @@ from ..data import data
 from ..driver import Compilation
 from ..emit.svg.picture import to_svg
 from ..files import make_folder, mechanisms, read, write_all
+from .list import NOTED, noted
 
 HEADING = "## Pictures\n"
 
@@ -77,4 +79,5 @@ def make() -> None:
 
 
 if __name__ == "__main__":
+    (data("library") / NOTED).write_text(noted(), "utf-8")
     make()

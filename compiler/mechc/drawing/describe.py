@@ -6,11 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from ..figure.figure import Figure, Force, Link, Part, Pivot, Slide, Slider, SpreadLoad, Torque
 from ..formula.names import split_points
 from ..pose.places import Plane
-from .acting import Forces, heading, in_words
 from .drawing import Run
 from .force_polygon import visible
 from .lettering import figures
-from .speeds import Speeds
+from .vectors import Forces, Speeds, heading, in_words
 
 Words = Mapping[str, str]
 

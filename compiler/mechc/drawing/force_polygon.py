@@ -5,12 +5,12 @@ from collections.abc import Sequence
 
 from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import Acting, FreeBody
-from .acting import LEAST, Forces
 from .drawing import FORCE, HATCH, Drawing
 from .labels import Beside
 from .occupied import LineSegment
 from .sheet import Layer, Sheet
 from .symbols import arrow, line
+from .vectors import LEAST, Forces
 
 FLAT = 1e-3
 """The sine of the angle between forces below which they are drawn as parallel."""

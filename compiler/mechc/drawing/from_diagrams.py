@@ -8,7 +8,6 @@ from ..frozen import frozen, replace
 from ..pose.places import NOWHERE, Plane, direction
 from ..statics.diagram import AT_PINS, Acting, Diagram, FreeBody
 from . import symbols
-from .acting import LEAST, Forces, heading, in_words
 from .arrange import below_each_other, in_rows, line_of_text
 from .bodies import link, slide
 from .drawing import AXIS, FORCE, SYMBOL, Arc, Drawing, Run, Shape
@@ -17,6 +16,7 @@ from .lettering import name
 from .paper import Paper, on_paper
 from .sheet import Layer, Sheet
 from .symbols import off
+from .vectors import LEAST, Forces, heading, in_words
 
 LARGEST = 24.0
 """The length of the largest force in millimetres."""

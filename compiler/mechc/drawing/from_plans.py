@@ -8,7 +8,6 @@ from ..figure.velocities import Velocities
 from ..frozen import replace
 from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import Diagram, FreeBody
-from .acting import Forces, heading
 from .arrange import below_each_other, in_rows, line_of_text
 from .describe import say_forces, say_velocities
 from .drawing import SYMBOL, Drawing, Run
@@ -16,10 +15,10 @@ from .force_polygon import force_polygon, is_known, visible
 from .labels import Around
 from .lettering import name
 from .sheet import Layer, Sheet
-from .speeds import Speeds
 from .symbols import line
 from .ticks import STEPS
 from .tolerances import WHOLE
+from .vectors import Forces, Speeds, heading
 from .velocity_polygon import scale_of, velocity_polygon
 
 LARGEST = 34.0

@@ -16,7 +16,7 @@ from .drawing import AXIS, FORCE, SYMBOL, VELOCITY, Arc, Run
 from .labels import Around
 from .paper import Paper
 from .sheet import Layer, Sheet
-from .speeds import Speeds, index
+from .vectors import Speeds, index
 
 LONGEST, SHORTEST = 20.0, 1.0
 """How long the largest velocity is drawn, and how long one is that is drawn at all."""

@@ -14,8 +14,8 @@ from .drawing import RELATIVE, SYMBOL, VELOCITY, Arc, Drawing, Pen, Run
 from .labels import Around, Beside
 from .lettering import name
 from .sheet import Layer, Sheet
-from .speeds import Speeds, index
 from .symbols import arrow
+from .vectors import Speeds, index
 
 LARGE = 62.0
 """How wide or high the polygon is, in millimetres."""

@@ -9,10 +9,9 @@ from ..files import write_all
 from ..frozen import frozen
 from ..plot.plot import Plot
 from .pgfplots.to_pgfplots import to_pgfplots
-from .svg.picture import to_svg
+from .svg.picture import to_pdf, to_png, to_svg
 from .tables import to_csv, to_xlsx
 from .tikz.picture import to_tikz
-from .typst.picture import to_pdf, to_png
 
 FORMATS: Mapping[str, Callable[[Drawing], str | bytes]] = {
     ".svg": to_svg,

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Report
-from ..diagnostics import derivation as messages
+from ..diagnostics import emission as messages
 from ..kinematics.plan import Plan
 from ..model.mechanism import LoadForm, LoadRatio, Target
 from ..pose.pose import Pose

@@ -10,9 +10,8 @@ from ..model.values import Chain
 from ..pose.motion import Motion
 from ..power.balance import Balance, Term
 from .figure import Figure
-from .rates import rates
 from .tolerances import NO_SPEED, SAME_VELOCITY
-from .velocities import Velocities
+from .velocities import Velocities, rates
 
 OTHER, MORE = 1.7, 0.31
 """By what chosen lengths are multiplied to see which velocities depend on them, each by more."""

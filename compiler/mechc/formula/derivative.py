@@ -11,7 +11,6 @@ from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
-from .once import Once
 from .tree import (
     ONE,
     ZERO,
@@ -31,6 +30,7 @@ from .tree import (
     quotient,
     total,
 )
+from .walk import Once
 
 Slope = Callable[[Formula], Formula]
 

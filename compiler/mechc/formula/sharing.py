@@ -6,9 +6,8 @@ out they have thirty times as many parts as there are different ones.
 
 from collections.abc import Iterable, Iterator
 
-from .once import Once
 from .tree import Call, Constant, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
-from .walk import children
+from .walk import Once, children
 
 
 class OneOfEach:

@@ -1,7 +1,7 @@
-"""Walking over formulas: parts, symbols, substitution."""
+"""Walking over formulas: parts, symbols, substitution, and what is done once for each part."""
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import assert_never
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Generic, TypeVar, assert_never
 
 from .tree import (
     Call,
@@ -194,3 +194,35 @@ class Substitution:
         if id(arguments) not in self._shared:
             self._shared[id(arguments)] = arguments, tuple(map(self.of, arguments))
         return self._shared[id(arguments)][1]
+
+
+T = TypeVar("T")
+
+
+class Once(Generic[T]):
+    """A function that is called once for each formula; formulas are known by identity.
+
+    >>> from .tree import PI
+    >>> called = []
+    >>> times = Once(lambda formula: called.append(formula))
+    >>> times(PI), times(PI), len(called)
+    (None, None, 1)
+    """
+
+    def __init__(self, function: Callable[[Formula], T]) -> None:
+        self._function = function
+        self._known: dict[int, T] = {}
+        self._alive: list[Formula] = []
+
+    def __call__(self, formula: Formula) -> T:
+        """Return the function's value; the formula is kept, so that no other takes its identity."""
+        key = id(formula)
+        if key not in self._known:
+            self._known[key] = self._function(formula)
+            self._alive.append(formula)
+        return self._known[key]
+
+    def forget(self) -> None:
+        """Drop the values: what they depended on has changed."""
+        self._known.clear()
+        self._alive.clear()

@@ -14,7 +14,6 @@ from ..algebra.from_formula import is_transparent, to_product
 from ..algebra.product import Product as Factored
 from ..algebra.sums import add
 from ..formula.evaluate import evaluate
-from ..formula.once import Once
 from ..formula.sharing import each_part
 from ..formula.tree import (
     Call,
@@ -31,7 +30,7 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.walk import children, rebuild
+from ..formula.walk import Once, children, rebuild
 
 Definitions = Sequence[tuple[str, Formula]]
 Named = list[tuple[str, Formula]]

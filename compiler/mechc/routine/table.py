@@ -11,7 +11,6 @@ from fractions import Fraction
 from typing import assert_never
 
 from ..formula.choices import spelled_out
-from ..formula.once import Once
 from ..formula.tree import (
     Call,
     Constant,
@@ -25,7 +24,7 @@ from ..formula.tree import (
     Symbol,
     System,
 )
-from ..formula.walk import children
+from ..formula.walk import Once, children
 from ..named import NamedTuple
 
 

@@ -10,10 +10,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_angle
-from ..formula.once import Once
 from ..formula.sharing import each_part
 from ..formula.tree import ONE, Call, Formula, Sum, Symbol, negative, number, power, product, total
-from ..formula.walk import children, rebuild, symbols
+from ..formula.walk import Once, children, rebuild, symbols
 from .lengths import Definitions, Named, fresh, signed, size, sizes, unsigned, with_roots
 from .unit import WANTED, Unit, factors, plain, whole
 

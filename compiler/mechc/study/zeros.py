@@ -5,9 +5,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.halving import without
+from ..algebra.intervals import vanishing_value
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
-from ..algebra.vanishing import vanishing_value
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula
 from ..formula.walk import symbols, walk

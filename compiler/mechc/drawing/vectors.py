@@ -1,10 +1,12 @@
-"""The symbols of forces on bodies, their sizes, and the bodies on which they are shown."""
+"""Forces and velocities on paper: their symbols, and how large they are."""
 
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping
 
 from ..figure.figure import Figure, Link, Slide, Torque
+from ..figure.tolerances import NO_SPEED
+from ..figure.velocities import Velocities
 from ..frozen import frozen
 from ..statics.diagram import Acting, Diagram, FreeBody
 from .drawing import Run
@@ -135,3 +137,42 @@ class Forces:
         length = {(True, -1): "/m", (True, 1): "\u2009m"}.get((scaled, metres), "")
         number = measured(size, of_another=True)
         return (*number, *name(self.diagram.per), *([Run(length, unit=True)] if length else []))
+
+
+def index(*points: str) -> Run:
+    """Return points as an index."""
+    return Run("".join(run.text for point in points for run in name(point)), level=-1)
+
+
+@frozen
+class Speeds:
+    """The velocities of one motion."""
+
+    velocities: Velocities
+
+    def name(self, *points: str) -> tuple[Run, ...]:
+        """Return the symbol of a point's velocity, or of that relative to another point."""
+        return Run("V", italic=True), index(*points)
+
+    def spin_name(self, link: str) -> tuple[Run, ...]:
+        """Return the symbol of a link's angular velocity."""
+        return Run("ω", italic=True), index(link)
+
+    def size(self, speed: float, *of: str) -> tuple[Run, ...]:
+        """Return how large a speed is that depends on some points; nothing where that is open."""
+        per = self.velocities.per
+        if of == (per,) or not self.velocities.chosen.isdisjoint(of):
+            return ()
+        unit = self.name(per) if per else (Run("m/s", unit=True),)
+        return (*measured(speed, of_another=bool(per)), *unit)
+
+    def spin(self, link: str) -> tuple[Run, ...]:
+        """Return the angular velocity of a link; nothing where that is open."""
+        if link in self.velocities.chosen:
+            return ()
+        per, spin = self.velocities.per, self.velocities.spins[link]
+        least = NO_SPEED * max(map(abs, self.velocities.spins.values()))
+        if abs(spin) <= least:
+            return (*self.spin_name(link), Run(" = 0"))
+        unit = (*self.name(per), Run("/m", unit=True)) if per else (Run("rad/s", unit=True),)
+        return (*self.spin_name(link), *measured(spin, of_another=bool(per)), *unit)
