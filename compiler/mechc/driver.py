@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from .diagnostics import Diagnostic, MechcError, Report
 from .emit.target import Emitted, Options, Target
 from .frozen import replace
-from .model.sheets import is_sheet
+from .model.statements import is_sheet
 from .model.values import defaults, independent
 from .pipeline import OF_LINKAGES, SECOND_OPINIONS, STAGES, Pipeline, of_linkages
 from .source import Source

@@ -20,7 +20,7 @@ from .kinematics.plan import Plan
 from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
-from .model.sheets import is_sheet
+from .model.statements import is_sheet
 from .model.uses import composing as uses
 from .model.uses.composed import Composed, Used, uses_others
 from .pose.from_model import solve_pose

@@ -8,7 +8,7 @@ from .emit.latex import notebook
 from .formula.to_text import text
 from .frozen import field, fields, frozen
 from .report.derivation.steps import Derivation
-from .report.text.html_of_stroke import to_html
+from .report.text.stroke import to_html
 from .study.analysis import Analysis
 from .study.stroke.stroke import Stroke
 

@@ -10,10 +10,10 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import ZERO, Call, Symbol, number, product
 from mechc.model.values import completed
 from mechc.pose.loops.by_groups import in_closed_form
-from mechc.pose.loops.continuation import given_rates, moved_by
 from mechc.pose.loops.dyad_closures import dyad
 from mechc.pose.loops.dyad_sides import Sides
 from mechc.pose.loops.dyads import Loop
+from mechc.pose.loops.rated import given_rates, moved_by
 from mechc.pose.loops.rates import loop_rates, rate
 from mechc.pose.loops.redundant import closure_of
 from mechc.pose.loops.triangle import along, common_turn, heron, principal

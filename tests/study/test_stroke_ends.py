@@ -12,7 +12,7 @@ from mechc.frozen import replace
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
 from mechc.study.analysis import DeadCentre
-from mechc.study.stroke.grid import GRADED, graded, looked_at
+from mechc.study.stroke.run import GRADED, graded, looked_at
 from mechc.study.stroke.stroke import StrokeInterval
 from paths import CORPUS
 

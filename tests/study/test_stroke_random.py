@@ -15,7 +15,7 @@ from mechc.report.text.stroke import to_table
 from mechc.routine.evaluate import evaluate, pose
 from mechc.source import Source
 from mechc.study.stroke.from_balance import run
-from mechc.study.stroke.grid import SAMPLES
+from mechc.study.stroke.run import SAMPLES
 
 WIDE = {"phi": (2.6, "rad"), "s": (0.05, "m")}
 PLACES = 2001

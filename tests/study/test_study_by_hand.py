@@ -23,9 +23,9 @@ from mechc.study.poses import complete, default_pose, random_poses
 from mechc.study.ratios import sizes
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
-from mechc.study.stroke.grid import ENOUGH, GRADED, graded, looked_at
-from mechc.study.stroke.reached import with_reached
+from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
 from mechc.study.stroke.sides import from_both_sides
+from mechc.study.stroke.stretches import with_reached
 from mechc.study.stroke.stroke import Column, Extremum, StrokeInterval
 from mechc.study.stroke.transmission import Transmission, named, transmissions
 from mechc.study.trends import trend

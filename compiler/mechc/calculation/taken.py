@@ -9,10 +9,9 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.formulas.order import ordered
 from ..model.mechanism import Mechanism, Parameter, Require, Subject
 from ..model.result import Definition, FrictionResult, Result, Solved
-from ..model.values import Values, completed, holds, standing
+from ..model.values import Values, completed, holds, ordered, standing
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..units import ANGLE

@@ -14,7 +14,7 @@ from ..frozen import frozen
 from ..model.result import Definition
 from ..named import NamedTuple
 from .signs import AtAnyPose, AtOnePose, Signs, bare
-from .steps import Step
+from .solution import Step
 
 Operator = Literal["<", ">", "="]
 

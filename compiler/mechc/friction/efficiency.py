@@ -23,7 +23,7 @@ from ..source import Span
 from ..units import ANGLE, NUMBER
 from .closed_form import Named, Operator, Printed
 from .iterated import SHORT
-from .steps import Step
+from .solution import Step
 
 
 class Drives:

@@ -21,7 +21,7 @@ from .closed_form import Named, Printed, conditions, power, readable
 from .naming import Sizes
 from .pairs import FrictionPair, LoadedPair, radii, reduced
 from .signs import AtOnePose, is_root
-from .steps import Step
+from .solution import Step
 
 
 def first_order(

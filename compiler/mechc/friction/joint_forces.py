@@ -22,7 +22,7 @@ from .normal_forces import load_of, term_of
 from .pairs import FrictionPair, LoadedPair, radii
 from .senses import sense_of
 from .signs import AtOnePose
-from .steps import Step
+from .solution import Step
 
 
 class ForceWithFriction:

@@ -14,7 +14,7 @@ from .closed_form import Condition, power
 from .free_bodies import EquationsCoupled
 from .pairs import LoadedPair
 from .signs import Signs
-from .steps import Step
+from .solution import Step
 
 MOST = 3
 """More pairs than this make a formula that nobody reads."""

@@ -10,8 +10,8 @@ from ..formula.walk import substitute, symbols
 from ..model.mechanism import Link
 from .free_bodies import Bodies, BodyForce, Kind
 from .signs import Signs, exact_sign
-from .steps import Kind as StepKind
-from .steps import Step
+from .solution import Kind as StepKind
+from .solution import Step
 
 Pair = tuple[Formula, Formula]
 

@@ -35,8 +35,7 @@ from .pairs import LoadedPair
 from .problem import Case, Loaded, Problem, case_of_force, case_of_loads, without_friction
 from .sequential import SequentialSolver
 from .signs import AtAnyPose, Signs
-from .solution import SolvedWithFriction
-from .steps import Step
+from .solution import SolvedWithFriction, Step
 
 
 def result_of(

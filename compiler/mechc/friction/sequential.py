@@ -27,7 +27,7 @@ from .free_bodies import Bodies, BodyForce, EquationsCoupled, Kind
 from .lever import Bearing, Sides, on_lever
 from .notes import Notes
 from .signs import Signs
-from .steps import Step
+from .solution import Step
 
 
 class SequentialSolver:

@@ -38,8 +38,7 @@ from .results.conditions import implied, read_expects, read_requires
 from .results.finds import read_finds
 from .results.reactions import check_guides_of_copies, check_rods, warn_of_shared_pivots
 from .results.reported import read_reported
-from .sheets import refuse_links_in_a_sheet, written_as_sheet
-from .statements import check_doubled, every, only
+from .statements import check_doubled, every, only, refuse_links_in_a_sheet, written_as_sheet
 
 
 def resolve(file: ast.File, report: Report) -> Mechanism:

@@ -1,11 +1,14 @@
 """A description in numbers: the values given, what follows from them, what conditions allow.
 
+What follows is computed in an order in which each name comes after those that it needs.
 Values are SI and radians.
 """
 
 import math
 import operator
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
+from graphlib import CycleError, TopologicalSorter
 
 from ..formula.choices import EQUAL, SENSELESS
 from ..formula.evaluate import Evaluation, evaluate, solver
@@ -13,7 +16,6 @@ from ..formula.straight_line import Solution, StraightLine, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
 from ..units import ANGLE, LENGTH
-from .formulas.order import ordered
 from .mechanism import Mechanism, Parameter, Require
 from .result import Result
 
@@ -223,3 +225,46 @@ def standing(result: Result, values: Values) -> Result | None:
 def compare(left: float, relation: str, right: float) -> bool:
     """Return whether one value is less than another, or greater, or the like."""
     return _COMPARE[relation](left, right)
+
+
+CIRCLES = 8
+"""Circles found in one run; more are a broken generator's work."""
+
+
+Needs = Mapping[str, set[str]]
+
+
+def ordered(needs: Needs) -> tuple[list[str], list[list[str]]]:
+    """Return the names in order, without those in circles, and the circles as ``a b a``.
+
+    >>> ordered({"a": {"b"}, "b": set(), "c": {"d"}, "d": {"c"}})[0]
+    ['b', 'a']
+    >>> ordered({"a": {"a"}})
+    ([], [['a', 'a']])
+    """
+    circles: list[list[str]] = []
+    while len(circles) < CIRCLES:
+        try:
+            return list(_sorter(needs).static_order()), circles
+        except CycleError as error:
+            circle: list[str] = error.args[1]
+            # The sorter gives each name before the one that needs it.
+            circles.append(circle[::-1])
+            gone = set(circle)
+            needs = {name: wanted - gone for name, wanted in needs.items() if name not in gone}
+    return list(_free(needs)), circles
+
+
+def _sorter(needs: Needs) -> TopologicalSorter[str]:
+    """Return a sorter that is given the names in an order that no hash decides."""
+    return TopologicalSorter({name: sorted(wanted) for name, wanted in needs.items()})
+
+
+def _free(needs: Needs) -> Iterator[str]:
+    """Yield the names that no circle blocks."""
+    sorter = _sorter(needs)
+    with suppress(CycleError):
+        sorter.prepare()
+    while ready := sorter.get_ready():
+        yield from ready
+        sorter.done(*ready)

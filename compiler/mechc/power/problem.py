@@ -13,7 +13,7 @@ from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
 from ..model.result import Result
-from ..pose.constants import constants_of
+from ..pose.directions import constants_of
 from ..units import Dimension
 from .balance import Equations, Term, equations_of
 from .definitions import open_lengths, resting_on

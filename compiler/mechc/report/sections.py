@@ -1,4 +1,7 @@
-"""The results in the order of a report: those of one joint together, each name defined once."""
+"""The results in the order of a report: those of one joint together, each name defined once.
+
+:func:`chosen` keeps those that a description wants in its report, and what they rest on.
+"""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import zip_longest
@@ -10,7 +13,7 @@ from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
-from ..model.targets import whole
+from ..model.targets import Efficiency, WithFriction, whole
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, given_loads, letters
@@ -232,3 +235,30 @@ def _components(result: Analysis, results: Iterable[Analysis]) -> tuple[Formula,
     force = whole(result.target) if result.target else None
     beside = {_part(r): Symbol(r.name) for r in results if r.target and whole(r.target) == force}
     return beside["x"], beside["y"]
+
+
+def chosen(derivation: Derivation, mechanism: Mechanism) -> Derivation:
+    """Return a derivation with the results that the report holds; all where it names none.
+
+    What friction makes of a result belongs to it.
+    """
+    named = {part.name for part in mechanism.reported if not part.over}
+    results = derivation.results
+    wanted = {r.name for r in results if r.name in named}
+    if not wanted:
+        return derivation
+    wanted |= {r.name for r in results if _is_of(r, [o for o in results if o.name in wanted])}
+    for result in reversed(results):
+        if result.name in wanted:
+            wanted |= {n for d in result.where for n in symbols(d.formula)}
+            wanted |= symbols(result.formula)
+    return replace(derivation, results=tuple(r for r in results if r.name in wanted))
+
+
+def _is_of(result: Analysis, others: Sequence[Analysis]) -> bool:
+    """Return whether a result is another one with friction, or the efficiency of it."""
+    match result.target:
+        case WithFriction(of=of) | Efficiency(of=of):
+            return any(other.target == of for other in others)
+        case _:
+            return False

@@ -8,7 +8,7 @@ from ..formula.tree import Formula, Symbol
 from ..formula.walk import symbols
 from ..model.mechanism import Load, Mechanism, Parameter
 from ..model.result import Result
-from ..model.sheets import is_sheet
+from ..model.statements import is_sheet
 from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
 from ..units import TORQUE

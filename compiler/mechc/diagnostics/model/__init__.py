@@ -8,6 +8,6 @@ if not TYPE_CHECKING:
     WORDS = {
         *("collars", "doubtful_sizes", "doubts", "friction", "held", "joints", "loads"),
         *("lowering", "names", "quantities", "reactions", "reported", "results", "sheets"),
-        *("symmetry", "translations", "wheels"),
+        *("translations", "wheels"),
     }
     __getattr__ = waiting(__name__, WORDS)

@@ -6,7 +6,7 @@ The document and its JSON Schema are both made from what stands here.
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...model.mechanism import Parameter
-from ...model.sheets import is_sheet
+from ...model.statements import is_sheet
 from ...named import NamedTuple
 from ...routine.steps import STATUSES, Function
 from ...statics.verdict import Trial, Verdict

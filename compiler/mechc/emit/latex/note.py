@@ -8,13 +8,12 @@ from ...model.written import WrittenTable
 from ...named import NamedTuple
 from ...report.checks import NoteCheck
 from ...report.languages.locale import Locale
-from ...report.latex.directions import math, spaced
 from ...report.latex.display import LINE
 from ...report.latex.given import ParameterRow, parameter_row
 from ...report.latex.notation import Notation, name, relation_sign, spellings, translated
 from ...report.latex.note import in_numbers, is_plain, measure, remark
 from ...report.latex.printer import Box, box, latex
-from ...report.latex.quantity import decimal
+from ...report.latex.quantity import decimal, math, spaced
 from ...report.latex.results import Speller
 from ...report.latex.text import escape
 from ...report.note import Note, NoteLine, note

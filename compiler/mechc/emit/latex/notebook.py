@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator
 
-from ...model.sheets import is_sheet
+from ...model.statements import is_sheet
 from ...patterns import pattern
 from ...report.derivation.steps import calculated
 from ...report.languages import registry

@@ -8,16 +8,14 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ...formula.tree import ZERO
 from ...model.mechanism import Mechanism, Parameter
-from ...model.sheets import is_sheet
+from ...model.statements import is_sheet
 from ...model.values import is_constant
 from ...report.brief import at_length, needed, relations, short
-from ...report.chosen import chosen
 from ...report.definitions import given_loads
 from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.evaluated import constants_shown, evaluated, has_atan2, hides_units
 from ...report.languages import registry
 from ...report.languages.locale import Locale
-from ...report.latex.directions import math
 from ...report.latex.display import LINE, Line, display, vanishing
 from ...report.latex.document_style import style_of
 from ...report.latex.given import (
@@ -29,6 +27,7 @@ from ...report.latex.given import (
 from ...report.latex.notation import Notation, name, notation, translated
 from ...report.latex.numbers import in_line, numbers, values
 from ...report.latex.printer import Box, box, plain, row
+from ...report.latex.quantity import math
 from ...report.latex.results import (
     Speller,
     check,
@@ -38,7 +37,7 @@ from ...report.latex.results import (
     untried,
 )
 from ...report.latex.text import has_cyrillic
-from ...report.sections import Outline, PositionSection, outline
+from ...report.sections import Outline, PositionSection, chosen, outline
 from ...report.sentences.remarks import conditions, subject
 from ...report.sentences.wording import (
     Sides,

@@ -32,7 +32,6 @@ from ..constants import leaves, number_of, rational
 from ..entries import drawn_places, vector_between
 from ..formulas.directions import check_sign, read_direction, value_of
 from ..formulas.expressions import Reader
-from ..formulas.order import ordered
 from ..formulas.parameters import constant
 from ..lower import free_point
 from ..mechanism import (
@@ -50,6 +49,7 @@ from ..mechanism import (
 )
 from ..names.scope import DESCRIPTION, TIE, Scope
 from ..statements import every, only
+from ..values import ordered
 from .force_pairs import carrying, read_force_pair
 
 LEAST_G, MOST_G = 0.1, 100.0

@@ -20,10 +20,10 @@ from ..constants import names_in_let_value
 from ..mechanism import Let, Parameter, Require, Subject
 from ..names.scope import FORMULA, Scope
 from ..statements import every
+from ..values import ordered
 from ..written import WrittenSides, expression
 from .choices import note_between, read_let_value, read_tables
 from .expressions import Quantity, Reader
-from .order import ordered
 from .parameters import constant, note_unitless, read_parameter
 from .turns import note_turns
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 
+from ...diagnostics.model import doubts
 from ...diagnostics.model import joints as messages
 from ...diagnostics.model import loads as load_words
-from ...diagnostics.model import symmetry as apart_words
 from ...source import Span
 from ...syntax import ast
 from ...units import NUMBER
@@ -49,7 +49,7 @@ def read_mirror(
     if not any(isinstance(load, ForcePair) for load in loads):
         along = next(_guided_apart(file, guided, across, shared, scope), "")
         if along or not statement.sharing:
-            scope.report.add(apart_words.halves_apart(statement.span, along))
+            scope.report.add(doubts.halves_apart(statement.span, along))
     return Mirror(across, shared, statement.span)
 
 
@@ -133,5 +133,5 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
         scope.report.add(messages.copies_not_whole(span, shown))
         return None
     if set(shared) <= {statement.point.text for statement in every(file, ast.Pivot)}:
-        scope.report.add(apart_words.copies_apart(statement.span))
+        scope.report.add(doubts.copies_apart(statement.span))
     return Copies(value, shared, statement.span)

@@ -7,8 +7,7 @@ from ...diagnostics.model import reported as messages
 from ...syntax import ast
 from ..mechanism import Mechanism, Reported
 from ..names.scope import Scope
-from ..sheets import is_sheet
-from ..statements import every
+from ..statements import every, is_sheet
 from ..values import range_of
 
 PICTURES = ("scheme", "bodies", "plans", "stroke")

@@ -15,7 +15,7 @@ from ...syntax import ast, moved
 from ..constants import leaves as leaves_of
 from ..mechanism import Parameter
 from ..result import Result, Solved
-from ..sheets import is_sheet
+from ..statements import is_sheet
 from ..translations import spoken
 from . import put_in
 from .composed import Used

@@ -19,8 +19,7 @@ from ...syntax import ast
 from ..mechanism import Subassembly
 from ..names.forms import FORMS, form_of
 from ..result import Solved
-from ..sheets import WRITTEN_IN_SHEETS, is_sheet
-from ..statements import every
+from ..statements import WRITTEN_IN_SHEETS, every, is_sheet
 from . import part_names
 from .brought import brought_in, declared, without_given
 from .composed import DOTTED, Composed, Used

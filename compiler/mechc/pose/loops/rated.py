@@ -1,6 +1,6 @@
-"""How fast what closing the loops finds moves with the drive."""
+"""How fast names that the user made, and what closing the loops finds, move with the drive."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
 from ...algebra.angle import Angle
@@ -8,13 +8,37 @@ from ...algebra.factors import Length
 from ...algebra.from_formula import to_product
 from ...algebra.product import Product
 from ...algebra.sums import add
-from ...formula.tree import Symbol
+from ...formula.derivative import derivative as slope
+from ...formula.tree import Formula, Symbol
 from ...formula.walk import substitute, symbols
 from ..pose import Definition, Vector
-from .continuation import rate_of
 from .rates import loop_rates
 from .triangle import is_of_vector
 from .vector_graph import mentioned
+
+
+def given_rates(definitions: Iterable[Definition], drive: str) -> dict[str, Product]:
+    """Return the rates of what the user made to move with the drive, itself included."""
+    rates = {drive: Product(1)}
+    for name, formula in definitions:
+        if not symbols(formula).isdisjoint(rates):
+            rates[name] = rate_of(formula, rates)
+    return rates
+
+
+def rate_of(formula: Formula, rates: Mapping[str, Product]) -> Product:
+    """Return the rate of a formula by the chain rule."""
+    parts = sorted(symbols(formula) & rates.keys())
+    return add(to_product(slope(formula, n)) * rates[n] for n in parts)
+
+
+def moved_by(drive: str, definitions: Iterable[Definition]) -> frozenset[str]:
+    """Return the names that move with the drive, itself included."""
+    moving = {drive}
+    for name, formula in definitions:
+        if not moving.isdisjoint(symbols(formula)):
+            moving.add(name)
+    return frozenset(moving)
 
 
 class Rated:

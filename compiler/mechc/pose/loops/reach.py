@@ -23,8 +23,8 @@ from ...model.values import Chain, dependent
 from ...named import NamedTuple
 from ...units import ANGLE, Dimension
 from ..pose import Limit
-from .continuation import moved_by
 from .dyads import Closure
+from .rated import moved_by
 from .state import State
 
 SAMPLES = 720

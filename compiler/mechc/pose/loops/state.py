@@ -12,10 +12,9 @@ from ...units import LENGTH
 from ..pose import ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vector, turned_by
 from ..samples import Values, poses_nearby
 from ..terms import Terms
-from .continuation import given_rates
 from .dyads import Closure
 from .guide_lines import GuideLine
-from .rated import Rated
+from .rated import Rated, given_rates
 from .vector_graph import Edge, Names, VectorGraph
 
 MANY = 3

@@ -6,8 +6,7 @@ from typing import assert_never
 
 from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, product, total
 from ...formula.walk import substitute, symbols, walk
-from ...friction.solution import Solution, SolvedWithFriction
-from ...friction.steps import Step
+from ...friction.solution import Solution, SolvedWithFriction, Step
 from ...frozen import replace
 from ...model.mechanism import (
     LoadForm,

@@ -11,7 +11,7 @@ from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
 from ...kinematics.plan import Plan
-from ...pose.constants import constants_of
+from ...pose.directions import constants_of
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
 from . import equilibrium

@@ -12,9 +12,8 @@ from ...named import NamedTuple
 from ...power.balance import Term
 from ..sentences.wording import positive_first
 from .notation import linear, times
-from .outputs import acting_on
 from .rules import rule_of_component
-from .speed_steps import SpeedSteps
+from .speed_steps import SpeedSteps, acting_on
 from .steps import Equation, PowerTerm, Rule, Step
 
 

@@ -22,10 +22,9 @@ from ...model.mechanism import (
 from ..languages.locale import Locale
 from ..sentences.speller import LoadWords
 from ..sentences.wording import enumeration
-from .directions import math
 from .notation import Notation, name, points
 from .printer import latex
-from .quantity import length_of
+from .quantity import length_of, math
 
 
 def friction_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:

@@ -30,13 +30,12 @@ from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale
 from ..sentences.wording import enumeration
-from .directions import direction, math, spaced, spoken
 from .friction import friction_sentences
 from .joints import joint_sentences
 from .notation import Notation, name, points, translated
 from .note import side
 from .printer import latex
-from .quantity import length_of, quantity, usual_unit
+from .quantity import direction, length_of, math, quantity, spaced, spoken, usual_unit
 from .text import escape
 from .unit_symbols import unit_symbol
 

@@ -20,9 +20,8 @@ from ...model.mechanism import (
     WheelPair,
 )
 from ..languages.locale import Locale
-from .directions import math, spoken
 from .notation import Notation, points
-from .quantity import length_of
+from .quantity import length_of, math, spoken
 
 
 def joint_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:

@@ -8,11 +8,10 @@ from ...units import ANGLE
 from ..languages.locale import Locale
 from ..note import NoteLine
 from ..put_in import Quantity
-from .directions import math
 from .display import LINE, Line, display
 from .notation import Notation, translated
 from .printer import Box, box, latex, plain, row
-from .quantity import in_unit
+from .quantity import in_unit, math
 from .text import escape
 
 

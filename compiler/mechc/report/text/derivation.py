@@ -7,7 +7,7 @@ from ...formula.layout import is_angle
 from ...formula.tree import ZERO, Symbol
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
-from ...model.sheets import is_sheet
+from ...model.statements import is_sheet
 from ...model.values import is_constant, own_stroke
 from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit, si_unit

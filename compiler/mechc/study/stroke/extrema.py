@@ -11,9 +11,8 @@ from ..analysis import Analysis
 from ..tolerances import BRANCH_POINT, CONSTANT
 from .along import Along
 from .friction import is_shown, some
-from .grid import SAMPLES
 from .rounded import is_nil, rounded
-from .run import Run
+from .run import SAMPLES, Run
 from .singular import order_of, roots_at
 from .stroke import Branch, Extremum, Singular, StrokeInterval
 

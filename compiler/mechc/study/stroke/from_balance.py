@@ -15,13 +15,12 @@ from .along import EXCLUDED
 from .columns import named_apart
 from .extrema import extrema_along
 from .friction import courses, some, standstills
-from .nil import is_apart, zero_parts
 from .points import Asked, asked
-from .reached import with_reached
+from .rounded import is_apart, zero_parts
 from .rows import columns, rows
 from .run import Run, run_of
 from .singular import singular_along
-from .stretches import stretches_of
+from .stretches import stretches_of, with_reached
 from .stroke import Stroke, StrokeInterval
 
 Watch = Callable[[Sequence[float]], Iterable[float]]

@@ -1,15 +1,19 @@
-"""What is nothing but rounding along the stroke: an extremum, or a result all over a stretch."""
+"""What is nothing but rounding along the stroke: an extremum, or a result all over a stretch.
+
+A result is zero all over a part where a loop folds, and what it leads rests.
+"""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain
+from itertools import chain, pairwise
 
 from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding
 from ...model.result import Result
-from ..tolerances import LOST, NEGLIGIBLE
+from ..tolerances import BRANCH_POINT, LOST, NEGLIGIBLE
 from .along import Along
-from .stroke import Extremum, StrokeInterval
+from .run import Run
+from .stroke import Branch, Extremum, Singular, StrokeInterval, ZeroInterval
 
 FEW, MANY = 8, 180
 """Parts of a stretch between which a result shows that it is not zero, and that it seems to be."""
@@ -67,3 +71,28 @@ def _usual(result: Result, along: Along, grid: Sequence[float]) -> float:
     values = (along.of(result.formula, result, x) for x in grid)
     sizes = sorted(abs(value) for value in values if math.isfinite(value))
     return sizes[len(sizes) // 2] if sizes else 0.0
+
+
+def zero_parts(
+    run: Run, stretches: Sequence[StrokeInterval], branches: Sequence[Branch]
+) -> Iterator[ZeroInterval]:
+    """Yield the parts between ends of stretches and branch points on which results are zero."""
+    for stretch in stretches:
+        inner = (b.drive for b in branches if stretch.low < b.drive < stretch.high)
+        for low, high in pairwise((stretch.low, *sorted(inner), stretch.high)):
+            if high - low > BRANCH_POINT * run.range:
+                part = StrokeInterval(low, high, "", "")
+                zero = (r.name for r in run.results if is_nil(r, run.along, part))
+                yield from (ZeroInterval(name, low, high) for name in zero)
+
+
+def is_apart(found: Singular | Extremum, nil: Sequence[ZeroInterval], range_: float) -> bool:
+    """Return whether a singular pose or extremum is on no part on which its result is zero.
+
+    At an end of one a result may jump.
+    """
+    near = BRANCH_POINT * range_
+    if isinstance(found, Singular) and found.value == "undetermined":
+        near = -near
+    parts = (part for part in nil if part.result == found.result)
+    return not any(p.low - near <= found.drive <= p.high + near for p in parts)

@@ -1,6 +1,10 @@
-"""What is run along: a stroke, the results that have values on it, where they are looked at."""
+"""What is run along: a stroke, the results that have values on it, where they are looked at.
 
-from collections.abc import Callable, Mapping, Sequence
+Where a loop comes to its end, what it finds varies as the root of the distance from there: there
+values are spaced evenly by that root. Where a loop that lies flat can go on, nothing does.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from ...formula.roots import spaced
 from ...formula.tree import Formula
@@ -13,8 +17,33 @@ from ..analysis import Analysis
 from .along import Along
 from .branches import branch_points
 from .friction import in_code
-from .grid import SAMPLES, looked_at
 from .stroke import Branch, StrokeInterval
+
+SAMPLES = 720
+"""Cells in which the stroke is looked at for singular poses and extrema."""
+
+
+ENOUGH = 180
+"""Values that are enough for a stretch."""
+
+
+GRADED = 16
+"""Cells that one next to the end of a loop is divided into."""
+
+
+def looked_at(stretch: StrokeInterval, grid: Sequence[float]) -> list[float]:
+    """Return values in a stretch, those that were looked at already where they are enough."""
+    inner = [x for x in grid if stretch.low < x < stretch.high]
+    if len(inner) < ENOUGH:
+        inner = spaced(stretch.low, stretch.high, SAMPLES)[1:-1]
+    first = graded(stretch.low, inner[0]) if stretch.before else ()
+    last = graded(stretch.high, inner[-1]) if stretch.after else ()
+    return sorted({stretch.low, *first, *inner, *last, stretch.high})
+
+
+def graded(root: float, far: float) -> Iterator[float]:
+    """Yield values between an end and another value, evenly by the root of the distance."""
+    yield from (root + (far - root) * (i / GRADED) ** 2 for i in range(1, GRADED))
 
 
 @frozen
