@@ -9,7 +9,6 @@ from ..driver import Compilation
 from ..formula.evaluate import evaluate
 from ..formula.to_text import text
 from ..formula.tree import Constant, Number
-from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import (
     GRAVITY,
@@ -195,7 +194,7 @@ def _where(formula: str, spell: Speller) -> str:
 
 def _sizes(result: Analysis) -> list[str]:
     """Return the pressing forces that a result is made of."""
-    return sorted(symbols(result.formula) & result.inside)
+    return sorted(result.iterated)
 
 
 def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -> Iterator[str]:

@@ -20,7 +20,7 @@ from ..model.result import Case, Definition, FrictionResult, Result
 from ..model.targets import SIGNS
 from ..power.numbers import default_values, value_of
 from ..source import Span
-from ..units import ANGLE, NUMBER
+from ..units import NUMBER
 from .closed_form import Named, Operator, Printed
 from .iterated import SHORT
 from .solution import Step
@@ -158,5 +158,4 @@ def _sign(result: Result, box: Box) -> int | None:
 
 def _sizes(mechanism: Mechanism) -> Box:
     """Return the box of all that is no angle."""
-    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
-    return {name: i for name, i in allowed_box(mechanism).items() if name not in angles}
+    return {name: i for name, i in allowed_box(mechanism).items() if name not in mechanism.angles}

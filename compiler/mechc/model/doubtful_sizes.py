@@ -58,7 +58,7 @@ def _turning(mechanism: Mechanism) -> set[str]:
 def _turns_written(mechanism: Mechanism, ranged: set[str]) -> Iterator[Diagnostic]:
     """Yield the ends of strokes and the directions beyond a turn."""
     drive = mechanism.drive
-    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    angles = mechanism.angles
     if drive and drive.parameter in angles - ranged:
         what = f"an end of the stroke of {drive.parameter}"
         yield from _beyond(drive.span, what, (drive.low, drive.high))

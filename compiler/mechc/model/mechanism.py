@@ -15,6 +15,7 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import symbols
 from ..frozen import frozen, replace
 from ..source import Span
+from ..units import ANGLE
 from .joint_friction import CollarFriction as CollarFriction
 from .joint_friction import FaceFriction as FaceFriction
 from .joint_friction import Friction as Friction
@@ -222,6 +223,16 @@ class Mechanism:
     def drives(self) -> tuple[Drive, ...]:
         """Return the drive that moves, if there is one, then those that are held."""
         return (*([self.drive] if self.drive else []), *self.held)
+
+    @property
+    def drive_name(self) -> str:
+        """Return the parameter that the drive moves, '' where there is none."""
+        return self.drive.parameter if self.drive else ""
+
+    @property
+    def angles(self) -> frozenset[str]:
+        """Return the parameters that are angles."""
+        return frozenset(p.name for p in self.parameters if p.dimension == ANGLE)
 
     @property
     def bodies(self) -> tuple[Body, ...]:

@@ -81,5 +81,5 @@ def usual(mechanism: Mechanism, routine: Routine) -> Query | None:
 def _ranged(mechanism: Mechanism) -> list[str]:
     """Return the drive, and the parameters that have a range."""
     free = [p.name for p in mechanism.parameters if not p.dependent and range_of(p.name, mechanism)]
-    drive = mechanism.drive.parameter if mechanism.drive else ""
+    drive = mechanism.drive_name
     return sorted(free, key=lambda name: name != drive)

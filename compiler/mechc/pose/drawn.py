@@ -31,7 +31,7 @@ def places_of(drawn: Sequence[Drawn], values: Values) -> dict[str, Place]:
 def given_by_hand(mechanism: Mechanism) -> frozenset[str]:
     """Return the parameters that stand in the description, without the drive and what is drawn."""
     places = {drawn.span for drawn in mechanism.drawn}
-    drive = mechanism.drive.parameter if mechanism.drive else ""
+    drive = mechanism.drive_name
     declared = (p for p in mechanism.parameters if p.span not in places and p.name != drive)
     return frozenset(parameter.name for parameter in declared)
 

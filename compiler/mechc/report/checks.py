@@ -11,7 +11,7 @@ from ..model.result import Result
 from ..model.values import compare
 from ..named import NamedTuple
 from ..units import si_unit
-from .put_in import Quantity
+from .put_in import Quantity, values_of
 from .rests_on import below, rests_on
 
 
@@ -88,7 +88,7 @@ def _is_range(require: Require, lets: Mapping[str, Formula], inputs: Container[s
 
 def _sides(require: Require, given: Mapping[str, Quantity]) -> tuple[Quantity, Quantity] | None:
     """Return both sides in the unit that they are written in; None where one has no value."""
-    values = {name: quantity.value for name, quantity in given.items()}
+    values = values_of(given)
     if not symbols(require.left) | symbols(require.right) <= values.keys():
         return None
     unit = require.unit or si_unit(require.dimension)

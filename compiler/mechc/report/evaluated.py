@@ -15,7 +15,7 @@ from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
 from .definitions import FREE_FALL, given_loads, usual_weights
 from .dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
-from .put_in import Quantity, has_units, in_numbers, usual_unit, without_rounding
+from .put_in import Quantity, has_units, in_numbers, usual_unit, values_of, without_rounding
 from .sections import Outline, Section
 from .sentences.remarks import asked
 
@@ -115,8 +115,8 @@ def _accounted(section: Section, shown: set[str]) -> Iterator[Definition]:
     """Yield what results rest on that the account of their friction has introduced; note it."""
     for result in section.results:
         used, needed = symbols(result.formula), list[Definition]()
-        for definition in reversed(result.where):
-            if definition.name in used - shown - set(result.inside):
+        for definition in reversed(result.stated):
+            if definition.name in used - shown:
                 needed.append(definition)
                 used |= symbols(definition.formula)
         shown |= {definition.name for definition in needed}
@@ -146,10 +146,10 @@ def _iterated(
 
     Those of a ratio of loads are for a unit of the load below the line.
     """
-    named = symbols(result.formula) & result.inside - given.keys()
+    named = result.iterated - given.keys()
     if not named or result.default is None:
         return {}
-    values = completed({name: quantity.value for name, quantity in given.items()}, result.where)
+    values = completed(values_of(given), result.where)
     unit = si_unit(FORCE.over(_measured_by(result, mechanism)))
     known = (d.name for d in result.where if d.name in named and d.name in values)
     return {name: Quantity(values[name], unit) for name in known if math.isfinite(values[name])}

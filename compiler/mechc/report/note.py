@@ -22,7 +22,16 @@ from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .checks import NoteCheck, checks
-from .put_in import Quantity, Tables, in_numbers, line_between, put_in, tables_of, usual_unit
+from .put_in import (
+    Quantity,
+    Tables,
+    in_numbers,
+    line_between,
+    put_in,
+    tables_of,
+    usual_unit,
+    values_of,
+)
 from .rests_on import Found, on_the_way, unused
 
 COMPUTED = 12
@@ -190,7 +199,7 @@ def _on_the_way(
 ) -> Mapping[str, Found]:
     """Return the values of what a result rests on."""
     numbers = {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
-    values = {name: quantity.value for name, quantity in given.items()} | numbers
+    values = values_of(given) | numbers
     dimensions = {p.name: p.dimension for p in (*mechanism.parameters, *mechanism.literals)}
     dimensions |= {let.name: let.dimension for let in mechanism.lets}
     dimensions |= {taken.name: taken.dimension for taken in mechanism.taken}
@@ -230,7 +239,7 @@ def _line(let: Let, given: Mapping[str, Quantity], tables: Tables) -> NoteLine:
     assert let.written
     table = tables.get(let.written.of) if let.written.kind == "table" else None
     formula = let.written.formula
-    values = {name: quantity.value for name, quantity in given.items()}
+    values = values_of(given)
     known = symbols(formula) <= values.keys()
     value = given.get(let.name)
     asked = Quantity(evaluate(formula, values), value.unit) if known and value else None
@@ -264,7 +273,7 @@ def _numbers(formula: Formula, kind: str, given: Mapping[str, Quantity]) -> Form
     None where nothing is put in, or where it would be what the formula comes to.
     """
     if is_choice(formula):
-        values = {name: quantity.value for name, quantity in given.items()}
+        values = values_of(given)
         part = chosen(formula.arguments, lambda f: evaluate(f, values))
         return _numbers(part, kind, given) if part else None
     is_value = isinstance(formula, Symbol) and not kind
@@ -273,7 +282,7 @@ def _numbers(formula: Formula, kind: str, given: Mapping[str, Quantity]) -> Form
 
 def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:
     """Return the part that is the largest, or smallest, of several, if one is."""
-    values = {name: quantity.value for name, quantity in given.items()}
+    values = values_of(given)
     taken = [p for p in walk(formula) if isinstance(p, Call) and p.function in ("min", "max")]
     if len(taken) != 1 or not symbols(taken[0]) <= values.keys():
         return None

@@ -59,6 +59,11 @@ def usual_unit(dimension: Dimension, lengths: str) -> str:
     return lengths if dimension == LENGTH else si_unit(dimension)
 
 
+def values_of(given: Mapping[str, Quantity]) -> dict[str, float]:
+    """Return quantities as numbers, in SI and radians."""
+    return {name: quantity.value for name, quantity in given.items()}
+
+
 def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     """Return a formula with quantities for symbols, in brackets where a power is taken of one.
 
@@ -74,7 +79,7 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     """
     match formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
-            values = {name: quantity.value for name, quantity in given.items()}
+            values = values_of(given)
             return Call(function, (in_degrees(_within_a_turn(evaluate(angle, values)), DIGITS),))
         case Call("hypot", sides) if symbols(formula):
             return put_in(power(squares(sides), HALF), given)

@@ -121,8 +121,7 @@ class Shown:
 
         What stands in ``lines`` of its own is none of them, nor what it alone rests on.
         """
-        left_out = {*result.inside, *lines}
-        where = [d for d in result.where if d.name not in left_out]
+        where = [d for d in result.stated if d.name not in lines]
         fresh = self.new_definitions([result.formula], where)
         self._results.add(result.name)
         return fresh

@@ -5,10 +5,11 @@ from types import MappingProxyType
 from typing import Literal
 
 from ..formula.tree import Formula
+from ..formula.walk import symbols
 from ..frozen import fields, frozen, replace
 from ..model.locking import EfficiencyRange, Locking, Range
 from ..model.mechanism import Require
-from ..model.result import FrictionResult, Result
+from ..model.result import Definition, FrictionResult, Result
 from ..named import NamedTuple
 from ..units import Dimension
 
@@ -144,6 +145,16 @@ class Analysis(Result):
     driven: bool | None = None
     courses: tuple[EfficiencyRange, ...] = ()
     extents: tuple[Extent, ...] = ()
+
+    @property
+    def stated(self) -> tuple[Definition, ...]:
+        """Return what the result rests on, without the coefficients of systems."""
+        return tuple(d for d in self.where if d.name not in self.inside)
+
+    @property
+    def iterated(self) -> frozenset[str]:
+        """Return the names inside systems that the formula mentions: forces found by iteration."""
+        return symbols(self.formula) & self.inside
 
 
 def as_printed(result: Result) -> Analysis:

@@ -18,7 +18,7 @@ def varying(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
     They come in the order of the text.
     """
     used = _used(mechanism, results)
-    drive = mechanism.drive.parameter if mechanism.drive else ""
+    drive = mechanism.drive_name
     for parameter in mechanism.parameters:
         turns = parameter.dimension == ANGLE and not parameter.dependent
         is_followed = turns or parameter.range is not None or parameter.name == drive
@@ -28,7 +28,7 @@ def varying(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
 
 def moved(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
     """Yield those among them that may pass a dead centre: the drive and angles."""
-    drive = mechanism.drive.parameter if mechanism.drive else ""
+    drive = mechanism.drive_name
     for name in varying(mechanism, results):
         if name == drive or turns(name, mechanism):
             yield name

@@ -53,7 +53,7 @@ def closing(mechanism: Mechanism, sketch: Sketch, report: Report) -> Mechanism:
 
 def _driven(mechanism: Mechanism) -> dict[str, Formula]:
     """Return the values of the driving parameter and of all that follows from it."""
-    drive = mechanism.drive.parameter if mechanism.drive else ""
+    drive = mechanism.drive_name
     found = {p.name: p.value for p in mechanism.parameters if p.name == drive and p.value}
     for name, formula in Chain(dependent(mechanism)).definitions:
         if found and not found.keys().isdisjoint(symbols(formula)):

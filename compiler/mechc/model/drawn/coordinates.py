@@ -45,7 +45,7 @@ def _drawn_values(
 
     What ``waiting`` parameters give is held from then on.
     """
-    drive = mechanism.drive.parameter if mechanism.drive else ""
+    drive = mechanism.drive_name
     parts = [part for entry in mechanism.geometry for part in _parts(entry)]
     left = {n: _of(n, parts) for part in parts for n in sorted(mentioned(part) & set(waiting))}
     while left:

@@ -44,7 +44,7 @@ def close(
 
 def _turning(mechanism: Mechanism, named: Names) -> Names:
     """Return the parameters among some that are angles."""
-    return named & {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    return named & mechanism.angles
 
 
 def _open_lengths(edges: Iterable[Edge], terms: Terms) -> Names:
@@ -72,7 +72,7 @@ def _sought_parameters(mechanism: Mechanism) -> frozenset[str]:
     """Return the parameters without a value that a loop may give, once something drives it."""
     if mechanism.drive is None and not mechanism.assemblies:
         return frozenset()
-    drive = mechanism.drive.parameter if mechanism.drive else ""
+    drive = mechanism.drive_name
     return frozenset(p.name for p in mechanism.parameters if _is_open(p) and p.name != drive)
 
 

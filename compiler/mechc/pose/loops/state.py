@@ -41,7 +41,7 @@ class State:
         self.definitions = terms.definitions
         self.directions: dict[str, Angle] = {}
         self.found: set[str] = set()
-        drive = mechanism.drive.parameter if mechanism.drive else ""
+        drive = mechanism.drive_name
         self.rated = Rated(given_rates(terms.definitions, drive) if drive else {})
         self.limits: list[Limit] = []
         self.loops: list[ClosedLoop] = []

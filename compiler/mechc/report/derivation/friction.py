@@ -89,8 +89,8 @@ def _are_iterated(names: Sequence[str], results: Iterable[Analysis]) -> bool:
     """Return whether results show anything of what is iterated: a force may rest on no friction."""
     for result in results:
         if result.name in names:
-            beside = [d.formula for d in result.where if d.name not in result.inside]
-            if result.inside & frozenset[str]().union(*map(symbols, (result.formula, *beside))):
+            formulas = (result.formula, *(d.formula for d in result.stated))
+            if result.inside & symbols(*formulas):
                 return True
     return False
 

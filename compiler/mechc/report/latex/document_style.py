@@ -2,28 +2,21 @@
 
 from collections.abc import Iterator, Sequence
 
-from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
 from ...model.mechanism import Mechanism, WithFriction
 from ...study.analysis import Analysis
-from ...units import ANGLE
 from ..sentences.remarks import called, reaction
-from ..sentences.speller import couples_of, guided_of, own_names
+from ..sentences.speller import angles_of, couples_of, guided_of, own_names
 from .notation import Notation, of_first_order, of_force, spellings
 
 
 def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation) -> Notation:
     """Return a notation with this mechanism's angles, and its names set apart from each other."""
-    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
-    for result in results:
-        for definition in result.where:
-            if is_angle(definition.formula, angles):
-                angles.add(definition.name)
     texts = mechanism.translations.get(style.language, style.texts)
     known = replace(
         style,
-        angles=frozenset(angles),
+        angles=angles_of(mechanism, results),
         couples=couples_of(mechanism),
         guided=guided_of(mechanism),
         texts=texts,

@@ -1,10 +1,12 @@
 """What a printer must know to write mathematics inside a sentence."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Protocol
 
+from ...formula.layout import is_angle
 from ...formula.tree import Formula
 from ...model.mechanism import Mechanism, Slider, Torque
+from ...model.result import Result
 
 
 class Speller(Protocol):
@@ -53,6 +55,16 @@ class LoadWords:
 
     def __format__(self, forms: str) -> str:
         return forms.split("|")[self._form]
+
+
+def angles_of(mechanism: Mechanism, results: Iterable[Result]) -> frozenset[str]:
+    """Return the names that are angles: parameters, and what results rest on."""
+    angles = set(mechanism.angles)
+    for result in results:
+        for definition in result.where:
+            if is_angle(definition.formula, angles):
+                angles.add(definition.name)
+    return frozenset(angles)
 
 
 def couples_of(mechanism: Mechanism) -> frozenset[str]:

@@ -66,7 +66,7 @@ def _without_the_way(line: NoteLine) -> NoteLine:
 
 
 def _signs(mechanism: Mechanism, signs: Signs) -> Signs:
-    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    angles = mechanism.angles
     angles |= {let.name for let in mechanism.lets if let.dimension == ANGLE}
     return replace(signs, angles=frozenset(angles))
 

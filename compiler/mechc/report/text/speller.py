@@ -5,18 +5,17 @@ from textwrap import wrap
 from types import MappingProxyType
 
 from ...formula.evaluate import evaluate
-from ...formula.layout import is_angle
 from ...formula.tree import Formula, Symbol
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
 from ...named import NamedTuple
 from ...patterns import pattern
-from ...units import ANGLE, in_unit
+from ...units import in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..put_in import Quantity, in_degrees
-from ..sentences.speller import couples_of, guided_of, own_names
+from ..sentences.speller import angles_of, couples_of, guided_of, own_names
 from .printer import ASCII, UNICODE, Signs, print_point, print_quantity, print_side
 
 SHOWN = 6
@@ -153,16 +152,11 @@ def speller(
 ) -> Speller:
     """Return the speller of mathematics, with the names that are angles in this mechanism."""
     words = locale_of(language)
-    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
-    for result in results:
-        for definition in result.where:
-            if is_angle(definition.formula, angles):
-                angles.add(definition.name)
     signs = UNICODE if unicode else ASCII
     functions = {name: _OPERATOR.sub(r"\1", word) for name, word in words.functions.items()}
     signs = replace(
         signs,
-        angles=frozenset(angles),
+        angles=angles_of(mechanism, results),
         couples=couples_of(mechanism),
         guided=guided_of(mechanism),
         functions=functions if language != "en" else {},
