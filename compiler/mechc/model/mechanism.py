@@ -63,6 +63,9 @@ from .quantities import Reported as Reported
 from .quantities import Require as Require
 from .quantities import Subject as Subject
 from .quantities import Taken as Taken
+from .repeated import Copies as Copies
+from .repeated import Mirror as Mirror
+from .repeated import Subassembly as Subassembly
 from .targets import Axial as Axial
 from .targets import Efficiency as Efficiency
 from .targets import ForceAtJoint as ForceAtJoint
@@ -82,9 +85,6 @@ J = TypeVar("J", bound=Joint)
 
 GRAVITY = Number(Fraction("9.80665"))
 """The standard acceleration of free fall in m/s²."""
-
-
-# ------------------------------------------------------------------------ geometry
 
 
 @frozen
@@ -124,52 +124,6 @@ class Turn:
 
 
 Geometry = Arrow | Offset | Turn
-
-
-# ------------------------------------------------------------------------- symmetry
-
-
-@frozen
-class Mirror:
-    """The description is the half on one side of a line; shared points lie on it."""
-
-    across: Direction
-    sharing: tuple[str, ...]
-    span: Span
-
-    @property
-    def number(self) -> Fraction:
-        """Return how many halves there are."""
-        return Fraction(2)
-
-    def shares(self, points: Iterable[str]) -> bool:
-        """Return whether both halves have what goes through these points in common."""
-        return set(points) <= set(self.sharing)
-
-
-@frozen
-class Copies:
-    """The description is one of ``number`` identical branches around the shared points' guide."""
-
-    number: Fraction
-    sharing: tuple[str, ...]
-    span: Span
-
-    def shares(self, points: Iterable[str]) -> bool:
-        """Return whether the branches have what goes through these points in common."""
-        return set(points) <= set(self.sharing)
-
-
-@frozen
-class Subassembly:
-    """A mechanism that is a part of this one: its name, its prefix, and its points.
-
-    ``points`` are pairs of a point's name there and here.
-    """
-
-    prefix: str
-    name: str
-    points: tuple[tuple[str, str], ...]
 
 
 @frozen

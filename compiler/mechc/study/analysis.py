@@ -148,7 +148,7 @@ class Analysis(Result):
 
     @property
     def stated(self) -> tuple[Definition, ...]:
-        """Return what the result rests on, without the coefficients of systems."""
+        """Return the definitions that the result rests on, without coefficients of systems."""
         return tuple(d for d in self.where if d.name not in self.inside)
 
     @property
