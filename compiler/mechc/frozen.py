@@ -61,10 +61,7 @@ def frozen(cls: type[T]) -> type[T]:
     own = [_declared(name, vars(cls).get(name, REQUIRED)) for name in cls.__annotations__]
     every = [*fields(cls), *own]
     every.sort(key=lambda f: f.kw_only)
-    made = _with_slots(cls, own, every)
-    if "__init__" not in vars(cls):
-        made.__init__ = _init(made, every)  # type: ignore[method-assign]
-    return made
+    return _with_slots(cls, own, every)
 
 
 class Hashed:
@@ -103,6 +100,7 @@ def _with_slots(cls: type[T], own: Iterable[Field], every: Iterable[Field]) -> t
     compared = [f.name for f in every if f.compare]
     left_out = {"__dict__", "__weakref__", *names}
     methods = _METHODS | ({"__hash__": _kept_hash} if issubclass(cls, Hashed) else {})
+    methods["__init__"] = _first_init
     body = methods | {name: part for name, part in vars(cls).items() if name not in left_out}
     body["__slots__"] = names
     body["__fields__"] = tuple(every)
@@ -111,6 +109,16 @@ def _with_slots(cls: type[T], own: Iterable[Field], every: Iterable[Field]) -> t
     made: type[T] = type(cls)(cls.__name__, cls.__bases__, body)  # type: ignore[misc]
     made.__qualname__ = cls.__qualname__
     return made
+
+
+def _first_init(self: object, /, *given: Any, **named: Any) -> None:
+    """Make the constructor of a class together with its first object.
+
+    Most compilations make no object of every other class that they import.
+    """
+    cls = next(c for c in type(self).__mro__ if vars(c).get("__init__") is _first_init)
+    cls.__init__ = made = _init(cls, list(fields(cls)))  # type: ignore[misc]
+    made(self, *given, **named)
 
 
 def _init(cls: type, every: list[Field]) -> Callable[..., None]:

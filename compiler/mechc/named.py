@@ -66,20 +66,25 @@ class _Making(type):
     """Makes a class of its fields, with :class:`Named` as its base."""
 
     def __new__(cls, name: str, bases: tuple[type, ...], body: dict[str, Any]) -> type:
-        made = type.__new__(type, name, (Named,), {"__slots__": (), **body})
-        fields = tuple(made.__annotations__)
+        fields = tuple(_annotated(body))
         defaults = {f: body[f] for f in fields if f in body}
         if tuple(defaults) != fields[len(fields) - len(defaults) :]:
             raise TypeError(f"a field of {name} without a default follows one with a default")
-        own: dict[str, Any] = {f: _getter(i) for i, f in enumerate(fields)}
-        own |= {"_fields": fields, "__match_args__": fields, "_field_defaults": defaults}
-        own["__new__"] = _constructor(fields, tuple(defaults.values()))
-        for attribute, value in own.items():
-            setattr(made, attribute, value)
-        return made
+        # Whole before the class is made: each special method put in later makes it anew in part.
+        whole: dict[str, Any] = {"__slots__": (), **body}
+        whole |= {f: _getter(i) for i, f in enumerate(fields)}
+        whole |= {"_fields": fields, "__match_args__": fields, "_field_defaults": defaults}
+        whole["__new__"] = _constructor(fields, tuple(defaults.values()))
+        return type.__new__(type, name, (Named,), whole)
 
 
 _Template = type.__new__(_Making, "_Template", (), {})
+
+def _annotated(body: dict[str, Any]) -> Iterable[str]:
+    """Return the names that the body of a class annotates; of late Python a class alone has them."""
+    found: dict[str, Any] | None = body.get("__annotations__")
+    return type.__new__(type, "_", (), dict(body)).__annotations__ if found is None else found
+
 
 _make: Callable[..., Any] = namedtuple
 _Sample = _make("_Sample", [f"f{i}" for i in range(24)])

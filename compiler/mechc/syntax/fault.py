@@ -1,7 +1,8 @@
 """How a mistake inside one statement or one scalar leaves the parser, and how many may."""
 
+from unicodedata import category
+
 from ..diagnostics import Diagnostic, Report, syntax, syntax_limits
-from ..patterns import pattern
 from ..source import Source, Span
 from . import limits
 
@@ -22,15 +23,18 @@ def note(diagnostic: Diagnostic, report: Report) -> None:
         raise report.fail(syntax_limits.too_many_errors(span, limits.FAULTS))
 
 
-UNPRINTABLE = pattern(r"[\x00-\x08\x0b\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
-"""Control characters, halves of characters, and what is no character."""
+def _is_unprintable(character: str) -> bool:
+    """Return whether it is a control character, half of a character, or no character."""
+    if category(character) == "Cc":
+        return character not in "\t\n\f\r\x85"
+    return category(character) == "Cs" or character in "\ufffe\uffff"
 
 
 def check_characters(text: str, span: Span | None, report: Report) -> None:
     """Report a character that no text has; ``span`` is the text's place, None for a whole file."""
-    if found := UNPRINTABLE.search(text):
-        place = span or Span(found.start(), found.end())
-        note(syntax.unprintable_character(place, found[0]), report)
+    if found := set(filter(_is_unprintable, set(text))):
+        at = min(map(text.index, found))
+        note(syntax.unprintable_character(span or Span(at, at + 1), text[at]), report)
 
 
 def check_length(source: Source, report: Report) -> None:

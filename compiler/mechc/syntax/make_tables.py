@@ -1,16 +1,24 @@
 """The parser's tables, made by Lark: ``python -m mechc.syntax.make_tables`` ships them anew."""
 
-import json
 import re
+from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from lark import Lark
 from lark.grammar import Rule as LarkRule
 from lark.lexer import PatternStr, TerminalDef
 
-from ..data import data
 from .lalr import Rule, Tables
 from .tables import STARTS, checksum, grammar
+
+
+MADE = Path(__file__).with_name("made_tables.py")
+
+HEAD = '''"""The parser's tables, made by ``mechc.syntax.make_tables``."""
+
+from .lalr import Rule, Tables
+'''
 
 
 def make(grammar: str, starts: list[str]) -> Tables:
@@ -35,10 +43,20 @@ def make(grammar: str, starts: list[str]) -> Tables:
 
 
 def written() -> str:
-    """Return the tables as the text of their file."""
+    """Return the tables as the text of their module."""
     text = grammar()
-    content = {"made_from": checksum(text), **make(text, STARTS)._asdict()}
-    return json.dumps(content, separators=(",", ":")) + "\n"
+    return "\n".join([HEAD, f"MADE_FROM = {checksum(text)}", *_literal(make(text, STARTS)), ""])
+
+
+def _literal(tables: Tables) -> Iterator[str]:
+    """Yield the lines of the tables as Python, a line for each entry of a list."""
+    yield "TABLES = Tables("
+    for name, value in tables._asdict().items():
+        if isinstance(value, list):
+            yield from (f"{name}=[", *(f"{entry!r}," for entry in value), "],")
+        else:
+            yield f"{name}={value!r},"
+    yield ")"
 
 
 def _precedence(terminal: TerminalDef) -> tuple[object, ...]:
@@ -110,4 +128,4 @@ def _inlined(symbol: Any) -> bool:
 
 
 if __name__ == "__main__":
-    (data("grammar") / "tables.json").write_text(written(), "utf-8")
+    MADE.write_text(written(), "utf-8")

@@ -9,7 +9,6 @@ import unicodedata
 from collections.abc import Iterable
 
 from ...formula.names import GREEK
-from ...patterns import pattern
 
 ACCENTS = {
     "\u0300": r"\`",
@@ -37,8 +36,19 @@ _IN_MATHEMATICS = {"\u0300": "grave", "\u0301": "acute", "\u0308": "ddot", "\u03
 _HORN = "\u031b"
 """The mark of Vietnamese that stands beside its letter."""
 
-CYRILLIC = pattern("[Ѐ-џҐ-ғҖ-ҝҠ-ҥҪҫҮ-ҳҶ-һӀ-ӂӐ-ӟӢ-ӨөӬ-ӵӸӹ]")
+
+
+def _between(*ends: str) -> frozenset[str]:
+    """Return the characters from the first to the last of each pair."""
+    return frozenset(chr(code) for a, z in ends for code in range(ord(a), ord(z) + 1))
+
+
+# Sets, since a regular expression of such ranges takes longer to compile than a report to spell.
+CYRILLIC = _between(*"Ѐџ Ґғ Җҝ Ҡҥ Ҫҫ Үҳ Ҷһ Ӏӂ Ӑӟ ӢӨ өө Ӭӵ Ӹӹ".split())
 """Cyrillic letters of the font encoding T2A."""
+
+LATIN = _between(" ~", "¡ſ", "Șț") - set("ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ")
+"""Latin letters of the font encodings T1 and T2A, either by themselves or as accents."""
 
 _BARRED = dict(zip("ĦħŦŧƀɃɨƗƵƶǤǥɈɉ", "HhTtbBiIZzGgJj", strict=True))
 """Letters with a stroke, by the letter that is struck through."""
@@ -76,7 +86,7 @@ def spelled(cluster: str) -> str:
     >>> spelled("ŧ"), spelled("ẑ"), spelled("ή"), spelled("中")
     ('\\mechcbarred{t}', '\\^{z}', '\\ensuremath{\\acute{\\eta}}', '[U+4E2D]')
     """
-    if CYRILLIC.match(cluster) and all(mark in ACCENTS for mark in cluster[1:]):
+    if cluster[0] in CYRILLIC and all(mark in ACCENTS for mark in cluster[1:]):
         return rf"\mechccyr{{{_with_marks(cluster[0], cluster[1:])}}}"
     base, *marks = list(unicodedata.normalize("NFD", cluster))
     if base in _GREEK and all(m in _IN_MATHEMATICS for m in marks):

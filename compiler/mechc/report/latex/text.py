@@ -15,7 +15,7 @@ from itertools import groupby
 
 from ...formula.names import GREEK
 from ...patterns import pattern
-from .letters import CYRILLIC, spelled
+from .letters import CYRILLIC, LATIN, spelled
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -97,9 +97,6 @@ _SPECIAL = {
 
 _PLAIN = {tex: letter for letter, tex in reversed(_SPECIAL.items()) if len(tex) > 2}
 
-_LATIN = pattern("[ -~¡-ſȘ-ț](?<![ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ])")
-"""Latin letters of the font encodings T1 and T2A, either by themselves or as accents."""
-
 _MARKS = "\u0300-\u036f"
 _CLUSTER = pattern(f".[{_MARKS}]*")
 """A character with the marks that no letter of its own has."""
@@ -149,7 +146,7 @@ def _escaped() -> re.Pattern[str]:
 
 def has_cyrillic(text: str) -> bool:
     """Return whether a text needs a font with Cyrillic letters."""
-    return bool(CYRILLIC.search(text))
+    return not CYRILLIC.isdisjoint(text)
 
 
 def _printable(character: str) -> str:
@@ -162,9 +159,9 @@ def _printable(character: str) -> str:
 def _kind(cluster: str) -> str:
     if cluster in _SPECIAL:
         return "special"
-    if CYRILLIC.fullmatch(cluster):
+    if cluster in CYRILLIC:
         return "cyrillic"
-    return "latin" if _LATIN.fullmatch(cluster) else "other"
+    return "latin" if cluster in LATIN else "other"
 
 
 def _run(kind: str, run: str) -> str:
