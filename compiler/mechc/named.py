@@ -80,8 +80,9 @@ class _Making(type):
 
 _Template = type.__new__(_Making, "_Template", (), {})
 
+
 def _annotated(body: dict[str, Any]) -> Iterable[str]:
-    """Return the names that the body of a class annotates; of late Python a class alone has them."""
+    """Return the names that the body of a class annotates: as of Python 3.14 the class has them."""
     found: dict[str, Any] | None = body.get("__annotations__")
     return type.__new__(type, "_", (), dict(body)).__annotations__ if found is None else found
 

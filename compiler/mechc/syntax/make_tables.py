@@ -12,7 +12,6 @@ from lark.lexer import PatternStr, TerminalDef
 from .lalr import Rule, Tables
 from .tables import STARTS, checksum, grammar
 
-
 MADE = Path(__file__).with_name("made_tables.py")
 
 HEAD = '''"""The parser's tables, made by ``mechc.syntax.make_tables``."""

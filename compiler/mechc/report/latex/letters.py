@@ -37,14 +37,13 @@ _HORN = "\u031b"
 """The mark of Vietnamese that stands beside its letter."""
 
 
-
 def _between(*ends: str) -> frozenset[str]:
     """Return the characters from the first to the last of each pair."""
     return frozenset(chr(code) for a, z in ends for code in range(ord(a), ord(z) + 1))
 
 
 # Sets, since a regular expression of such ranges takes longer to compile than a report to spell.
-CYRILLIC = _between(*"Ѐџ Ґғ Җҝ Ҡҥ Ҫҫ Үҳ Ҷһ Ӏӂ Ӑӟ ӢӨ өө Ӭӵ Ӹӹ".split())
+CYRILLIC = _between(*["Ѐџ", "Ґғ", "Җҝ", "Ҡҥ", "Ҫҫ", "Үҳ", "Ҷһ", "Ӏӂ", "Ӑӟ", "ӢӨ", "өө", "Ӭӵ", "Ӹӹ"])
 """Cyrillic letters of the font encoding T2A."""
 
 LATIN = _between(" ~", "¡ſ", "Șț") - set("ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ")
