@@ -37,16 +37,17 @@ _HORN = "\u031b"
 """The mark of Vietnamese that stands beside its letter."""
 
 
-def _between(*ends: str) -> frozenset[str]:
-    """Return the characters from the first to the last of each pair."""
+def _between(ranges: str) -> frozenset[str]:
+    """Return the characters of ranges such as ``a-z``."""
+    ends = (part.split("-") for part in ranges.split())
     return frozenset(chr(code) for a, z in ends for code in range(ord(a), ord(z) + 1))
 
 
 # Sets, since a regular expression of such ranges takes longer to compile than a report to spell.
-CYRILLIC = _between(*["Ѐџ", "Ґғ", "Җҝ", "Ҡҥ", "Ҫҫ", "Үҳ", "Ҷһ", "Ӏӂ", "Ӑӟ", "ӢӨ", "өө", "Ӭӵ", "Ӹӹ"])
+CYRILLIC = _between("Ѐ-џ Ґ-ғ Җ-ҝ Ҡ-ҥ Ҫ-ҫ Ү-ҳ Ҷ-һ Ӏ-ӂ Ӑ-ӟ Ӣ-Ө ө-ө Ӭ-ӵ Ӹ-ӹ")
 """Cyrillic letters of the font encoding T2A."""
 
-LATIN = _between(" ~", "¡ſ", "Șț") - set("ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ")
+LATIN = _between("!-~ ¡-ſ Ș-ț") - set("ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ") | {" "}
 """Latin letters of the font encodings T1 and T2A, either by themselves or as accents."""
 
 _BARRED = dict(zip("ĦħŦŧƀɃɨƗƵƶǤǥɈɉ", "HhTtbBiIZzGgJj", strict=True))
