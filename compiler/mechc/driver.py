@@ -283,7 +283,9 @@ def checked(compilation: Compilation) -> Compilation:
 
 def emit(compilation: Compilation, target: Target, options: Options) -> tuple[Emitted, ...]:
     """Return the files of one target; the first is the main one."""
-    return target.emit(checked(compilation), options)
+    compiled = checked(compilation)
+    with within(Allowance(), compilation.report):
+        return target.emit(compiled, options)
 
 
 def warnings(compilation: Compilation) -> list[Diagnostic]:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from copyreg import pickle
 from operator import attrgetter
 from types import MappingProxyType
-from typing import Any, NoReturn, TypeVar, dataclass_transform
+from typing import Any, NoReturn, TypeVar, cast, dataclass_transform
 
 from .named import NamedTuple
 
@@ -35,11 +35,49 @@ class Field(NamedTuple):
     default: Any = REQUIRED
     compare: bool = True
     kw_only: bool = False
+    on_demand: bool = False
 
 
-def field(*, default: Any = REQUIRED, compare: bool = True, kw_only: bool = False) -> Any:
-    """Say of a field that it does not count in comparisons, or is given by name only."""
-    return Field("", default, compare, kw_only)
+def field(
+    *,
+    default: Any = REQUIRED,
+    compare: bool = True,
+    kw_only: bool = False,
+    on_demand: bool = False,
+) -> Any:
+    """Say of a field that it does not count in comparisons, or is given by name only.
+
+    The value of one ``on_demand`` may be given by :func:`on_demand`.
+    """
+    return Field("", default, compare, kw_only, on_demand)
+
+
+class _OnDemand:
+    """What makes a value; it does so once, for all objects that have it."""
+
+    def __init__(self, make: Callable[[], object]) -> None:
+        self._make: Callable[[], object] | None = make
+        self._made: object = None
+
+    def made(self) -> object:
+        """Return the value."""
+        if self._make is not None:
+            self._made, self._make = self._make(), None
+        return self._made
+
+
+def on_demand(make: Callable[[], T]) -> T:
+    """Return what stands for a field's value until it is read: only then it is made.
+
+    >>> @frozen
+    ... class Book:
+    ...     index: str = field(default="", on_demand=True)
+    >>> book = replace(Book(on_demand(lambda: print("read") or "A to Z")))
+    >>> book.index, book.index
+    read
+    ('A to Z', 'A to Z')
+    """
+    return cast("T", _OnDemand(make))
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -79,10 +117,21 @@ def fields(of: object) -> tuple[Field, ...]:
     return getattr(of, "__fields__", ())
 
 
+def contents(value: object, of: object) -> dict[str, Any]:
+    """Return by name what the fields that a class or object has hold in a frozen object.
+
+    What is made on demand is not made for that.
+    """
+    kind = type(value)
+    return {
+        f.name: getattr(kind, f.name).held(value) if f.on_demand else getattr(value, f.name)
+        for f in fields(of)
+    }
+
+
 def replace(value: T, /, **changes: Any) -> T:
     """Return a frozen object with some of its fields changed."""
-    kept = {f.name: getattr(value, f.name) for f in fields(value)}
-    return type(value)(**kept | changes)
+    return type(value)(**contents(value, value) | changes)
 
 
 # ------------------------------------------------------------------- making the class
@@ -108,7 +157,30 @@ def _with_slots(cls: type[T], own: Iterable[Field], every: Iterable[Field]) -> t
     body["_compared"] = attrgetter(*compared) if compared else type
     made: type[T] = type(cls)(cls.__name__, cls.__bases__, body)  # type: ignore[misc]
     made.__qualname__ = cls.__qualname__
+    for name in (f.name for f in own if f.on_demand):
+        setattr(made, name, _Read(getattr(made, name)))
     return made
+
+
+class _Read:
+    """Reads a slot whose value may be one that is made on demand."""
+
+    def __init__(self, slot: Any) -> None:
+        self.held, self._put = slot.__get__, slot.__set__
+
+    def __set__(self, owner: object, value: object) -> None:
+        """Put a value into the slot."""
+        self._put(owner, value)
+
+    def __get__(self, owner: object, kind: type) -> Any:
+        """Return the value in the slot, made if it has not been."""
+        if owner is None:
+            return self
+        value = self.held(owner)
+        if isinstance(value, _OnDemand):
+            value = value.made()
+            self._put(owner, value)
+        return value
 
 
 def _first_init(self: object, /, *given: Any, **named: Any) -> None:

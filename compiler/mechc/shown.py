@@ -6,7 +6,7 @@ from typing import TypeVar
 from .driver import Compilation, checked
 from .emit.latex import notebook
 from .formula.to_text import text
-from .frozen import field, fields, frozen
+from .frozen import contents, field, frozen
 from .report.derivation.steps import Derivation
 from .report.text.stroke import to_html
 from .study.analysis import Analysis
@@ -78,4 +78,4 @@ class ShownStroke(Stroke):
 
 def shown(kind: type[T], value: object, **more: object) -> T:
     """Return a value as one of the classes above."""
-    return kind(**{f.name: getattr(value, f.name) for f in fields(value)}, **more)
+    return kind(**contents(value, value), **more)

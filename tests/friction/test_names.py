@@ -10,6 +10,7 @@ from force_samples import samples, with_friction
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
 from mechc.formula.tree import Formula
+from mechc.friction import problem
 from mechc.model.mechanism import PinFriction
 from mechc.model.result import Result
 from mechc.routine.evaluate import evaluate, status
@@ -39,6 +40,27 @@ def assert_names_mean_one_thing(compilation: Compilation) -> None:
     """In code, and on paper."""
     assert_one_meaning(compilation.solution.results)
     assert_one_meaning(as_printed(r) for r in compilation.solution.results)
+
+
+def test_forms_for_elsewhere_are_made_only_when_they_are_read(monkeypatch):
+    def made(*_):
+        raise AssertionError("nobody has asked for coupled equations")
+
+    monkeypatch.setattr(problem, "coupled", made)
+    compilation = Compilation(Source("a.mech", without_expectations("karpenko_fig9_with_friction")))
+    found = {r.name: r for r in compilation.solution.results}
+    assert found["k_f"].default == pytest.approx(0.0745685412516)
+    with pytest.raises(AssertionError, match="coupled equations"):
+        assert found["k_f"].elsewhere
+
+
+def test_names_do_not_depend_on_which_form_is_read_first():
+    source = Source("a.mech", without_expectations("karpenko_fig9_with_friction"))
+    forwards, backwards = Compilation(source), Compilation(source)
+    for result in reversed(backwards.solution.results):
+        assert result.name in ("k", "k_f1") or result.elsewhere
+    for one, other in zip(forwards.solution.results, backwards.solution.results, strict=True):
+        assert one == other
 
 
 @pytest.mark.parametrize("name", WITH_FRICTION)

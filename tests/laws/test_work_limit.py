@@ -6,12 +6,14 @@ import pytest
 
 from friction_chains import COUPLED
 from good_mechanisms import ALL
-from mechc import stage, work
+from mechc import driver, stage, work
 from mechc.algebra import multiples
 from mechc.algebra.product import Product
 from mechc.cli import main
 from mechc.diagnostics import MechcError
-from mechc.driver import Compilation, complete
+from mechc.driver import Compilation, complete, emit
+from mechc.emit import registry
+from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate, solution, straight_line
 from mechc.formula.tree import Symbol, System, negative, number, power, product, total
 from mechc.source import Source
@@ -97,6 +99,16 @@ def test_evaluation_is_counted():
     for evaluation in (lambda: evaluate(long, {"x": 0.5}), lambda: code.at([0.5])):
         with pytest.raises(WorkLimitError), at_most(Allowance(50)):
             evaluation()
+
+
+def test_what_is_made_for_what_is_emitted_is_counted(monkeypatch):
+    """A form for elsewhere is made when the document asks for it."""
+    text = ROD.replace("find", "friction pins 0.1 diameter 20 mm\nfind")
+    compilation = Compilation(Source("rod.mech", text))
+    monkeypatch.setattr(driver, "Allowance", lambda: Allowance(100))
+    with pytest.raises(MechcError) as error:
+        emit(compilation, registry.load("json"), Options("rod"))
+    assert [d.code for d in error.value.diagnostics] == ["E817"]
 
 
 def test_a_study_of_ranges_ends_with_the_message():

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from mechc.frozen import field, fields, frozen, replace
+from mechc.frozen import contents, field, fields, frozen, on_demand, replace
 from paths import PACKAGE
 
 
@@ -79,3 +79,52 @@ def test_copies():
 def test_the_package_has_one_kind_of_record():
     for path in PACKAGE.rglob("*.py"):
         assert not re.search(r"^(from|import) dataclasses", path.read_text("utf-8"), re.M), path
+
+
+@frozen
+class Book:
+    name: str
+    index: str = field(default="", on_demand=True)
+
+
+@frozen
+class Volume(Book):
+    number: int = 1
+
+
+def book_and_readings() -> tuple[Volume, list[str]]:
+    readings: list[str] = []
+
+    def read() -> str:
+        readings.append("read")
+        return "A to Z"
+
+    return Volume("B", on_demand(read), 2), readings
+
+
+def test_a_value_on_demand_is_made_once_for_all_copies():
+    book, readings = book_and_readings()
+    copies = [replace(book, number=3), Book(**contents(book, Book)), replace(book, name="C")]
+    assert not readings
+    assert [b.index for b in (*copies, book, book)] == ["A to Z"] * 5
+    assert readings == ["read"]
+
+
+def test_a_value_on_demand_counts_as_any_other():
+    book, readings = book_and_readings()
+    assert book == Volume("B", "A to Z", 2) != Volume("B", "A", 2)
+    assert repr(book) == "Volume(name='B', index='A to Z', number=2)"
+    assert hash(book_and_readings()[0]) == hash(book)
+    assert pickle.loads(pickle.dumps(book_and_readings()[0])) == book
+    assert copy.deepcopy(book_and_readings()[0]) == book
+    with pytest.raises(AttributeError, match="a Volume cannot be changed: index"):
+        book.index = "A"  # type: ignore[misc]
+    assert readings == ["read"]
+
+
+def test_a_value_on_demand_that_fails_is_tried_again():
+    tries = iter([0, 2])
+    book = Book("B", on_demand(lambda: "A" * (2 // next(tries))))
+    with pytest.raises(ZeroDivisionError):
+        assert book.index
+    assert book.index == "A"

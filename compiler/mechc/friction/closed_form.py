@@ -37,10 +37,10 @@ class Printed:
 class Named:
     """A formula and what it rests on, each definition after those it needs.
 
-    What is ``positive`` must stay so, or the formula has no meaning, and that for ``elsewhere``
-    takes its place. ``case`` is the same
-    as it is printed; ``steps`` are how it was found where there is none. Names ``inside``
-    are the coefficients of a system, of which people read the structure only.
+    What is ``positive`` must stay so, or the formula has no meaning, and the one that
+    ``elsewhere`` makes takes its place. ``case`` is the same as it is printed; ``steps`` are how
+    it was found where there is none. Names ``inside`` are the coefficients of a system, of which
+    people read the structure only.
     """
 
     formula: Formula
@@ -49,7 +49,7 @@ class Named:
     case: Printed | None = None
     steps: tuple[Step, ...] = ()
     inside: frozenset[str] = frozenset()
-    elsewhere: "Named | None" = None
+    elsewhere: "Callable[[], Named] | None" = None
 
 
 class Condition(NamedTuple):

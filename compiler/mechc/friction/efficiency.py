@@ -12,7 +12,7 @@ from ..algebra.intervals import Box, sign
 from ..algebra.product import Product
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Power, Symbol, number, product, quotient
-from ..frozen import replace
+from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box
 from ..model.mechanism import Mechanism, Require, Sense
@@ -84,15 +84,18 @@ class Drives:
         where = (*real.where, k_f)
         if self._always is None:
             formula, where = self._anywhere(k_f.name), (*where, self._definition())
-        other = real.elsewhere
         return replace(
             real,
             formula=formula,
             where=where,
             dimension=NUMBER,
             case=self._case(here, real, k_f.name, span),
-            elsewhere=self.efficiency(other, span) if isinstance(other, FrictionResult) else None,
+            elsewhere=on_demand(lambda: self._elsewhere(real, span)),
         )
+
+    def _elsewhere(self, real: FrictionResult, span: Span) -> FrictionResult | None:
+        other = real.elsewhere
+        return self.efficiency(other, span) if isinstance(other, FrictionResult) else None
 
     def _case(self, here: Formula, real: FrictionResult, name: str, span: Span) -> Case | None:
         """Return the efficiency as it is printed; it has the conditions of the ratio, too."""

@@ -6,18 +6,19 @@ friction is its factor times the size of a pressing force is not linear.
 """
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 from ..algebra.from_formula import to_product
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
 from ..formula.tree import Formula
 from ..formula.walk import substitute, symbols
-from ..frozen import replace
+from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Torque
-from ..power.balance import Equations, Term
+from ..power.balance import Equations, Release, Term
 from ..power.loads import occurrences
-from ..power.reactions import ForceTerm, Reactions
+from ..power.reactions import Reactions, amounts_of
 from .pairs import Component, FrictionPair, Given, LoadedPair
 from .standing import without_standing
 
@@ -54,9 +55,7 @@ def loaded_pairs(
     """
     pose = plan.graph.pose
     names = {load_of(pair): pair.name for pair in pairs}
-    reactions = Reactions(
-        pose, (driving,), lambda loose: [term_of(pair, loose) for pair in pairs], (plan,)
-    )
+    reactions = Reactions(pose, (driving,), partial(_beside_others, pairs), (plan,))
     slips = without_standing([_slip(pair, plan, equations, driving) for pair in pairs], plan)
     (load,) = (load for load in pose.mechanism.loads if load.name == driving)
     driven = occurrences(pose.mechanism, load)
@@ -72,10 +71,22 @@ def loaded_pairs(
         transmitted = reactions.of(pair.joint)
         if transmitted is None:
             raise Undetermined(pair)
-        besides = dict(pair.besides)
-        components = (_component(push, names, given, besides) for push in transmitted.force_terms)
+        components = (_component(r, pair, pairs, names, given) for r in transmitted.releases)
         pressed.append(LoadedPair(pair, slip, tuple(components), transmitted.plans, times))
     return tuple(pressed)
+
+
+def _beside_others(pairs: Sequence[FrictionPair], loose: Plan) -> list[Term]:
+    """Return the frictions in a released linkage that has several motions.
+
+    There they decide whether the force at the joint is determined. In one motion it is by the
+    loads alone, and what frictions add to it is found when that is asked for.
+    """
+    return _terms(pairs, loose) if loose.mobility > 1 else []
+
+
+def _terms(pairs: Sequence[FrictionPair], loose: Plan) -> list[Term]:
+    return [term_of(pair, loose) for pair in pairs]
 
 
 def _slip(pair: FrictionPair, plan: Plan, equations: Equations, driving: str) -> Product:
@@ -97,18 +108,35 @@ def term_of(pair: FrictionPair, plan: Plan) -> Term:
 
 
 def _component(
-    push: ForceTerm, names: Mapping[str, str], given: Given, besides: Mapping[str, Product]
+    release: Release,
+    pair: FrictionPair,
+    pairs: Sequence[FrictionPair],
+    names: Mapping[str, str],
+    given: Given,
 ) -> Component:
-    known = names.keys() | given.keys()
-    for load, amount in push.amounts.items():
+    amounts, known = release.amounts, names.keys() | given.keys()
+    for load, amount in amounts.items():
         if amount and load not in known:
             raise LoadedByAnother(load)
-    ideal = add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
+    ideal = add(amounts[n] * size for n, size in given.items() if n in amounts)
+    return Component(ideal, on_demand(partial(_by_frictions, release, pair, pairs, names)))
+
+
+def _by_frictions(
+    release: Release, pair: FrictionPair, pairs: Sequence[FrictionPair], names: Mapping[str, str]
+) -> Mapping[str, Product]:
+    """Return what a unit of each friction adds to a component of a pressing force."""
+    amounts: Mapping[str, Product] | None = release.amounts
+    if release.plan.mobility == 1:
+        powers = (*_terms(pairs, release.plan), release.terms[-1])
+        amounts = amounts_of(powers, release.held)
+    assert amounts is not None, "the joint was released so that it parts"
+    besides = dict(pair.besides)
     by = {
-        name: add((push.amounts.get(load, ZERO), besides.get(name, ZERO)))
+        name: add((amounts.get(load, ZERO), besides.get(name, ZERO)))
         for load, name in names.items()
     }
-    return Component(ideal, {name: part for name, part in by.items() if part})
+    return {name: part for name, part in by.items() if part}
 
 
 def scaled(pressed: Sequence[LoadedPair], factor: Product) -> tuple[LoadedPair, ...]:

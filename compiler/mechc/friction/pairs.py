@@ -11,7 +11,7 @@ from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
-from ..frozen import frozen
+from ..frozen import field, frozen
 from ..kinematics import meshes
 from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
@@ -90,10 +90,13 @@ class LoadedPair:
 
 @frozen
 class Component:
-    """One component of a pressing force."""
+    """One component of a pressing force, and what each friction adds to it.
+
+    That is as much again for every pair, and is made when the coupled equations need it.
+    """
 
     ideal: Product
-    by: Mapping[str, Product]
+    by: Mapping[str, Product] = field(on_demand=True)
 
 
 def pairs(pose: Pose) -> tuple[FrictionPair, ...]:

@@ -1,6 +1,7 @@
 """The problem of friction: the loads of a balance, the pairs with friction, the normal forces."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache, partial
 
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
@@ -68,7 +69,7 @@ class Problem:
         self._exact: dict[tuple[str, Sense], Named] = {}
         self._sums: dict[int, tuple[Definition, ...]] = {}
         self._coupled: dict[int, Coupled] = {}
-        self._sizes: dict[tuple[int, int], Sizes] = {}
+        self._sizes: dict[tuple[int, int], Callable[[], Sizes]] = {}
 
     @property
     def mechanism(self) -> Mechanism:
@@ -125,18 +126,25 @@ class Problem:
         yield from bound_sums(self.plan, [p.slip for p in loaded])
         for each in (p for p in loaded if p.pair.thrust is None):
             for plan, component in zip(each.plans, each.components, strict=True):
-                yield from bound_sums(plan, [component.ideal, *component.by.values()])
+                if plan.bindings:
+                    yield from bound_sums(plan, [component.ideal, *component.by.values()])
 
-    def sizes(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Sizes:
-        """Return the true sizes of normal forces, once for all results that rest on them."""
-        here, key = id(loaded), (id(loaded), sense)
-        if here not in self._coupled:
-            self._coupled[here] = coupled(loaded, self.taken)
-        if key not in self._sizes:
-            found = true_sizes(self._coupled[here], sense)
-            meanings = self.in_code, self.default.meanings
-            self._sizes[key] = with_one_meaning(found, meanings, endings)
-        return self._sizes[key]
+    def sizes(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Callable[[], Sizes]:
+        """Return what gives the true sizes of normal forces, once for all that rest on them.
+
+        They are made when they are first asked for, after all that were spoken of before: so
+        their names do not depend on what is asked for first.
+        """
+        key = id(loaded), sense
+        self._sizes.setdefault(key, cache(partial(self._sizes_of, loaded, sense, endings)))
+        spoken_of = [*self._sizes.values()][: 1 + [*self._sizes].index(key)]
+        return lambda: [make() for make in spoken_of][-1]
+
+    def _sizes_of(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Sizes:
+        if id(loaded) not in self._coupled:
+            self._coupled[id(loaded)] = coupled(loaded, self.taken)
+        found = true_sizes(self._coupled[id(loaded)], sense)
+        return with_one_meaning(found, (self.in_code, self.default.meanings), endings)
 
     def bodies(self, case: Case, loaded: Loaded, cranks: bool) -> Bodies:
         """Return the free bodies in a case, once for either sense of motion.

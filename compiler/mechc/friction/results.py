@@ -2,11 +2,11 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
+from functools import cache, partial
 
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import symbols
-from ..frozen import replace
+from ..frozen import on_demand, replace
 from ..model.mechanism import (
     Efficiency,
     Find,
@@ -50,7 +50,7 @@ def result_of(
         named.formula,
         resting_on(problem, ideal, named.formula, (*sums, *named.where)),
         guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
-        elsewhere=_elsewhere(problem, find, ideal, loaded, named),
+        elsewhere=on_demand(partial(_elsewhere, problem, find, ideal, loaded, named)),
         case=_case(problem, find, ideal, named.case) if named.case else None,
         inside=named.inside,
     )
@@ -62,7 +62,7 @@ def _elsewhere(
     """Return the result for elsewhere, if all the lengths in it are given."""
     if named.elsewhere is None:
         return None
-    found = result_of(problem, find, ideal, loaded, named.elsewhere)
+    found = result_of(problem, find, ideal, loaded, named.elsewhere())
     missing = open_lengths(problem.plan, (found.formula, *(d.formula for d in found.where)))
     return None if missing else found
 
@@ -170,13 +170,14 @@ def _exactly(problem: Problem, find: Find, case: Case, loaded: Loaded, sense: Se
     problem.remark_on_pins(case, exact=closed is not None)
     sizes = problem.sizes(loaded, sign, endings)
     stands = partial(_stands, problem, find, ideal, loaded)
+    elsewhere = cache(lambda: iterated(problem, ideal.formula, added, sizes()))
     if closed and stands(closed):
-        return replace(closed, elsewhere=iterated(problem, ideal.formula, added, sizes))
-    found = iterated(problem, ideal.formula, added, sizes)
-    way = partial(exact_case, ideal, added, sizes)
+        return replace(closed, elsewhere=elsewhere)
+    found = elsewhere()
+    way = partial(exact_case, ideal, added, sizes())
     found = replace(found, case=problem.default.printed(way, endings))
     if closed and not stands(found):
-        return replace(closed, elsewhere=iterated(problem, ideal.formula, added, sizes))
+        return replace(closed, elsewhere=elsewhere)
     return found
 
 
@@ -234,7 +235,7 @@ def force_with_friction(
     if not asks_for_loads(problem.mechanism):
         closed = in_closed_form(problem, case, loaded, SIGNS[sense], endings)
         problem.remark_on_pins(case, exact=closed is not None)
-    sizes = problem.sizes(loaded, SIGNS[sense], endings)
+    sizes = problem.sizes(loaded, SIGNS[sense], endings)()
     found = ForceWithFriction(force, problem.plan, problem.driving, loaded, sizes)
     if found.transmitted is None:
         return None

@@ -10,7 +10,7 @@ All formulas are in SI and radians and mention free parameters and the names in
 from collections.abc import Mapping
 
 from ..formula.tree import Formula
-from ..frozen import frozen
+from ..frozen import field, frozen
 from ..named import NamedTuple
 from ..units import Dimension
 from .mechanism import Parameter, Require, Target
@@ -33,7 +33,8 @@ class Result:
     ``target`` is None for a let. At the default pose it has the value ``default``, if any; it
     is ``undetermined`` where it is 0/0 there. ``guards`` are conditions without which the
     formula has no meaning; ``elsewhere`` is the result that takes its place where one of them
-    fails, if there is one. The ``label`` is the text that the description gives a let.
+    fails, if there is one: being long, it is made when it is read. The ``label`` is the text that
+    the description gives a let.
     """
 
     name: str
@@ -45,7 +46,7 @@ class Result:
     default: float | None = None
     undetermined: bool = False
     guards: tuple[Require, ...] = ()
-    elsewhere: "Result | None" = None
+    elsewhere: "Result | None" = field(default=None, on_demand=True)
     label: str = ""
 
 

@@ -214,12 +214,16 @@ def standing(result: Result, values: Values) -> Result | None:
     """
     known = completed(values, (d for d in result.where if d.name not in values))
     sound = all(holds(guard, known) for guard in result.guards)
+    if sound and not _is_nan(result.formula, known):
+        return result
     if result.elsewhere is None:
         return result if sound else None
-    is_known = sound and symbols(result.formula) <= known.keys()
-    if sound and not (is_known and math.isnan(evaluate(result.formula, known))):
-        return result
     return standing(result.elsewhere, values)
+
+
+def _is_nan(formula: Formula, values: Values) -> bool:
+    """Return whether all that a formula mentions has a value, and it has none."""
+    return symbols(formula) <= values.keys() and math.isnan(evaluate(formula, values))
 
 
 def compare(left: float, relation: str, right: float) -> bool:

@@ -1,6 +1,7 @@
 """The names that a result mentions, and what they stand for, each after those it needs."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache, partial
 
 from ..algebra.product import Bound, Product, Sum
 from ..diagnostics import Report
@@ -8,7 +9,7 @@ from ..diagnostics import power as messages
 from ..diagnostics import reactions as reaction_messages
 from ..formula.tree import Formula
 from ..formula.walk import reached, symbols
-from ..frozen import replace
+from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Let, LoadForm, Mechanism
 from ..model.result import Definition, Result
@@ -85,14 +86,21 @@ def let_results(pose: Pose, results: Sequence[Result], report: Report) -> Iterat
             messages.too_many_lets(longest.span, longest.name, len(needs[longest.name]))
         )
     _refuse_circles(mechanism.lets, needs, results, report)
-    other = _needs([r.elsewhere or r for r in results], lets)
+    other = cache(lambda: _needs([r.elsewhere or r for r in results], lets))
     for let in mechanism.lets:
         used = [r for r in results if r.name in needs[let.name]]
         found = _let(let, pose, needs[let.name], used)
-        if any(r.elsewhere for r in used):
-            changed = _let(let, pose, other[let.name], [r.elsewhere or r for r in used])
-            found = replace(found, elsewhere=changed)
-        yield found
+        there = partial(_elsewhere, let, pose, used, other)
+        yield replace(found, elsewhere=on_demand(there)) if used else found
+
+
+def _elsewhere(
+    let: Let, pose: Pose, used: Sequence[Result], other: Callable[[], Mapping[str, Needed]]
+) -> Result | None:
+    """Return a formula of the user's own with the other forms of the results that it uses."""
+    if not any(r.elsewhere for r in used):
+        return None
+    return _let(let, pose, other()[let.name], [r.elsewhere or r for r in used])
 
 
 def _tied(mechanism: Mechanism, results: Iterable[Result]) -> dict[str, Formula]:

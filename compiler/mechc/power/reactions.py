@@ -97,7 +97,7 @@ class Reactions:
         for direction in directions(self._pose, joint):
             loose = released_linkage(self._pose, joint, direction, self._held, self._taken)
             powers = self._powers(loose, joint) if loose else ()
-            amounts = self._amounts(powers) if powers else None
+            amounts = amounts_of(powers, self._driving) if powers else None
             if loose is None or amounts is None:
                 return None
             self._taken |= {binding.name for binding in loose.plan.bindings}
@@ -113,12 +113,18 @@ class Reactions:
         here = Term(load, count, loose.parting, None)
         return (*terms(plan), *self._more(plan), here)
 
-    def _amounts(self, powers: Sequence[Term]) -> Mapping[str, Product] | None:
-        equations = equations_of(powers)
-        if equations.number != 1 or HERE not in equations.columns:
-            return None
-        others = [n for n in equations.columns if n not in (HERE, *self._driving)]
-        return {n: equations.solve(HERE, [HERE], n) for n in others}
+
+def amounts_of(powers: Sequence[Term], driving: Sequence[str]) -> Mapping[str, Product] | None:
+    """Return the force at a joint per unit of each load but those that drive.
+
+    The terms are those of the released linkage, that of the force among them. None where it has
+    another motion in which a load works, or the force does no work.
+    """
+    equations = equations_of(powers)
+    if equations.number != 1 or HERE not in equations.columns:
+        return None
+    others = [n for n in equations.columns if n not in (HERE, *driving)]
+    return {n: equations.solve(HERE, [HERE], n) for n in others}
 
 
 def directions(pose: Pose, joint: JointRef) -> tuple[Angle, ...]:

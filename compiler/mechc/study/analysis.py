@@ -6,7 +6,7 @@ from typing import Literal
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import fields, frozen, replace
+from ..frozen import contents, frozen, replace
 from ..model.locking import EfficiencyRange, Locking, Range
 from ..model.mechanism import Require
 from ..model.result import Definition, FrictionResult, Result
@@ -159,7 +159,7 @@ class Analysis(Result):
 
 def as_printed(result: Result) -> Analysis:
     """Return a result as people read it: one with friction for the case of the default pose."""
-    analysis = Analysis(*(getattr(result, f.name) for f in fields(Result)))
+    analysis = Analysis(**contents(result, Result))
     if not isinstance(result, FrictionResult):
         return analysis
     if result.case is None:

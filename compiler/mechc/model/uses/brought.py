@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...diagnostics import Report
 from ...diagnostics import uses as messages
-from ...frozen import replace
+from ...frozen import on_demand, replace
 from ...source import Span
 from ...syntax import ast, moved
 from ..constants import leaves as leaves_of
@@ -113,8 +113,8 @@ def without_given(used: Used, use: ast.Use) -> Solved:
 def _leaving(result: Result, names: set[str]) -> Result:
     """Return a result in which some names are left open."""
     where = tuple(d for d in result.where if d.name not in names)
-    elsewhere = _leaving(result.elsewhere, names) if result.elsewhere else None
-    return replace(result, where=where, elsewhere=elsewhere)
+    other = on_demand(lambda: _leaving(result.elsewhere, names) if result.elsewhere else None)
+    return replace(result, where=where, elsewhere=other)
 
 
 def given_to(use: ast.Use, used: Used, report: Report) -> Mapping[str, ast.Expr]:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from ...formula.tree import Constant, Formula, Implicit, Symbol
 from ...formula.walk import children, rebuild
-from ...frozen import replace
+from ...frozen import on_demand, replace
 from ..mechanism import Parameter, Require
 from ..result import Case, ClosedLoop, Definition, Drive, FrictionResult, Result, Solved
 from ..targets import Efficiency, LoadForm, LoadRatio, Target, WithFriction
@@ -80,7 +80,7 @@ class _Renaming:
             where=self._definitions(result.where),
             coefficients=None,
             guards=self._requires(result.guards),
-            elsewhere=self._result(result.elsewhere) if result.elsewhere else None,
+            elsewhere=on_demand(lambda: self._elsewhere(result)),
         )
         if not isinstance(changed, FrictionResult):
             return changed
@@ -90,6 +90,9 @@ class _Renaming:
             inside=frozenset(map(self._name, changed.inside)),
             drive=changed.drive and Drive(*map(self._formula, changed.drive)),
         )
+
+    def _elsewhere(self, result: Result) -> Result | None:
+        return self._result(result.elsewhere) if result.elsewhere else None
 
     def _case(self, case: Case) -> Case:
         return Case(
