@@ -38,6 +38,21 @@ force F at B along 180 deg
 find M/F
 """
 
+SHORT_ROD = """mechanism short_rod
+param phi = 5 deg
+drive phi from -90 deg to 90 deg
+pivot O
+slider B along x through O
+link OA
+link AB
+OA = 40 mm @ phi
+AB = {rod}
+assembly B forward
+torque M on OA
+force F at B along 180 deg
+find M/F
+"""
+
 LEVERS = "karpenko_fig3_inclined_levers"
 
 
@@ -155,6 +170,17 @@ def test_velocities_and_accelerations_where_the_drive_has_a_speed():
     phi, v, a = columns(mechc.loads(text).plot(y=["V_A_x", "a_A_x"]).plot)
     assert v == pytest.approx(-0.2 * np.sin(phi), abs=1e-12)
     assert a == pytest.approx(-0.4 * np.cos(phi), abs=1e-12)
+
+
+@pytest.mark.parametrize(("rod", "marked"), [("10 mm", [0]), ("30 mm", [-45, -30, -15, 0, 15, 30])])
+def test_a_path_is_marked_wherever_there_is_a_pose(rod, marked):
+    """A rod of 10 mm follows a crank of 40 mm up to 14.5°: one of thirteen stations is left.
+
+    With 30 mm the path comes back at 45° to where it was at -45°, which is marked already.
+    """
+    found = mechc.loads(SHORT_ROD.format(rod=rod)).plot(path="B").plot
+    (curve,) = found.curves
+    assert [math.degrees(m.station) for m in curve.marks] == pytest.approx(marked, abs=1e-9)
 
 
 def test_the_path_of_a_point_keeps_its_shape(rocker):
