@@ -24,12 +24,7 @@ from mechc.emit.target import Options
 from mechc.formula.walk import symbols
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
-from reference_strokes import Strokes, conditions
-
-STEPS = 25
-WIDE = {"phi": 0.25, "s": 0.01}
-LAX = 1e-9
-"""Relative error from which on two numbers differ; poses near a dead centre are left out."""
+from reference_strokes import LAX, STEPS, Strokes, conditions, errors, inputs_of, strokes_of
 
 
 class Seen:
@@ -41,8 +36,7 @@ class Seen:
 
     def compare(self, grown, found, expected):
         """Compare all strokes of a mechanism, as far as the reference goes."""
-        known = np.isfinite(expected)
-        error = np.abs(found - expected)[known] / np.maximum(np.abs(expected[known]), 0.01)
+        error = errors(found, expected)
         assert np.all(error < LAX), f"seed {grown.seed}: off by {max(error)}\n{grown.text()}"
         self.worst = max(self.worst, *error, 0.0)
 
@@ -55,20 +49,6 @@ class Seen:
         for name, value in vars(self).items():
             record_property(name, str(value))
         print(f"{self.strokes} strokes, {self.poses} poses, worst error {self.worst:.2g}")
-
-
-def strokes_of(grown):
-    """Return the drives and the cranks along the strokes."""
-    part = np.linspace(0, 1, STEPS)
-    ways = [(sense, growth) for growth in (0.0, 0.02, -0.04, 0.06) for sense in (1, -1)]
-    drives = [grown.start + sense * WIDE[grown.drive] * part for sense, _ in ways]
-    return np.array(drives), np.array([grown.size * (1 + growth * part) for _, growth in ways])
-
-
-def inputs_of(grown, function):
-    drives, cranks = strokes_of(grown)
-    given = {grown.drive: drives, "r": cranks}
-    return {i.name: given[i.name] for i in function.inputs}
 
 
 def compiled(grown):

@@ -80,3 +80,29 @@ def test_what_follows_from_equal_numbers_is_said(coupler, kind):
     source = Source("m.mech", BY_NUMBERS.format(coupler=coupler))
     derivation = Compilation(source).derivation
     assert [step.kind for step in derivation.position] == [kind]
+
+
+TWO_IN_A_SLOT = """
+pivot O at (0 mm, 0 mm)
+pivot P at (69 mm, -29 mm)
+link OA
+link PC
+link AE
+slot A in PC
+slot E in PC
+A at (34 mm, 37 mm)
+C at (-1 mm, 103 mm)
+E at (16.5 mm, 70 mm)
+torque M on OA
+actuator F between P and E
+drive OA from -100 deg to 190 deg
+find k = M/F
+"""
+
+
+def test_a_vector_whose_drawn_length_has_its_name_is_one_sum():
+    """The length PE that moves is not the drawn one, and is called len_PE_."""
+    derivation = Compilation(Source("m.mech", TWO_IN_A_SLOT)).derivation
+    *_, step = derivation.position
+    assert (step.kind, step.points) == ("sum", ("P", "E"))
+    assert [d.name for d in step.definitions] == ["phi_PE", "len_PE_"]

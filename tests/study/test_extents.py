@@ -5,46 +5,19 @@ import re
 import numpy as np
 import pytest
 
-from extents import refuted as extent_refuted
-from grown import Grown, wide
+from extents import along, curve, refuted
+from grown import Grown, wide, without_drive
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.frozen import replace
 from mechc.report.text.derivation import render
-from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from mechc.work import Allowance
 from paths import LIBRARY
 
 
-def without_drive(description):
-    """Return a description whose drive is an angle with a range, and no drive."""
-    (line,) = re.findall(r"^drive (\w+) from (.+) to (.+)$", description, re.MULTILINE)
-    name, low, high = line
-    ranged = re.sub(rf"(?m)^(param {name} .+)$", rf"\1 in {low} .. {high}", description)
-    return re.sub(r"(?m)^drive .+\n?", "", ranged)
-
-
 def of_library(name):
     return Compilation(Source(name, (LIBRARY / name).read_text(encoding="utf-8")))
-
-
-def curve(compilation, name, parameter):
-    function = next(f for f in compilation.routine.functions if f.name == name)
-    given = {i.name: i.default for i in function.inputs}
-
-    def at(places):
-        found = evaluate(function, {**given, parameter: np.array(places)})
-        return np.broadcast_to(found, len(places)).tolist()
-
-    return at
-
-
-def refuted(compilation):
-    for result in compilation.reported.results:
-        for extent in result.extents:
-            at = curve(compilation, result.name, extent.parameter)
-            yield from extent_refuted(extent, at)
 
 
 def hold(seeds, changed=lambda description: description):
@@ -58,7 +31,7 @@ def hold(seeds, changed=lambda description: description):
             stated += sum(len(r.extents) for r in compilation.reported.results)
         except MechcError:
             continue
-        assert list(refuted(compilation)) == [], seed
+        assert list(along(compilation)) == [], seed
     return stated
 
 
@@ -73,7 +46,7 @@ def test_a_ratio_that_turns_in_a_range_is_least_and_greatest_where_it_is_said_to
     compilation = of_library("toggle_press.yaml")
     (k,) = compilation.reported.results
     assert [e.parameter for e in k.extents] == ["phi"]
-    assert list(refuted(compilation)) == []
+    assert list(along(compilation)) == []
     said = " ".join(render(compilation.reported, compilation.mechanism, unicode=False).split())
     assert "the least k is 4.1915 mm, at phi = 150 deg" in said
 
@@ -85,7 +58,7 @@ def test_a_ratio_of_speeds_is_followed_as_one_of_loads_is():
     assert extent.looked
     assert extent.zeros == extent.poles == ()
     assert (extent.least.x, extent.greatest.x) == (k.extents[0].least.x, k.extents[0].greatest.x)
-    assert list(refuted(compilation)) == []
+    assert list(along(compilation)) == []
     rocker = of_library("crank_rocker.mech").reported.results
     zeros = [result.extents[0].zeros for result in rocker]
     assert zeros[0] == pytest.approx(zeros[1])
@@ -154,11 +127,11 @@ def test_the_sampler_refutes_what_is_false():
     k = compilation.reported.results[0]
     (extent,) = k.extents
     at = curve(compilation, "k", "phi")
-    assert list(extent_refuted(extent, at)) == []
-    assert list(extent_refuted(replace(extent, zeros=()), at))
-    assert list(extent_refuted(replace(extent, least=extent.greatest), at))
-    assert list(extent_refuted(replace(extent, zeros=(*extent.zeros, 1.234)), at))
-    assert list(extent_refuted(replace(extent, poles=extent.zeros), at))
+    assert list(refuted(extent, at)) == []
+    assert list(refuted(replace(extent, zeros=()), at))
+    assert list(refuted(replace(extent, least=extent.greatest), at))
+    assert list(refuted(replace(extent, zeros=(*extent.zeros, 1.234)), at))
+    assert list(refuted(replace(extent, poles=extent.zeros), at))
 
 
 def test_a_report_goes_without_what_would_take_too_much_work(monkeypatch):

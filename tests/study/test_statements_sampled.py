@@ -1,13 +1,11 @@
 """Whatever is said of a result holds against sampling: over random chains with shared zeros."""
 
-import re
-
 import pytest
 
 from conclusions import refuted as followed
 from force_mechanisms import given
 from force_samples import pushing, tree_of
-from grown import Grown
+from grown import Grown, swept
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
@@ -117,16 +115,6 @@ def test_lengths_that_are_equal_by_chance_make_no_false_zeros():
 @pytest.mark.slow
 def test_nothing_that_is_said_of_hundreds_of_chains_is_refuted():
     assert hold(range(2000, 2080)) > 60
-
-
-def swept(grown):
-    """Return a closed mechanism's description with a range about its crank's default angle."""
-
-    def ranged(found):
-        middle = float(found[1])
-        return f"{found[0]} in {middle - 1.5!r} rad .. {middle + 1.5!r} rad"
-
-    return re.sub(r"param phi = (\S+) rad", ranged, grown.text())
 
 
 def closed_hold(seeds):

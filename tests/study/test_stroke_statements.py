@@ -5,6 +5,7 @@ from collections.abc import Iterable
 import pytest
 
 import mechc
+from friction_mechanisms import small_closed
 from grown import Grown, wide
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
@@ -12,7 +13,6 @@ from mechc.frozen import replace
 from mechc.source import Source
 from mechc.study.analysis import DeadCentre
 from mechc.study.stroke.stroke import Singular
-from small_closed import small_closed
 from stroke_statements import moving, refuted
 
 

@@ -9,11 +9,14 @@ bifurcation and nonlinear eigenvalue problems*, 1977).
 
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from random import Random
 from typing import NamedTuple
 
 import numpy as np
+
+from mechc.api import SolvedMechanism
+from mechc.study.stroke.stroke import Stroke
 
 Array = np.ndarray
 Equations = Callable[[Array], Array]
@@ -27,6 +30,10 @@ FLAT = 1e-5
 
 MOVES = 1e-5
 """The part of a tangent that is the drive's, at least, where the drive moves along it."""
+
+
+POSES, APART = 6, 2e-3
+"""Poses on one side of a branch point that lead to it, and how far apart they are, in radians."""
 
 
 HEIGHT = 210
@@ -43,6 +50,30 @@ class Flat(NamedTuple):
     pins: tuple[str, ...]
     equations: Equations
     drive: float | None
+
+
+def refuted(flat: Flat, mechanism: SolvedMechanism, stroke: Stroke) -> Iterator[str]:
+    """Yield the branch points that are none, and the one that is left out."""
+    stated = [branch.drive for branch in stroke.branches]
+    if flat.drive is not None and not any(abs(x - flat.drive) < 1e-5 for x in stated):
+        yield f"no branch point at {flat.drive}"
+    for drive in stated:
+        pose = pose_at(mechanism, flat, drive)
+        if pose is None:
+            yield f"no poses lead to {drive}"
+        elif (ways := ways_on(flat.equations, pose)) != 2:
+            yield f"{ways} ways on at {drive}"
+
+
+def pose_at(mechanism: SolvedMechanism, flat: Flat, drive: float) -> np.ndarray | None:
+    """Return the coordinates to which poses on one side lead, in millimetres, and the drive."""
+    for way in (APART, -APART):
+        there = [drive + way * i for i in range(1, POSES + 1)]
+        places = [mechanism.points(phi=at) for at in there]
+        if all(status == 0 for _, status in places):
+            rows = [[1000 * p[f"{c}_{q}"] for q in flat.pins for c in "xy"] for p, _ in places]
+            return limit([np.array([*row, at]) for row, at in zip(rows, there, strict=True)])
+    return None
 
 
 def ways_on(equations: Equations, pose: Array) -> int | None:

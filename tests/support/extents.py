@@ -4,6 +4,10 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 
+import numpy as np
+
+from mechc.driver import Compilation
+from mechc.routine.evaluate import evaluate
 from mechc.study.analysis import Extent
 from statements import DENSE
 
@@ -16,6 +20,26 @@ BESIDE = 1e-6
 
 ROUNDED = 1e-12
 """How far inside of its place an extremum is looked for, too, as a part of the range."""
+
+
+def along(compilation: Compilation) -> Iterator[str]:
+    """Yield what a report says of ratios along the stroke and over ranges, and code refutes."""
+    for result in compilation.reported.results:
+        for extent in result.extents:
+            said = refuted(extent, curve(compilation, result.name, extent.parameter))
+            yield from (f"{result.name} over {extent.parameter}: {text}" for text in said)
+
+
+def curve(compilation: Compilation, name: str, parameter: str) -> Samples:
+    """Return the values of a result, as code gives them, along a parameter."""
+    function = next(f for f in compilation.routine.functions if f.name == name)
+    given = {i.name: i.default for i in function.inputs}
+
+    def at(places: list[float]) -> list[float]:
+        found = evaluate(function, {**given, parameter: np.array(places)})
+        return list(np.broadcast_to(found, len(places)).tolist())
+
+    return at
 
 
 def refuted(extent: Extent, curve: Samples, number: int = 4 * DENSE) -> Iterator[str]:

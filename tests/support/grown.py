@@ -6,6 +6,7 @@ reference sees those alone.
 """
 
 import math
+import re
 from collections.abc import Callable
 from itertools import combinations
 from random import Random
@@ -350,3 +351,39 @@ def wide(grown: Grown) -> str:
     stroke = f"drive {grown.drive} from {start - size!r} {unit} to {start + size!r} {unit}"
     lines = [line for line in grown.text().split("\n") if not line.startswith("drive ")]
     return "\n".join([*lines, stroke])
+
+
+def swept(grown: Grown) -> str:
+    """Return a description with a range about its crank's default angle."""
+
+    def ranged(found: re.Match[str]) -> str:
+        middle = float(found[1])
+        return f"{found[0]} in {middle - 1.5!r} rad .. {middle + 1.5!r} rad"
+
+    return re.sub(r"param phi = (\S+) rad", ranged, grown.text())
+
+
+def without_drive(description: str) -> str:
+    """Return a description whose drive is an angle with a range, and no drive."""
+    (line,) = re.findall(r"^drive (\w+) from (.+) to (.+)$", description, re.MULTILINE)
+    name, low, high = line
+    ranged = re.sub(rf"(?m)^(param {name} .+)$", rf"\1 in {low} .. {high}", description)
+    return re.sub(r"(?m)^drive .+\n?", "", ranged)
+
+
+LAID_OUT = ("pivot", "slider", "link", "slot", "telescope", "slide")
+LOADED = ("torque", "force", "actuator", "find")
+
+
+def drawn(grown: Grown) -> str:
+    """Return a description by the places of its pins, of which lengths and angles follow."""
+    (size, unit), start = WIDE[grown.drive], grown.start
+    lines = grown.text().split("\n")
+    kept = [line for line in lines if line.split()[0] in (*LAID_OUT, *LOADED)]
+    (crank,) = (line.split()[0] for line in lines if re.search(" = (r @ phi|s)$", line))
+    pivots = {line.split()[1] for line in kept if line.startswith("pivot ")}
+    named = {p for line in kept for p in re.findall(r"[A-Z]\d*", line.split(" along ")[0])}
+    places = {p: at for p, at in grown.places.items() if p in named - pivots}
+    kept += [f"{p} at ({x!r} m, {y!r} m)" for p, (x, y) in places.items()]
+    kept.append(f"drive {crank} from {start - size!r} {unit} to {start + size!r} {unit}")
+    return "\n".join(kept)

@@ -62,6 +62,8 @@ SHAPES = (
 
 UNIT = re.compile(rf"\\text\{{({'|'.join(WORDS)})\}}")
 LITERAL = re.compile(r"(?<![\d._])(?<![_^]\{)(?<!atan)\d+(?:\.\d+)?")
+READ = re.compile(f"{NAME.pattern}|({LITERAL.pattern})")
+"""A name, digits in it included, or a number."""
 FIGURES = 6
 """Numbers are rounded to so many figures."""
 
@@ -200,8 +202,9 @@ class Relation:
 
 def relations(tex: str) -> Iterator[Relation]:
     """Yield the equations that are displayed, line by line, or stand behind their text."""
-    for single, _, several, alone in DISPLAY.findall(tex):
+    for single, kind, several, alone in DISPLAY.findall(tex):
         text = re.sub(r"\\\\(\[2pt\])?\s*&(\\quad\{\}|(?==))", " ", single or several or alone)
+        text = text.replace("\\\\\n", " ") if kind == "multline*" else text
         text = CASES.sub(lambda found: _branches(found[1]), text)
         for line in re.split(r"\\\\(?:\[2pt\])?\n|&\n", text):
             yield from map(Relation, re.split(r"\\[gl]eq |[<>]", line))
@@ -236,6 +239,7 @@ class PrintedUnits:
             *(c for c in cells if not re.search(r"\^|\\frac|[-+=<]", c)),
             *named,
             *NAME.findall(self.tex),
+            *self.instead,
         }
 
     def read(self, tex: str) -> Formula:
@@ -283,7 +287,7 @@ class PrintedUnits:
         within = next((said[c].strip("$") for c in RANGES if c in said), "")
         tex = value or within.rpartition(r"\ldots\ ")[2]
         if tex:
-            self.exact |= {*LITERAL.findall(tex)}
+            self.exact |= {n for n in LITERAL.findall(tex) if len(n.strip("0.")) < FIGURES}
             formula = self.read(tex)
             self.table.dimensions[name] = self.table.measure(formula) or ONE
             found = self.value(formula)
@@ -342,11 +346,11 @@ class PrintedUnits:
         """Return how far rounding of the numbers printed may change a formula's value."""
         here = self.value(self.read(tex)) or 0.0
         total = 0.0
-        for literal in LITERAL.finditer(tex):
-            size = float(literal[0])
-            if size and literal[0] not in self.exact:
+        for literal in (found for found in READ.finditer(tex) if found[1]):
+            size = float(literal[1])
+            if size and literal[1] not in self.exact:
                 half = 0.5 * 10.0 ** (math.floor(math.log10(size)) + 1 - FIGURES)
-                moved = f"{tex[: literal.start()]}{size + half:.12f}{tex[literal.end() :]}"
+                moved = f"{tex[: literal.start(1)]}{size + half:.12f}{tex[literal.end(1) :]}"
                 total += abs((self.value(self.read(moved)) or 0.0) - here)
         return total
 

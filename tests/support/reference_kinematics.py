@@ -5,11 +5,15 @@ one matrix; its null space by singular values is the motion. The loads are those
 which no motion has power. Nothing here is algebra, and nothing is taken in an order.
 """
 
+import math
 from collections.abc import Iterator
+from random import Random
 
 import numpy as np
 import numpy.typing as npt
 
+from mechc.driver import Compilation
+from mechc.routine.evaluate import evaluate as run
 from mechc.syntax import ast
 from reference_geometry import (
     Action,
@@ -30,6 +34,8 @@ Array = npt.NDArray[np.float64]
 
 GRAVITY = 9.80665
 TOLERANCE = 1e-9
+LOAD = 1.3
+"""What loads without a value are taken to be."""
 
 
 class Motion:
@@ -127,6 +133,23 @@ def results(
         elif isinstance(item, ast.Let) and _computable(item.value, values | known):
             values[item.name.text] = evaluate(item.value, values | known)
     return values
+
+
+def refuted(file: ast.File, compilation: Compilation, seed: int) -> Iterator[str]:
+    """Yield where code has another result without friction, at the values given and nearby."""
+    dice = Random(seed)
+    given = {p.name.text: defaults(file)[p.name.text] for p in every(file, ast.Param)}
+    loads = (*every(file, ast.Force), *every(file, ast.Torque))
+    given |= {load.name.text: LOAD for load in loads if load.tie is None}
+    for part in (0.0, 0.01, 0.05):
+        values = defined(file, {n: v * (1 + dice.uniform(-part, part)) for n, v in given.items()})
+        expected = results(file, values)
+        for function in compilation.routine.functions:
+            known = {i.name: values.get(i.name) for i in function.inputs}
+            if function.name in expected and None not in known.values():
+                found, there = float(run(function, known)), expected[function.name]
+                if not math.isclose(found, there, rel_tol=1e-7, abs_tol=1e-10):
+                    yield f"{function.name} is {found}, by the motion {there}, at {values}"
 
 
 def _computable(node: ast.Expr, values: Values) -> bool:

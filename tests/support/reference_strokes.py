@@ -9,11 +9,48 @@ import warnings
 
 import numpy as np
 
+from mechc.routine.evaluate import evaluate
+
 CLOSED = 1e-15
 """A gap below this, in square metres, is closed."""
 
+STEPS = 25
+WIDE = {"phi": 0.25, "s": 0.01}
+LAX = 1e-9
+"""Relative error from which on two numbers differ; poses near a dead centre are left out."""
+
 HARD = 300.0
 """Above this condition a pose is near a dead centre: the reference could take another branch."""
+
+
+def strokes_of(grown):
+    """Return the drives and the cranks along eight strokes, both ways from the default pose."""
+    part = np.linspace(0, 1, STEPS)
+    ways = [(sense, growth) for growth in (0.0, 0.02, -0.04, 0.06) for sense in (1, -1)]
+    drives = [grown.start + sense * WIDE[grown.drive] * part for sense, _ in ways]
+    return np.array(drives), np.array([grown.size * (1 + growth * part) for _, growth in ways])
+
+
+def inputs_of(grown, function):
+    """Return the places of these strokes as arguments of a function."""
+    drives, cranks = strokes_of(grown)
+    given = {grown.drive: drives, "r": cranks}
+    return {i.name: given[i.name] for i in function.inputs}
+
+
+def errors(found, expected):
+    """Return by how much a result is off, as a part of itself, where the reference has one."""
+    known = np.isfinite(expected)
+    return np.abs(found - expected)[known] / np.maximum(np.abs(expected[known]), 0.01)
+
+
+def refuted(grown, function):
+    """Yield where code has another k than the places of a grown mechanism, or none."""
+    expected = Strokes(grown).followed(*strokes_of(grown))
+    found = np.broadcast_to(evaluate(function, inputs_of(grown, function)), expected.shape)
+    error = errors(found, expected)
+    if not np.all(error < LAX):
+        yield f"{function.name} is off by {np.max(error)} along a stroke"
 
 
 def conditions(matrices):

@@ -58,10 +58,19 @@ def _of_sums(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator
     elsewhere |= {p.name for p in pose.mechanism.parameters}
     needed = reached(_in_steps(derivation), formulas)
     named = [n for n in formulas if n in needed and n not in elsewhere]
-    for vector, names in groupby(named, lambda name: name.partition("_")[2]):
+    for vector, names in groupby(named, _vector):
         found = tuple(Definition(n, formulas[n]) for n in names)
         points = tuple("".join(point) for point in split_points(vector))
         yield PositionStep("sum", points, None, found)
+
+
+def _vector(name: str) -> str:
+    """Return the vector of ``len_AB``, or of ``len_AB_`` where something else has that name.
+
+    >>> _vector("len_AB_")
+    'AB'
+    """
+    return name.partition("_")[2].rstrip("_")
 
 
 def _in_steps(derivation: Derivation) -> Iterator[str]:

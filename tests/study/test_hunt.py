@@ -1,0 +1,106 @@
+"""The hunt for false statements, tests/support/hunt.py: what it looks at, and that it sees."""
+
+import time
+from pathlib import Path
+
+import pytest
+
+import hunt
+from hunt import Outcome, looked_at, outcome, summary
+from hunted import KINDS, Hunted, Made, made
+from mechc.frozen import replace
+from refuters import REFUTERS
+
+RISING = """
+param alpha = 20 deg in 5 deg .. 80 deg
+pivot O
+slider K along y
+link OB
+link BK
+OB = 200 mm @ 90 deg + alpha
+BK = 200 mm @ 90 deg - alpha
+force P at B along x
+force F at K along -y
+find k = P/F
+"""
+
+
+def hunted(folder: Path, text: str = RISING) -> Hunted:
+    return Hunted(Made(text), 0, folder)
+
+
+def with_result(found: Hunted, **changes: object) -> Hunted:
+    """Return a mechanism of whose result something else is said."""
+    (k,) = found.compilation.results
+    found.compilation.__dict__["results"] = (replace(k, **changes),)
+    return found
+
+
+def test_nothing_is_refuted_where_all_holds(tmp_path):
+    done = looked_at("toggle", hunted(tmp_path))
+    assert (done.results, done.refuted, done.refused, done.late) == (1, (), (), "")
+    assert done.traits == ("open",)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"trends": {"alpha": "falls"}}, "limits: k falls with alpha: rises 239 times"),
+        ({"zeros": ()}, "left out: k has order 1.00"),
+        ({"independent": ("alpha",)}, "limits: k depends on alpha"),
+    ],
+)
+def test_a_falsehood_is_found(tmp_path, changes, said):
+    wider = RISING.replace("5 deg .. 80 deg", "-40 deg .. 80 deg")
+    found = with_result(hunted(tmp_path, wider if "zeros" in changes else RISING), **changes)
+    refuted = looked_at("toggle", found).refuted
+    assert any(one.startswith(said) for one in refuted), refuted
+
+
+def test_a_code_that_is_off_is_found(tmp_path, monkeypatch):
+    monkeypatch.setattr("refuters.by_python", lambda made: {"k": [0.0] * 40})
+    assert any(one.startswith("code: ") for one in looked_at("toggle", hunted(tmp_path)).refuted)
+
+
+def test_what_takes_too_long_is_named(tmp_path, monkeypatch):
+    monkeypatch.setitem(REFUTERS, "causes", lambda found: time.sleep(5) or ())
+    done = looked_at("toggle", hunted(tmp_path), seconds=1)
+    assert done.late == "causes"
+    assert list(done.lines()) == ["toggle 0: out of time, causes"]
+
+
+def test_an_error_of_a_description_is_counted_and_one_of_the_compiler_is_told(tmp_path):
+    done = looked_at("toggle", hunted(tmp_path, RISING.replace("slider K along y\n", "")))
+    assert (done.results, done.refuted) == (0, ())
+    assert done.refused
+    (refuted,) = hunt.tried(Outcome("toggle", 0), "page", lambda: [1 / 0]).refuted
+    assert refuted == "page: ZeroDivisionError division by zero"
+
+
+def test_a_summary_counts_what_was_looked_at():
+    outcomes = [
+        Outcome("flat", 1, 2, ("closed",), refuted=("stroke: k is 1",)),
+        Outcome("rope", 2, refused=("E343",)),
+        Outcome("rope", 3, 1, ("open",), late="page"),
+    ]
+    assert list(summary(outcomes)) == [
+        "3 mechanisms, 2 of them with results, 3 in all",
+        "of which: closed 1, open 1",
+        "kinds: flat 1, rope 1",
+        "refused: E343 1",
+        "out of time: rope 3",
+        "statements refuted: 1",
+    ]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_makes_mechanisms(kind):
+    assert any(made(kind, seed) for seed in range(5))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+def test_nothing_that_is_said_of_a_mechanism_of_each_kind_is_refuted(kind):
+    outcomes = filter(None, (outcome(kind, seed) for seed in range(98000000, 98000010)))
+    done = next(one for one in outcomes if one.results)
+    assert list(done.lines()) == []

@@ -1,0 +1,177 @@
+"""Hunt for false statements: random mechanisms of every kind, and all that can refute what is said.
+
+``python tests/support/hunt.py --from 98000000 --count 3000 --workers 2`` makes a mechanism of each
+seed, of the kinds in turn. Each line of the output is a statement that was refuted, a mechanism
+that took too long, or the summary; the exit status is 1 where anything was refuted. With
+``--kinds closed --from 98000007 --count 1`` one of them is looked at again.
+"""
+
+import argparse
+import os
+import signal
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from multiprocessing import Pool
+from pathlib import Path
+from typing import NamedTuple
+
+from hunted import KINDS, Hunted, made
+from mechc.diagnostics import MechcError
+from mechc.diagnostics.statics import BUGS
+from mechc.model.targets import WithFriction
+from refuters import REFUTERS
+
+SECONDS = 120
+"""What a mechanism may take, with all that is looked at."""
+
+FRESH = 10
+"""Mechanisms after which a worker begins anew: formulas that are kept take memory."""
+
+LIMIT = "E817"
+"""The code of more work than a compilation may do."""
+
+
+class OutOfTime(BaseException):
+    """Raised where a mechanism takes too long; nothing that is looked at catches it."""
+
+
+class Outcome(NamedTuple):
+    """What came of one mechanism: what was refuted, and what could not be looked at."""
+
+    kind: str
+    seed: int
+    results: int = 0
+    traits: tuple[str, ...] = ()
+    refuted: tuple[str, ...] = ()
+    refused: tuple[str, ...] = ()
+    late: str = ""
+
+    def lines(self) -> Iterator[str]:
+        """Yield a line for each statement that was refuted, and for what took too long."""
+        where = f"{self.kind} {self.seed}"
+        yield from (f"{where}: {said}" for said in self.refuted)
+        if self.late:
+            yield f"{where}: out of time, {self.late}"
+
+
+def outcome(kind: str, seed: int, seconds: float = SECONDS) -> Outcome | None:
+    """Return what comes of the mechanism that a kind has for a seed; None where it has none."""
+    description = made(kind, seed)
+    if description is None:
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        return looked_at(kind, Hunted(description, seed, Path(folder)), seconds)
+
+
+def _of_pair(pair: tuple[str, int], seconds: float) -> Outcome | None:
+    return outcome(*pair, seconds)
+
+
+def looked_at(kind: str, found: Hunted, seconds: float = SECONDS) -> Outcome:
+    """Return what all that can refute says of a mechanism."""
+    done = Outcome(kind, found.seed)
+    try:
+        with no_longer_than(seconds):
+            for at, refute in REFUTERS.items():
+                done = done._replace(late=at)
+                done = tried(done, at, lambda refute=refute: refute(found))
+                if not found.is_compiled:
+                    break
+    except OutOfTime:
+        return done
+    late = "more work than is allowed" if LIMIT in done.refused else ""
+    if found.is_compiled:
+        done = done._replace(results=len(found.compilation.results), traits=traits(found))
+    return done._replace(late=late)
+
+
+def tried(done: Outcome, at: str, refute: Callable[[], Iterable[str]]) -> Outcome:
+    """Return an outcome with what is refuted at one look; a description may be refused there."""
+    try:
+        return done._replace(refuted=(*done.refuted, *(f"{at}: {said}" for said in refute())))
+    except MechcError as error:
+        codes = {d.code for d in error.diagnostics if d.code.startswith("E")}
+        if not codes & BUGS:
+            return done._replace(refused=(*done.refused, *sorted(codes)))
+        said = "; ".join(f"{d.code} {d.message}" for d in error.diagnostics if d.code in BUGS)
+    except Exception as error:
+        said = f"{type(error).__name__} {error}"
+    return done._replace(refuted=(*done.refuted, " ".join(f"{at}: {said}".split())))
+
+
+def traits(found: Hunted) -> tuple[str, ...]:
+    """Return what a mechanism is counted as in the summary."""
+    made = found.compilation
+    has_friction = any(isinstance(r.target, WithFriction) for r in made.results)
+    return (
+        "closed" if found.is_closed else "open",
+        *["with friction"] * has_friction,
+        *["with a drive"] * (made.pose.mechanism.drive is not None),
+    )
+
+
+@contextmanager
+def no_longer_than(seconds: float) -> Iterator[None]:
+    """Raise OutOfTime in what is done inside where it takes too long."""
+
+    def stop(*_: object) -> None:
+        raise OutOfTime
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def summary(outcomes: Sequence[Outcome]) -> Iterator[str]:
+    """Yield what there was, and how much of it could be looked at."""
+    solved = [one for one in outcomes if one.results]
+    number = sum(one.results for one in solved)
+    late = [f"{one.kind} {one.seed}" for one in outcomes if one.late]
+    yield f"{len(outcomes)} mechanisms, {len(solved)} of them with results, {number} in all"
+    yield _counted("of which", (trait for one in solved for trait in one.traits))
+    yield _counted("kinds", (one.kind for one in solved))
+    yield _counted("refused", (code for one in outcomes for code in one.refused))
+    yield f"out of time: {', '.join(late) or 'none'}"
+    yield f"statements refuted: {sum(len(one.refuted) for one in outcomes)}"
+
+
+def _counted(title: str, names: Iterable[str]) -> str:
+    numbers = (f"{name} {number}" for name, number in Counter(names).most_common())
+    return f"{title}: {', '.join(numbers) or 'none'}"
+
+
+def main() -> int:
+    """Hunt as the command line says; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--from", type=int, default=0, dest="first", metavar="SEED")
+    parser.add_argument("--count", type=int, default=len(KINDS), metavar="N")
+    parser.add_argument("--workers", type=int, default=1, metavar="N")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="for each mechanism")
+    parser.add_argument("--kinds", default=",".join(KINDS), help="some of them, commas between")
+    asked = parser.parse_args()
+    os.environ["MECHC_CACHE"] = ""
+    seeds = range(asked.first, asked.first + asked.count)
+    chosen = asked.kinds.split(",")
+    kinds = [chosen[seed % len(chosen)] for seed in seeds]
+    seen: list[Outcome] = []
+    look = partial(_of_pair, seconds=asked.seconds)
+    with Pool(asked.workers, maxtasksperchild=FRESH) as workers:
+        for one in workers.imap(look, zip(kinds, seeds, strict=True)):
+            if one is not None:
+                seen.append(one)
+                for line in one.lines():
+                    print(line, flush=True)
+    print(*summary(seen), sep="\n")
+    return int(any(one.refuted for one in seen))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,132 @@
+"""Everything that can refute what is said of a mechanism, by what it looks at.
+
+Each yields what is false, in words; nothing where all holds, or where it does not apply.
+"""
+
+import shutil
+from collections.abc import Callable, Iterator
+
+import branchings
+import conclusions
+import extents
+import friction_statements
+import reference_kinematics
+import reference_strokes
+import statements
+import stroke_curves
+import stroke_statements
+from homogeneous import uneven
+from hunted import Hunted
+from mechc.emit.latex.to_latex import TARGET as LATEX
+from mechc.emit.target import Options
+from mechc.model.targets import LoadForm, LoadRatio, SpeedRatio
+from mechc.syntax import ast
+from page import Page
+from printed_units import PrintedUnits, displaced
+from run_targets import assert_close, built, by_c_in_batch, by_c_singly, by_interpreter, by_python
+
+BEYOND = (ast.Actuator, ast.Spring, ast.Drawn, ast.Use, ast.Table, ast.Sizes)
+"""What the reference of given poses does not read."""
+
+
+def free_bodies(found: Hunted) -> Iterator[str]:
+    """The second opinion; a result that it could not look at is no finding."""
+    if not found.compilation.verdict.agrees:
+        yield "the free bodies do not agree"
+
+
+def limits(found: Hunted) -> Iterator[str]:
+    """Trends, zeros and poles, proportions, what may be exchanged and what has no influence."""
+    for result in found.compilation.results:
+        yield from statements.refuted(found.compilation.pose.mechanism, result, found.seed)
+
+
+def left_out(found: Hunted) -> Iterator[str]:
+    """Zeros and poles of ratios without friction that are not stated."""
+    for result in found.compilation.results:
+        if isinstance(result.target, LoadRatio | LoadForm | SpeedRatio):
+            yield from statements.missing(found.compilation.pose.mechanism, result, found.seed)
+
+
+def causes(found: Hunted) -> Iterator[str]:
+    """Slopes, dead centres and loads across the motion, what is infinite."""
+    mechanism = found.compilation.pose.mechanism
+    tree = None if found.is_closed else found.tree
+    for result in found.compilation.results:
+        yield from conclusions.refuted(tree, mechanism, result, found.seed)
+
+
+def friction(found: Hunted) -> Iterator[str]:
+    """Locking, jams, what an efficiency runs through, and the case that is printed."""
+    return friction_statements.refuted(found.compilation)
+
+
+def ranges(found: Hunted) -> Iterator[str]:
+    """What ratios come to along the stroke and over ranges."""
+    return extents.along(found.compilation)
+
+
+def stroke(found: Hunted) -> Iterator[str]:
+    """Ends of loops, singular poses, extrema, and friction along the stroke."""
+    if found.stroke:
+        yield from stroke_curves.refuted(found.compilation, found.stroke)
+        yield from stroke_statements.refuted(found.compilation, found.stroke)
+        yield from stroke_statements.zero_throughout(found.mechanism, found.stroke)
+        yield from stroke_statements.moving(found.mechanism, found.stroke)
+
+
+def branches(found: Hunted) -> Iterator[str]:
+    """Poses in which a loop goes on in two ways, by the equations of the loop."""
+    if found.flat and found.stroke:
+        yield from branchings.refuted(found.flat, found.mechanism, found.stroke)
+
+
+def motion(found: Hunted) -> Iterator[str]:
+    """Results without friction, against the motion by singular values, or by places."""
+    if found.grown:
+        (function,) = (f for f in found.compilation.routine.functions if f.name == "k")
+        yield from reference_strokes.refuted(found.grown, function)
+    elif not found.is_closed and not any(isinstance(s, BEYOND) for s in found.tree.statements):
+        yield from reference_kinematics.refuted(found.tree, found.compilation, found.seed)
+
+
+def lengths(found: Hunted) -> Iterator[str]:
+    """Formulas that do not balance in units."""
+    return uneven(found.compilation)
+
+
+def code(found: Hunted) -> Iterator[str]:
+    """Emitted Python and C, which must give what the interpreter gives."""
+    made, routine = found.compilation, found.compilation.routine
+    expected = by_interpreter(made)
+    assert_close(by_python(made), expected, 0, routine)
+    if shutil.which("gcc"):
+        library = built(made, found.folder)
+        assert_close(by_c_singly(made, library), expected, 64, routine)
+        assert_close(by_c_in_batch(made, library), expected, 64, routine)
+    yield from ()
+
+
+def page(found: Hunted) -> Iterator[str]:
+    """Every formula of a report with its numbers and units, read back from LaTeX.
+
+    How choices and tables are printed is not among what is read.
+    """
+    if any(isinstance(s, ast.Table | ast.Sizes) for s in found.tree.statements):
+        return
+    read = Page(found.compilation)
+    yield from read.wrong()
+    (document,) = LATEX.emit(found.compilation, Options("page"))
+    units = PrintedUnits(document.text, read.spelled)
+    yield from units.contradictions()
+    yield from units.unread
+    yield from displaced(document.text)
+
+
+REFUTERS: dict[str, Callable[[Hunted], Iterator[str]]] = {
+    one.__name__.replace("_", " "): one
+    for one in (
+        free_bodies, limits, left_out, causes, friction, ranges, stroke, branches,
+        motion, lengths, code, page,
+    )
+}  # fmt: skip

@@ -1,0 +1,204 @@
+"""What is said along a stroke of a ratio without friction, against emitted code that lies close.
+
+Every zero and pole, every jump, every end of a loop and every extremum that the places show must
+be stated, and nothing else; the ratio, the status of the pose and the stretches must agree on where
+there is a pose at all. Each function yields what is refuted, in words; nothing where all holds.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+
+import numpy as np
+
+from mechc.driver import Compilation
+from mechc.model.targets import LoadRatio, SpeedRatio
+from mechc.routine.evaluate import evaluate, pose
+from mechc.routine.steps import Function, Pose
+from mechc.study.stroke.run import SAMPLES
+from mechc.study.stroke.stroke import Stroke
+
+PLACES = 2001
+
+NIL = 1e-14
+"""What is smaller, in SI, is rounding: a load that works against nothing."""
+
+Array = np.ndarray
+
+
+class Curve:
+    """A result, its stroke, and its values at places that lie close together."""
+
+    def __init__(self, compilation: Compilation, stroke: Stroke, name: str) -> None:
+        self.name, self.stroke = name, stroke
+        self.function = next(f for f in compilation.routine.functions if f.name == name)
+        self.pose = compilation.routine.pose
+        self.range = stroke.high - stroke.low
+        self.places = np.linspace(stroke.low, stroke.high, PLACES)
+        self.cell = self.places[1] - self.places[0]
+        found = self.at(self.places)
+        self.k = np.where(np.abs(found) < NIL, 0.0, found)
+        finite = np.abs(self.k[np.isfinite(self.k)])
+        self.size = float(np.median(finite)) if finite.size else 0.0
+        self.singular = [s for s in stroke.singular if s.result == name]
+        self.extrema = [e for e in stroke.extrema if e.result == name]
+        self.branches = [b.drive for b in stroke.branches]
+        self.poles = [s.drive for s in self.singular if s.value != "0"]
+        self.jumps = [s for s in self.singular if s.sides]
+
+    def inputs(self, part: Function | Pose, places: Array) -> dict[str, Array | float | None]:
+        drive = self.stroke.drive
+        return {i.name: places if i.name == drive else i.default for i in part.inputs}
+
+    def at(self, places: Iterable[float]) -> Array:
+        there = np.asarray(places)
+        found = evaluate(self.function, self.inputs(self.function, there))
+        return np.broadcast_to(found, np.shape(there))
+
+    def is_near(self, place: float, others: Iterable[float], cells: float) -> bool:
+        return any(abs(place - other) <= cells * self.cell for other in others)
+
+
+def curves(compilation: Compilation, stroke: Stroke) -> Iterator[Curve]:
+    """Yield the ratios without friction that move along the stroke."""
+    routine = {f.name: f for f in compilation.routine.functions}
+    for result in compilation.results:
+        inputs = routine[result.name].inputs if result.name in routine else ()
+        is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
+        if is_ratio and stroke.drive in {i.name for i in inputs}:
+            yield Curve(compilation, stroke, result.name)
+
+
+def refuted(compilation: Compilation, stroke: Stroke) -> Iterator[str]:
+    """Yield every statement on a ratio along a stroke that code refutes."""
+    for curve in curves(compilation, stroke):
+        for check in CHECKS:
+            yield from (f"{curve.name}, {check.__name__}: {said}" for said in check(curve))
+
+
+def where_there_is_a_pose(seen: Curve) -> Iterator[str]:
+    finite = np.isfinite(seen.k)
+    if seen.pose:
+        _, status = pose(seen.pose, seen.inputs(seen.pose, seen.places))
+        differs = (np.broadcast_to(status, finite.shape) == 0) != finite
+        yield from (f"pose and result disagree at {x}" for x in seen.places[differs][:1])
+    stated = np.zeros(PLACES, bool)
+    ends = list(seen.branches)
+    for stretch in seen.stroke.stretches:
+        stated |= (seen.places >= stretch.low) & (seen.places <= stretch.high)
+        ends += [stretch.low, stretch.high]
+    known = stated | ~(finite & ~narrow(seen, finite))
+    apart = np.array([not seen.is_near(x, ends, 1.0) for x in seen.places])
+    yield from (f"no pose at {x}" for x in seen.places[stated & ~finite & apart][:1])
+    yield from (f"a pose at {x} is left out" for x in seen.places[~known & apart][:1])
+
+
+def narrow(seen: Curve, finite: Array) -> Array:
+    """Return where there is a pose on so short a part that it may be missed, as is said."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], finite, [False]])))
+    missed = np.zeros(PLACES, bool)
+    for start, end in edges.reshape(-1, 2):
+        missed[start:end] = (end - start) * seen.cell <= seen.range / SAMPLES
+    return missed
+
+
+def changes_of_sign(seen: Curve) -> Iterator[str]:
+    """Wherever k changes its sign it is zero, infinite, or jumps, and that is stated."""
+    stated = [s.drive for s in seen.singular]
+    for i in range(PLACES - 1):
+        here, there = seen.k[i : i + 2]
+        if not here * there < 0 or seen.is_near(seen.places[i], seen.branches, 2.0):
+            continue
+        middle = seen.places[i] + seen.cell / 2
+        if not seen.is_near(middle, stated, 0.500001):
+            yield f"{here} … {there} at {middle}"
+
+
+def singular_poses(seen: Curve) -> Iterator[str]:
+    """Where k is said to be zero it is small nearby, and large where it is said to be infinite."""
+    for singular in seen.singular:
+        beside = np.array([-1e-7, -1e-10, 1e-10, 1e-7]) * seen.range + singular.drive
+        sizes = np.abs(seen.at(beside))
+        sizes = sizes[np.isfinite(sizes)]
+        if singular.value == "0" and sizes.size and not sizes.min() < 1e-3 * seen.size + 1e-12:
+            yield f"{sizes.min()} beside {singular}"
+        if singular.value == "infinite" and sizes.size and not sizes.max() > 20 * seen.size:
+            yield f"{sizes.max()} beside {singular}"
+
+
+def extrema(seen: Curve) -> Iterator[str]:
+    stated = [e.drive for e in seen.extrema]
+    for i in range(2, PLACES - 2):
+        five, place = seen.k[i - 2 : i + 3], seen.places[i]
+        steps = np.sign(np.diff(five))
+        turns = abs(steps.sum()) == 0 and steps[0] == steps[1] == -steps[2] == -steps[3] != 0
+        if not turns or abs(five[2] - five[0]) < 1e-9 * seen.size:
+            continue
+        if seen.is_near(place, seen.poles, 3.0) or seen.is_near(place, seen.branches, 4.0):
+            continue
+        if not seen.is_near(place, stated, 2.0):
+            yield f"k turns at {place}"
+    for place in stated:
+        if not seen.is_near(place, [*seen.poles, *seen.branches], 3.0):
+            before, here, after = seen.at([place - seen.cell / 2, place, place + seen.cell / 2])
+            if before < here < after or before > here > after:
+                yield f"k does not turn at {place}"
+
+
+def values_of_extrema(seen: Curve) -> Iterator[str]:
+    for extremum in seen.extrema:
+        k = float(seen.at([extremum.drive])[0])
+        if not abs(k - extremum.value) <= 1e-6 * max(seen.size, abs(k)):
+            yield f"{k} at {extremum}"
+
+
+def sides_of_jumps(seen: Curve) -> Iterator[str]:
+    for jump in seen.jumps:
+        beside = seen.at(np.array([-1e-7, 1e-7]) * seen.range + jump.drive)
+        stated = jump.sides or ()
+        if not all(
+            math.isclose(k, side, rel_tol=1e-3, abs_tol=1e-12)
+            for k, side in zip(beside, stated, strict=True)
+        ):
+            yield f"{beside} beside {jump}"
+        if not abs(beside[0] - beside[1]) > 1e-3 * np.abs(beside).max():
+            yield f"{beside} beside {jump}: no jump"
+
+
+@np.errstate(invalid="ignore")
+def jumps(seen: Curve) -> Iterator[str]:
+    """Wherever k differs much more between two places than beside them, and keeps doing so."""
+    stated = [*(s.drive for s in seen.singular), *seen.branches]
+    stated += [end for s in seen.stroke.stretches for end in (s.low, s.high)]
+    for i in range(1, PLACES - 2):
+        before, step, after = np.abs(np.diff(seen.k[i - 1 : i + 3]))
+        if step > 5 * max(before, after) and step > 1e-6 * seen.size:
+            place = between(seen, i)
+            sides = seen.at(np.array([-1e-8, 1e-8]) * seen.range + place)
+            is_jump = abs(sides[0] - sides[1]) > 0.1 * step
+            if is_jump and not seen.is_near(place, stated, 1.0):
+                yield f"k jumps at {place}"
+
+
+def between(seen: Curve, i: int) -> float:
+    """Return the place in a cell about which k differs most."""
+    low, high = seen.places[i : i + 2]
+    before, after = seen.k[i : i + 2]
+    for _ in range(30):
+        middle = (low + high) / 2
+        here = seen.at([middle])[0]
+        if abs(here - before) < abs(here - after):
+            low, before = middle, here
+        else:
+            high, after = middle, here
+    return float(low)
+
+
+CHECKS: tuple[Callable[[Curve], Iterator[str]], ...] = (
+    values_of_extrema,
+    sides_of_jumps,
+    jumps,
+    where_there_is_a_pose,
+    changes_of_sign,
+    singular_poses,
+    extrema,
+)
