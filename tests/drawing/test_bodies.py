@@ -82,10 +82,50 @@ def test_forces_have_names_and_sizes():
 
 def test_a_couple_of_friction_has_a_name_of_its_own():
     clutch = lettering(begun("plate_clutch").drawn_bodies("en"))
-    assert {"M = 236\u2009N\u2009m", "MT = 236\u2009N\u2009m"} <= set(clutch)
+    assert {"M = 236\u2009N·m", "Mfr = 236\u2009N·m"} <= set(clutch)
     assert not any("without friction" in label for label in clutch)
     jack = lettering(begun("screw_jack_with_collar").drawn_bodies("en"))
     assert [label for label in jack if label.startswith("MA")]
+    assert "Ffr,A = 0.00684\u2009F" in jack
+    planets = lettering(bodies_in("uk", "planetary_gear"))
+    assert "Mстояк = 0,3\u2009T" in planets
+
+
+def bodies_in(language, name):
+    drawing = begun(name).drawn_bodies(language)
+    return in_letters(drawing, letters(locale(language)))
+
+
+@pytest.mark.parametrize(
+    ("name", "drawn"),
+    [
+        ("d45_11_screw_lever_with_friction", {"2N", "RO = 10\u2009N"}),
+        ("scissor_table", {"W/2", "W2/2 = 0.5\u2009W"}),
+        ("three_claw_gripper", {"P/3 = 1.4\u2009R", "T = 0.2\u2009R"}),
+    ],
+)
+def test_a_load_has_its_name_as_often_as_it_acts(name, drawn):
+    found = set(lettering(begun(name).drawn_bodies("en")))
+    assert drawn <= found
+    assert {run.split("=")[0] for run in drawn} & {"N", "W", "P "} == set()
+
+
+def test_a_couple_per_unit_of_a_force_is_an_arm_times_the_force():
+    assert "M = 120\u2009mm·F" in lettering(begun("four_bar").drawn_bodies("en"))
+    assert "M = 36,6\u2009мм·F" in lettering(bodies_in("uk", "crank_rocker"))
+
+
+def test_points_in_indices_are_points():
+    drawing = begun("four_bar").drawn_bodies("en")
+    (index,) = {label.runs[1:3] for label in drawing.labels if lettered(label).startswith("RO1 = ")}
+    assert [(run.text, run.italic, run.level) for run in index] == [
+        ("O", True, -1),
+        ("1", False, -1),
+    ]
+
+
+def lettered(label):
+    return "".join(run.text for run in label.runs)
 
 
 def test_friction_circles_are_as_large_as_they_are():
@@ -158,3 +198,4 @@ def test_what_equals_a_load_has_no_number():
     found = lettering(begun("block_and_tackle").drawn_bodies("uk"))
     assert "RK = F" in found
     assert any(text.startswith("RA,стояк") for text in found)
+    assert any(text.startswith("RA,кан") for text in found)

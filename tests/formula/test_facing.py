@@ -50,11 +50,11 @@ def test_a_condition_vanishes_where_the_factor_does(seed):
 def test_a_velocity_is_projected_by_the_angle_between_the_links():
     """CB leans by theta + 60 deg: the projection is on the sine of an angle with that."""
     page = mechc.load("toggle_clamp").emit("latex")
-    assert r"\sin(\phi_{AB}-\theta-60^\circ)=V_B\sin\mu_B" in page
+    assert r"\sin(\varphi_{AB}-\theta-60^\circ)=V_B\sin\mu_B" in page
     assert r"30^\circ" not in page.partition("Velocities")[2].partition("Numerical")[0]
 
 
 def test_sines_that_were_negative_both_are_turned_both():
     page = mechc.load("crank_rocker").emit("latex")
-    assert r"\frac{\sin(\phi-\psi)}{\sin(\theta-\psi)}" in page
+    assert r"\frac{\sin(\varphi-\psi)}{\sin(\theta-\psi)}" in page
     assert "sin(-" not in page

@@ -71,6 +71,6 @@ def test_angles_of_a_drawing_stand_once(tmp_path, capsys):
     )
     for command in (["derive"], ["compile", "--emit", "latex"]):
         assert main([*command, str(path), "--brief", "--no-cache"]) == 0
-        page = capsys.readouterr().out.replace(r"\phi_{KA}&=", "φ_KA = ")
-        page = page.replace(r"\phi_{KA}=", "φ_KA = ")
+        page = capsys.readouterr().out.replace(r"\varphi_{KA}&=", "φ_KA = ")
+        page = page.replace(r"\varphi_{KA}=", "φ_KA = ")
         assert page.count("φ_KA = ") == 1

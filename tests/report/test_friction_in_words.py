@@ -212,7 +212,7 @@ def test_an_efficiency_is_the_share_of_two_ratios():
 
 def test_only_pairs_with_friction_are_explained():
     assert "friction circle" not in derived("d45_16_wedge_hook_with_friction").split("first")[0]
-    assert "The friction of a pin" in derived("lever_clamp_with_friction")
+    assert "The friction in a pin" in derived("lever_clamp_with_friction")
 
 
 def test_a_coefficient_with_sums_in_it_has_a_name():

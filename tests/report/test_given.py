@@ -91,9 +91,9 @@ def test_a_force_in_a_rod_has_a_heading_of_its_own():
 def test_a_rod_has_two_pins_and_a_screw_has_one():
     given = mechc.load("screw_jack_with_collar").emit("latex").split(r"\section*{Velocities}")[0]
     assert r"Rigid links: $OE$." in given
-    assert "Rods with two pins" not in given
+    assert "Links with two pins" not in given
     crank = mechc.load("crank_slider").emit("latex")
-    assert r"Rods with two pins: $OA$ and $AB$." in crank
+    assert r"Links with two pins: $OA$ and $AB$." in crank
 
 
 def test_a_stroke_that_is_not_the_range_of_its_parameter_is_given():

@@ -67,7 +67,7 @@ def test_formula_is_set_as_a_textbook_sets_it(source: str, expected: str) -> Non
 
 def test_eastern_books_write_tg_and_a_decimal_comma() -> None:
     source = formula("0.35*tan(phi) + cot(phi)")
-    assert latex(source, EN) == r"0.35\,\tan\phi+\cot\phi"
+    assert latex(source, EN) == r"0.35\,\tan\varphi+\cot\varphi"
     for style in (UK, RU):
         expected = r"0{,}35\,\operatorname{tg}\varphi+\operatorname{ctg}\varphi"
         assert latex(source, style) == expected
@@ -93,7 +93,7 @@ def test_constants_are_in_degrees_where_the_sum_is_an_angle() -> None:
         ("lambda", r"\lambda"),
         ("epsilon", r"\varepsilon"),
         ("input", r"\mathrm{input}"),
-        ("phi_AB", r"\phi_{AB}"),
+        ("phi_AB", r"\varphi_{AB}"),
         ("len_AB", "AB"),
     ],
 )

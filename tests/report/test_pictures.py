@@ -71,7 +71,7 @@ find k = P/W, R_B on OBA
 
 def test_lengths_and_directions_of_forces_read_in_pictures_and_tables_as_in_formulas():
     text = mechc.loads(JIB).emit("latex", pictures=True)
-    assert r"$\phi_{{R_B^{OBA}}}$, $^\circ$" in text
+    assert r"$\varphi_{{R_B^{OBA}}}$, $^\circ$" in text
     assert "direction}" not in text
     assert not re.search(r"\blen\b", text)
 
@@ -89,7 +89,7 @@ def test_with_friction_both_are_plotted_and_over_the_stroke_of_a_drive():
     text = mechc.load("karpenko_fig9_with_friction").emit("latex", pictures=True)
     assert "against $\\alpha$" in text
     assert "& $k$ & $" in text
-    assert "$k$ against $\\phi$" in mechc.load("crank_rocker").emit("latex", pictures=True)
+    assert "$k$ against $\\varphi$" in mechc.load("crank_rocker").emit("latex", pictures=True)
 
 
 def test_what_has_no_range_has_no_plot_and_a_sheet_no_pictures(tmp_path):

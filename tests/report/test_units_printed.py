@@ -121,5 +121,7 @@ def test_an_angle_is_no_fraction_before_its_unit() -> None:
     assert "where phi_OA = 82.875 deg\n" in "\n".join(report(compilation, verbose=False))
     assert render(compilation.derivation, compilation.mechanism).count("φ_OA = 82.875°") == 1
     tex = mechc.loads(f"{text}let q = k*sin(phi_OA)\n").emit("latex")
-    (given,) = (line for line in tex.splitlines() if r"$\phi_{OA}$ &" in line and "deg" not in line)
+    (given,) = (
+        line for line in tex.splitlines() if r"$\varphi_{OA}$ &" in line and "deg" not in line
+    )
     assert r"82.875^\circ" in given

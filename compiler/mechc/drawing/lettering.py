@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from fractions import Fraction
 from itertools import groupby
 
 from ..formula.names import GREEK, JointForce, split_force, split_name, split_points, split_ratio
@@ -56,6 +57,18 @@ def name(written: str) -> tuple[Run, ...]:
     """
     above, *below = (tuple(_one(n)) for n in split_ratio(written))
     return (*above, *(run for part in below for run in (Run("/"), *part)))
+
+
+def times(count: float, written: str) -> tuple[Run, ...]:
+    """Return a load's name after how often it acts.
+
+    >>> [run.text for run in times(2.0, "P")], [run.text for run in times(1 / 3, "P")]
+    (['2', 'P'], ['P', '/3'])
+    """
+    exact = Fraction(count).limit_denominator(1000)
+    above = (Run(f"{exact.numerator}"),) if exact.numerator != 1 else ()
+    below = (Run(f"/{exact.denominator}"),) if exact.denominator != 1 else ()
+    return (*above, *name(written), *below)
 
 
 def _one(written: str) -> Iterator[Run]:

@@ -1,7 +1,6 @@
 """Loads on paper: arrows of forces, round arrows of couples, names beside them."""
 
 import math
-from fractions import Fraction
 
 from ..figure.figure import (
     Actuator,
@@ -15,9 +14,9 @@ from ..figure.figure import (
     Torque,
 )
 from ..pose.places import direction
-from .drawing import FORCE, SYMBOL, VELOCITY, Run
+from .drawing import FORCE, SYMBOL, VELOCITY
 from .labels import Around, Beside
-from .lettering import name
+from .lettering import name, times
 from .occupied import LineSegment, Occupied
 from .paper import Paper
 from .sheet import Layer, Sheet
@@ -89,7 +88,7 @@ def _draw_force(sheet: Sheet, paper: Paper, force: Force) -> None:
         sheet.draw(Layer.PINS, centre_of_gravity(at))
     tail, tip = _free_arrow(sheet.occupied, paper, force)
     sheet.draw(Layer.LOADS, arrow(tail, tip))
-    sheet.name(Beside(tail, tip, _times(force.times, force.name), FORCE))
+    sheet.name(Beside(tail, tip, times(force.times, force.name), FORCE))
 
 
 def _free_arrow(occupied: Occupied, paper: Paper, force: Force) -> LineSegment:
@@ -125,7 +124,7 @@ def _draw_spread(sheet: Sheet, paper: Paper, load: SpreadLoad) -> None:
         if abs(size) > LEAST:
             sheet.draw(Layer.LOADS, arrow(tails[-1], tip))
     sheet.draw(Layer.LOADS, [line(tails[0], tails[-1], FORCE)])
-    sheet.name(Beside(tails[0], tails[-1], _times(load.times, load.name), FORCE))
+    sheet.name(Beside(tails[0], tails[-1], times(load.times, load.name), FORCE))
 
 
 def _reach(paper: Paper, force: Force) -> float:
@@ -151,14 +150,6 @@ def _draw_torque(sheet: Sheet, paper: Paper, torque: Torque) -> None:
     found = min(shapes, key=lambda s: sheet.occupied.crossed(s))
     sheet.draw(Layer.LOADS, found)
     start = starts[shapes.index(found)]
-    runs = _times(torque.times, torque.name)
+    runs = times(torque.times, torque.name)
     outside = off(at, direction(start), COUPLE + 1.0)
     sheet.name(Around(outside, runs, FORCE, start))
-
-
-def _times(count: float, written: str) -> tuple[Run, ...]:
-    """Return a load's name after how often it acts: 2P, P/2."""
-    exact = Fraction(count).limit_denominator(1000)
-    above = (Run(f"{exact.numerator}"),) if exact.numerator != 1 else ()
-    below = (Run(f"/{exact.denominator}"),) if exact.denominator != 1 else ()
-    return (*above, *name(written), *below)

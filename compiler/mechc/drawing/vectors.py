@@ -1,7 +1,6 @@
 """Forces and velocities on paper: their symbols, and how large they are."""
 
 import math
-from collections import Counter
 from collections.abc import Iterator, Mapping
 
 from ..figure.figure import Figure, Link, Slide, Torque
@@ -10,12 +9,12 @@ from ..figure.velocities import Velocities
 from ..frozen import frozen
 from ..statics.diagram import Acting, Diagram, FreeBody
 from .drawing import Run
-from .lettering import measured, name
+from .lettering import measured, name, times
 
 LEAST = 0.004
 """A force below this part of the largest is nothing."""
 
-LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "T"}
+LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "F"}
 """The symbols of forces of joints, by their kind; others are R."""
 
 
@@ -76,17 +75,36 @@ class Forces:
         A couple that is of no point is called after friction, or after the nut of a screw.
         """
         if acting.kind == "load":
-            return name(acting.by)
-        letter = LETTERS.get(acting.kind, "R")
-        if couple and not acting.point:
-            index = letter if acting.kind == "friction" else in_words(name(acting.by))
-            return Run("M", italic=True), Run(index, level=-1)
-        same = Counter((LETTERS.get(a.kind, "R"), a.point) for a in body.forces if a.kind != "load")
-        index = in_words(name(acting.point))
-        if same[letter, acting.point] > 1:
-            index = ",".join(filter(None, (index, self.called(acting.by))))
-        shown = "M" if couple else letter
-        return (Run(shown, italic=True), *([Run(index, level=-1)] if index else []))
+            return times(self._part(acting), acting.by)
+        letter = "M" if couple else LETTERS.get(acting.kind, "R")
+        parts = (run for part in self._indices(body, acting) for run in (Run(","), *part))
+        return (Run(letter, italic=True), *(run._replace(level=-1) for run in tuple(parts)[1:]))
+
+    def _indices(self, body: FreeBody, acting: Acting) -> Iterator[tuple[Run, ...]]:
+        """Yield what tells a force from others: friction, its point, what it comes from."""
+        of_friction = acting.kind == "friction"
+        if of_friction:
+            yield (Run(self.words["of_friction"]),)
+        if acting.point:
+            yield name(acting.point)
+        elif not of_friction:
+            yield self._source(acting, alone=False)
+        alike = [a for a in body.forces if _kind(a) == _kind(acting) and a.point == acting.point]
+        if len(alike) > 1 and acting.by and acting.point:
+            yield self._source(acting, alone=[a.kind for a in alike].count("rope") == 1)
+
+    def _source(self, acting: Acting, *, alone: bool) -> tuple[Run, ...]:
+        """Return what a force comes from: a body by its points, the one rope there as the rope."""
+        if acting.kind == "rope" and alone:
+            return (Run(self.words["of_rope"]),)
+        called = self.called(acting.by)
+        return (Run(called),) if acting.by in FIXED else name(called)
+
+    def _part(self, acting: Acting) -> float:
+        """Return how often a load acts here: twice as 2P, a third where three branches share it."""
+        whole = abs(self.diagram.loads.get(acting.by, 0.0))
+        size = math.hypot(*(acting.force or ())) if acting.point else abs(acting.moment)
+        return size / whole if size and whole else 1.0
 
     @property
     def unit(self) -> tuple[Run, ...]:
@@ -109,11 +127,11 @@ class Forces:
 
     def size(self, acting: Acting) -> tuple[Run, ...]:
         """Return how large a force is, in newtons or more, or in the load that it is per."""
-        return self._value(acting, math.hypot(*(acting.force or ())), self._turning, "", -1)
+        return self._value(acting, math.hypot(*(acting.force or ())), "", -self._turning)
 
     def turning(self, acting: Acting) -> tuple[Run, ...]:
         """Return how large a couple is."""
-        return self._value(acting, abs(acting.moment), not self._turning, "\u2009m", 1)
+        return self._value(acting, abs(acting.moment), "·m", not self._turning)
 
     @property
     def _turning(self) -> bool:
@@ -121,22 +139,28 @@ class Forces:
         parts = self.figure.parts
         return any(isinstance(p, Torque) and p.name == self.diagram.per for p in parts)
 
-    def _value(
-        self, acting: Acting, size: float, scaled: bool, by: str, metres: int
-    ) -> tuple[Run, ...]:
+    def _value(self, acting: Acting, size: float, by: str, metres: int) -> tuple[Run, ...]:
         """Return a size in newtons, or that ``by`` a length, or in units of a load.
 
         That load itself has none, nor has what depends on lengths that were chosen.
-        ``scaled`` where the quotient of both has a dimension, of so many ``metres``.
+        The quotient of both is in so many ``metres``; an arm is given in millimetres.
         """
         if acting.chosen or (acting.kind == "load" and acting.by == self.diagram.per):
             return ()
         if not self.diagram.per:
             unit, newtons = self._newtons
             return (*measured(size / newtons), Run(f"{unit}{by}", unit=True))
-        length = {(True, -1): "/m", (True, 1): "\u2009m"}.get((scaled, metres), "")
+        if metres > 0:
+            arm, unit = (size, "m") if size >= 1.0 else (size * 1e3, "mm")
+            return (*measured(arm), Run(f"{unit}·", unit=True), *name(self.diagram.per))
         number = measured(size, of_another=True)
-        return (*number, *name(self.diagram.per), *([Run(length, unit=True)] if length else []))
+        return (*number, *name(self.diagram.per), *([Run("/m", unit=True)] if metres else []))
+
+
+def _kind(acting: Acting) -> str:
+    """Return by which letter a force goes; that of friction has an index besides."""
+    of_load_or_friction = acting.kind in ("load", "friction")
+    return acting.kind if of_load_or_friction else LETTERS.get(acting.kind, "R")
 
 
 def index(*points: str) -> Run:

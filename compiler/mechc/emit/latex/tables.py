@@ -10,6 +10,9 @@ from ...report.latex.unit_symbols import unit_symbol
 from ...study.stroke.stroke import Column, Stroke
 from ...units import size_of
 
+D = r"\mathrm{d}"
+"""The sign of a derivative, as in the formulas beside it."""
+
 ABREAST = 6
 """How many columns a table has at most beside that of the drive."""
 
@@ -70,9 +73,8 @@ def _written(column: Column, style: Notation) -> str:
     above, over, below = column.name.partition("/")
     if not over:
         return of_result(above, style)
-    above, bracket, load = above.removesuffix(")").partition("(")
-    of = f"({name(load, style)})" if bracket else ""
     if column.content == "slope":
         result, below = of_result(above.removeprefix("d"), style), below.removeprefix("d")
-        return rf"d{f'({result})' if '/' in result else result}/d{name(below, style)}"
-    return f"{name(above, style)}{of}/{name(below, style)}"
+        return rf"{D}{f'({result})' if '/' in result else result}/{D}{name(below, style)}"
+    speed = f"{above.partition('(')[0]}_{column.load}" if column.load else above
+    return f"{name(speed, style)}/{name(below, style)}"

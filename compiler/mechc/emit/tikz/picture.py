@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator
+from itertools import groupby
 
 from ...drawing.drawing import PENS, Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
 from ...drawing.lettering import SIZE
@@ -153,11 +154,17 @@ def mathematics(runs: Iterable[Run]) -> str:
 
 
 def _runs(runs: Iterable[Run]) -> Iterator[str]:
-    for run in runs:
-        text = _COMMA.sub("{,}", "".join(map(_spelled, run.text)))
-        if any(c.isascii() and c.isalpha() for c in run.text):
-            text = rf"\mathit{{{text}}}" if run.italic else rf"\mathrm{{{text}}}"
-        yield {0: text, -1: f"_{{{text}}}", 1: f"^{{{text}}}"}[run.level]
+    for level, group in groupby(runs, key=lambda run: run.level):
+        text = "".join(map(_in_type, group))
+        yield {0: text, -1: f"_{{{text}}}", 1: f"^{{{text}}}"}[level]
+
+
+def _in_type(run: Run) -> str:
+    """Return a piece of text, its letters in its type."""
+    text = _COMMA.sub("{,}", "".join(map(_spelled, run.text)))
+    if not any(c.isascii() and c.isalpha() for c in run.text):
+        return text
+    return rf"\mathit{{{text}}}" if run.italic else rf"\mathrm{{{text}}}"
 
 
 def _spelled(character: str) -> str:

@@ -22,17 +22,19 @@ ENGLISH = {
     "line.",
     "smooth": "The force of the guide of {point} is perpendicular to it.",
     "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
-    "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
+    "tightening": "The motion is along the arrow of {drive}; friction opposes the sliding in "
+    "every joint.",
     "tightening, held back": "The motion is along the arrow of {drive}, which only just holds it "
-    "back; friction acts against every slip.",
-    "releasing": "The motion is against the arrow of {drive}; friction acts against every slip.",
-    "releasing, held back": "The motion is against the arrow of {drive}, which only just holds it "
-    "back; friction acts against every slip.",
-    "pin friction": "The friction of a pin is a couple: the force on the pin times the radius "
+    "back; friction opposes the sliding in every joint.",
+    "releasing": "The motion is against the arrow of {drive}; friction opposes the sliding in "
+    "every joint.",
+    "releasing, held back": "The motion is against the arrow of {drive}, which only just holds "
+    "it back; friction opposes the sliding in every joint.",
+    "pin friction": "The friction in a pin is a couple: the force on the pin times the radius "
     "{radius} of the friction circle.",
-    "guide friction": "The friction of a guide is its coefficient times the force across it.",
-    "rod forces": "{force} is the size of the force in a rod ({whole} without its sign), "
-    "whether in compression or in tension.",
+    "guide friction": "The friction of a guide is its coefficient times the normal force.",
+    "rod forces": "{force} is the magnitude of the force in a rod ({whole} without its sign), "
+    "whether compressive or tensile.",
     "part": "By symmetry one of the equal parts is considered.",
     "unit": "Forces are given per unit of {load}.",
     "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",
@@ -49,38 +51,39 @@ ENGLISH = {
     "face": "The whole force {force} of the face on {point}, the normal force with friction, "
     "is turned from the normal by the angle of friction.",
     "moments": "Moments about {point} of the forces on {link}:",
-    "turns left": "The link {link} turns counter-clockwise. Moments about {point}, on the "
-    "right that of the friction in the pivot:",
-    "turns right": "The link {link} turns clockwise. Moments about {point}, on the right that "
-    "of the friction in the pivot:",
-    "squared": "Squared, this is a quadratic equation:",
+    "turns left": "The link {link} turns counter-clockwise. Moments about {point} (on the right "
+    "that of the friction in the pivot):",
+    "turns right": "The link {link} turns clockwise. Moments about {point} (on the right that of "
+    "the friction in the pivot):",
+    "squared": "Squaring gives a quadratic equation:",
     "along": "Forces on {point} along its guide:",
-    "along with friction": "Forces on {point} along its guide, on the right its friction:",
+    "along with friction": "Forces on {point} along its guide (on the right its friction):",
     "pin of rods": "Forces on the pin {point}, across each of the rods:",
-    "first order": "To first order the joints are loaded as without friction. Each friction "
-    "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
-    "velocity.",
-    "first order, same": "To first order the joints are loaded as without friction, which here "
-    "gives the same.",
-    "first order, less": "To first order the joints are loaded as without friction. Each "
-    "friction takes away its coefficient times the force {force} times the slip, per unit of "
-    "the drive’s velocity.",
-    "slip of pin": "The slip of a pin is its rotation {turn}, with the radius of the friction "
-    "circle for a coefficient.",
-    "slip of face": "Along a face the slip is the speed {speed}.",
-    "rope friction": "Where a rope slides around a pulley, one of its tensions there "
-    "is {ratio} times the other, {angle} being the angle of wrap. The force that presses is "
-    "the mean of both, its coefficient {part}.",
-    "straight": "Each friction is its coefficient times the force {force} that presses the "
-    "surfaces; the frictions themselves change these forces. The power of each is this times "
-    "the speed {speed} of the slip, per unit of the drive’s velocity:",
+    "first order": "To first order the joints carry the same forces as without friction. Each "
+    "joint with friction adds its coefficient times the force {force} times the sliding velocity, "
+    "per unit of the drive’s velocity.",
+    "first order, same": "To first order the joints carry the same forces as without friction, "
+    "which here gives the same result.",
+    "first order, less": "To first order the joints carry the same forces as without friction. "
+    "Each joint with friction takes away its coefficient times the force {force} times the "
+    "sliding velocity, per unit of the drive’s velocity.",
+    "slip of pin": "In a pin the relative angular velocity {turn} takes the place of the sliding "
+    "velocity, and the radius of the friction circle that of the coefficient.",
+    "slip of face": "On a sliding surface {speed} is the sliding velocity.",
+    "rope friction": "Where a rope slides around a pulley, the tension on one side is {ratio} "
+    "times that on the other, {angle} being the angle of wrap. Their mean counts as the normal "
+    "force, with the coefficient {part}.",
+    "straight": "Each friction force is its coefficient times the normal force {force}, which "
+    "itself depends on the friction forces. Its power is this times the sliding velocity {speed}, "
+    "per unit of the drive’s velocity:",
     "efficient": "The efficiency is given: the part of the driving power that reaches the load.",
-    "powers of friction": "Each friction adds its coefficient times the force {force} times the "
-    "slip, per unit of the drive’s velocity.",
+    "powers of friction": "Each joint with friction adds its coefficient times the force {force} "
+    "times the sliding velocity, per unit of the drive’s velocity.",
     "iterated again": "The forces {sizes} follow likewise.",
-    "iterated": "Here each friction depends on the others. With {sizes} the forces at "
-    "the joints, {parts} their components without friction and {changes} what all frictions "
-    "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",
+    "iterated": "Here each friction force depends on the others. With {sizes} the forces at the "
+    "joints, {parts} their components without friction and {changes} the changes that all "
+    "friction makes in them, {sizes} = {whole}, which Newton’s method solves, starting from the "
+    "ideal forces.",
 }
 
 UKRAINIAN = {
@@ -103,21 +106,18 @@ UKRAINIAN = {
     "rod": "Між шарнірами стрижня {link} навантажень немає, тому сила діє вздовж нього.",
     "smooth": "Реакція напрямної точки {point} перпендикулярна до неї.",
     "shared": "У точці {point} сили однакових частин поперек осі симетрії взаємно знищуються.",
-    "tightening": "Рух відбувається в напрямку {of_drive:сили|моменту} {drive}; тертя "
-    "протидіє кожному "
-    "ковзанню.",
+    "tightening": "Рух відбувається в напрямку {of_drive:сили|моменту} {drive}; тертя протидіє "
+    "ковзанню в кожному з’єднанні.",
     "tightening, held back": "Рух відбувається в напрямку {of_drive:сили|моменту} {drive}, "
-    "{of_drive:яка|який} його ледь стримує; тертя "
-    "протидіє кожному ковзанню.",
-    "releasing": "Рух відбувається проти {of_drive:сили|моменту} {drive}; тертя "
-    "протидіє кожному ковзанню.",
+    "{of_drive:яка|який} його ледь стримує; тертя протидіє ковзанню в кожному з’єднанні.",
+    "releasing": "Рух відбувається проти {of_drive:сили|моменту} {drive}; тертя протидіє "
+    "ковзанню в кожному з’єднанні.",
     "releasing, held back": "Рух відбувається проти {of_drive:сили|моменту} {drive}, "
-    "{of_drive:яка|який} його ледь стримує; тертя "
-    "протидіє кожному ковзанню.",
-    "pin friction": "Тертя в шарнірі — це пара, момент якої дорівнює силі в шарнірі, "
+    "{of_drive:яка|який} його ледь стримує; тертя протидіє ковзанню в кожному з’єднанні.",
+    "pin friction": "Тертя в шарнірі зводиться до пари, момент якої дорівнює реакції в шарнірі, "
     "помноженій на радіус {radius} круга тертя.",
     "guide friction": "Сила тертя в напрямній дорівнює коефіцієнту тертя, помноженому на "
-    "поперечну силу.",
+    "нормальну силу.",
     "rod forces": "{force} — модуль зусилля {whole} у стрижні: у стиснутому — стискального, "
     "у розтягнутому — розтягувального.",
     "part": "Через симетрію розглядаємо одну з однакових частин.",
@@ -145,24 +145,27 @@ UKRAINIAN = {
     "along with friction": "Рівняння рівноваги повзуна {point} у проєкції на напрямну (у "
     "правій частині — сила тертя):",
     "pin of rods": "Рівняння рівноваги шарніра {point} у проєкціях на перпендикуляри до стрижнів:",
-    "first order": "У першому наближенні з’єднання навантажені так, як без тертя. Кожне тертя "
-    "додає добуток коефіцієнта, сили {force} і ковзання на одиницю швидкості привода.",
+    "first order": "У першому наближенні з’єднання навантажені так, як без тертя. Кожне "
+    "з’єднання з тертям додає добуток коефіцієнта тертя, сили {force} і швидкості ковзання, "
+    "віднесеної до швидкості привода.",
     "first order, same": "У першому наближенні з’єднання навантажені так, як без тертя, і це "
     "дає тут той самий результат.",
     "first order, less": "У першому наближенні з’єднання навантажені так, як без тертя. Кожне "
-    "тертя віднімає добуток коефіцієнта, сили {force} і ковзання на одиницю швидкості привода.",
-    "slip of pin": "У шарнірі ковзання — це поворот {turn}, а коефіцієнт — радіус круга тертя.",
-    "slip of face": "Уздовж поверхні ковзання — це швидкість {speed}.",
-    "rope friction": "Де гнучка ланка ковзає по шківу, один її натяг у {ratio} разів більший "
-    "за інший (формула Ейлера, {angle} — кут охоплення). Сила притискання — їхнє середнє, її "
-    "коефіцієнт {part}.",
-    "straight": "Кожна сила тертя дорівнює коефіцієнту, помноженому на силу {force}, що "
-    "притискає поверхні; самі сили тертя змінюють ці сили. Потужність кожної — її добуток на "
-    "швидкість ковзання {speed} на одиницю швидкості привода:",
+    "з’єднання з тертям віднімає добуток коефіцієнта тертя, сили {force} і швидкості ковзання, "
+    "віднесеної до швидкості привода.",
+    "slip of pin": "У шарнірі замість швидкості ковзання беремо відносну кутову швидкість "
+    "{turn}, а замість коефіцієнта тертя — радіус круга тертя.",
+    "slip of face": "На поверхні ковзання {speed} — швидкість ковзання.",
+    "rope friction": "Де гнучка ланка ковзає по шківу, один її натяг у {ratio} разів більший за "
+    "інший (формула Ейлера, {angle} — кут охоплення). За нормальну силу беремо їхнє середнє, її "
+    "коефіцієнт тертя — {part}.",
+    "straight": "Кожна сила тертя дорівнює коефіцієнту тертя, помноженому на нормальну силу "
+    "{force}, яка сама залежить від сил тертя. Потужність сили тертя — її добуток на швидкість "
+    "ковзання {speed}, віднесену до швидкості привода:",
     "efficient": "Коефіцієнт корисної дії задано: така частина рушійної потужності доходить "
     "до навантаження.",
-    "powers of friction": "Кожне тертя додає добуток коефіцієнта, сили {force} і ковзання на "
-    "одиницю швидкості привода.",
+    "powers of friction": "Кожне з’єднання з тертям додає добуток коефіцієнта тертя, сили "
+    "{force} і швидкості ковзання, віднесеної до швидкості привода.",
     "iterated again": "Сили {sizes} знаходимо так само.",
     "iterated": "Тут кожна сила тертя залежить від інших. Якщо {sizes} — сили тиску в "
     "шарнірах, {parts} — їхні складові без тертя, а {changes} — те, що змінюють у них усі "
@@ -191,19 +194,19 @@ RUSSIAN = {
     "smooth": "Реакция направляющей точки {point} перпендикулярна к ней.",
     "shared": "В точке {point} силы одинаковых частей поперёк оси симметрии взаимно уничтожаются.",
     "tightening": "Движение происходит в направлении {of_drive:силы|момента} {drive}; трение "
-    "противодействует каждому скольжению.",
+    "противодействует скольжению в каждом соединении.",
     "tightening, held back": "Движение происходит в направлении {of_drive:силы|момента} {drive}, "
-    "{of_drive:которая|который} его едва сдерживает; "
-    "трение противодействует каждому скольжению.",
-    "releasing": "Движение происходит против {of_drive:силы|момента} {drive}; "
-    "трение противодействует каждому скольжению.",
+    "{of_drive:которая|который} его едва сдерживает; трение противодействует скольжению в каждом "
+    "соединении.",
+    "releasing": "Движение происходит против {of_drive:силы|момента} {drive}; трение "
+    "противодействует скольжению в каждом соединении.",
     "releasing, held back": "Движение происходит против {of_drive:силы|момента} {drive}, "
-    "{of_drive:которая|который} его едва сдерживает; "
-    "трение противодействует каждому скольжению.",
-    "pin friction": "Трение в шарнире — это пара, момент которой равен силе в шарнире, "
+    "{of_drive:которая|который} его едва сдерживает; трение противодействует скольжению в каждом "
+    "соединении.",
+    "pin friction": "Трение в шарнире сводится к паре, момент которой равен реакции в шарнире, "
     "умноженной на радиус {radius} круга трения.",
     "guide friction": "Сила трения в направляющей равна коэффициенту трения, умноженному на "
-    "поперечную силу.",
+    "нормальную силу.",
     "rod forces": "{force} — модуль усилия {whole} в стержне: в сжатом — сжимающего, в "
     "растянутом — растягивающего.",
     "part": "В силу симметрии рассматриваем одну из одинаковых частей.",
@@ -232,26 +235,26 @@ RUSSIAN = {
     "(в правой части — сила трения):",
     "pin of rods": "Уравнения равновесия шарнира {point} в проекциях на перпендикуляры к стержням:",
     "first order": "В первом приближении соединения нагружены так, как без трения. Каждое "
-    "трение добавляет произведение коэффициента, силы {force} и скольжения на единицу "
-    "скорости привода.",
+    "соединение с трением добавляет произведение коэффициента трения, силы {force} и скорости "
+    "скольжения, отнесённой к скорости привода.",
     "first order, same": "В первом приближении соединения нагружены так, как без трения, и это "
     "даёт здесь тот же результат.",
-    "first order, less": "В первом приближении соединения нагружены так, как без трения. "
-    "Каждое трение вычитает произведение коэффициента, силы {force} и скольжения на единицу "
-    "скорости привода.",
-    "slip of pin": "В шарнире скольжение — это поворот {turn}, а коэффициент — радиус круга "
-    "трения.",
-    "slip of face": "Вдоль поверхности скольжение — это скорость {speed}.",
+    "first order, less": "В первом приближении соединения нагружены так, как без трения. Каждое "
+    "соединение с трением вычитает произведение коэффициента трения, силы {force} и скорости "
+    "скольжения, отнесённой к скорости привода.",
+    "slip of pin": "В шарнире вместо скорости скольжения берём относительную угловую скорость "
+    "{turn}, а вместо коэффициента трения — радиус круга трения.",
+    "slip of face": "На поверхности скольжения {speed} — скорость скольжения.",
     "rope friction": "Где гибкое звено скользит по шкиву, одно его натяжение в {ratio} раз "
-    "больше другого (формула Эйлера, {angle} — угол обхвата). Прижимающая сила — их среднее, "
-    "её коэффициент {part}.",
-    "straight": "Каждая сила трения равна коэффициенту, умноженному на силу {force}, "
-    "прижимающую поверхности; сами силы трения изменяют эти силы. Мощность каждой — её "
-    "произведение на скорость скольжения {speed} на единицу скорости привода:",
+    "больше другого (формула Эйлера, {angle} — угол обхвата). За нормальную силу берём их "
+    "среднее, её коэффициент трения — {part}.",
+    "straight": "Каждая сила трения равна коэффициенту трения, умноженному на нормальную силу "
+    "{force}, которая сама зависит от сил трения. Мощность силы трения — её произведение на "
+    "скорость скольжения {speed}, отнесённую к скорости привода:",
     "efficient": "Коэффициент полезного действия задан: такая часть движущей мощности доходит "
     "до нагрузки.",
-    "powers of friction": "Каждое трение добавляет произведение коэффициента, силы {force} и "
-    "скольжения на единицу скорости привода.",
+    "powers of friction": "Каждое соединение с трением добавляет произведение коэффициента "
+    "трения, силы {force} и скорости скольжения, отнесённой к скорости привода.",
     "iterated again": "Силы {sizes} находим так же.",
     "iterated": "Здесь каждая сила трения зависит от остальных. Если {sizes} — силы давления "
     "в шарнирах, {parts} — их составляющие без трения, а {changes} — то, что меняют в них все "

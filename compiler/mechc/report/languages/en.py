@@ -7,7 +7,6 @@ LOCALE = Locale(
     babel="english",
     functions={"tan": r"\tan", "cot": r"\cot", "atan": r"\arctan"},
     decimal=".",
-    phi=r"\phi",
     cyrillic=False,
     subjects={
         "force ratio": "Force transmission of the mechanism",
@@ -26,10 +25,14 @@ LOCALE = Locale(
     range="Range",
     any_value="any",
     pivots="pinned to the ground: {points}",
-    directions={"absolute": "{angle}", "relative": "{angle}"},
+    directions={
+        "absolute": "{angle}",
+        "relative": "of {angle}",
+        "turned": "of {angle} turned by $+90^\\circ$",
+    },
     slider="the point {point} moves along a guide with the direction {direction}",
     through=", through {point}",
-    rods="rods with two pins: {links}",
+    rods="links with two pins: {links}",
     bodies="rigid links: {links}",
     force="the force {load} acts at {point} in the direction {direction}",
     weight="the weight {load} acts at {point} in the direction {direction}",
@@ -43,12 +46,13 @@ LOCALE = Locale(
         "slide": "the body {body} only translates, in the direction {direction}",
         "telescope": "telescopic links: {links}",
         "slot": "the pin {point} slides along the line {line} of {body}",
+        "slot of two": "the pin {point} slides along {body}",
         "guided": "the link {guided} is fast in the block at {point} and turns with {body}",
         "arc": "the pin {point} slides in a circular slot of {body} about {centre}, of radius "
         "{radius}: the slot does what a rod {rod} would do",
         "spread": "the load {load} is spread over {stretch} in the direction {direction}; its "
         "resultant acts at {point}, {reach}",
-        "contact": "the point {point} touches {body} with the common normal {normal}",
+        "contact": "the point {point} touches {body}; the common normal has the direction {normal}",
         "gear": "the gears on {first} (radius {one}) and {second} (radius {two}) mesh",
         "inner": "the gears on {first} (radius {one}) and {second} (radius {two}) mesh, one "
         "inside the other",
@@ -113,8 +117,9 @@ LOCALE = Locale(
     },
     turns={"cw": "clockwise", "ccw": "counter-clockwise"},
     velocities="Velocities",
-    magnitudes="A velocity is positive as its point or link moves at the values given, the "
-    "component along a load in the direction of the load; a minus means the opposite.",
+    magnitudes="Each velocity is counted positive in the sense in which its point or link moves at "
+    "the values given, its component along a load in the direction of this load; a minus sign "
+    "means the opposite sense.",
     signed="Velocities along guides are positive in the guide's direction, angular velocities "
     "counter-clockwise.",
     rules={
@@ -146,7 +151,7 @@ LOCALE = Locale(
         "on_arm": "Seen from the link {first}, which carries the centres {rest}, the rims of both "
         "wheels have equal speeds.",
         "rack": "The rack {rest} moves with the pitch circle of the gear on {first}.",
-        "screw": "The screw moves {rest} by its pitch for each turn.",
+        "screw": "The screw moves {rest} by its lead in each turn.",
         "rope": "The rope through {all} keeps its length: what its falls gain and lose adds "
         "up to zero.",
         "parting": "Rate of the distance between {all}: the difference of their velocities"
@@ -176,7 +181,7 @@ LOCALE = Locale(
     power="Power equation",
     power_rule="Principle of virtual powers: in equilibrium the powers of all loads add up to "
     "zero in every possible motion.",
-    several="There are {count} independent motions, hence {count} equations.",
+    several="The mechanism has {count} degrees of freedom, hence {count} equations.",
     results="Results",
     further="Further quantities",
     force_ratio="Force transmission coefficient",
@@ -184,6 +189,9 @@ LOCALE = Locale(
     speed_ratio="Velocity ratio",
     opposite_senses="Angular velocities are positive counter-clockwise here: at the values given "
     "these two have opposite senses.",
+    against="The minus of {result} means: at the values given {drive} acts against its arrow.",
+    against_load="The minus of {result} means: at the values given {drive} acts against its arrow "
+    "while {load} acts along its own.",
     joint_forces={
         "joint": "Force at a joint",
         "joint with friction": "Force at a joint, with friction",
@@ -219,6 +227,7 @@ LOCALE = Locale(
     where="where",
     solve="{names}: the solution of the equations (on the branch of the values given):",
     proportional="{result} is proportional to {factor}.",
+    inverse="{result} is inversely proportional to {factor}.",
     independent="{result} does not depend on {names}.",
     swaps="{result} does not change when {first} and {second} change places.",
     trends={
@@ -338,6 +347,7 @@ LOCALE = Locale(
     pending="The equilibrium of the free bodies has not been compared.",
     conjunction="and",
     disjunction="or",
+    negation="or",
     subscripts={
         "hold": "hold",
         "guide": "guide",

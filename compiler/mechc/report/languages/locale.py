@@ -10,8 +10,7 @@ class Locale(NamedTuple):
     """All words of a report in one language.
 
     ``functions`` maps those functions to LaTeX that languages write differently, ``decimal``
-    is the sign between units and tenths, ``phi`` the shape of that letter; ``cyrillic`` says
-    that the words take other fonts.
+    is the sign between units and tenths; ``cyrillic`` says that the words take other fonts.
     ``loops`` maps each kind of loop, and the sum of vectors, to the sentence on how it gives the
     position, with ``{loop}`` for its points, ``{all}`` for the same one by one, ``{turn}`` for one
     of the ``turns``.
@@ -30,7 +29,6 @@ class Locale(NamedTuple):
     babel: str
     functions: Mapping[str, str]
     decimal: str
-    phi: str
     cyrillic: bool
     subjects: Mapping[str, str]
     source: str
@@ -88,6 +86,10 @@ class Locale(NamedTuple):
     load: str
     speed_ratio: str
     opposite_senses: str
+    against: str
+    against_load: str
+    """What a minus says of loads: which one acts against its arrow."""
+
     joint_forces: Mapping[str, str]
     """The headings of forces at joints, in rods and in ropes, without friction and with it."""
 
@@ -99,6 +101,7 @@ class Locale(NamedTuple):
     where: str
     solve: str
     proportional: str
+    inverse: str
     independent: str
     swaps: str
     trends: Mapping[str, str]
@@ -159,6 +162,9 @@ class Locale(NamedTuple):
 
     conjunction: str
     disjunction: str
+    negation: str
+    """What is between names behind "does not depend on"."""
+
     units: Mapping[str, str]
     subscripts: Mapping[str, str]
     """What the subscripts of forces and results with friction are in formulas."""

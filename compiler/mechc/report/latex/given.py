@@ -240,7 +240,7 @@ def _load(load: Load, links: Set[str], locale: Locale, style: Notation) -> str:
     tie = _tie(load, locale, style) if load.tie else ""
     match load:
         case Force(_, point, along, spread=Spread() as spread):
-            where, at = math(direction(along, style)), math(points(point))
+            where, at = spoken(along, locale, style), math(points(point))
             stretch = math(points(spread.tail + spread.head))
             reach = math(f"{points(spread.tail + point)}={latex(spread.reach, style)}")
             said = locale.joints["spread"].format(

@@ -55,7 +55,8 @@ def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
             pass
         case Slot(point, link, tail, head):
             on, line, body = (math(points(names)) for names in (point, tail + head, link))
-            yield say["slot"].format(point=on, line=line, body=body)
+            kind = "slot of two" if line == body else "slot"
+            yield say[kind].format(point=on, line=line, body=body)
             if joint.guided:
                 guided = math(points(joint.guided))
                 yield say["guided"].format(guided=guided, point=on, body=body)

@@ -1,7 +1,7 @@
 r"""What differs between languages in a formula, and names as LaTeX.
 
 English books write tan and cot and a decimal point, Ukrainian and Russian ones tg and
-ctg and a decimal comma; φ is ``\phi`` in the first and ``\varphi`` in the others.
+ctg and a decimal comma.
 """
 
 from collections.abc import Iterable, Mapping
@@ -14,6 +14,7 @@ from ...formula.tree import Formula, Symbol, negative
 from ...formula.walk import symbols
 from ...frozen import frozen
 from ...model.mechanism import Reaction
+from ...patterns import pattern
 from ..languages.registry import locale
 from .text import escape
 
@@ -105,12 +106,11 @@ class Notation:
     the letters of units in the language, ``otherwise`` stands in a choice at the last case;
     ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`),
     ``subscripts`` what those that mechc gives are in the language; the user's ``own`` names keep
-    theirs.
+    theirs; points and loads, which pictures have, are ``pictured``.
     """
 
     functions: Mapping[str, str]
     decimal: str
-    phi: str
     made: MadeNames
     units: Mapping[str, str]
     otherwise: str
@@ -122,6 +122,7 @@ class Notation:
     spellings: Mapping[str, str] = MappingProxyType({})
     subscripts: Mapping[str, str] = MappingProxyType({})
     own: frozenset[str] = frozenset()
+    pictured: frozenset[str] = frozenset()
 
     @property
     def between(self) -> str:
@@ -137,7 +138,6 @@ def notation(language: str) -> Notation:
     return Notation(
         functions,
         known.decimal,
-        known.phi,
         made,
         known.units,
         otherwise,
@@ -147,8 +147,29 @@ def notation(language: str) -> Notation:
 
 
 def translated(text: str, style: Notation) -> str:
-    """Return a text of the description in the language of the document, as LaTeX."""
-    return escape(style.texts.get(text, text))
+    r"""Return a text of the description in the language of the document, as LaTeX.
+
+    Points, vectors and loads of the mechanism stand in it as they do in formulas.
+
+    >>> style = Notation({}, ".", MadeNames(), {}, "", pictured=frozenset({"O1", "A"}))
+    >>> translated("A lever O1A about O1", style)
+    'A lever $O_{1}A$ about $O_{1}$'
+    """
+    return _NAMED.sub(lambda found: _as_drawn(found[0], style), escape(style.texts.get(text, text)))
+
+
+_NAMED = pattern(r"(?<![\w\\{'])(?:[A-Z][0-9]*'*)+(?![\w'}])")
+"""What may be a point, a vector or a load in a text."""
+
+_WORDS = frozenset({"A", "I"})
+"""Letters that are words of a language, too."""
+
+
+def _as_drawn(word: str, style: Notation) -> str:
+    """Return a word of a text, as mathematics where it is made of names of the picture."""
+    parts = ["".join(part) for part in split_points(word)]
+    known = word not in _WORDS and style.pictured.issuperset(parts)
+    return f"${points(word)}$" if known else word
 
 
 def name(symbol: str, style: Notation) -> str:
@@ -175,11 +196,11 @@ def of_force(symbol: str, force: Reaction, style: Notation) -> str:
     >>> of_force("R_B_on_BC_x", Reaction("B", "BC", "x"), notation("en"))
     '{R_{B,x}^{BC}}'
     >>> of_force("R_O_direction", Reaction("O", "", "direction"), notation("en"))
-    '\\phi_{R_O}'
+    '\\varphi_{R_O}'
     """
     if force.part == "direction":
         size = Reaction(force.point, force.link, "size")
-        return f"{style.phi}_{{{of_force(symbol.replace('_direction', ''), size, style)}}}"
+        return f"\\varphi_{{{of_force(symbol.replace('_direction', ''), size, style)}}}"
     base, on, rest = symbol.partition(f"_on_{force.link}")
     whole = name(base + rest, style)
     return f"{{{whole}^{{{points(force.link)}}}}}" if force.link and on else whole
@@ -213,7 +234,7 @@ def _text(word: str) -> str:
 def _letter(head: str, style: Notation) -> str:
     match head:
         case "phi":
-            return style.phi
+            return r"\varphi"  # the shape that pictures have
         case "epsilon":
             return r"\varepsilon"
         case "omicron":

@@ -15,7 +15,7 @@ from fractions import Fraction
 from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Constant, Formula, Number, Sum, negative, total
-from ...model.mechanism import Absolute, Direction
+from ...model.mechanism import Absolute, Along, Direction
 from ...units import ANGLE, LENGTH, UNITS, Dimension, si_unit, size_of
 from ...units import in_unit as text_in_unit
 from ..languages.locale import Locale
@@ -122,15 +122,22 @@ def spaced(cell: str) -> str:
 
 
 def direction(given: Direction, style: Notation) -> str:
-    r"""Return a direction as mathematics: an angle, or along or square to a vector."""
+    r"""Return a direction as mathematics: an angle, or that of a vector, turned or not."""
     if isinstance(given, Absolute):
         return r"0^\circ" if given.angle == ZERO else latex(given.angle, style, angle=True)
+    vector = _vector(given)
+    return rf"{vector}+90^\circ" if given.quarter % 2 else rf"\parallel {vector}"
+
+
+def _vector(given: Along) -> str:
+    """Return the vector that a direction is that of, or is turned from by a quarter."""
     ends = (given.tail, given.head) if given.quarter < 2 else (given.head, given.tail)
-    vector = rf"\overrightarrow{{{''.join(map(points, ends))}}}"
-    return rf"\perp {vector}" if given.quarter % 2 else rf"\parallel {vector}"
+    return rf"\overrightarrow{{{''.join(map(points, ends))}}}"
 
 
 def spoken(given: Direction, locale: Locale, style: Notation) -> str:
     """Return a direction as sentences say it, in words where the language has some."""
-    kind = "absolute" if isinstance(given, Absolute) else "relative"
-    return locale.directions[kind].format(angle=math(direction(given, style)))
+    if isinstance(given, Absolute):
+        return locale.directions["absolute"].format(angle=math(direction(given, style)))
+    kind = "turned" if given.quarter % 2 else "relative"
+    return locale.directions[kind].format(angle=math(_vector(given)))

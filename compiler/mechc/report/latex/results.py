@@ -255,6 +255,8 @@ class Speller(NamedTuple):
 
     def _side(self, side: Formula, angle: bool) -> str:
         """Return a side; a number alone is a decimal where it can be."""
+        if angle and side == ZERO:
+            return r"0^\circ"
         if isinstance(side, Number) and not angle and (figures := exact_decimal(side.value)):
             return figures.replace(".", self.style.decimal)
         return latex(side, self.style, angle)
@@ -276,7 +278,7 @@ def check(verdict: Verdict, locale: Locale, style: Notation) -> str:
     poses = {tuple(sorted(trial.values.items())) for trial in verdict.trials}
     agrees = locale.agrees_once if len(poses) == 1 else locale.agrees
     template = agrees if verdict.agrees else locale.disagrees
-    return template.format(count=len(poses), error=f"${decimal(_rounded(verdict.worst), style)}$")
+    return template.format(count=len(poses), error=_error(verdict.worst, style))
 
 
 def untried(verdict: Verdict, locale: Locale, style: Notation) -> tuple[str, ...]:
@@ -293,5 +295,6 @@ def untried(verdict: Verdict, locale: Locale, style: Notation) -> tuple[str, ...
     )
 
 
-def _rounded(error: float) -> float:
-    return float(f"{error:.1e}")
+def _error(worst: float, style: Notation) -> str:
+    """Return a difference to two figures; of none at all what it is below."""
+    return f"${decimal(float(f'{worst:.1e}'), style)}$" if worst else "${<}10^{-16}$"

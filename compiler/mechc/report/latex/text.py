@@ -17,6 +17,9 @@ from ...formula.names import GREEK
 from ...patterns import pattern
 from .letters import CYRILLIC, LATIN, spelled
 
+_SHAPES = {"phi": "varphi", "epsilon": "varepsilon"}
+"""Greek letters in the shape that formulas and pictures have."""
+
 _SPECIAL = {
     "\\": r"\textbackslash{}",
     "{": r"\{",
@@ -90,7 +93,7 @@ _SPECIAL = {
     "\u200b": r"\allowbreak{}",
     "\u200c": r"\kern0pt{}",
 } | {
-    letter: rf"\ensuremath{{\{'o' if name == 'omicron' else name}}}"
+    letter: rf"\ensuremath{{\{_SHAPES.get(name, name)}}}"
     for name, letter in GREEK.items()
     if name != "omicron"
 }

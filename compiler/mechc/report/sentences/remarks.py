@@ -29,7 +29,7 @@ from . import extents
 from .limits import limits
 from .locking import friction_remarks
 from .speller import LoadWords, Speller
-from .wording import enumeration
+from .wording import enumeration, joined
 
 
 def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
@@ -187,12 +187,13 @@ def is_nameless(result: Analysis) -> bool:
 def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]:
     """Return the remarks on a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
-    said = _holds(result, locale, spell) + _senses(result, locale)
+    said = _holds(result, locale, spell) + _senses(result, symbol, locale, spell)
     said += limits(result, symbol, locale, spell)
     said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
     said += _proportions(result, locale, spell)
     if result.independent:
-        names = _symbols(result.independent, locale, spell)
+        symbols = (_spelled(Symbol(n), spell) for n in result.independent)
+        names = joined(symbols, locale.negation)
         said.append(locale.independent.format(result=symbol, names=names))
     for first, second in filter(lambda pair: _is_news(pair, result), result.swaps):
         one, other = (_spelled(Symbol(n), spell) for n in (first, second))
@@ -214,13 +215,29 @@ def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     return [locale.holds.format(conditions=conditions(held, spell))] if held else []
 
 
-def _senses(result: Analysis, locale: Locale) -> list[str]:
-    """Say what the minus of a ratio of angular velocities means; steps count them as they turn."""
+def _senses(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
+    """Say what a minus means: of a ratio of angular velocities, as steps count them as they turn.
+
+    That of a load, or of a ratio of two, says which one acts against its arrow.
+    """
+    if (result.default or 0) >= 0:
+        return []
     match result.target:
-        case SpeedRatio(Speed("link"), Speed("link")) if (result.default or 0) < 0:
+        case SpeedRatio(Speed("link"), Speed("link")):
             return [locale.opposite_senses]
+        case LoadRatio(drive, load):
+            return [_against(locale.against_load, symbol, drive, load, spell)]
+        case LoadForm(drive) | WithFriction(LoadForm(drive)):
+            return [_against(locale.against, symbol, drive, drive, spell)]
         case _:
             return []
+
+
+def _against(template: str, symbol: str, drive: str, load: str, spell: Speller) -> str:
+    of_drive, of_load = (LoadWords([name], spell.couples) for name in (drive, load))
+    shown = (_spelled(Symbol(name), spell) for name in (drive, load))
+    names = dict(zip(("drive", "load"), shown, strict=True))
+    return template.format(result=symbol, of_drive=of_drive, of_load=of_load, **names)
 
 
 def _spelled(formula: Formula, spell: Speller) -> str:
@@ -237,9 +254,11 @@ def _proportions(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     powers = {n: e for n, e in (result.proportional or {}).items() if e}
     if not powers:
         return []
-    simple = product((Symbol(n), e) for n, e in sorted(powers.items()))
+    inverse = all(e < 0 for e in powers.values())
+    template = locale.inverse if inverse else locale.proportional
+    simple = product((Symbol(n), -e if inverse else e) for n, e in sorted(powers.items()))
     shown, factor = _spelled(asked(result), spell), _spelled(simple, spell)
-    return [locale.proportional.format(result=shown, factor=factor)]
+    return [template.format(result=shown, factor=factor)]
 
 
 def _symbols(names: Iterable[str], locale: Locale, spell: Speller) -> str:

@@ -83,14 +83,22 @@ def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[
 
 def enumeration(items: Iterable[str], locale: Locale) -> str:
     """Return ``A, B and C`` in the table's language."""
-    *most, last = items
-    return f"{', '.join(most)} {locale.conjunction} {last}" if most else last
+    return joined(items, locale.conjunction)
 
 
 def alternatives(items: Iterable[str], locale: Locale) -> str:
     """Return ``A, B or C`` in the table's language."""
+    return joined(items, locale.disjunction)
+
+
+def joined(items: Iterable[str], word: str) -> str:
+    """Return items with commas between them, and a word before the last one.
+
+    >>> joined("ABC", "or"), joined("A", "or")
+    ('A, B or C', 'A')
+    """
     *most, last = items
-    return f"{', '.join(most)} {locale.disjunction} {last}" if most else last
+    return f"{', '.join(most)} {word} {last}" if most else last
 
 
 def direction_function(locale: Locale, spell: Speller) -> str:

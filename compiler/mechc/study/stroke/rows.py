@@ -31,7 +31,7 @@ def columns(run: Run, asked: Asked) -> Iterator[Filled]:
     yield from _slopes(run, unit_of)
     for velocity in velocities(run.solution.balance):
         unit = unit_of(velocity.dimension)
-        column = Column(velocity.name, velocity.dimension, "velocity", unit)
+        column = Column(velocity.name, velocity.dimension, "velocity", unit, velocity.load)
         yield Filled(column, partial(run.along.inside, velocity.value), velocity.value.formula())
     for name, angle in named(transmissions(run.pose), angles_at_pins(run.pose)):
         yield Filled(Column(name, ANGLE, "angle"), partial(_angle, run.along, angle))

@@ -31,12 +31,16 @@ class Row(NamedTuple):
 
 
 class Column(NamedTuple):
-    """A result, its slope along the drive, a velocity ratio, a transmission angle, or a path."""
+    """A result, its slope along the drive, a velocity ratio, a transmission angle, or a path.
+
+    A velocity of the point of a ``load`` is its component in the direction of this load.
+    """
 
     name: str
     dimension: Dimension
     content: Content = "result"
     unit: str = ""
+    load: str = ""
 
 
 class StrokeInterval(NamedTuple):

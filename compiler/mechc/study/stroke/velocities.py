@@ -22,11 +22,12 @@ from .branches import rates_of
 
 
 class Velocity(NamedTuple):
-    """A speed under a name, or a ratio of two."""
+    """A speed under a name, or a ratio of two; along a ``load`` positive in its direction."""
 
     name: str
     dimension: Dimension
     value: Product
+    load: str = ""
 
 
 def velocities(balance: Balance) -> Iterator[Velocity]:
@@ -40,7 +41,7 @@ def velocities(balance: Balance) -> Iterator[Velocity]:
         ratio = canonical(speed.value / drive.value)
         if speed.name != drive.name and open_lengths.isdisjoint(symbols(ratio.formula())):
             dimension = speed.dimension.over(drive.dimension)
-            yield Velocity(f"{speed.name}/{drive.name}", dimension, ratio)
+            yield Velocity(f"{speed.name}/{drive.name}", dimension, ratio, speed.load)
 
 
 def _distinct(terms: Iterable[Term]) -> Iterator[Velocity]:
@@ -59,8 +60,8 @@ def _distinct(terms: Iterable[Term]) -> Iterator[Velocity]:
 def _of_load(term: Term) -> Velocity:
     """Return the speed against which a load works."""
     match term.load:
-        case Force(point=point):
-            return Velocity(f"V_{point}", VELOCITY, term.speed[0])
+        case Force(name, point):
+            return Velocity(f"V_{point}", VELOCITY, term.speed[0], name)
         case Torque(link=link):
             return Velocity(f"omega_{link}", FREQUENCY, term.speed[0])
         case ForcePair(first=first, second=second) as pair:
