@@ -12,8 +12,8 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.factors import Trig
 from mechc.algebra.laurent import Ring, size
 from mechc.algebra.modular import Point
-from mechc.algebra.product import ONE, ZERO, Bound, Product, Sum
-from mechc.algebra.sums import LIMIT, add, canonical
+from mechc.algebra.product import ONE, ZERO, Product, Sum
+from mechc.algebra.sums import LIMIT, Bound, add, canonical
 from mechc.algebra.trigonometry import cosine, sine
 from product_strategies import VALUES, angles, products
 

@@ -7,8 +7,8 @@ import pytest
 
 from mechc.algebra.angle import Angle
 from mechc.algebra.factors import Constant
-from mechc.algebra.product import ONE, ZERO, Bound, Product
-from mechc.algebra.sums import add
+from mechc.algebra.product import ONE, ZERO, Product
+from mechc.algebra.sums import Bound, add
 from mechc.diagnostics import MechcError, Report
 from mechc.formula.tree import Number
 from mechc.frozen import replace

@@ -23,7 +23,8 @@ from .angle import RADIAN, Angle, Rational
 from .factors import Factor, Length, Opaque, Trig
 from .halving import Anything
 from .modular import PARTS, PRIME, Point
-from .product import Bound, Product, Sum
+from .product import Product, Sum
+from .sums import Bound
 from .trigonometry import sine
 
 TERMS = (2, 8)

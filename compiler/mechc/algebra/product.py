@@ -12,7 +12,6 @@ from fractions import Fraction
 
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, negative, number, product, total
-from ..formula.tree import Symbol as SymbolFormula
 from .angle import Rational, rational
 from .factors import Factor, Length, Place, Trig
 from .modular import Point
@@ -223,47 +222,6 @@ class _Text:
 
 def _weight(term: Product) -> int:
     return 1 + sum(f.weight for f in term.factors if isinstance(f, Sum))
-
-
-class Bound:
-    """A sum bound to a name, so that what is built on it stays small.
-
-    It counts as a symbol; numeric values of the name are put into ``values`` by whoever
-    evaluates, in the order in which the names were bound.
-    """
-
-    __slots__ = ("_residues", "definition", "name")
-
-    def __init__(self, name: str, definition: Product) -> None:
-        self.name, self.definition = name, definition
-        self._residues: dict[int, int] = {}
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Bound) and self.name == other.name
-
-    def __hash__(self) -> int:
-        return hash(self.name)
-
-    def __repr__(self) -> str:
-        return f"Bound({self.name!r})"
-
-    def evaluate(self, values: Mapping[str, float]) -> float:
-        """Return the value bound to the name."""
-        return values[self.name]
-
-    def residue(self, point: Point) -> int:
-        """Return the residue of the definition, computed once for each random point."""
-        if point.seed not in self._residues:
-            self._residues[point.seed] = self.definition.residue(point)
-        return self._residues[point.seed]
-
-    def formula(self) -> Formula:
-        """Return the name."""
-        return SymbolFormula(self.name)
-
-    def order(self) -> tuple[int, str]:
-        """Return the place in reading order."""
-        return (2, self.name)
 
 
 _HIGH = 16

@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from ..algebra.factors import CIRCLE, Constant, Factor, Opaque, Trig
-from ..algebra.product import Bound, Product, Sum
+from ..algebra.product import Product, Sum
+from ..algebra.sums import Bound
 from ..formula.tree import ONE, Call, Formula, number, product, total
 
 POSITIVE = frozenset({"sqrt", "hypot", "abs", "exp"})

@@ -4,8 +4,8 @@ from collections.abc import Collection, Mapping, Sequence
 
 from ..algebra.determinant import determinant, with_column
 from ..algebra.modular import PRIME, Point
-from ..algebra.product import ZERO, Bound, Product, Sum
-from ..algebra.sums import add
+from ..algebra.product import ZERO, Product, Sum
+from ..algebra.sums import Bound, add
 from .graph import Form
 from .plan import Binding, Speeds
 

@@ -9,8 +9,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 from ..algebra.determinant import shortest_determinant
 from ..algebra.factors import Length
-from ..algebra.product import ZERO, Bound, Product
-from ..algebra.sums import is_long, shortest
+from ..algebra.product import ZERO, Product
+from ..algebra.sums import Bound, is_long, shortest
 from ..formula.names import another
 from ..frozen import fields, frozen
 from .graph import Form, Kind, Relation

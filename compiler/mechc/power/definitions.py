@@ -3,7 +3,8 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, partial
 
-from ..algebra.product import Bound, Product, Sum
+from ..algebra.product import Product, Sum
+from ..algebra.sums import Bound
 from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..diagnostics import reactions as reaction_messages

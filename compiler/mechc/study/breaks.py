@@ -5,7 +5,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from ..algebra.angle import RADIAN
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
-from ..algebra.product import Bound, Sum
+from ..algebra.product import Sum
+from ..algebra.sums import Bound
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Power, Product
 from ..formula.tree import Sum as Terms
