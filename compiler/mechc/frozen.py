@@ -67,7 +67,7 @@ class _OnDemand:
 
 
 def on_demand(make: Callable[[], T]) -> T:
-    """Return what stands for a field's value until it is read: only then it is made.
+    """Return a stand-in for a field's value until it is read: only then it is made.
 
     >>> @frozen
     ... class Book:

@@ -125,7 +125,7 @@ def _component(
 def _by_frictions(
     release: Release, pair: FrictionPair, pairs: Sequence[FrictionPair], names: Mapping[str, str]
 ) -> Mapping[str, Product]:
-    """Return what a unit of each friction adds to a component of a pressing force."""
+    """Return the share of a unit of each friction in a component of a normal force."""
     amounts: Mapping[str, Product] | None = release.amounts
     if release.plan.mobility == 1:
         powers = (*_terms(pairs, release.plan), release.terms[-1])

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from pathlib import PurePath
 
 from ..diagnostics import Report
+from ..diagnostics.model import doubts as doubt_words
 from ..diagnostics.model import loads as load_words
-from ..diagnostics.model import names
 from ..diagnostics.model import results as messages
 from ..frozen import replace
 from ..source import Span
@@ -227,4 +227,4 @@ def _warn_lonely(points: Points) -> None:
     for point, links in points.carried.items():
         if len(links) == 1 and not points.used[point] and point not in jointed:
             report = points.report
-            report.add(names.lonely_point(points.places[point], point, links[0].name))
+            report.add(doubt_words.lonely_point(points.places[point], point, links[0].name))

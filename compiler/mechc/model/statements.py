@@ -3,8 +3,7 @@
 from typing import TypeVar
 
 from ..diagnostics import Report
-from ..diagnostics.model import names as messages
-from ..diagnostics.model import sheets as sheet_messages
+from ..diagnostics.model import doubts, sheets
 from ..frozen import replace
 from ..syntax import ast
 from .mechanism import Mechanism
@@ -35,7 +34,7 @@ def check_doubled(file: ast.File, report: Report) -> None:
         if isinstance(statement, REPEATABLE):
             plain = replace(statement, comments=(), remark="")
             if plain in first:
-                report.add(messages.stated_again(statement.span, first[plain].span))
+                report.add(doubts.stated_again(statement.span, first[plain].span))
             first.setdefault(plain, statement)
 
 
@@ -62,4 +61,4 @@ def refuse_links_in_a_sheet(file: ast.File, report: Report) -> None:
     """Report the first statement of a mechanism where the heading says that it is a sheet."""
     if heading := only(file, ast.SheetHeading):
         strange = (s for s in file.statements if not isinstance(s, WRITTEN_IN_SHEETS))
-        report.add(sheet_messages.links_in_a_sheet(next(strange).span, heading.span))
+        report.add(sheets.links_in_a_sheet(next(strange).span, heading.span))

@@ -7,6 +7,7 @@ from ..units import UNITS
 from .grammar import keywords, spelling
 from .lalr import Token, span_of
 from .lines import OPERAND_ENDS
+from .usual_slips import ASKED, CHOICES, COORDINATES, SCALARS, STATED
 from .vocabulary import (
     CHOICE,
     DIAMETER,
@@ -23,62 +24,6 @@ OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRC
 
 DOUBLED = {"*": "a power is written with '^'", "=": "equality is written '='"}
 
-_ENDS = (
-    "a cylinder is a telescope, and the actuator acts between its ends: actuator P between A and B"
-)
-_SQUARE = "a direction stands behind 'along': force F at A along perp OA, OA turned by 90 deg"
-_MOVES = (
-    "a drive is what moves, drive phi from 10 deg to 80 deg; the force of a cylinder is an "
-    "actuator, actuator P between A and B, that of a motor a torque, torque M on OA"
-)
-
-_GRAVITY = "gravity has a direction, gravity along -y; its size is a param g = 9.81 m/s^2"
-
-_ALL_HOLD = (
-    "all conditions hold at once, each in a line of its own; what differs from case to case is a "
-    "choice: let a = 2 mm when v < 1 m/s else 3 mm"
-)
-
-STATED = {
-    ("TORQUE", "at"): "a couple acts on a link: torque M on OA",
-    ("FORCE", "on"): "a force acts at a point: force F at A along x",
-    ("SLIDER", "at"): "a guide has a direction, slider K along 90 deg, and its point a place in a "
-    "line of its own: K at (0 mm, 80 mm)",
-    ("PIVOT", "("): "the place of a pivot stands behind 'at': pivot O at (0 mm, 0 mm)",
-    ("SPRING", "between"): "the rate comes first: spring 5 N/mm between A and B",
-    ("WEIGHT", "="): "a weight has a mass: weight W mass 2 kg at G",
-    ("ROPE", "along"): "a rope begins at a point, and each further one has the direction of the "
-    "fall that ends there: rope A, K along -y, H along y",
-    ("ROPE", "-"): "a ',' stands between the points of a rope: rope A, K along -y, H along y",
-    ("GEAR", "="): "a radius stands behind its pivot: gear O1 20 mm, O2 30 mm",
-    ("BELT", "="): "a radius stands behind its pivot: belt O1 20 mm, O2 30 mm",
-    ("ACTUATOR", "in"): _ENDS,
-    ("ACTUATOR", "on"): _ENDS,
-    ("ACTUATOR", "at"): _ENDS,
-    ("FORCE", "between"): "a pair of forces between two points is an actuator: actuator P between "
-    "A and B",
-    ("FORCE", "perpendicular"): _SQUARE,
-    ("FORCE", "normal"): _SQUARE,
-    ("FORCE", "perp"): _SQUARE,
-    ("GRAVITY", "9.81 m/s^2"): _GRAVITY,
-    ("GRAVITY", "9.81"): _GRAVITY,
-    ("DRIVE", "on"): _MOVES,
-    ("DRIVE", "at"): _MOVES,
-    ("DRIVE", "between"): _MOVES,
-    ("REQUIRE", "or"): _ALL_HOLD,
-    ("LINK", "="): "a link is declared, and its lengths are lines of their own: OA = 60 mm",
-    ("TELESCOPE", "="): "a telescope is declared, and its length is a line of its own: AB = 60 mm",
-    ("SLIDE", "="): "a slide is declared, and its lengths are lines of their own: WX = 60 mm",
-    ("WEIGHT", "at"): "a weight has a mass: weight W mass 2 kg at G",
-    ("USE", "with"): "what is given stands in brackets: use cylinder as cyl (P = 2 kN)",
-    ("TRANSLATE", "ua"): 'Ukrainian is uk: translate "handle" uk "рукоятка"',
-    ("LET", "otherwise"): "what is meant where no case holds stands behind 'else'",
-    ("LET", "or"): "conditions are joined by 'and'; another case is one of its own behind a ','",
-    ("MIRROR", "and"): "a ',' stands between points: sharing K, L",
-    ("COPIES", "and"): "a ',' stands between points: sharing K, L",
-    ("EXPECT", "and"): "a ',' stands between values: at alpha = 10 deg, l = 200 mm",
-}
-"""What is said otherwise in a statement, by its word and what does not fit in it."""
 
 THOUSAND = 3
 """Digits behind a comma that stands for thousands, or for decimals."""
@@ -95,31 +40,6 @@ LATER_TITLES = frozenset({"MECHANISM", "SHEET"})
 
 FORMULAS = frozenset({"PARAM", "LET", "REQUIRE"})
 """Words of the statements that give or compare what formulas come to."""
-
-CHOICES = {
-    "ASSEMBLY": "ccw is counter-clockwise, cw clockwise; along a guide it is forward or back",
-}
-"""Words of which a statement takes one, whatever does not fit in it."""
-
-
-SCALARS = {
-    "in": "a range is a key of its own: {value: 200 mm, range: 100 mm .. 300 mm}",
-    "as": "a label is a key of its own: {value: 200 mm, label: arm}",
-    "about": "in YAML 'about' is a key of its own",
-    "along": "a direction stands without the word: K: 90 deg",
-    "at": "in YAML 'at' is a key of its own, and a place a list: {O: [0 mm, 0 mm]}",
-    "through": "in YAML 'through' is a key of its own: {along: y, through: O}",
-}
-"""What words of the line notation are in YAML."""
-
-COORDINATES = "coordinates are a list: [0 mm, 0 mm]"
-
-ASKED = {
-    "at": "what a table gives is a let of its own: {}; a formula takes q by its name",
-    "next": "what a list gives is a let of its own: {}; a formula takes D by its name",
-    "when": "a choice is a let of its own: {}; a formula takes K by its name",
-}
-"""What is said of a table, a list or a choice that is asked within a formula."""
 
 
 def in_scalar(token: Token, allowed: set[str]) -> str:

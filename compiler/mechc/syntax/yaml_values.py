@@ -5,7 +5,7 @@ from typing import Any
 
 from ..diagnostics import syntax, syntax_yaml
 from ..source import Source, Span
-from . import ast, expressions, slips, yaml_slips
+from . import ast, expressions, usual_slips, yaml_slips
 from .fault import Fault
 from .grammar import keywords
 from .sections import Key, Kind
@@ -73,7 +73,7 @@ def cartesian(node: Node, source: Source) -> Fields:
             value = parsed("vector", "[x, y]", node, source)
             if isinstance(value, ast.Cartesian):
                 return (value,)
-    expected, hint = "coordinates [x, y]", slips.COORDINATES
+    expected, hint = "coordinates [x, y]", usual_slips.COORDINATES
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
 
 

@@ -1,4 +1,4 @@
-"""Messages for what can be meant, and hardly ever is (W203, W242, W245 to W257)."""
+"""Messages for what can be meant, and hardly ever is (W201 to W204, W242, W245 to W257)."""
 
 from collections.abc import Sequence
 
@@ -210,6 +210,38 @@ def keeps_its_arrow(span: Span, name: str, pressing: str) -> Message:
     )
 
 
+@coded("W201")
+def unused_parameter(span: Span, name: str, is_vector: bool = False) -> Message:
+    """A parameter is declared and nothing uses it.
+
+    Often a formula mentions another name than was meant.
+
+        param a = 40 mm
+        param b = 50 mm      # warned of: b stands in no formula
+        OB = a @ 90 deg
+    """
+    hint = "use it or remove it"
+    if name in ("x", "y"):
+        hint = f"in a direction {name} is the axis: call the parameter otherwise"
+    if is_vector:
+        hint = f"in a formula {name} is a vector or its length: call the parameter otherwise"
+    return Message(span, f"nothing uses the parameter '{name}'", hint)
+
+
+@coded("W202")
+def lonely_point(span: Span, point: str, link: str) -> Message:
+    """Only one link goes through a point, and nothing acts there.
+
+    Most often it is a mistyped pin: the point was meant to join two links.
+
+        link OA
+        link BC      # warned of, where AC was meant
+    """
+    short = link if len(link) <= 40 else f"{link[:40]}…"
+    message = f"only link {short} goes through point {point}, and nothing acts there"
+    return Message(span, message, "is it a mistyped pin?")
+
+
 @coded("W203")
 def halves_apart(at: Span, along: str) -> Message:
     """The halves of a mirror share no point that moves, and nothing acts between them.
@@ -224,6 +256,23 @@ def halves_apart(at: Span, along: str) -> Message:
     """
     message = "the halves share no point that moves, so each stands alone"
     return Message(at, message, f"add `sharing {along or 'K'}`")
+
+
+@coded("W204")
+def stated_again(span: Span, first: Span) -> Message:
+    """A line stands twice.
+
+    A ``find``, an ``expect``, a ``require``, an ``assembly``, a ``telescope``, or a joint such
+    as a ``slot`` or a ``gear`` that is written over again changes nothing; perhaps a copied line
+    was to be changed.
+
+        expect k = 2*tan(alpha)
+        expect k = 2*tan(alpha)     # warned of
+    """
+    related = (Related(first, "first stated here"),)
+    return Message(
+        span, "this is stated once more", "remove it, or change what was copied", related
+    )
 
 
 @coded("W242")

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from itertools import chain
 
 from ...diagnostics import Report
-from ...diagnostics.model import names, quantities
+from ...diagnostics.model import doubts, quantities
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
@@ -225,7 +225,7 @@ def warn_unused(parameters: Mapping[str, Parameter], scope: Scope) -> None:
     for name, parameter in parameters.items():
         if name not in scope.used and parameter.span.start < own:
             is_vector = len(points_of(name)) > 1
-            scope.report.add(names.unused_parameter(parameter.span, name, is_vector))
+            scope.report.add(doubts.unused_parameter(parameter.span, name, is_vector))
 
 
 ORIGIN = "value"
