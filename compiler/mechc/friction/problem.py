@@ -130,7 +130,7 @@ class Problem:
                     yield from bound_sums(plan, [component.ideal, *component.by.values()])
 
     def sizes(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Callable[[], Sizes]:
-        """Return a function of no arguments that gives the true sizes of normal forces, once for all.
+        """Return a function that gives the true sizes of normal forces, once for all of them.
 
         They are made when they are first asked for, after all that were spoken of before: so
         their names do not depend on what is asked for first.
