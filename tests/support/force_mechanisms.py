@@ -186,7 +186,7 @@ class Growing:
             at = dice.choice(self.pins)
             self.lines.append(f"force T = {part} at {at} along {self.angle()}")
         if dice.random() < 0.2 and self.turning:
-            self.lines.append(f"torque M = 0.05 m*F on {dice.choice(self.turning)}")
+            self.lines += ["param e = 0.05 m", f"torque M = e*F on {dice.choice(self.turning)}"]
         if ratio:
             self.lines.append("find k = P / F")
             return "F"

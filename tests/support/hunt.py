@@ -15,6 +15,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
+from itertools import islice
 from multiprocessing import Pool
 from pathlib import Path
 from typing import NamedTuple
@@ -30,6 +31,9 @@ SECONDS = 120
 
 FRESH = 10
 """Mechanisms after which a worker begins anew: formulas that are kept take memory."""
+
+MOST = 5
+"""Statements of one kind that are told of a mechanism."""
 
 LIMIT = "E817"
 """The code of more work than a compilation may do."""
@@ -92,7 +96,8 @@ def looked_at(kind: str, found: Hunted, seconds: float = SECONDS) -> Outcome:
 def tried(done: Outcome, at: str, refute: Callable[[], Iterable[str]]) -> Outcome:
     """Return an outcome with what is refuted at one look; a description may be refused there."""
     try:
-        return done._replace(refuted=(*done.refuted, *(f"{at}: {said}" for said in refute())))
+        found = [f"{at}: {said}" for said in islice(refute(), MOST)]
+        return done._replace(refuted=(*done.refuted, *found))
     except MechcError as error:
         codes = {d.code for d in error.diagnostics if d.code.startswith("E")}
         if not codes & BUGS:

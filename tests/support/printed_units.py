@@ -217,7 +217,10 @@ def _branches(rows: str) -> str:
 
 
 class PrintedUnits:
-    """A page: ``contradictions`` are what does not balance on it, ``unread`` what was not read."""
+    """A page: ``contradictions`` are what does not balance on it, ``unread`` what was not read.
+
+    Names have the values that the page gives them, ``instead`` those that are not rounded.
+    """
 
     def __init__(self, tex: str, instead: Mapping[str, float] | None = None) -> None:
         self.table, self.instead = Table(Units()), instead or {}
@@ -329,6 +332,8 @@ class PrintedUnits:
 
     def _values(self, relation: Relation, sides: list[Formula]) -> Iterator[str]:
         values = [self.value(side) for side in sides]
+        if isinstance(sides[0], Symbol):
+            values[0] = self.instead.get(sides[0].name.partition(" of ")[0], values[0])
         known = [(i, v) for i, v in enumerate(values) if v is not None and math.isfinite(v)]
         if not known:
             return
@@ -338,9 +343,8 @@ class PrintedUnits:
             slack = self.slack(relation.parts[first]) + self.slack(relation.parts[i])
             if abs(other - value) > slack + 1e-9 * abs(value) + NOTHING:
                 yield f"{relation}: {value} and {other}"
-        left = sides[0]
-        if values[0] is None and isinstance(left, Symbol):
-            self.table.values[left.name] = value
+        if isinstance(sides[0], Symbol):
+            self.table.values[sides[0].name] = value
 
     def slack(self, tex: str) -> float:
         """Return how far rounding of the numbers printed may change a formula's value."""
@@ -363,6 +367,9 @@ PLACE = re.compile(r"\$([^$=]*)=([^$]*)\$")
 FLAT, STEEP = 1e-3, 2e-2
 """Places are told in four figures: what a result is off there, near an extremum or a zero."""
 
+ROUNDED = (1.0, 1 - 5e-4, 1 + 5e-4)
+"""A place in four figures, and what it may have been before it was rounded."""
+
 
 def extents(tex: str) -> Iterator[tuple[str, str, tuple[str, str]]]:
     """Yield each result with the value that it is said to have, and ``(name, place)``."""
@@ -380,11 +387,17 @@ def displaced(tex: str) -> Iterator[str]:
         page = PrintedUnits(formulas)
         list(page.contradictions())
         value, at = (page.value(page.read(part)) for part in (said, place))
-        moved = PrintedUnits(formulas, {parameter: at})
-        list(moved.contradictions())
-        here, usual = moved.table.values.get(name), page.table.values.get(name)
-        if here is None or usual is None:
+        near = [_moved(formulas, name, parameter, at * part) for part in ROUNDED]
+        usual = page.table.values.get(name)
+        if usual is None or None in near:
             continue
         slack = STEEP * abs(usual) if value == 0 else FLAT * abs(value)
-        if abs(here - value) > slack:
-            yield f"{name} is {here}, not {value}, at {parameter} = {place}"
+        if not min(near) - slack <= value <= max(near) + slack:
+            yield f"{name} is {near[0]}, not {value}, at {parameter} = {place}"
+
+
+def _moved(formulas: str, name: str, parameter: str, at: float) -> float | None:
+    """Return the value of a result by the formulas of a page, with another value of a parameter."""
+    page = PrintedUnits(formulas, {parameter: at})
+    list(page.contradictions())
+    return page.table.values.get(name)
