@@ -204,9 +204,15 @@ def _init(cls: type, every: list[Field]) -> Callable[..., None]:
     exact = len(every) if len(positional) == len(every) else -1
     first: Any = puts[0] if puts else None
     final: Any = puts[-1] if puts else None
+    names, defaults = [f.name for f in positional], {f.name: f.default for f in every}
+    needed = frozenset(name for name, default in defaults.items() if default is REQUIRED)
 
     def bound(given: tuple[Any, ...], named: Mapping[str, Any]) -> tuple[Any, ...]:
-        return _bound(cls.__name__, positional, every, given, named)
+        values: dict[str, Any] = {**dict(zip(names, given, strict=False)), **named}
+        fit = len(names) >= len(given) and len(values) == len(given) + len(named)
+        if not (fit and needed <= values.keys() <= defaults.keys()):
+            raise TypeError(_misfit(cls.__name__, names, defaults, given, named))
+        return tuple((defaults | values).values())
 
     def of_one(self: object, /, *given: Any, **named: Any) -> None:
         (value,) = bound(given, named) if named or len(given) != 1 else given
@@ -226,26 +232,22 @@ def _init(cls: type, every: list[Field]) -> Callable[..., None]:
     return {1: of_one, 2: of_two}.get(exact, of_any)
 
 
-def _bound(
+def _misfit(
     name: str,
-    positional: list[Field],
-    every: list[Field],
+    names: list[str],
+    defaults: Mapping[str, Any],
     given: tuple[Any, ...],
     named: Mapping[str, Any],
-) -> tuple[Any, ...]:
-    """Return the fields' values in order; TypeError where some are missing or too many."""
-    if len(given) > len(positional):
-        raise TypeError(f"{name} takes {len(positional)} values, {len(given)} were given")
-    values = {f.name: value for f, value in zip(positional, given, strict=False)}
-    if twice := values.keys() & named.keys():
-        raise TypeError(f"{name} got two values for {', '.join(sorted(twice))}")
-    values |= named
-    if unknown := values.keys() - {f.name for f in every}:
-        raise TypeError(f"{name} has no {', '.join(sorted(unknown))}")
-    whole = tuple(values.get(f.name, f.default) for f in every)
-    if missing := [f.name for f, value in zip(every, whole, strict=True) if value is REQUIRED]:
-        raise TypeError(f"{name} needs {', '.join(missing)}")
-    return whole
+) -> str:
+    """Return what is wrong with the values that a constructor got."""
+    if len(given) > len(names):
+        return f"{name} takes {len(names)} values, {len(given)} were given"
+    if twice := named.keys() & {*names[: len(given)]}:
+        return f"{name} got two values for {', '.join(sorted(twice))}"
+    if unknown := named.keys() - defaults.keys():
+        return f"{name} has no {', '.join(sorted(unknown))}"
+    left = [f for f in defaults if f not in named and f not in names[: len(given)]]
+    return f"{name} needs {', '.join(f for f in left if defaults[f] is REQUIRED)}"
 
 
 # ------------------------------------------------------------------------ its methods

@@ -68,9 +68,11 @@ def facing(formula: Formula, values: Values, constants: Set[Fraction] = frozense
 
 
 def _positive(formula: Formula, values: Values) -> Formula:
-    if not any(map(_difference, walk(formula))):
+    differences = [found for node in walk(formula) if (found := _difference(node))]
+    if not differences:
         return formula
-    return _faced(formula, Evaluation(values()))
+    at = Evaluation(values())
+    return _faced(formula, at) if any(_is_behind(d, at) for d in differences) else formula
 
 
 def condition(factor: Formula, values: Values, constants: Set[Fraction]) -> Formula:
@@ -163,14 +165,17 @@ def _turned(factor: Formula, at: Evaluation) -> Formula | None:
         case Power(base, Number(value) as exponent) if value.denominator == 1 and value % 2:
             turned = _turned(base, at)
             return Power(turned, exponent) if turned else None
-        case _ if difference := _difference(factor):
-            try:
-                if not math.sin(at.of(difference)) < -ROUNDING:
-                    return None
-            except KeyError:
-                return None
+        case _ if (difference := _difference(factor)) and _is_behind(difference, at):
             return Call("sin", (total(_led(map(negative, difference.terms))),))
     return None
+
+
+def _is_behind(difference: Sum, at: Evaluation) -> bool:
+    """Return whether the sine of a difference is negative; False where it has no value."""
+    try:
+        return math.sin(at.of(difference)) < -ROUNDING
+    except KeyError:
+        return False
 
 
 def _led(terms: Iterable[Formula]) -> list[Formula]:

@@ -26,7 +26,7 @@ from .loops.vector_graph import chained, mentioned
 from .pose import Pose
 from .pruning import pruned
 from .queries import with_directions
-from .samples import poses_nearby
+from .samples import default_pose, poses_nearby
 from .terms import Terms
 from .unfound import explained, unfound_angles
 from .vectors import Missing, Vectors
@@ -69,7 +69,7 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
 
 def _remark_on_conditions(pose: Pose, closed: Closed, report: Report) -> None:
     """Remark on conditions on what was found that the default pose breaks."""
-    default = poses_nearby(pose.mechanism, pose.closing)[0]
+    default = default_pose(pose.mechanism, pose.closing)
     given = {p.name for p in pose.mechanism.parameters} - closed.found
     lets = {let.name for let in pose.mechanism.lets}
     for condition in pose.mechanism.requires:
@@ -83,7 +83,7 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
 
     E318 reports an assembly that it refutes; W301 remarks on others that decide nothing.
     """
-    default = poses_nearby(pose.mechanism, pose.definitions)[0]
+    default = default_pose(pose.mechanism, pose.definitions)
     for assembly in closed.idle:
         for remark in remarks(assembly, vectors, default):
             report.add(remark)

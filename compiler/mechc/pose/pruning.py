@@ -19,6 +19,8 @@ def pruned(pose: Pose) -> Pose:
     a loop finds that may fail to close and that nothing else shows to have closed, and by which
     it is seen that it closes.
     """
+    if not pose.definitions:
+        return pose
     formulas = {d.name: d.formula for d in pose.definitions}
     used = set[str]()
     _reach(_names(pose), used, formulas, pose.rates)

@@ -21,27 +21,21 @@ USUAL_ANGLE, USUAL_PART = 0.1, 0.01
 
 Values = dict[str, float]
 
+Given = list[tuple[Parameter, float | None]]
+"""Parameters that follow from no others, each with its value."""
+
 
 def poses_nearby(mechanism: Mechanism, definitions: Iterable[Definition]) -> list[Values]:
     """Return the default pose and some others; what has no value gets one in the others only."""
     chain = Chain({**dependent(mechanism), **dict(definitions)})
-    return [chain.complete(_given(mechanism, number)) for number in range(NUMBER)]
+    given = _given(mechanism)
+    return [chain.complete(_moved(given, number)) for number in range(NUMBER)]
 
 
-def _given(mechanism: Mechanism, number: int) -> Values:
-    longest = max(map(_size, mechanism.parameters), default=0.0)
-    return {
-        p.name: _moved(p, math.sin(1 + 7 * number + i), number, longest)
-        for i, p in enumerate(mechanism.parameters)
-        if not p.dependent and (number or p.value is not None)
-    }
-
-
-def _size(parameter: Parameter) -> float:
-    """Return the size of a length, 0 for anything else."""
-    if parameter.dimension != LENGTH or parameter.value is None or parameter.dependent:
-        return 0.0
-    return abs(evaluate(parameter.value, {}))
+def default_pose(mechanism: Mechanism, definitions: Iterable[Definition]) -> Values:
+    """Return the first of :func:`poses_nearby`."""
+    chain = Chain({**dependent(mechanism), **dict(definitions)})
+    return chain.complete(_moved(_given(mechanism), 0))
 
 
 def is_behind(length: Product, poses: Iterable[Values]) -> bool:
@@ -51,11 +45,23 @@ def is_behind(length: Product, poses: Iterable[Values]) -> bool:
     return values is not None and length.evaluate(values) < 0
 
 
-def _moved(parameter: Parameter, part: float, number: int, longest: float) -> float:
-    """Return a value that differs from the default one, even where that is zero."""
-    if parameter.value is None:
-        low, high = bounds(parameter) if parameter.range else (0.6, 1.2)
-        return (low + high) / 2 + (high - low) / 2 * part
-    value = evaluate(parameter.value, {})
-    usual = USUAL_ANGLE if parameter.dimension == ANGLE else USUAL_PART * longest
-    return value + STEP * part * max(abs(value), usual) * bool(number)
+def _given(mechanism: Mechanism) -> Given:
+    free = [p for p in mechanism.parameters if not p.dependent]
+    return [(p, None if p.value is None else evaluate(p.value, {})) for p in free]
+
+
+def _moved(given: Given, number: int) -> Values:
+    """Return values that differ from the default ones, even where those are zero."""
+    lengths = (abs(v) for p, v in given if v is not None and p.dimension == LENGTH)
+    longest = max(lengths, default=0.0)
+    values: Values = {}
+    for i, (parameter, value) in enumerate(given):
+        part = math.sin(1 + 7 * number + i)
+        if value is None and number:
+            low, high = bounds(parameter) if parameter.range else (0.6, 1.2)
+            values[parameter.name] = (low + high) / 2 + (high - low) / 2 * part
+        elif value is not None:
+            usual = USUAL_ANGLE if parameter.dimension == ANGLE else USUAL_PART * longest
+            step = STEP * part * max(abs(value), usual)
+            values[parameter.name] = value + step * bool(number)
+    return values

@@ -39,7 +39,7 @@ def balance(plan: Plan, report: Report) -> Balance:
     if not problem.mechanism.friction.joints:
         warn_of_idle_loads(balanced, balanced.results, report)
     report.stop_on_errors()
-    return replace(balanced, solved=checked(balanced, report))
+    return replace(balanced, solved=checked(balanced, problem.numbers, report))
 
 
 def _answer(problem: Problem, find: Find) -> Solved | None:

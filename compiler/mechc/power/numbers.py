@@ -68,9 +68,8 @@ def with_default(result: Result, size: Size) -> Result:
     return replace(result, default=default, undetermined=size.undetermined)
 
 
-def checked(balance: Balance, report: Report) -> tuple[Solved, ...]:
+def checked(balance: Balance, numbers: DefaultNumbers, report: Report) -> tuple[Solved, ...]:
     """Return the results with their default values; report what is not regular there."""
-    numbers = DefaultNumbers(balance.plan)
     _check_branch(balance, numbers.values, report)
     finds = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
     solved: list[Solved] = []

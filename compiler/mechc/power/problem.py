@@ -1,7 +1,7 @@
 """What every find is answered from: the power equations, and which loads follow from which."""
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache, partial
+from functools import cache
 from typing import TYPE_CHECKING
 
 from ..algebra.product import Product
@@ -18,7 +18,7 @@ from ..units import Dimension
 from .balance import Equations, Term, equations_of
 from .definitions import open_lengths, resting_on
 from .loads import given_size, terms
-from .numbers import default_values
+from .numbers import DefaultNumbers
 from .reading import Reading
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Problem:
     asked_for: tuple[str, ...]
     left: tuple[str, ...]
     reactions: "Callable[[], Reactions]"
-    values: Callable[[], Mapping[str, float]]
+    numbers: DefaultNumbers
 
     @property
     def mechanism(self) -> Mechanism:
@@ -75,7 +75,7 @@ class Problem:
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
         """Return a formula as a result, with the definitions that it rests on."""
-        formula = facing(formula, self.values, constants_of(self.plan.graph.pose))
+        formula = facing(formula, lambda: self.numbers.values, constants_of(self.plan.graph.pose))
         where = resting_on(self.reading.plan, formula, values)
         self.check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)
@@ -101,10 +101,9 @@ def problem_of(plan: Plan, report: Report) -> Problem:
 
         return Reactions(plan.graph.pose, problem.driving, known=(plan,))
 
-    reading = Reading(plan)
-    values = cache(partial(default_values, plan))
+    reading, numbers = Reading(plan), DefaultNumbers(plan)
     problem = Problem(
-        plan, parts, equations, reading, report, loads, asked, left, reactions, values
+        plan, parts, equations, reading, report, loads, asked, left, reactions, numbers
     )
     return problem
 
