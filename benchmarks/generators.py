@@ -22,7 +22,7 @@ def scissor(n: int) -> str:
     return _joined(
         [
             f'mechanism scissor_{n} "Scissor lift, {_stages(n)}"',
-            'source "Virtual work: n stages rise 2*n*l*sin(theta) on a span of 2*l*cos(theta)"',
+            'source "Virtual work: n stages rise 2n·l·sin θ on a span of 2l·cos θ"',
             "",
             "param l     = 500 mm                     # half a bar",
             "param theta = 30 deg in 5 deg .. 75 deg  # bars against the base",

@@ -79,7 +79,7 @@ def test_so_has_the_report(lever: mechc.SolvedMechanism) -> None:
         r"Tables and lists of sizes",
         r"250\,\text{MPa}",
         r"\left(0.8\,\text{m}/\text{s}\right)",
-        r"\noindent pressure (pin):",
+        r"\noindent Pressure (pin):",
         r"\mathrm{pin}_d^{4}}{64}",
         r"w=k\,\mathrm{pin}_d-8\,\text{mm}",
         r"$\mathrm{pin}_F\leq 12\,\text{kN}$",

@@ -388,12 +388,12 @@ def test_what_is_taken_as_it_is_stands_behind_its_text(tmp_path: Path) -> None:
         "sheet s\nparam F = 2 kN in 0 kN .. 9 kN  # load\nuse pin_joint as pin (F = F)\n", "utf-8"
     )
     sheet = mechc.load(path)
-    assert r"force on the pin (pin\_joint): $\mathrm{pin}_F=F=2\,\text{kN}$\par" in (
+    assert r"Force on the pin (pin\_joint): $\mathrm{pin}_F=F=2\,\text{kN}$\par" in (
         sheet.emit("latex").replace("\\noindent ", "")
     )
     shown = sheet._repr_markdown_()
     assert r"| $F$ | load | $2\,\text{kN}$ | $0\ \ldots\ {9\,\text{kN}}$ |" in shown
-    assert r"force on the pin (pin\_joint): $\mathrm{pin}_F=F=2\,\text{kN}$" in shown
+    assert r"Force on the pin (pin\_joint): $\mathrm{pin}_F=F=2\,\text{kN}$" in shown
     assert "\\par" not in shown
 
 

@@ -1,5 +1,6 @@
 """What is to be plotted, as a person writes it."""
 
+import math
 from typing import Literal
 
 from ..frozen import frozen
@@ -7,6 +8,7 @@ from ..model.mechanism import Mechanism
 from ..model.values import defaults, range_of
 from ..named import NamedTuple
 from ..routine.steps import Routine
+from ..units import ANGLE, size_of
 
 POINTS = 101
 """How many rows the table has where nothing else is asked for."""
@@ -59,7 +61,43 @@ class Query:
 
 
 ROWS = 11
-"""How many rows the table of a report has."""
+"""How many rows the table of a report has about, and has where no step is round."""
+
+FEWEST, MOST = 8, 20
+"""Between how many rows a table has for the sake of round steps."""
+
+STEPS = (1.0, 2.0, 2.5, 4.0, 5.0)
+"""Round steps, but for powers of ten."""
+
+ROUNDING = 1e-9
+"""By what part of it a step that was computed may be off."""
+
+DEGREES = (1.0, 2.0, 4.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0)
+"""Round steps of an angle in degrees."""
+
+
+def rows(x: str, mechanism: Mechanism) -> int:
+    """Return the rows of a table over a parameter: so many that their steps are round."""
+    ends, parameter = range_of(x, mechanism), mechanism.parameter(x)
+    if ends is None:
+        return ROWS
+    unit = parameter.unit or ("deg" if parameter.dimension == ANGLE else "")
+    width = (ends[1] - ends[0]) / (size_of(unit) if unit else 1.0)
+    counts = sorted(range(FEWEST, MOST + 1), key=lambda n: (abs(n - ROWS), -n))
+    return next((n for n in counts if _is_round(width / (n - 1), unit)), ROWS)
+
+
+def _is_round(step: float, unit: str) -> bool:
+    """Return whether a person would take a step.
+
+    >>> _is_round(30.0, "deg"), _is_round(36.0, "deg"), _is_round(0.25, "mm"), _is_round(0.3, "mm")
+    (True, False, True, False)
+    """
+    if step <= 0:
+        return False
+    power = 10.0 ** math.floor(math.log10(step) + ROUNDING)
+    known = DEGREES if unit == "deg" else [size * power for size in STEPS]
+    return any(math.isclose(step, one, rel_tol=ROUNDING) for one in known)
 
 
 def usual(mechanism: Mechanism, routine: Routine) -> Query | None:
@@ -74,7 +112,7 @@ def usual(mechanism: Mechanism, routine: Routine) -> Query | None:
         if varying:
             with_friction = f"{varying[0]}_f"
             ys = (varying[0], *([with_friction] if with_friction in varying else []))
-            return Query(x, ys, points=ROWS)
+            return Query(x, ys, points=rows(x, mechanism))
     return None
 
 

@@ -15,7 +15,7 @@ from ...report.latex.note import in_numbers, is_plain, measure, remark
 from ...report.latex.printer import Box, box, latex
 from ...report.latex.quantity import decimal, math, spaced
 from ...report.latex.results import Speller
-from ...report.latex.text import escape
+from ...report.latex.text import begun, escape
 from ...report.note import Note, NoteLine, note
 from ...report.sentences.noted import label
 from ...units import ANGLE
@@ -177,7 +177,7 @@ def _values(lines: Iterable[NoteLine], style: Notation) -> str:
 
 def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
     return LineBlock(
-        label(line, translated(line.label, style), locale, Speller(style)),
+        begun(label(line, translated(line.label, style), locale, Speller(style))),
         in_numbers(line, locale.where, style),
         remark(line, locale.calculation, style),
         is_plain(line),

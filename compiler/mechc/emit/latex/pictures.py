@@ -7,7 +7,7 @@ from ...drawing.drawing import Drawing
 from ...drawing.letters import in_letters
 from ...model.mechanism import Reported
 from ...plot.plot import Column, Plot
-from ...plot.query import ROWS, Query, usual
+from ...plot.query import ROWS, Query, rows, usual
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
 from ...report.latex.notation import Notation, name, of_result
@@ -46,7 +46,10 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
         "bodies": compiled.drawn_bodies(style.language) if "bodies" in named else None,
         "plans": compiled.drawn_plans(style.language) if "plans" in named else None,
     }
-    drawn = {name: tuple(_drawn(d, words[name], locale)) for name, d in drawings.items()}
+    drawn = {
+        name: tuple((_drawn if name == "scheme" else _afloat)(d, words[name], locale))
+        for name, d in drawings.items()
+    }
     return Pictures(
         **drawn,
         plot=tuple(line for plot in plots for line in _plotted(plot, locale, style)),
@@ -72,18 +75,25 @@ def _stroke(compiled: Compiled) -> Stroke | None:
     """Return the stroke if it is wanted; by itself it is, as far as it is not too much work."""
     reported = compiled.mechanism.reported
     if reported:
-        return compiled.stroke(ROWS) if Reported("stroke") in reported else None
+        return _of_rows(compiled) if Reported("stroke") in reported else None
     try:
-        return compiled.stroke(ROWS) if compiled.mechanism.drive else None
+        return _of_rows(compiled) if compiled.mechanism.drive else None
     except MechcError:
         return None
+
+
+def _of_rows(compiled: Compiled) -> Stroke:
+    """Return the stroke at round values of the drive, as far as it has some."""
+    drive = compiled.mechanism.drive
+    return compiled.stroke(rows(drive.parameter, compiled.mechanism) if drive else ROWS)
 
 
 def _queries(compiled: Compiled) -> Iterator[Query]:
     """Yield the queries of the plots."""
     for part in compiled.mechanism.reported:
         if part.over:
-            yield Query(part.over, (part.name,), points=ROWS)
+            table = rows(part.over, compiled.mechanism)
+            yield Query(part.over, (part.name,), points=table)
     if not compiled.mechanism.reported:
         first = usual(compiled.mechanism, compiled.routine)
         yield from (first,) if first else ()
@@ -92,12 +102,18 @@ def _queries(compiled: Compiled) -> Iterator[Query]:
 def _drawn(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[str]:
     """Yield a drawing, if there is one, in the letters of a language."""
     if drawing is not None:
-        yield from _picture(in_letters(drawing, letters(locale)), caption)
+        yield from _centred(_picture(in_letters(drawing, letters(locale))), caption)
+
+
+def _afloat(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[str]:
+    """Yield a drawing, if there is one, where the text beside it leaves no page half empty."""
+    if drawing is not None:
+        yield from _floating(_picture(in_letters(drawing, letters(locale))), caption)
 
 
 def _plotted(plot: Plot, locale: Locale, style: Notation) -> Iterator[str]:
     """Yield a plot above its caption."""
-    return _centred(plotted(plot, locale.pictures, letters(locale)), _against(plot, locale, style))
+    return _floating(plotted(plot, locale.pictures, letters(locale)), _against(plot, locale, style))
 
 
 def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[str]:
@@ -108,12 +124,11 @@ def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[
         yield from tabular(heads, list(zip(*columns, strict=True)))
 
 
-def _picture(drawing: Drawing, caption: str) -> Iterator[str]:
+def _picture(drawing: Drawing) -> Iterator[str]:
     """Yield a drawing in its size, or as large as a page takes it."""
     width, height = drawing.high.minus(drawing.low)
     scale = min(1.0, WIDE / width, HIGH / height)
-    lines = (rf"\scalebox{{{scale:.3g}}}{{%", *tikzpicture(drawing), "}")
-    yield from _centred(lines, caption)
+    yield from (rf"\scalebox{{{scale:.3g}}}{{%", *tikzpicture(drawing), "}")
 
 
 def _centred(lines: Iterable[str], caption: str) -> Iterator[str]:
@@ -121,6 +136,15 @@ def _centred(lines: Iterable[str], caption: str) -> Iterator[str]:
     yield from lines
     yield rf"\par\nopagebreak\smallskip{{\small {caption}\par}}"
     yield r"\end{center}"
+
+
+def _floating(lines: Iterable[str], caption: str) -> Iterator[str]:
+    """Yield a picture that goes to the next page where it is too high for this one."""
+    yield r"\begin{figure}[!htbp]"
+    yield r"\centering"
+    yield from lines
+    yield rf"\par\nopagebreak\smallskip{{\small {caption}\par}}"
+    yield r"\end{figure}"
 
 
 def _against(plot: Plot, locale: Locale, style: Notation) -> str:

@@ -14,6 +14,8 @@ def _body(_known: Mapping[str, Any]) -> str:
     _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].given), '}\n']
     for line in _known["pictures"].scheme:
         _parts += [str(line), '\n']
+    if (_known["scheme"] or _known["vectors"]):
+        _parts += ['\\noindent ', str(_known["conventions"]), '\n']
     if _known["scheme"]:
         _parts += ['\\begin{itemize}\\setlength{\\itemsep}{0pt}\\setlength{\\parskip}{0pt}\n']
         for sentence in _known["scheme"]:
@@ -22,7 +24,6 @@ def _body(_known: Mapping[str, Any]) -> str:
     if _known["parameters"]:
         _parts += [TEMPLATES['latex/given.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
     if _known["vectors"]:
-        _parts += ['\\noindent ', str(_known["conventions"]), '\n']
         if (not list([_one for _one in _known["vectors"] if _one.direction])):
             _parts += [TEMPLATES['latex/coordinates_abreast.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
         elif (len(_known["vectors"]) > 6):
@@ -30,7 +31,7 @@ def _body(_known: Mapping[str, Any]) -> str:
         else:
             _parts += ['\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.17\\linewidth}>{\\raggedright\\arraybackslash}p{0.37\\linewidth}>{\\raggedright\\arraybackslash}p{\\dimexpr0.36\\linewidth+2\\tabcolsep}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
             for row in _known["vectors"]:
-                _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction), ' \\\\\n']
+                _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction), ' \\\\*\n']
             _parts += ['\\bottomrule\n\\end{longtable}\n']
     _parts += [TEMPLATES['latex/tables.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
     if _known["position"]:
@@ -92,11 +93,11 @@ def _body(_known: Mapping[str, Any]) -> str:
             if _known["values"]:
                 _parts += ['\\noindent ']
             _parts += [str(', '.join(map(str, _known["numbers"]))), '.\n']
-    for line in _known["pictures"].table:
-        _parts += [str(line), '\n']
     _parts += ['\n\\medskip\n\\noindent ', str(_known["check"]), '\n']
     for remark in _known["remarks"]:
         _parts += [str(remark), '\n']
+    for line in _known["pictures"].table:
+        _parts += [str(line), '\n']
     return "".join(_parts)
 
 
@@ -119,7 +120,7 @@ def _coordinates_abreast(_known: Mapping[str, Any]) -> str:
         _parts += [str(row.vector), ' & ', str(row.length)]
         for loop, other in turns(_known["vectors"][(loop.length + loop.index0):(loop.length + loop.index)]):
             _parts += [' & ', str(other.vector), ' & ', str(other.length)]
-        _parts += [' \\\\\n']
+        _parts += [' \\\\', str(('*' if (len(_known["vectors"]) < 32) else '')), '\n']
     _parts += ['\\bottomrule\n\\end{longtable}\n']
     return "".join(_parts)
 
@@ -146,7 +147,7 @@ def _given(_known: Mapping[str, Any]) -> str:
         _parts += [' & ', str(row.value)]
         if _known["ranged"]:
             _parts += [' & ', str(row.range)]
-        _parts += [' \\\\\n']
+        _parts += [' \\\\', str(('*' if (len(_known["parameters"]) < 16) else '')), '\n']
     _parts += ['\\bottomrule\n\\end{longtable}\n']
     return "".join(_parts)
 
@@ -310,7 +311,7 @@ def _vectors_abreast(_known: Mapping[str, Any]) -> str:
         _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction)]
         for loop, other in turns(_known["vectors"][(loop.length + loop.index0):(loop.length + loop.index)]):
             _parts += [' & ', str(other.vector), ' & ', str(other.length), ' & ', str(other.direction)]
-        _parts += [' \\\\\n']
+        _parts += [' \\\\', str(('*' if (len(_known["vectors"]) < 32) else '')), '\n']
     _parts += ['\\bottomrule\n\\end{longtable}\n']
     return "".join(_parts)
 

@@ -19,6 +19,7 @@ from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
 from ...report.latex.document_style import style_of
 from ...report.latex.given import (
+    ParameterRow,
     in_vectors,
     parameter_row,
     scheme,
@@ -153,6 +154,12 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
     yield from given_loads(compiled.mechanism)
 
 
+def _parameters(compiled: Compiled, locale: Locale, style: Notation) -> Iterator[ParameterRow]:
+    drive = compiled.mechanism.drive
+    for parameter in _given(compiled):
+        yield parameter_row(parameter, locale, style, drive.parameter if drive else "")
+
+
 def report(
     compiled: Compiled, derivation: Derivation, locale: Locale, style: Notation, options: Options
 ) -> Report:
@@ -172,7 +179,7 @@ def report(
         kind=subject(derivation.results, locale),
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),
-        parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
+        parameters=tuple(_parameters(compiled, locale, style)),
         words=locale.calculation,
         tables=tuple(table_blocks(mechanism.tables, style)),
         scheme=scheme(mechanism, locale, style),

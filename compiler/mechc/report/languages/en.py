@@ -24,6 +24,7 @@ LOCALE = Locale(
     value="Value",
     range="Range",
     any_value="any",
+    driving="driving coordinate",
     pivots="pinned to the ground: {points}",
     directions={
         "absolute": "{angle}",

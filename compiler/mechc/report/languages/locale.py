@@ -43,6 +43,8 @@ class Locale(NamedTuple):
     value: str
     range: str
     any_value: str
+    driving: str
+    """What the parameter of the drive is."""
 
     pivots: str
     directions: Mapping[str, str]

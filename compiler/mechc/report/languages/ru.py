@@ -25,6 +25,7 @@ LOCALE = Locale(
     value="Значение",
     range="Пределы",
     any_value="любое",
+    driving="ведущая координата",
     pivots="неподвижные шарниры: {points}",
     directions={
         "absolute": "под углом {angle} к оси $x$",

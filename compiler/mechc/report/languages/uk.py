@@ -25,6 +25,7 @@ LOCALE = Locale(
     value="Значення",
     range="Межі",
     any_value="довільне",
+    driving="ведуча координата",
     pivots="нерухомі шарніри: {points}",
     directions={
         "absolute": "під кутом {angle} до осі $x$",

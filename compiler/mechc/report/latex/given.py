@@ -57,12 +57,17 @@ class VectorRow(NamedTuple):
     direction: str
 
 
-def parameter_row(parameter: Parameter, locale: Locale, style: Notation) -> ParameterRow:
-    """Return a parameter's symbol, label, value and range with the user's units."""
+def parameter_row(
+    parameter: Parameter, locale: Locale, style: Notation, drive: str = ""
+) -> ParameterRow:
+    """Return a parameter's symbol, label, value and range with the user's units.
+
+    That of the ``drive`` is called so where it has no text.
+    """
     label = "; ".join(translated(t, style) for t in (parameter.label, parameter.about) if t)
     return ParameterRow(
         math(name(parameter.name, style)),
-        label,
+        label or (locale.driving if parameter.name == drive else ""),
         _value(parameter, locale, style),
         _range(parameter, locale, style),
     )

@@ -12,13 +12,13 @@ from .display import LINE, Line, display
 from .notation import Notation, translated
 from .printer import Box, box, latex, plain, row
 from .quantity import in_unit, math
-from .text import escape
+from .text import begun, escape
 
 
 def alone(line: NoteLine, locale: Locale, style: Notation) -> Iterator[str]:
     """Yield the text of a formula, the formula as it is written, and what there is to say of it."""
     if line.label:
-        yield rf"\noindent {translated(line.label, style)}:"
+        yield rf"\noindent {begun(translated(line.label, style))}:"
     assert line.formula
     left, angle = box(Symbol(line.name), style), line.dimension == ANGLE
     if line.of:

@@ -54,6 +54,8 @@ _SPECIAL = {
     "⊥": r"\ensuremath{\perp}",
     "²": r"\ensuremath{{}^2}",
     "³": r"\ensuremath{{}^3}",
+    "ᵣ": r"\ensuremath{{}_r}",
+    **{digit: rf"\ensuremath{{{{}}_{i}}}" for i, digit in enumerate("₀₁₂₃₄₅₆₇₈₉")},
     "µ": r"\ensuremath{\mu}",
     "–": r"\textendash{}",
     "—": r"\textemdash{}",
@@ -145,6 +147,20 @@ def _escaped() -> re.Pattern[str]:
         rf"{'|'.join(map(re.escape, longest_first))}|\\mechccyr\{{([^{{}}]*)\}}"
         r"|\\mechcchar\{[0-9A-F]+\}\{(.)\}\{(?:[^{}]|\{[^{}]*\})*\}"
     )
+
+
+_FIRST = pattern(r"(\\mechccyr\{)?([^\W\d_])(?=[^\W\d_])")
+"""The first letter of a text that begins with a word of several."""
+
+
+def begun(tex: str) -> str:
+    r"""Return text that :func:`escape` has made safe as it begins a line: with a capital letter.
+
+    >>> begun("force of one jaw"), begun(escape("сила")), begun("d of the bar")
+    ('Force of one jaw', '\\mechccyr{Сила}', 'd of the bar')
+    """
+    found = _FIRST.match(tex)
+    return f"{found[1] or ''}{found[2].upper()}{tex[found.end() :]}" if found else tex
 
 
 def has_cyrillic(text: str) -> bool:

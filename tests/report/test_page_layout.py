@@ -1,0 +1,79 @@
+"""What stands where on a page: pictures that leave none half empty, tables in one piece."""
+
+import re
+
+import pytest
+
+import mechc
+from good_mechanisms import OF_LIBRARY, compiled
+from mechc.plot.query import rows
+
+
+def page(name: str, language: str = "en") -> str:
+    return mechc.load(name).emit("latex", language=language, pictures=True)
+
+
+def test_free_bodies_and_plots_may_go_to_the_next_page():
+    text = page("crank_rocker")
+    scheme, bodies, plot = (text.index(f"\\small {c}") for c in ("Kine", "Free", "$k$ against"))
+    assert text.rindex(r"\begin{center}", 0, scheme) > text.find(r"\begin{figure}", 0, scheme)
+    for caption in (bodies, plot):
+        assert text.rindex(r"\begin{figure}[!htbp]", 0, caption) > scheme
+    assert text.count(r"\begin{figure}") == text.count(r"\end{figure}") == 2
+
+
+def test_the_check_is_before_the_table():
+    text = page("bell_crank")
+    assert text.index("Check: the equilibrium") < text.rindex(r"\begin{tabular}")
+
+
+@pytest.mark.parametrize("name", ["band_brake", "jansen_leg", "toggle_press", "double_butterfly"])
+def test_short_tables_are_not_parted(name):
+    for table in re.findall(r"\\endhead\n(.*?)\\bottomrule", page(name), re.DOTALL):
+        found = table.splitlines()
+        assert len(found) >= 16 or all(line.endswith(r"\\*") for line in found)
+        assert all(line.count(r"\\") == 1 for line in found)
+
+
+def test_what_directions_are_is_said_before_they_are_used():
+    text = mechc.load("block_and_tackle").emit("latex")
+    assert text.index("Directions are angles") < text.index("in the direction")
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [("en", "driving coordinate"), ("uk", "ведуча координата"), ("ru", "ведущая координата")],
+)
+def test_the_parameter_of_the_drive_is_called_so(language, said):
+    text = mechc.load("crank_rocker").emit("latex", language=language)
+    assert re.search(rf"\$\\varphi\$ & .*{said}", text)
+    assert said not in mechc.load("four_bar").emit("latex", language=language)
+
+
+def test_lines_of_a_sheet_begin_with_a_capital_letter():
+    sheet = mechc.load("grip_force")
+    assert r"\noindent Force of one jaw:" in sheet.emit("latex")
+    assert "{Сила" in sheet.emit("latex", language="uk")
+
+
+@pytest.mark.parametrize(
+    ("name", "x", "count"),
+    [
+        ("jansen_leg", "phi", 13),  # 0° … 360°: every 30°
+        ("crank_slider", "phi", 18),  # 5° … 175°: every 10°
+        ("fedoriv_fig1_with_friction", "alpha", 12),  # 1° … 45°: every 4°
+        ("band_brake", "mu", 13),  # 0.1 … 0.4: every 0.025
+        ("scissor_table", "s", 11),  # 0.65 m … 0.94 m: no step is round
+        ("three_claw_gripper", "phi", 11),  # 1 … 2 rad: every 0.1
+    ],
+)
+def test_tables_have_round_steps(name, x, count):
+    assert rows(x, compiled(name).mechanism) == count
+
+
+def test_formulas_of_sources_are_formulas():
+    text = mechc.load("four_bar").emit("latex")
+    assert r"\ensuremath{\omega}\ensuremath{{}_4}/\ensuremath{\omega}" in text
+    for name in OF_LIBRARY:
+        source = compiled(name.stem).mechanism.source
+        assert not re.search(r"omega|alpha|beta|theta|sqrt|\w\*\w|\^2", source)
