@@ -40,7 +40,8 @@ Values = Callable[[], Mapping[str, float]]
 def facing(formula: Formula, values: Values, constants: Set[Fraction] = frozenset()) -> Formula:
     """Write sin(a − b)/sin(c − b) as sin(b − a)/sin(b − c) where both are negative at the values.
 
-    So are more of them, with a minus in front or in pairs; the formula's value is the same. The
+    So are more of them, with a minus in front or in pairs; the formula's value is the same. A
+    product with a minus and one such sine above the line is written without the minus. The
     ``values`` are asked for only where there are such sines. A sine or cosine is turned by a
     quarter where its constant is none of ``constants`` in degrees, and then becomes one, if the
     formula grows no longer.
@@ -52,6 +53,8 @@ def facing(formula: Formula, values: Values, constants: Set[Fraction] = frozense
     >>> text(facing(quotient(*sines), lambda: {"a": 0.1, "b": 0.5, "c": 0.3}))
     'sin(b - a)/sin(b - c)'
     >>> text(facing(negative(sines[0]), lambda: {"a": 0.1, "b": 0.5}))
+    'sin(b - a)'
+    >>> text(facing(negative(sines[0]), lambda: {"a": 0.5, "b": 0.1}))
     'sin(b - a)'
     >>> angle = total([a, negative(b), degrees(23)])
     >>> turned = facing(Call("cos", (angle,)), lambda: {"a": 0.1, "b": 0.5}, {Fraction(67)})
@@ -72,7 +75,22 @@ def _positive(formula: Formula, values: Values) -> Formula:
     if not differences:
         return formula
     at = Evaluation(values())
-    return _faced(formula, at) if any(_is_behind(d, at) for d in differences) else formula
+    behind = any(_is_behind(d, at) for d in differences)
+    return _without_minus(_faced(formula, at) if behind else formula)
+
+
+def _without_minus(formula: Formula) -> Formula:
+    """Return a product with a minus and one sine of a difference with that turned instead.
+
+    Below the line it stays as the ratios have it that the product is made of.
+    """
+    if not isinstance(formula, Product) or not has_minus(formula):
+        return formula
+    turned = {i: new for i, f in enumerate(formula.factors) if (new := _turned(f))}
+    if len(turned) != 1 or any(isinstance(formula.factors[i], Power) for i in turned):
+        return formula
+    factors = (turned.get(i, factor) for i, factor in enumerate(formula.factors))
+    return product([(number(-1), 1), *((factor, 1) for factor in factors)])
 
 
 def condition(factor: Formula, values: Values, constants: Set[Fraction]) -> Formula:
@@ -150,7 +168,7 @@ def _faced(formula: Formula, at: Evaluation) -> Formula:
 def _paired(factors: Sequence[Formula], at: Evaluation) -> Formula | None:
     """Return a product with negative sines turned; None where an odd one would need a minus."""
     sign = -1 if has_minus(Product(tuple(factors))) else 1
-    turned = {i: new for i, factor in enumerate(factors) if (new := _turned(factor, at))}
+    turned = {i: new for i, f in enumerate(factors) if (new := _turned(f, at))}
     if len(turned) % 2 and sign > 0:
         turned = dict(list(turned.items())[:-1])
     if not turned:
@@ -159,14 +177,18 @@ def _paired(factors: Sequence[Formula], at: Evaluation) -> Formula | None:
     return product([(number((-1) ** len(turned)), 1), *parts])
 
 
-def _turned(factor: Formula, at: Evaluation) -> Formula | None:
-    """Return an odd power of a sine with its difference turned round, if it is negative."""
+def _turned(factor: Formula, at: Evaluation | None = None) -> Formula | None:
+    """Return an odd power of a sine of a difference with that turned round.
+
+    None for another factor, and where the sine is not negative at the values, if these are given.
+    """
     match factor:
         case Power(base, Number(value) as exponent) if value.denominator == 1 and value % 2:
             turned = _turned(base, at)
             return Power(turned, exponent) if turned else None
-        case _ if (difference := _difference(factor)) and _is_behind(difference, at):
-            return Call("sin", (total(_led(map(negative, difference.terms))),))
+        case _ if difference := _difference(factor):
+            if at is None or _is_behind(difference, at):
+                return Call("sin", (total(_led(map(negative, difference.terms))),))
     return None
 
 

@@ -6,6 +6,7 @@ put in where algebra proves it equal.
 """
 
 from collections.abc import Iterable, Iterator, Set
+from fractions import Fraction
 
 from ..algebra.factors import Constant, Factor, Length
 from ..algebra.from_formula import is_transparent, to_product
@@ -15,7 +16,7 @@ from ..algebra.sums import add
 from ..formula.evaluate import evaluate
 from ..formula.layout import has_minus
 from ..formula.operations import count_operations
-from ..formula.tree import Call, Formula, Sum, number, power, quotient, total
+from ..formula.tree import Call, Formula, Sum, negative, number, power, quotient, total
 from ..formula.walk import children, rebuild
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
@@ -94,10 +95,17 @@ def _operations(distance: Formula) -> int:
 
 def _per(side: Formula, size: Product) -> Formula:
     """Return a side of a right triangle by its longest one, cancelled where it is one term."""
-    one = to_product(side) / size
-    if any(isinstance(factor, FactoredSum) for factor in one.factors):
+    whole = to_product(side)
+    one = whole / size
+    if not any(isinstance(factor, FactoredSum) for factor in one.factors):
+        return one.formula()
+    if isinstance(side, Sum):
         return quotient(_minus_last(side), size.formula())
-    return one.formula()
+    scale = 1 / abs(Fraction(whole.coefficient))
+    above, below = (part.scaled(scale).formula() for part in (whole, size))
+    if isinstance(opposite := negative(above), Sum):
+        above = negative(opposite)
+    return quotient(_minus_last(above), below)
 
 
 def _minus_last(formula: Formula) -> Formula:

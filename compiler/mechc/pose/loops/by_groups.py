@@ -6,7 +6,8 @@ systems that are solved by iteration. Every unknown becomes a definition of the 
 put in where it is a sum of named angles.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 
 from ...algebra.angle import Angle
 from ...algebra.from_formula import is_transparent, to_product
@@ -104,7 +105,8 @@ class _Closing:
         """Close all that can be closed; return the assembly lines that decided nothing."""
         for link in self._state.mechanism.links:
             self._close_body(link)
-        while self._state.is_open and (self._close_next() or self._close_block()):
+        steps = (self._close_next, self._close_loose_triangle, self._close_block)
+        while self._state.is_open and any(close() for close in steps):
             pass
         return self._choice.unused
 
@@ -130,6 +132,42 @@ class _Closing:
         self._state.loops.append(iterated(loop, chosen.definitions))
         self._state.take(chosen, block.unknown, block.sides, "system", points_around(block.cycle))
         return True
+
+    def _close_loose_triangle(self) -> bool:
+        """Close a triangle of three bodies that turns as a whole; False where none is left.
+
+        A cylinder between two links of one pin makes one: its length gives the angle between
+        them, wherever they stand. One of the directions is what the others are found from.
+        """
+        state = self._state
+        for reference in sorted(state.open_angles, key=self._place_of_reference):
+            with self._as_known(reference):
+                for wanted, cycle in list(state.graph.pairs()):
+                    if _turns_as_a_whole(cycle, wanted, reference, state):
+                        return self._close(wanted, cycle, self._bodies_around(cycle))
+        return False
+
+    def _place_of_reference(self, name: str) -> tuple[bool, tuple[int, str]]:
+        """Return where an unknown stands among those that others may be found from."""
+        return name not in self._state.named, self._place(name)
+
+    @contextmanager
+    def _as_known(self, name: str) -> Iterator[None]:
+        """Take a direction for known meanwhile, another one at each pose."""
+        state = self._state
+        state.graph.sought.discard(name)
+        for i, values in enumerate(state.values):
+            values[name] = 0.3 * i
+        yield
+        for values in state.values:
+            del values[name]
+        state.graph.sought.add(name)
+
+    def _bodies_around(self, cycle: Cycle) -> Names:
+        """Return the points of the bodies that a loop goes through."""
+        points = frozenset(points_around(cycle))
+        bodies = (frozenset(body.points) for body in self._state.mechanism.bodies)
+        return points.union(*(body for body in bodies if len(body & points) > 1))
 
     def _check_values(self, cycle: Cycle) -> None:
         """Stop at a loop with a length that has no value: how it closes is not known."""
@@ -161,15 +199,9 @@ class _Closing:
         }
         if len(inside) < 2:
             return
-        reference = min(inside, key=self._place)
-        state.graph.sought.discard(reference)
-        for i, values in enumerate(state.values):
-            values[reference] = 0.3 * i
-        while self._close_next(points):
-            pass
-        for values in state.values:
-            del values[reference]
-        state.graph.sought.add(reference)
+        with self._as_known(min(inside, key=self._place)):
+            while self._close_next(points):
+                pass
 
     def _place(self, name: str) -> tuple[int, str]:
         """Return where an unknown first stands in the description."""
@@ -218,6 +250,23 @@ class _Closing:
             self._report.stop_on_errors()
             raise self._report.fail(fault)
         return True
+
+
+def _turns_as_a_whole(cycle: Cycle, wanted: Names, reference: str, state: State) -> bool:
+    """Return whether a loop is a triangle that keeps its shape whatever direction it has.
+
+    None of its other directions is one that the user named: what names it has rests on the
+    reference, which is found later.
+    """
+    angles = {*wanted, reference}
+    if len(wanted) < 2 or not wanted <= state.angles - state.named:
+        return False
+    turns = (
+        sum(factor for name, factor in arm.angle.terms if name in angles)
+        for edge in cycle
+        for arm in edge.arms
+    )
+    return all(turn == 1 for turn in turns)
 
 
 def in_closed_form(loop: str, definitions: Sequence[Definition], root: Call) -> ClosedLoop:

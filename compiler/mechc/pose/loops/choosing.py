@@ -51,7 +51,7 @@ class Choice:
             return closures[0]
         possible = _with_lengths(possible, poses, group, state) or possible
         read = Reading(state, _guide_lines(group, state))
-        lines = [a for a in self._unused if within is None or set(a.points) <= set(within)]
+        lines = [a for a in self._unused if within is None or _is_of_shape(a, within)]
         decisive = read.decisive(lines, poses, possible)
         self._unused = [a for a in self._unused if a not in decisive]
         meant = [i for i in possible if all(read.holds(a, poses, i) for a in decisive)]
@@ -92,6 +92,11 @@ class Choice:
         else:
             loop, number = loop_name(group.cycle), len(poses)
             self._report.add(closure_messages.closure_open(group_span(group), loop, number, hint))
+
+
+def _is_of_shape(assembly: Assembly, points: Collection[str]) -> bool:
+    """Return whether a line is about the shape that points have, not about places on guides."""
+    return len(assembly.points) == 3 and set(assembly.points) <= set(points)
 
 
 def _with_lengths(

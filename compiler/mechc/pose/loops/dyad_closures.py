@@ -148,7 +148,7 @@ def _hinged(
         named = [Definition(first.name, total([outside.formula(), turn]))]
         other = second.angle_at(first.direction + HALF_TURN - inner_angle)
         return _closure(named, {second.name: other}, sides)
-    gamma = sides.angle("gamma", loop.base_point() or first.name, base)
+    gamma = sides.angle("gamma", loop.base_point(first.name) or first.name, base)
     angle = principal(outside + gamma * sign)
     direction = first.direction.put({first.name: angle})
     other = second.angle_at(direction + HALF_TURN - inner_angle)
@@ -161,6 +161,8 @@ def _hinged(
 def _guided(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad:
     """RRP: the part that turns spans the distance to the line that is reached along."""
     height = along(loop.known, reach.direction + QUARTER)
+    if not height:
+        return Dyad(loop, "guide", tuple(_along_the_guide(loop, turn, reach, sides)))
     sine_of = -(height / turn.size)
     flip = -1 if sine_of.coefficient < 0 else 1
     inclination = Call("asin", (sine_of.scaled(flip).formula(),))
@@ -173,6 +175,16 @@ def _guided(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad:
         length = _reach(reach, -along(behind, reach.direction))
         closures.append(_closure([named, length], put, sides))
     return Dyad(loop, "guide", tuple(closures), limit, inclination)
+
+
+def _along_the_guide(
+    loop: Loop, turn: Turning, reach: Reaching, sides: Sides
+) -> Iterator[Closure]:
+    """Yield how a part lies that begins on the line that it ends on."""
+    for line in (reach.direction, reach.direction + HALF_TURN):
+        behind = (*loop.known, Arm(turn.size, line))
+        length = _reach(reach, -along(behind, reach.direction))
+        yield _closure([length], {turn.name: turn.angle_at(line)}, sides)
 
 
 Lean = tuple[Definition, Angle, Mapping[str, Angle]]

@@ -1,9 +1,11 @@
 """The sides and angles of a dyad under names, with the definitions that these need."""
 
 from collections.abc import Callable, Iterable
+from fractions import Fraction
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
+from ...algebra.trigonometry import cosine
 from ...formula.tree import Call, Formula
 from ..pose import Arm, Definition, Vector, components, gathered
 from ..samples import Values, is_behind
@@ -15,6 +17,20 @@ HALF_TURN = Angle.constant(180)
 
 Namer = Callable[[str], str]
 """Makes a name that nothing else has."""
+
+
+def _halved(vector: Vector) -> Arm | None:
+    """Return the sum of two vectors of one length: along the line that halves their angle."""
+    if len(vector) != 2:
+        return None
+    (length, one), (other_length, other) = vector
+    if length == -other_length:
+        other += HALF_TURN
+    elif length != other_length:
+        return None
+    half = Fraction(1, 2)
+    size = length.scaled(2) * cosine((one - other) * half)
+    return Arm(size, (one + other) * half)
 
 
 class Sides:
@@ -49,6 +65,8 @@ class Sides:
             length, angle = vector[0]
             behind = is_behind(length, [self._values])
             return (-length, angle + HALF_TURN) if behind else (length, angle)
+        if not positive and (halved := _halved(vector)):
+            return self.polar((halved,), name)
         turn = common_turn(vector)
         within = gathered(Arm(arm.length, arm.angle - turn) for arm in vector)
         parts = tuple(p.formula() for p in components(within))

@@ -3,7 +3,7 @@
 A loop ``D + X + Y = 0`` has a known part D and two unknowns, each a direction or a length.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
@@ -12,7 +12,7 @@ from ...frozen import frozen
 from ...named import NamedTuple
 from ..pose import Definition, Limit, LoopKind, Vector, gathered
 from .triangle import principal
-from .vector_graph import Cycle, Names, mentioned
+from .vector_graph import Cycle, Edge, Names, mentioned
 
 
 class Closure(NamedTuple):
@@ -76,11 +76,16 @@ class Loop:
                 return edge.tail
         return ""
 
-    def base_point(self) -> str:
-        """Return the point at which the first unknown edge leaves the known side."""
+    def base_point(self, name: str) -> str:
+        """Return the point at which the part of an unknown leaves the known side."""
         loose = self._loose()
-        starts = [e.tail for i, e in enumerate(self.cycle) if loose[i] and not loose[i - 1]]
-        return starts[0] if starts else ""
+        for i, edge in enumerate(self.cycle):
+            if name in mentioned(edge.arms):
+                if not loose[i - 1]:
+                    return edge.tail
+                if not loose[(i + 1) % len(loose)]:
+                    return edge.head
+        return ""
 
     def _loose(self) -> list[bool]:
         return [not self.unknown.isdisjoint(mentioned(e.arms)) for e in self.cycle]
@@ -89,9 +94,20 @@ class Loop:
         """Return three points whose turn distinguishes the closures: the pin, and what it joins."""
         inner_pin = self.inner_pin()
         loose = [e for e, is_loose in zip(self.cycle, self._loose(), strict=True) if is_loose]
-        before = next((e.tail for e in loose if e.head == inner_pin), loose[0].tail)
-        after = next((e.head for e in loose if e.tail == inner_pin), loose[-1].head)
-        return before, inner_pin or loose[0].head, after
+        back = [e.turned() for e in reversed(loose)]
+        before, after = (_end_from(inner_pin, way) for way in (back, loose))
+        return before or loose[0].tail, inner_pin or loose[0].head, after or loose[-1].head
+
+
+def _end_from(pin: str, edges: Sequence[Edge]) -> str:
+    """Return where the edges from a pin on end that turn with the first of them, '' for none."""
+    start = next((i for i, edge in enumerate(edges) if edge.tail == pin), len(edges))
+    end = ""
+    for edge in edges[start:]:
+        if edge.tail != (end or pin) or mentioned(edge.arms) != mentioned(edges[start].arms):
+            break
+        end = edge.head
+    return end
 
 
 @frozen

@@ -5,8 +5,9 @@ from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from ...formula.facing import LONG, condition, facing, led
+from ...formula.layout import has_minus
 from ...formula.operations import count_operations
-from ...formula.tree import Formula
+from ...formula.tree import Formula, Product, negative
 from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
@@ -69,6 +70,14 @@ class Facing:
         faced = facing(formula, self._values, self._constants)
         return faced if count_operations(faced) > LONG else led(faced)
 
+    def equation(self, equation: Equation) -> Equation:
+        """Return an equation of such sides, with the fewer minuses at their heads."""
+        sides = Equation(*map(self.of, equation))
+        if not any(isinstance(side, Product) and has_minus(side) for side in sides):
+            return sides
+        opposite = Equation(*(self.of(negative(side)) for side in sides))
+        return min(sides, opposite, key=lambda pair: sum(map(has_minus, pair)))
+
     def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
         """Return a condition under which a formula is zero or infinite as the formula has it."""
         if limit.factor in walk(formula):
@@ -88,7 +97,7 @@ def _facing(derivation: Derivation, face: Facing) -> Derivation:
     """Return the steps with sines of differences turned as those of the results are."""
 
     def turned(equations: Iterable[Equation]) -> tuple[Equation, ...]:
-        return tuple(Equation(*(face.of(side) for side in e)) for e in equations)
+        return tuple(face.equation(e) for e in equations)
 
     steps = (
         replace(step, relations=turned(step.relations), results=turned(step.results))
