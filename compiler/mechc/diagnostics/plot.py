@@ -6,6 +6,11 @@ from .diagnostic import Message, coded
 from .syntax import listed
 
 
+def asked_for(name: str) -> str:
+    """Return the hint on what a sheet brings in and does not use."""
+    return f"nothing in the sheet uses it: `let x = {name}` asks for it"
+
+
 @coded("E583")
 def nothing_of_this_name(name: str, known: Sequence[str], near: str) -> Message:
     """A plot was asked for of what the description does not have.

@@ -129,11 +129,15 @@ def in_units(name: str, given: Given, dimension: Dimension) -> float:
 
 def known(sweep: Sweep, names: Sequence[str]) -> list[Quantity]:
     """Return quantities by name; E583 where there is none."""
+    able = list(sweep.known)
+
+    def hint(name: str) -> str:
+        unused = name in sweep.mechanism.brought
+        return messages.asked_for(name) if unused else near_miss(name, able)
+
     strange = [name for name in names if name not in sweep.known]
     if strange:
-        able = list(sweep.known)
-        found = [messages.nothing_of_this_name(n, able, near_miss(n, able)) for n in strange]
-        raise MechcError(found)
+        raise MechcError(messages.nothing_of_this_name(n, able, hint(n)) for n in strange)
     return [sweep.known[name] for name in names]
 
 

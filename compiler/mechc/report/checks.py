@@ -8,11 +8,11 @@ from ..formula.tree import Formula, Symbol
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism, Require
 from ..model.result import Result
+from ..model.unused import below, rests_on
 from ..model.values import compare
 from ..named import NamedTuple
 from ..units import si_unit
 from .put_in import Quantity, values_of
-from .rests_on import below, rests_on
 
 
 class NoteCheck(NamedTuple):

@@ -15,6 +15,7 @@ from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
 from ..model.mechanism import Let, Mechanism, Parameter
 from ..model.result import Result
+from ..model.unused import unused
 from ..model.values import Chain, defaults, dependent, usual_length
 from ..model.written import WrittenTable
 from ..named import NamedTuple
@@ -22,6 +23,7 @@ from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .checks import NoteCheck, checks
+from .on_the_way import Found, on_the_way
 from .put_in import (
     Quantity,
     Tables,
@@ -32,7 +34,6 @@ from .put_in import (
     usual_unit,
     values_of,
 )
-from .rests_on import Found, on_the_way, unused
 
 COMPUTED = 12
 """Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""

@@ -6,9 +6,10 @@ from itertools import starmap
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import symbols
-from ..model.mechanism import Load, Mechanism, Parameter
+from ..model.mechanism import Load, Mechanism, Parameter, WithFriction
 from ..model.result import Result
 from ..model.statements import is_sheet
+from ..model.unused import unused
 from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
 from ..units import TORQUE
@@ -37,17 +38,19 @@ def program(
     it; one that needs more than a function is given is left to its caller. ``definitions``
     are those of the pose, on which conditions may rest that no result does; ``loops`` must
     close for a result to have a value, needed for it or not. ``motion`` is that of the drive.
+    What a sheet uses and nothing in it needs, as much of a used mechanism, has no function.
     Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
     """
     scope, inputs = Scope(mechanism, results, definitions or {}), _inputs(mechanism)
     names = (*inputs, *scope.results)
-    listed = [asked(r, scope, inputs, loops) for r in results]
+    needed = _needed(mechanism, results)
+    listed = [asked(r, scope, inputs, loops) for r in needed]
     made = _functions(listed, scope, names)
     changed = tuple(r.elsewhere or r for r in results)
     other = Scope(mechanism, changed, definitions or {}) if changed != results else scope
     beside = [
         function(asked(r.elsewhere, other, inputs, loops), other, names) if r.elsewhere else None
-        for r in results
+        for r in needed
     ]
     companions = Companions(scope, tuple(inputs.values()))
     functions = tuple(starmap(companions.joined, zip(made, beside, listed, strict=True)))
@@ -56,6 +59,17 @@ def program(
     tests = checks(scope, inputs, names) if is_sheet(mechanism) else None
     name, title, source = mechanism.name, mechanism.title, mechanism.source
     return Routine(name, title, source, functions, pose, points, tests)
+
+
+def _needed(mechanism: Mechanism, results: Sequence[Result]) -> list[Result]:
+    """Return the results that have functions: of a sheet those with a part in its calculation.
+
+    The status of a ratio with friction asks for that without, too.
+    """
+    aside = frozenset(unused(mechanism, results) if is_sheet(mechanism) else ())
+    own = (r for r in results if r.name not in aside)
+    ideal = {r.target.of for r in own if isinstance(r.target, WithFriction)}
+    return [r for r in results if r.name not in aside or r.target in ideal]
 
 
 def _functions(listed: Sequence[Asked], scope: Scope, names: Sequence[str]) -> Iterator[Function]:
