@@ -157,10 +157,11 @@ class Pipeline:
     def described(self) -> Mechanism:
         """Names resolved, quantities in SI, dimensions checked; drawn as the text has it."""
         found = self._sound(resolve(self.composed, self.report))
-        literals, parts = self._with_used.solved.literals, self._with_used.parts
-        if not literals and not parts:
+        used = self._with_used
+        if not used.parts and not used.prefixes:
             return found
-        return replace(found, literals=(*found.literals, *literals), subassemblies=parts)
+        literals = (*found.literals, *used.solved.literals)
+        return replace(found, literals=literals, subassemblies=used.parts, prefixes=used.prefixes)
 
     @Stage
     def mechanism(self) -> Mechanism:

@@ -241,7 +241,7 @@ find k = Q/W
 def test_a_force_with_friction_is_stated_once_under_a_heading_of_its_own():
     compilation = compile_source(Source("crank.mech", ITERATED))
     shown = render(compilation.derivation, compilation.mechanism)
-    stated = shown.partition("Force at a joint, with friction")[2]
+    stated = shown.partition("Force at A on AB, with friction")[2]
     assert "This holds while" not in stated
     assert stated.count("This holds under the same conditions as k_f.") == 1
     assert "R_A_on_AB_f = √(R_A_on_AB_x_f² + R_A_on_AB_y_f²)" in stated

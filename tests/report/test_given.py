@@ -83,8 +83,8 @@ find R_A
 
 def test_a_force_in_a_rod_has_a_heading_of_its_own():
     text = mechc.loads(TRUSS).emit("latex")
-    assert r"\textbf{Force in a rod:}" in text
-    assert text.count(r"\textbf{Force at a joint:}") == 1
+    assert r"\textbf{Force in the rod $AC$:}" in text
+    assert text.count(r"\textbf{Force at $A$:}") == 1
     assert "in one pose (" in text
 
 

@@ -5,6 +5,8 @@ import pytest
 import mechc
 from mechc.cli import main
 
+SLOPE = r"$\mathrm{d}k/\mathrm{d}\varphi$"
+
 ROCKER = """
 mechanism rocker
 param a = 40 mm
@@ -56,9 +58,6 @@ def test_results_are_those_that_are_named():
     assert "tikzpicture" not in only
 
 
-SLOPE = r"$\mathrm{d}k/\mathrm{d}\varphi$"
-
-
 @pytest.mark.parametrize(("language", "mm"), [("en", "mm"), ("uk", "мм")])
 def test_the_table_along_the_stroke_has_every_column(language, mm):
     text = report("report stroke", language)
@@ -66,6 +65,49 @@ def test_the_table_along_the_stroke_has_every_column(language, mm):
     assert rf"$\varphi$, $^\circ$ & $k$, {unit} & $i$ & {SLOPE}, {unit}" in text
     assert r"$V_{B,F}/\omega_{OA}$" in text  # along F, not as B moves
     assert r"$\mu_B$" in text
+
+
+@pytest.mark.parametrize(
+    ("language", "speed", "spin", "angle"),
+    [
+        (
+            "en",
+            "$V_{B,F}$ is the component of the velocity of $B$ along $F$.",
+            r"$\omega_{OA}$ is the angular velocity of $OA$, positive counter-clockwise.",
+            r"$\mu_B$ is the transmission angle at $B$, between $AB$ and $QB$.",
+        ),
+        (
+            "uk",
+            "$V_{B,F}$ — проєкція швидкості точки $B$ на напрям сили $F$.",
+            r"$\omega_{OA}$ — кутова швидкість ланки $OA$, додатна проти годинникової стрілки.",
+            r"$\mu_B$ — кут передачі в шарнірі $B$ між ланками $AB$ та $QB$.",
+        ),
+        (
+            "ru",
+            "$V_{B,F}$ — проекция скорости точки $B$ на направление силы $F$.",
+            r"$\omega_{OA}$ — угловая скорость звена $OA$, положительная против часовой стрелки.",
+            r"$\mu_B$ — угол передачи в шарнире $B$ между звеньями $AB$ и $QB$.",
+        ),
+    ],
+)
+def test_what_stands_in_the_table_alone_is_explained_below_it(language, speed, spin, angle):
+    below = report("report stroke", language).rpartition(r"\end{tabular}")[2]
+    assert speed in below
+    assert spin in below
+    assert angle in below
+
+
+def test_numbers_of_a_column_have_the_same_decimals():
+    text = report("report stroke").rpartition(r"\begin{tabular}")[2]
+    rows = [line.split(" & ") for line in text.splitlines() if line.startswith("$")][1:]
+    for column in zip(*rows, strict=True):
+        assert len({len(cell.strip("$ \\").partition(".")[2]) for cell in column}) == 1
+
+
+def test_what_is_constant_along_the_stroke_is_no_column():
+    text = report("let j = 2*a in mm\nreport stroke")
+    assert r"Throughout, $j=80\,\text{mm}$." in text
+    assert "& $j$" not in text
 
 
 def test_a_plot_over_something_else_keeps_its_table():
@@ -78,7 +120,7 @@ def test_a_plot_over_something_else_keeps_its_table():
 def test_units_and_decimals_of_pictures_are_those_of_the_language():
     plans = report("report plans", "ru")
     assert r"{,}" in plans
-    assert "V}_{\\mathrm{A}}/\\mbox{\\mechccyr{м}}" in plans
+    assert "V}_{\\mathit{A}}/\\mbox{\\mechccyr{м}}" in plans
     assert "mathrm{/m}" not in plans
 
 

@@ -74,7 +74,9 @@ Shape = Polyline | Arc
 
 
 class Run(NamedTuple):
-    """A piece of text in one type; ``level`` is −1 in an index, +1 in an exponent.
+    """A piece of text in one type.
+
+    ``level`` is −1 in an index, −2 in an index of that, +1 in an exponent.
 
     A ``unit`` is written in the letters of a language.
     """

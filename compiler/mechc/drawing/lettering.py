@@ -1,7 +1,7 @@
 """Formulas and names as they are lettered: Greek letters, indices, no signs of multiplication."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import groupby
 
@@ -16,6 +16,9 @@ SIZE = 3.9
 
 SMALL = 0.7
 """The size of an index to that of its letter."""
+
+SMALLER = 0.55
+"""The size of an index of an index."""
 
 _TOKEN = pattern(r"\s*([A-Za-zµμ][A-Za-z0-9_']*|[0-9.]+|\S)")
 _OF_ONE = pattern(r"(\b(?:sin|cos|tan|cot|sec|csc))\((?=[A-Za-z])([A-Za-z0-9_']+)\)")
@@ -48,10 +51,12 @@ _WIDE, _NARROW = frozenset("mwMWΩ"), frozenset("ijlftrI.,:;'()[]|/ ")
 
 
 def name(written: str) -> tuple[Run, ...]:
-    """Return a point or a quantity as it is lettered.
+    """Return a point or a quantity as it is lettered, points and letters of an index in italics.
 
     >>> [run.text for run in name("O1'")], [run.text for run in name("alpha_max")]
     (["O'", '1'], ['α', 'max'])
+    >>> [(run.text, run.italic, run.level) for run in name("R_O1_x")[1:]]
+    [('O', True, -1), ('1', False, -2), (',', False, -1), ('x', True, -1)]
     >>> [run.text for run in name("M_over_F")], [run.text for run in name("len_AB")]
     (['M', '/', 'F'], ['A', 'B'])
     """
@@ -84,7 +89,7 @@ def _force(force: JointForce) -> Iterator[Run]:
     """Yield a force with its link above, its direction as an angle."""
     if force.is_direction:
         yield Run(GREEK["phi"], italic=True)
-        yield from (run._replace(level=-1) for run in _quantity(force.name))
+        yield from lowered(_quantity(force.name))
     else:
         yield from _quantity(force.name)
     if force.link:
@@ -101,8 +106,29 @@ def _points(written: str) -> Iterator[Run]:
 def _quantity(written: str) -> Iterator[Run]:
     head, primes, indices = split_name(written)
     yield Run(GREEK.get(head, head) + primes, italic=True)
-    if indices:
-        yield Run(",".join(GREEK.get(i, i) for i in indices), level=-1)
+    yield from enumerated(map(_index, indices))
+
+
+def _index(written: str) -> tuple[Run, ...]:
+    """Return one index: points, a letter, a number, a word."""
+    if split_points(written):
+        return tuple(_points(written))
+    head, primes, numbers = split_name(written)
+    letter = Run(GREEK.get(head, head) + primes, italic=head in GREEK or len(head) == 1)
+    return (Run(written),) if written.isdigit() else (letter, *(Run(n, level=-1) for n in numbers))
+
+
+def enumerated(parts: Iterable[Iterable[Run]]) -> tuple[Run, ...]:
+    """Return text as one index, commas between its parts."""
+    runs: list[Run] = []
+    for part in parts:
+        runs += [*([Run(",")] if runs else []), *part]
+    return lowered(_joined(runs))
+
+
+def lowered(runs: Iterable[Run]) -> tuple[Run, ...]:
+    """Return text as an index."""
+    return tuple(run._replace(level=run.level - 1) for run in runs)
 
 
 def figures(value: float) -> str:
@@ -170,7 +196,7 @@ def _sign(token: str, before: str) -> str:
     return "√" if token == "sqrt" else _SIGNS.get(token, token)
 
 
-def _joined(runs: Iterator[Run]) -> Iterator[Run]:
+def _joined(runs: Iterable[Run]) -> Iterator[Run]:
     """Yield runs of the same type as one."""
     for _, group in groupby(runs, key=lambda run: (run.italic, run.level)):
         first, *others = group

@@ -107,5 +107,5 @@ def _draw_centre(sheet: Sheet, paper: Paper, centre: Centre) -> None:
     for along in (Plane(CROSS, CROSS), Plane(CROSS, -CROSS)):
         ends = centre.at.minus(along), centre.at.plus(along)
         sheet.draw(Layer.LOADS, [symbols.line(*ends, SYMBOL)])
-    runs = (Run("P", italic=True), index(*centre.link.points))
+    runs = (Run("P", italic=True), *index(*centre.link.points))
     sheet.name(Around(centre.at, runs, SYMBOL, math.pi / 4, CROSS))

@@ -9,7 +9,7 @@ from ..figure.velocities import Velocities
 from ..frozen import frozen
 from ..statics.diagram import Acting, Diagram, FreeBody
 from .drawing import Run
-from .lettering import measured, name, times
+from .lettering import enumerated, lowered, measured, name, times
 
 LEAST = 0.004
 """A force below this part of the largest is nothing."""
@@ -77,8 +77,7 @@ class Forces:
         if acting.kind == "load":
             return times(self._part(acting), acting.by)
         letter = "M" if couple else LETTERS.get(acting.kind, "R")
-        parts = (run for part in self._indices(body, acting) for run in (Run(","), *part))
-        return (Run(letter, italic=True), *(run._replace(level=-1) for run in tuple(parts)[1:]))
+        return (Run(letter, italic=True), *enumerated(self._indices(body, acting)))
 
     def _indices(self, body: FreeBody, acting: Acting) -> Iterator[tuple[Run, ...]]:
         """Yield what tells a force from others: friction, its point, what it comes from."""
@@ -163,9 +162,9 @@ def _kind(acting: Acting) -> str:
     return acting.kind if of_load_or_friction else LETTERS.get(acting.kind, "R")
 
 
-def index(*points: str) -> Run:
+def index(*points: str) -> tuple[Run, ...]:
     """Return points as an index."""
-    return Run("".join(run.text for point in points for run in name(point)), level=-1)
+    return lowered(run for point in points for run in name(point))
 
 
 @frozen
@@ -176,11 +175,11 @@ class Speeds:
 
     def name(self, *points: str) -> tuple[Run, ...]:
         """Return the symbol of a point's velocity, or of that relative to another point."""
-        return Run("V", italic=True), index(*points)
+        return (Run("V", italic=True), *index(*points))
 
     def spin_name(self, link: str) -> tuple[Run, ...]:
         """Return the symbol of a link's angular velocity."""
-        return Run("ω", italic=True), index(link)
+        return (Run("ω", italic=True), *index(link))
 
     def size(self, speed: float, *of: str) -> tuple[Run, ...]:
         """Return how large a speed is that depends on some points; nothing where that is open."""

@@ -12,7 +12,7 @@ from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane
 from .drawing import RELATIVE, SYMBOL, VELOCITY, Arc, Drawing, Pen, Run
 from .labels import Around, Beside
-from .lettering import name
+from .lettering import enumerated, name
 from .sheet import Layer, Sheet
 from .symbols import arrow
 from .vectors import Speeds, index
@@ -179,7 +179,7 @@ class _Maker:
         parts = [
             *(pole if is_pole else []),
             *(_small(point) for point in node.points),
-            *((*_small(point), index(*_points(self.figure, body))) for point, body in node.under),
+            *((*_small(point), *index(*_points(self.figure, body))) for point, body in node.under),
         ]
         return tuple(run for part in parts for run in (Run(", "), *part))[1:]
 
@@ -198,8 +198,9 @@ class _Maker:
         speed = math.dist(side.start.at, side.end.at) / self.scale
         if base in self.velocities.points:
             return (*self.speeds.name(point, base), *self.speeds.size(speed, point, base))
-        named = Run(f"{index(point).text},{index(*_points(self.figure, base)).text}", level=-1)
-        return (Run("V", italic=True), named, *self.speeds.size(speed, point, base))
+        link = (run for end in _points(self.figure, base) for run in name(end))
+        named = enumerated((name(point), link))
+        return (Run("V", italic=True), *named, *self.speeds.size(speed, point, base))
 
 
 def _small(point: str) -> tuple[Run, ...]:

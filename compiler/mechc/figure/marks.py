@@ -24,10 +24,13 @@ from ..model.mechanism import (
     Turn,
 )
 from ..pose.places import Plane
-from ..units import LENGTH, in_unit
+from ..units import LENGTH, in_unit, size_of
 from .figure import AngleMark, Dimension, Measure
 from .half import Half
-from .tolerances import NO_LENGTH, SAME_ANGLE
+from .tolerances import NO_LENGTH, SAME_ANGLE, SAME_LENGTH
+
+MEASURED = 4
+"""Figures of a length that follows from others, which none reads off a drawing more exactly."""
 
 ALONG_X, ALONG_Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
 
@@ -117,7 +120,7 @@ def _length(formula: Formula, half: Half) -> str:
     """Return a length's formula, its plain numbers in the unit that they are written in."""
     mechanism = half.ways.pose.mechanism
     if not symbols(formula):
-        return in_unit(evaluate(formula, {}), _unit(formula, mechanism), 6)
+        return _written(evaluate(formula, {}), _unit(formula, mechanism))
     if isinstance(formula, Sum):
         return text(total(_with_unit(term, mechanism) for term in formula.terms))
     return text(formula)
@@ -128,8 +131,15 @@ def _with_unit(term: Formula, mechanism: Mechanism) -> Formula:
     if symbols(term):
         return term
     value = evaluate(term, {})
-    size = Symbol(in_unit(abs(value), _unit(term, mechanism), 6))
+    size = Symbol(_written(abs(value), _unit(term, mechanism)))
     return size if value > 0 else product([(number(-1), 1), (size, 1)])
+
+
+def _written(value: float, unit: str) -> str:
+    """Return a length in its unit: as it is written, or to four figures where it was computed."""
+    size = value / size_of(unit)
+    is_short = math.isclose(size, float(f"{size:.6g}"), rel_tol=SAME_LENGTH)
+    return in_unit(value, unit, 6 if is_short else MEASURED)
 
 
 def _unit(formula: Formula, mechanism: Mechanism) -> str:

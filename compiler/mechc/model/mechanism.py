@@ -135,7 +135,7 @@ class Mechanism:
     that stay at their values while ``drive`` moves. ``reported`` is what a report holds, all where
     nothing says so. A calculation sheet may have results ``taken`` from mechanisms that it uses;
     ``subassemblies`` are mechanisms that are parts of it. Quantities and tables that used
-    descriptions have are ``brought`` in.
+    descriptions have are ``brought`` in, under ``prefixes`` unless they are parts.
     """
 
     name: str
@@ -170,6 +170,7 @@ class Mechanism:
     taken: tuple[Taken, ...] = ()
     subassemblies: tuple[Subassembly, ...] = ()
     brought: frozenset[str] = frozenset()
+    prefixes: tuple[str, ...] = ()
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
 

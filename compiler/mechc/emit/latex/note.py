@@ -9,15 +9,17 @@ from ...named import NamedTuple
 from ...report.checks import NoteCheck
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE
+from ...report.latex.document_style import first_orders
 from ...report.latex.given import ParameterRow, parameter_row
 from ...report.latex.notation import Notation, name, relation_sign, spellings, translated
 from ...report.latex.note import in_numbers, is_plain, measure, remark
 from ...report.latex.printer import Box, box, latex
 from ...report.latex.quantity import decimal, math, spaced
 from ...report.latex.results import Speller
-from ...report.latex.text import begun, escape
+from ...report.latex.text import begun
 from ...report.note import Note, NoteLine, note
 from ...report.sentences.noted import label
+from ...report.sentences.speller import plain_names
 from ...units import ANGLE
 from ..target import Compiled
 
@@ -111,21 +113,27 @@ def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
     angles = {p.name for p in parameters if p.dimension == ANGLE}
     angles |= {line.name for line in found.lines if line.dimension == ANGLE}
     names = [p.name for p in parameters] + [line.name for line in found.lines]
-    texts = compiled.mechanism.translations.get(style.language, style.texts)
-    style = replace(style, angles=frozenset(angles), texts=texts)
-    return replace(style, spellings=spellings(names, style))
+    style = replace(
+        style,
+        angles=frozenset(angles),
+        texts=compiled.mechanism.translations.get(style.language, style.texts),
+        prefixes=compiled.mechanism.prefixes,
+        plain=plain_names(compiled.mechanism),
+    )
+    firsts = first_orders(compiled.derivation.results, style)
+    return replace(style, spellings={**spellings(names, style), **firsts})
 
 
 def table_blocks(tables: Iterable[WrittenTable], style: Notation) -> Iterator[TableBlock]:
     """Yield tables and lists of sizes, in parts that a line holds."""
     for table in tables:
-        name, source = escape(table.name), translated(table.source, style)
+        called, source = math(name(table.name, style)), translated(table.source, style)
         for part in _parts([tuple(box(c, style) for c in cells) for cells in table.rows]):
             rows = tuple(
                 " & ".join(math(c.tex) for c in cells) for cells in zip(*part, strict=True)
             )
-            yield TableBlock(name, source, "l" * len(part), rows)
-            name = source = ""
+            yield TableBlock(called, source, "l" * len(part), rows)
+            called = source = ""
 
 
 def _parts(columns: Sequence[tuple[Box, ...]]) -> Iterator[list[tuple[Box, ...]]]:

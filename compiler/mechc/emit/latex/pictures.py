@@ -16,7 +16,7 @@ from ..pgfplots.to_pgfplots import tikzpicture as plotted
 from ..target import Compiled
 from ..tikz.picture import definitions, tikzpicture
 from .blocks import NO_PICTURES, Pictures
-from .tables import along_stroke, head, number, tabular
+from .tables import along_stroke, head, numbers, tabular
 
 WIDE, HIGH = 155.0, 200.0
 """How large a picture may be on a page, in millimetres; a larger one is made smaller."""
@@ -120,7 +120,7 @@ def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[
     """Yield the table of the values of each plot."""
     for plot in plots:
         heads = [head(of_result(c.axis.name, style), c.axis.unit, locale) for c in plot.columns]
-        columns = (_cells(column, style) for column in plot.columns)
+        columns = (numbers(_in_unit(column), style) for column in plot.columns)
         yield from tabular(heads, list(zip(*columns, strict=True)))
 
 
@@ -153,6 +153,5 @@ def _against(plot: Plot, locale: Locale, style: Notation) -> str:
     return locale.pictures["plot"].format(names=names, x=f"${name(plot.x.name, style)}$")
 
 
-def _cells(column: Column, style: Notation) -> Iterator[str]:
-    for value in column.values:
-        yield number(value / column.axis.size, style)
+def _in_unit(column: Column) -> list[float]:
+    return [value / column.axis.size for value in column.values]

@@ -2,12 +2,16 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import assert_never
 
 from ...report.languages.locale import Locale
-from ...report.latex.notation import Notation, name, of_result
+from ...report.latex.notation import Notation, name, of_result, points
 from ...report.latex.quantity import decimal, usual_unit
+from ...report.latex.results import Speller
 from ...report.latex.unit_symbols import unit_symbol
-from ...study.stroke.stroke import Column, Stroke
+from ...report.sentences.legend import legend
+from ...study.stroke.stroke import AngleAt, Column, SpeedOf, Stroke
 from ...units import size_of
 
 D = r"\mathrm{d}"
@@ -37,44 +41,152 @@ def head(written: str, unit: str, locale: Locale) -> str:
     return f"${written}${f', ${symbol}$' if symbol else ''}"
 
 
-def number(value: float, style: Notation) -> str:
-    """Return a number; a dash where there is none."""
+def numbers(values: Sequence[float], style: Notation) -> list[str]:
+    r"""Return a column of numbers, all to the same decimals; a dash where there is none.
+
+    The largest has five figures, one that is not zero three at least, and what all end with is
+    left out. Where a column would take too many decimals each number is written by itself.
+
+    >>> from ...report.latex.notation import notation
+    >>> numbers([0.5, -12.25, math.nan], notation("en"))
+    ['$0.50$', '$-12.25$', '--']
+    """
+    decimals = _decimals([abs(v) for v in values if math.isfinite(v) and v])
+    return [_number(value, decimals, style) for value in values]
+
+
+FIGURES, LEAST, MOST = 5, 3, 6
+"""Figures of the largest number of a column, of the least one, and decimals that it may take."""
+
+
+def _decimals(sizes: Sequence[float]) -> int | None:
+    """Return the decimals of a column of numbers of these sizes, None where it takes too many."""
+    if not sizes:
+        return 0
+    digits = [math.floor(math.log10(f(sizes))) + 1 for f in (max, min)]
+    decimals = max(FIGURES - digits[0], LEAST - digits[1], 0)
+    if decimals > MOST or digits[0] > MOST:
+        return None
+    written = [f"{size:.{decimals}f}".rstrip("0").partition(".")[2] for size in sizes]
+    return max(map(len, written))
+
+
+def _number(value: float, decimals: int | None, style: Notation) -> str:
     if math.isnan(value):
         return "--"
-    return f"${decimal(value, style)}$" if math.isfinite(value) else r"$\infty$"
+    if math.isinf(value):
+        return r"$\infty$"
+    if decimals is None:
+        return f"${decimal(value, style)}$"
+    digits = f"{value:.{decimals}f}"
+    return f"${(digits if float(digits) else digits.lstrip('-')).replace('.', style.decimal)}$"
 
 
 def along_stroke(stroke: Stroke, locale: Locale, style: Notation) -> Iterator[str]:
-    """Yield the tables of all that is known along the stroke, a few columns in each."""
+    """Yield all that is known along the stroke as tables, what is constant in a sentence.
+
+    Several tables have the same number of columns, or nearly so.
+    """
     shown = [i for i in range(len(stroke.columns)) if not _is_empty(i, stroke)]
+    varying = [i for i in shown if not _is_constant(i, stroke)]
     drive = stroke.unit or usual_unit(stroke.dimension)
-    places = [number(row.drive / size_of(drive), style) for row in stroke.rows]
-    for start in range(0, len(shown), ABREAST):
-        columns = [_column(i, stroke, locale, style) for i in shown[start : start + ABREAST]]
+    places = numbers([row.drive / size_of(drive) for row in stroke.rows], style)
+    if shown:
+        yield rf"\medskip\noindent {locale.pictures['stroke']}:\par\nopagebreak"
+    for part in _parts(varying):
+        columns = [_column(i, stroke, locale, style) for i in part]
         first = [head(name(stroke.drive, style), drive, locale), *places]
         heads, *rows = zip(first, *columns, strict=True)
         yield from tabular(heads, rows)
+    if said := " ".join(_said(stroke, shown, varying, locale, style)):
+        yield rf"\noindent {said}\par"
+
+
+def _parts(columns: Sequence[int]) -> Iterator[Sequence[int]]:
+    """Yield columns in as few parts as a page takes, none much shorter than another.
+
+    >>> [len(part) for part in _parts(range(7))], [len(part) for part in _parts(range(6))]
+    ([4, 3], [6])
+    """
+    count = math.ceil(len(columns) / ABREAST)
+    for part in range(count):
+        ends = (math.ceil(len(columns) * i / count) for i in (part, part + 1))
+        yield columns[slice(*ends)]
+
+
+def _said(
+    stroke: Stroke, shown: Sequence[int], varying: Sequence[int], locale: Locale, style: Notation
+) -> Iterator[str]:
+    """Yield what is the same at all places, then what the names in the tables mean."""
+    constant = [i for i in shown if i not in varying]
+    if constant:
+        values = ", ".join(_constant(i, stroke, locale, style) for i in constant)
+        yield locale.along_stroke["throughout"].format(values=values)
+    columns = [stroke.columns[i] for i in shown]
+    meant = legend(columns, locale.along_stroke, partial(_symbol, style), Speller(style).point)
+    yield from (f"{sentence}." for sentence in meant)
 
 
 def _is_empty(index: int, stroke: Stroke) -> bool:
     return all(math.isnan(row.values[index]) for row in stroke.rows)
 
 
+SAME = 1e-9
+"""Values along a stroke that differ by less than this part are one: rounding of operations."""
+
+
+def _is_constant(index: int, stroke: Stroke) -> bool:
+    """Return whether a column has one value at all places that have any."""
+    values = [row.values[index] for row in stroke.rows if not row.trouble]
+    size = max(map(abs, values), default=math.nan)
+    return math.isfinite(size) and max(values) - min(values) <= SAME * size
+
+
+def _constant(index: int, stroke: Stroke, locale: Locale, style: Notation) -> str:
+    """Return a column that has one value as an equation."""
+    column = stroke.columns[index]
+    unit = _unit(column)
+    value = next(row.values[index] for row in stroke.rows if not row.trouble) / size_of(unit)
+    return f"${_written(column, style)}={decimal(value, style)}{unit_symbol(unit, locale)}$"
+
+
+def _unit(column: Column) -> str:
+    return column.unit or usual_unit(column.dimension)
+
+
 def _column(index: int, stroke: Stroke, locale: Locale, style: Notation) -> list[str]:
     """Return the head of a column and its values."""
-    column = stroke.columns[index]
-    unit = column.unit or usual_unit(column.dimension)
-    values = (row.values[index] / size_of(unit) for row in stroke.rows)
-    return [head(_written(column, style), unit, locale), *(number(v, style) for v in values)]
+    column, unit = stroke.columns[index], _unit(stroke.columns[index])
+    values = [row.values[index] / size_of(unit) for row in stroke.rows]
+    return [head(_written(column, style), unit, locale), *numbers(values, style)]
 
 
 def _written(column: Column, style: Notation) -> str:
-    """Return a column's name: a ratio of speeds, a slope, or a quantity."""
+    """Return a column's name: a ratio of speeds, a slope, an angle, or a quantity."""
+    if column.about:
+        return "/".join(_tex(about, style) for about in column.about)
     above, over, below = column.name.partition("/")
-    if not over:
-        return of_result(above, style)
-    if column.content == "slope":
-        result, below = of_result(above.removeprefix("d"), style), below.removeprefix("d")
-        return rf"{D}{f'({result})' if '/' in result else result}/{D}{name(below, style)}"
-    speed = f"{above.partition('(')[0]}_{column.load}" if column.load else above
-    return f"{name(speed, style)}/{name(below, style)}"
+    if not over or column.content != "slope":
+        return of_result(column.name, style)
+    result, below = of_result(above.removeprefix("d"), style), below.removeprefix("d")
+    result = f"({result})" if "/" in result else result
+    return f"{D}{result}/{D}{name(below, style)}"
+
+
+def _symbol(style: Notation, about: SpeedOf | AngleAt) -> str:
+    return f"${_tex(about, style)}$"
+
+
+def _tex(about: SpeedOf | AngleAt, style: Notation) -> str:
+    """Return a component of a velocity with its load, another speed, or a transmission angle."""
+    alone, bracket, _ = about.name.partition("(")
+    match about:
+        case SpeedOf(of=point, load=load) if load:
+            return f"V_{{{points(point)},{name(load, style)}}}"
+        case SpeedOf():
+            return name(alone, style)
+        case AngleAt(_, _, rod, link):
+            bodies = ",".join(points(body) for body in (rod, link) if body)
+            return f"{name(alone, style)}^{{{bodies}}}" if bracket else name(alone, style)
+        case _:
+            assert_never(about)

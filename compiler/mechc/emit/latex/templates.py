@@ -287,7 +287,7 @@ def _tables(_known: Mapping[str, Any]) -> str:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["words"]['tables']), '}\n']
         for table in _known["tables"]:
             if table.name:
-                _parts += ['\\noindent\\textbf{', str(table.name), '}']
+                _parts += ['\\noindent ', str(table.name)]
                 if table.source:
                     _parts += [' (', str(table.source), ')']
                 _parts += [':\\par\\nopagebreak\n']

@@ -15,7 +15,7 @@ from typing import Any
 from ...diagnostics import MechcError
 from ...diagnostics.drawing import no_library
 from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
-from ...drawing.lettering import SMALL
+from ...drawing.lettering import SMALL, SMALLER
 
 FONTS = (
     "STIX Two Text, Times New Roman, Liberation Serif, FreeSerif, Noto Serif, DejaVu Serif,"
@@ -35,7 +35,7 @@ _BASELINE = 0.32
 NO_SHIFT = 1e-9
 """A step from line to line below this, in millimetres, is none."""
 
-_SHIFT = {-1: 0.22, 0: 0.0, 1: -0.38}
+_SHIFT = {-2: 0.34, -1: 0.22, 0: 0.0, 1: -0.38}
 
 
 def to_svg(drawing: Drawing) -> str:
@@ -135,7 +135,8 @@ def _runs(label: Label) -> Iterator[str]:
 
 def _type(run: Run, size: float, step: float) -> str:
     italic = ' font-style="italic"' if run.italic else ""
-    small = f' font-size="{_number(SMALL * size)}"' if run.level else ""
+    scale = SMALLER if run.level < -1 else SMALL
+    small = f' font-size="{_number(scale * size)}"' if run.level else ""
     moved = f' dy="{_number(step)}"' if not math.isclose(step, 0.0, abs_tol=NO_SHIFT) else ""
     return f"{italic}{small}{moved}"
 

@@ -154,17 +154,16 @@ def mathematics(runs: Iterable[Run]) -> str:
 
 
 def _runs(runs: Iterable[Run]) -> Iterator[str]:
-    for level, group in groupby(runs, key=lambda run: run.level):
-        text = "".join(map(_in_type, group))
-        yield {0: text, -1: f"_{{{text}}}", 1: f"^{{{text}}}"}[level]
+    for sign, group in groupby(runs, lambda run: (run.level > 0) - (run.level < 0)):
+        text = "".join(f"_{{{_run(run)}}}" if run.level < -1 else _run(run) for run in group)
+        yield {0: text, -1: f"_{{{text}}}", 1: f"^{{{text}}}"}[sign]
 
 
-def _in_type(run: Run) -> str:
-    """Return a piece of text, its letters in its type."""
+def _run(run: Run) -> str:
     text = _COMMA.sub("{,}", "".join(map(_spelled, run.text)))
-    if not any(c.isascii() and c.isalpha() for c in run.text):
-        return text
-    return rf"\mathit{{{text}}}" if run.italic else rf"\mathrm{{{text}}}"
+    if any(c.isascii() and c.isalpha() for c in run.text):
+        return rf"\mathit{{{text}}}" if run.italic else rf"\mathrm{{{text}}}"
+    return text
 
 
 def _spelled(character: str) -> str:

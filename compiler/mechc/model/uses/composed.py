@@ -53,13 +53,15 @@ class Used(NamedTuple):
 class Composed(NamedTuple):
     """A file with what it uses put in, and what was found of the mechanisms among that.
 
-    ``mechanisms`` are the texts of these by their prefixes, ``parts`` those that are joined.
+    ``mechanisms`` are the texts of these by their prefixes, ``parts`` those that are joined;
+    ``prefixes`` are those of all that is not joined, also of what that uses itself.
     """
 
     file: ast.File
     solved: Solved = Solved()
     parts: tuple[Subassembly, ...] = ()
     mechanisms: tuple[tuple[str, Source], ...] = ()
+    prefixes: tuple[str, ...] = ()
 
 
 def uses_others(file: ast.File, text: str) -> bool:

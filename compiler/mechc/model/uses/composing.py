@@ -65,6 +65,7 @@ class _Composing:
         self._parts: dict[str, Part] = {}
         self._solved = Solved()
         self._mechanisms: list[tuple[str, Source]] = []
+        self._prefixes: list[str] = []
 
     def composed(self) -> Composed:
         """Return the file with all that it uses, as far as nothing is wrong."""
@@ -90,7 +91,8 @@ class _Composing:
             Subassembly(prefix, part.used.mechanism.name, tuple(part.points.items()))
             for prefix, part in self._parts.items()
         )
-        return Composed(file, self._solved, parts, tuple(self._mechanisms))
+        mechanisms, prefixes = tuple(self._mechanisms), tuple(self._prefixes)
+        return Composed(file, self._solved, parts, mechanisms, prefixes)
 
     def _brought(self, use: ast.Use) -> Sequence[ast.Statement] | None:
         """Return the statements that a line brings in; None where an error is reported."""
@@ -108,6 +110,7 @@ class _Composing:
             return None
         self._solved += renamed(without_given(used, use), use.prefix.text, used.start)
         self._mechanisms += _mechanisms(use.prefix.text, used)
+        self._prefixes += _prefixes(use.prefix.text, used)
         found = tuple(brought_in(use, used, self._report))
         names = {name.text for statement in found for name in declared(statement)}
         prefix = use.prefix.text
@@ -155,6 +158,12 @@ def _mechanisms(prefix: str, used: Used) -> Iterator[tuple[str, Source]]:
         yield prefix, replace(used.source, attached=())
     for inner, source in used.mechanisms:
         yield f"{prefix}_{inner}", source
+
+
+def _prefixes(prefix: str, used: Used) -> Iterator[str]:
+    """Yield the prefix of what is used, and those of what that uses itself."""
+    yield prefix
+    yield from (f"{prefix}_{inner}" for inner in used.mechanism.prefixes)
 
 
 def _without_dots(statements: Iterable[ast.Statement], names: Names) -> list[ast.Statement]:

@@ -193,21 +193,10 @@ LOCALE = Locale(
     against="The minus of {result} means: at the values given {drive} acts against its arrow.",
     against_load="The minus of {result} means: at the values given {drive} acts against its arrow "
     "while {load} acts along its own.",
-    joint_forces={
-        "joint": "Force at a joint",
-        "joint with friction": "Force at a joint, with friction",
-        "guide": "Force of a guide",
-        "guide with friction": "Force of a guide, with friction",
-        "normal": "Normal force",
-        "normal with friction": "Normal force, with friction",
-        "rod": "Force in a rod",
-        "rod with friction": "Force in a rod, with friction",
-        "rope": "Tension of a rope",
-        "rope with friction": "Tension of a rope, with friction",
-    },
     at_joints={
         "joint": "force at {point}",
         "on": "force at {point} on {link}",
+        "guide": "force of the guide at {point}",
         "normal": "normal force at {point}",
         "rod": "force in the rod {line}",
         "rope": "tension of the rope {line}",
@@ -326,7 +315,7 @@ LOCALE = Locale(
         "derived": "Results of the mechanism, derived below",
         "taken": "Results of the mechanism",
         "mechanism": "Mechanism {prefix}",
-        "index": "In the calculation its quantities have the prefix {prefix}; "
+        "index": "In the calculation its quantities have the index {prefix}; "
         "here they stand as in its own description, at the values that the calculation gives it.",
     },
     pictures=pictured.EN,

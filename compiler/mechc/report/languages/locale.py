@@ -92,11 +92,8 @@ class Locale(NamedTuple):
     against_load: str
     """What a minus says of loads: which one acts against its arrow."""
 
-    joint_forces: Mapping[str, str]
-    """The headings of forces at joints, in rods and in ropes, without friction and with it."""
-
     at_joints: Mapping[str, str]
-    """Such a force with its joint, rod or rope, as calculation notes have it."""
+    """A force by its joint, rod or rope, its components, and what it is called with friction."""
 
     with_friction: Mapping[str, str]
     efficiency: str

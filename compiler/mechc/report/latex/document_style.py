@@ -1,6 +1,6 @@
 """How one document writes names: which are angles, and no two of them alike."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...formula.walk import symbols
 from ...frozen import replace
@@ -32,12 +32,16 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
         if (force := reaction(r))
         for name in (r.name, called(r))
     }
-    firsts = {
-        r.name: of_first_order(r.name, known)
+    return replace(known, spellings={**known.spellings, **forces, **first_orders(results, known)})
+
+
+def first_orders(results: Iterable[Analysis], style: Notation) -> dict[str, str]:
+    """Return how results of first order in friction are spelled."""
+    return {
+        r.name: of_first_order(r.name, style)
         for r in results
         if isinstance(r.target, WithFriction) and r.target.order == "first"
     }
-    return replace(known, spellings={**known.spellings, **forces, **firsts})
 
 
 def _points(mechanism: Mechanism) -> Iterator[str]:

@@ -9,7 +9,16 @@ from itertools import chain, count
 from types import MappingProxyType
 
 from ...algebra.equality import equal
-from ...formula.names import GREEK, Name, Point, split_name, split_points, split_ratio
+from ...formula.names import (
+    GREEK,
+    JointForce,
+    Name,
+    Point,
+    split_force,
+    split_name,
+    split_points,
+    split_ratio,
+)
 from ...formula.tree import Formula, Symbol, negative
 from ...formula.walk import symbols
 from ...frozen import frozen
@@ -106,7 +115,8 @@ class Notation:
     the letters of units in the language, ``otherwise`` stands in a choice at the last case;
     ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`),
     ``subscripts`` what those that mechc gives are in the language; the user's ``own`` names keep
-    theirs; points and loads, which pictures have, are ``pictured``.
+    theirs; points and loads, which pictures have, are ``pictured``. A prefix of ``prefixes`` is
+    written as an index, but in names that are ``plain``.
     """
 
     functions: Mapping[str, str]
@@ -123,6 +133,15 @@ class Notation:
     subscripts: Mapping[str, str] = MappingProxyType({})
     own: frozenset[str] = frozenset()
     pictured: frozenset[str] = frozenset()
+    prefixes: tuple[str, ...] = ()
+    plain: frozenset[str] = frozenset()
+
+    def prefix(self, symbol: str) -> str:
+        """Return the prefix under which something else brings a name in, '' where none does."""
+        if symbol in self.plain:
+            return ""
+        found = (p for p in self.prefixes if symbol.startswith(f"{p}_"))
+        return max(found, key=len, default="")
 
     @property
     def between(self) -> str:
@@ -200,7 +219,7 @@ def of_force(symbol: str, force: Reaction, style: Notation) -> str:
     """
     if force.part == "direction":
         size = Reaction(force.point, force.link, "size")
-        return f"\\varphi_{{{of_force(symbol.replace('_direction', ''), size, style)}}}"
+        return rf"\varphi_{{{of_force(symbol.replace('_direction', ''), size, style)}}}"
     base, on, rest = symbol.partition(f"_on_{force.link}")
     whole = name(base + rest, style)
     return f"{{{whole}^{{{points(force.link)}}}}}" if force.link and on else whole
@@ -216,14 +235,40 @@ def of_first_order(symbol: str, style: Notation) -> str:
 
 
 def _by_rule(symbol: str, style: Notation) -> str:
+    if prefix := style.prefix(symbol):
+        return _of_part(symbol.removeprefix(f"{prefix}_"), prefix, style)
     if symbol.startswith("len_"):
         return points(symbol.removeprefix("len_"))
+    return _indexed(symbol, {} if symbol in style.own else style.subscripts)
+
+
+def _of_part(symbol: str, prefix: str, style: Notation) -> str:
+    r"""Return a name that something else brings in: as it is there, with the prefix as an index.
+
+    >>> style = notation("en")
+    >>> [_of_part(symbol, "L", style) for symbol in ("d_min", "N_KA_f", "R_O_direction")]
+    ['d_{\\mathrm{min},L}', 'N_{KA,f,L}', '\\varphi_{R_{O,L}}']
+    >>> _of_part("R_A_on_AOB_x", "pivot_pin", style)
+    '{R_{A,x,\\text{pivot pin}}^{AOB}}'
+    """
+    part = _text(prefix.replace("_", " ")) if "_" in prefix else _index(prefix)
+    if symbol.startswith("len_"):
+        return f"{{{points(symbol.removeprefix('len_'))}}}_{{{part}}}"
+    own, link, is_direction = split_force(symbol) or JointForce(symbol, "", False)
+    whole = _indexed(own, style.subscripts, part).replace("f_{1},", "f1,")
+    if link:
+        whole = f"{{{whole}^{{{points(link)}}}}}"
+    return rf"\varphi_{{{whole}}}" if is_direction else whole
+
+
+def _indexed(symbol: str, words: Mapping[str, str], *last: str) -> str:
+    """Return a letter with its indices, the last ones as they are; some are ``words``."""
     head, primes, indices = split_name(symbol)
-    letter = _letter(head, style) + primes
-    if not indices:
+    letter = _letter(head) + primes
+    named = (_text(words[i]) if words.get(i, i) != i else _index(i) for i in indices)
+    index = ",".join((*named, *last))
+    if not index:
         return letter
-    words = {} if symbol in style.own else style.subscripts
-    index = ",".join(_text(words[i]) if words.get(i, i) != i else _index(i, style) for i in indices)
     return f"{letter}_{index}" if len(index) == 1 else f"{letter}_{{{index}}}"
 
 
@@ -231,7 +276,7 @@ def _text(word: str) -> str:
     return rf"\text{{{word}}}"
 
 
-def _letter(head: str, style: Notation) -> str:
+def _letter(head: str) -> str:
     match head:
         case "phi":
             return r"\varphi"  # the shape that pictures have
@@ -252,13 +297,13 @@ def _word(alphabet: str, word: str) -> str:
     return rf"\{alphabet}{{{letters}}}"
 
 
-def _index(index: str, style: Notation) -> str:
+def _index(index: str) -> str:
     if split_points(index):
         return points(index)
     stem, primes, numbers = split_name(index)
     if index.isdigit():
         return index
-    return _letter(stem, style) + primes + "".join(f"_{{{n}}}" for n in numbers)
+    return _letter(stem) + primes + "".join(f"_{{{n}}}" for n in numbers)
 
 
 def points(names: str) -> str:

@@ -9,10 +9,10 @@ from ..languages.locale import Locale
 from ..note import NoteLine
 from ..put_in import Quantity
 from .display import LINE, Line, display
-from .notation import Notation, translated
+from .notation import Notation, name, translated
 from .printer import Box, box, latex, plain, row
 from .quantity import in_unit, math
-from .text import begun, escape
+from .text import begun
 
 
 def alone(line: NoteLine, locale: Locale, style: Notation) -> Iterator[str]:
@@ -33,7 +33,7 @@ def alone(line: NoteLine, locale: Locale, style: Notation) -> Iterator[str]:
 def remark(line: NoteLine, words: Mapping[str, str], style: Notation) -> str:
     """Return which list a size is of, where a table is from, which of several things decides."""
     looked_up = line.kind in ("row", "list")
-    remarks = [words[line.kind].format(name=escape(line.of))] if looked_up else []
+    remarks = [words[line.kind].format(name=math(name(line.of, style)))] if looked_up else []
     if line.between and line.source:
         remarks.append(words["between"].format(source=translated(line.source, style)))
     if line.decides:
@@ -99,8 +99,8 @@ def side(line: NoteLine | Written, formula: Formula, style: Notation, angle: boo
     if not line.of:
         return box(formula, style, angle)
     inner = box(formula, style)
-    name = plain(rf"\text{{{escape(line.of)}}}")
-    return row((name, Box(rf"\left({inner.tex}\right)", inner.width + 1.0, inner.tall)))
+    table = box(Symbol(line.of), style)
+    return row((table, Box(rf"\left({inner.tex}\right)", inner.width + 1.0, inner.tall)))
 
 
 def measure(quantity: Quantity, style: Notation) -> Box:

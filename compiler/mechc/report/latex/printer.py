@@ -270,9 +270,15 @@ def _is_figure(formula: Formula) -> bool:
 
 
 def _are_words(before: Box, after: Box) -> bool:
-    """Return whether a name of several letters would be read as one with the next letter."""
-    locale = (re.match(r"\\math(rm|it)", box.tex) for box in (before, after))
-    return any(locale) and before.tex[-1] not in ")]" and after.tex[0] not in "(["
+    """Return whether a word, or one in an index, would be read as one with the next letter."""
+    is_apart = before.tex[-1] in ")]" or after.tex[0] in "(["
+    words = (_WORD.match(before.tex), _WORD.match(after.tex), _WORD_BELOW.search(before.tex))
+    return any(words) and not is_apart
+
+
+_WORD = pattern(r"\\math(rm|it)")
+_WORD_BELOW = pattern(r"\\(mathrm|text)\{[^{}]*\}\}$")
+"""The end of a name with an index of several letters."""
 
 
 def _is_bare(argument: Formula, angle: bool) -> bool:

@@ -1,6 +1,6 @@
 """The remarks on a result, in sentences, whatever the language and whoever prints."""
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable
 from typing import assert_never
 
 from ...formula.layout import is_angle
@@ -17,15 +17,14 @@ from ...model.mechanism import (
     Require,
     Speed,
     SpeedRatio,
-    Target,
     WithFriction,
 )
-from ...model.parts import rope_id
 from ...model.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
 from ..derivation.steps import Paragraph
 from ..languages.locale import Locale
 from . import extents
+from .forces import force_words
 from .limits import limits
 from .locking import friction_remarks
 from .speller import LoadWords, Speller
@@ -81,14 +80,16 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
         case SpeedRatio():
             return locale.speed_ratio
         case Reaction() | Normal() | Axial():
-            return locale.joint_forces[carrier(result.target, spell.guided)]
+            return _capital(force_words(result.target, locale, spell))
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             ways = {None: sense, True: "driven", False: "drives"}
             said = locale.with_friction["first" if order == "first" else ways[result.driven]]
             of_drive = LoadWords([drive], spell.couples)
             return said.format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
         case WithFriction(force):
-            return locale.joint_forces[f"{carrier(force, spell.guided)} with friction"]
+            assert not isinstance(force, LoadRatio | LoadForm)  # both stand above
+            said = locale.at_joints["with friction"]
+            return said.format(force=_capital(force_words(force, locale, spell)))
         case Efficiency():
             return locale.efficiency
         case None:
@@ -110,20 +111,8 @@ def headings(firsts: Iterable[Analysis], locale: Locale, spell: Speller) -> list
     return said
 
 
-def carrier(force: Target, guided: Set[str] = frozenset()) -> str:
-    """Return the kind of part that passes a force on: a rope, a rod, or a guide by its normal.
-
-    What the ground exerts on a ``guided`` point is the force of a guide, too.
-    """
-    match force:
-        case Axial(link):
-            return "rope" if link.startswith(rope_id(())) else "rod"
-        case Normal():
-            return "normal"
-        case Reaction(point, "") if point in guided:
-            return "guide"
-        case _:
-            return "joint"
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
 
 
 def ratio(result: Analysis) -> Formula | None:

@@ -82,3 +82,11 @@ def own_names(mechanism: Mechanism) -> frozenset[str]:
     """Return the names that the description gives, which are the same in every language."""
     listed = (*mechanism.parameters, *mechanism.literals, *mechanism.loads, *mechanism.lets)
     return frozenset(each.name for each in listed) - mechanism.follow
+
+
+def plain_names(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names of the description's own lines, none of which anything else brings in."""
+    parameters = {parameter.name for parameter in mechanism.parameters}
+    lets = {let.name for let in mechanism.lets}
+    tables = {table.name for table in mechanism.tables}
+    return frozenset(parameters | lets | tables) - mechanism.brought

@@ -27,6 +27,7 @@ from ...study.tolerances import EXACT
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
 from ..languages.letters import letters
 from ..languages.registry import locale
+from ..sentences.legend import legend
 from ..sentences.limits import dead_centre
 
 ENDS = {
@@ -95,7 +96,8 @@ def to_table(
     """
     hidden: set[Content] = set() if velocities else {"slope", "velocity"}
     shown = written(stroke, language)
-    return "\n".join((*_aligned(table(shown, hidden)), *_broken(said(shown), width))) + "\n"
+    lines = (*meanings(shown, hidden), *said(shown))
+    return "\n".join((*_aligned(table(shown, hidden)), *_broken(lines, width))) + "\n"
 
 
 def _broken(lines: Iterable[str], width: int) -> Iterator[str]:
@@ -121,8 +123,14 @@ def table(shown: Written, hidden: Collection[Content]) -> list[list[str]]:
     return [[*head, ""], *body]
 
 
+def meanings(shown: Written, hidden: Collection[Content]) -> Iterator[str]:
+    """Yield a line on what each speed and angle in the heading means."""
+    columns = (c for c in shown.stroke.columns if c.content not in hidden)
+    yield from legend(columns, shown.words, lambda about: about.name, str)
+
+
 def said(shown: Written) -> Iterator[str]:
-    """Yield the lines below the table of a stroke."""
+    """Yield what happens along a stroke, line by line."""
     stroke = shown.stroke
     for stretch in stroke.stretches:
         yield from _stretch(stretch, shown)
@@ -291,12 +299,13 @@ def to_html(stroke: Stroke) -> str:
     The last column says what is wrong in a row; there is none where nothing is.
     """
     shown = written(stroke, "en")
-    cells = table(shown, {"slope", "velocity"})
+    hidden: set[Content] = {"slope", "velocity"}
+    cells = table(shown, hidden)
     if not any(row[-1] for row in cells):
         cells = [row[:-1] for row in cells]
     head, *body = cells
     rows = [_row("th", head), *(_row("td", row) for row in body)]
-    lines = "".join(f"<li>{escape(line)}</li>" for line in said(shown))
+    lines = "".join(f"<li>{escape(line)}</li>" for line in (*meanings(shown, hidden), *said(shown)))
     return f"<table>{''.join(rows)}</table><ul>{lines}</ul>"
 
 

@@ -16,7 +16,7 @@ from .points import Asked, path_columns
 from .run import Run
 from .sizes import Sizes
 from .stretches import beyond, trouble
-from .stroke import Column, Row, StrokeInterval
+from .stroke import AngleAt, Column, Row, StrokeInterval
 from .transmission import Transmission, angles_at_pins, named, transmissions
 from .velocities import velocities
 
@@ -31,10 +31,12 @@ def columns(run: Run, asked: Asked) -> Iterator[Filled]:
     yield from _slopes(run, unit_of)
     for velocity in velocities(run.solution.balance):
         unit = unit_of(velocity.dimension)
-        column = Column(velocity.name, velocity.dimension, "velocity", unit, velocity.load)
+        column = Column(velocity.name, velocity.dimension, "velocity", unit, velocity.about)
         yield Filled(column, partial(run.along.inside, velocity.value), velocity.value.formula())
     for name, angle in named(transmissions(run.pose), angles_at_pins(run.pose)):
-        yield Filled(Column(name, ANGLE, "angle"), partial(_angle, run.along, angle))
+        about = AngleAt(name, angle.pin, angle.rod, angle.onto)
+        column = Column(name, ANGLE, "angle", about=(about,))
+        yield Filled(column, partial(_angle, run.along, angle))
     if asked.quantities:
         yield from path_columns(asked, run.along, unit_of)
 

@@ -30,17 +30,39 @@ class Row(NamedTuple):
     undetermined: tuple[str, ...] = ()
 
 
+class SpeedOf(NamedTuple):
+    """A speed by what it is ``of``: a point, the two ends of a distance, a link, a parameter.
+
+    That of a point is its component along a ``load``, or along the guide; that of a distance
+    is positive while it grows, that of a link counter-clockwise.
+    """
+
+    name: str
+    kind: Literal["load", "guide", "distance", "spin", "rate"]
+    of: str
+    load: str = ""
+
+
+class AngleAt(NamedTuple):
+    """A transmission angle at a pin, between a rod and a link, or the normal of a guide if ''."""
+
+    name: str
+    pin: str
+    rod: str
+    link: str
+
+
 class Column(NamedTuple):
     """A result, its slope along the drive, a velocity ratio, a transmission angle, or a path.
 
-    A velocity of the point of a ``load`` is its component in the direction of this load.
+    ``about`` has what the names of ratios and angles mean.
     """
 
     name: str
     dimension: Dimension
     content: Content = "result"
     unit: str = ""
-    load: str = ""
+    about: tuple[SpeedOf | AngleAt, ...] = ()
 
 
 class StrokeInterval(NamedTuple):

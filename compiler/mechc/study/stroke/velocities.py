@@ -19,15 +19,20 @@ from ...named import NamedTuple
 from ...power.balance import Balance, Term
 from ...units import FREQUENCY, VELOCITY, Dimension
 from .branches import rates_of
+from .stroke import SpeedOf
 
 
 class Velocity(NamedTuple):
-    """A speed under a name, or a ratio of two; along a ``load`` positive in its direction."""
+    """A speed, or a ratio of two, and what it is ``about``."""
 
-    name: str
+    about: tuple[SpeedOf, ...]
     dimension: Dimension
     value: Product
-    load: str = ""
+
+    @property
+    def name(self) -> str:
+        """Return the name of the speed, or of both."""
+        return "/".join(speed.name for speed in self.about)
 
 
 def velocities(balance: Balance) -> Iterator[Velocity]:
@@ -41,7 +46,7 @@ def velocities(balance: Balance) -> Iterator[Velocity]:
         ratio = canonical(speed.value / drive.value)
         if speed.name != drive.name and open_lengths.isdisjoint(symbols(ratio.formula())):
             dimension = speed.dimension.over(drive.dimension)
-            yield Velocity(f"{speed.name}/{drive.name}", dimension, ratio, speed.load)
+            yield Velocity((*speed.about, *drive.about), dimension, ratio)
 
 
 def _distinct(terms: Iterable[Term]) -> Iterator[Velocity]:
@@ -54,22 +59,34 @@ def _distinct(terms: Iterable[Term]) -> Iterator[Velocity]:
             alike[term.load.name] = speed
     for alike in speeds.values():
         for load, speed in alike.items():
-            yield speed if len(alike) == 1 else speed._replace(name=f"{speed.name}({load})")
+            yield speed if len(alike) == 1 else _with_load(speed, load)
+
+
+def _with_load(speed: Velocity, load: str) -> Velocity:
+    """Return a speed under a name that has the load, too."""
+    (about,) = speed.about
+    return speed._replace(about=(about._replace(name=f"{about.name}({load})"),))
 
 
 def _of_load(term: Term) -> Velocity:
     """Return the speed against which a load works."""
     match term.load:
-        case Force(name, point):
-            return Velocity(f"V_{point}", VELOCITY, term.speed[0], name)
+        case Force(point=point):
+            about = SpeedOf(f"V_{point}", "load", point, term.load.name)
+            return Velocity((about,), VELOCITY, term.speed[0])
         case Torque(link=link):
-            return Velocity(f"omega_{link}", FREQUENCY, term.speed[0])
+            return _spin(link, term.speed[0])
         case ForcePair(first=first, second=second) as pair:
             # Across the mirror the term has the first point's half of the rate.
             halves = 2 if pair.joins_twins else 1
-            return Velocity(f"V_{first}{second}", VELOCITY, term.speed[0].scaled(halves))
+            about = SpeedOf(f"V_{first}{second}", "distance", f"{first}{second}")
+            return Velocity((about,), VELOCITY, term.speed[0].scaled(halves))
         case _:
             assert_never(term.load)
+
+
+def _spin(link: str, spin: Product) -> Velocity:
+    return Velocity((SpeedOf(f"omega_{link}", "spin", link),), FREQUENCY, spin)
 
 
 def _drive(balance: Balance) -> Velocity | None:
@@ -87,7 +104,7 @@ def _crank(plan: Plan) -> Velocity | None:
         angles = (arm.angle for vector in pose.frames[link.name].values() for arm in vector)
         turns = any(a.terms in (((drive, 1),), ((drive, -1),)) for a in angles)
         if turns and not pivots.isdisjoint(link.points):
-            return Velocity(f"omega_{link.name}", FREQUENCY, plan.spin(link.name)[0])
+            return _spin(link.name, plan.spin(link.name)[0])
     return None
 
 
@@ -105,7 +122,8 @@ def _shifted(balance: Balance) -> Velocity | None:
             guide = pose.guide_of(arrow.head)
             if guide is not None and arrow.tail in pose.mechanism.fixed:
                 speed = balance.plan.component(arrow.head, guide)[0]
-                return Velocity(f"V_{arrow.head}", VELOCITY, speed)
+                about = SpeedOf(f"V_{arrow.head}", "guide", arrow.head)
+                return Velocity((about,), VELOCITY, speed)
     return None
 
 
@@ -127,5 +145,5 @@ def _own_rate(plan: Plan) -> Velocity | None:
             pace = add(rates[n].scaled(rational(c)) for n, c in terms if n in rates)
             spin = plan.spin(link.name)[0]
             if pace and spin:
-                return Velocity(primed(drive), per_second, spin / pace)
+                return Velocity((SpeedOf(primed(drive), "rate", drive),), per_second, spin / pace)
     return None
