@@ -177,9 +177,7 @@ def _guided(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad:
     return Dyad(loop, "guide", tuple(closures), limit, inclination)
 
 
-def _along_the_guide(
-    loop: Loop, turn: Turning, reach: Reaching, sides: Sides
-) -> Iterator[Closure]:
+def _along_the_guide(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Iterator[Closure]:
     """Yield how a part lies that begins on the line that it ends on."""
     for line in (reach.direction, reach.direction + HALF_TURN):
         behind = (*loop.known, Arm(turn.size, line))
