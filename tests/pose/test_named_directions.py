@@ -17,7 +17,7 @@ def values_at(pose, phi):
 def test_a_direction_of_many_angles_keeps_its_name():
     """Jansen's leg: ZC is turned from AB by three angles."""
     pose = compiled("jansen_leg").pose
-    assert text(dict(pose.definitions)["phi_ZC"]) == "phi_AB - gamma_Z - mu_B - mu_C + pi"
+    assert text(dict(pose.definitions)["phi_ZC"]) == "phi_AB - gamma_B - mu_B - mu_C + pi"
     (arm,) = pose.vector("ZBC", "Z", "C")
     assert arm.angle == Angle.of("phi_ZC")
 

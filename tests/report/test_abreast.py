@@ -40,7 +40,7 @@ def test_a_long_table_of_vectors_stands_two_abreast(language, place):
 
 def test_of_many_values_those_of_the_position_come_in_a_line():
     values = text("jansen_leg").partition(r"\section*{Numerical values}")[2]
-    assert r"$\mu_C=47.9149^\circ$, $\gamma_Z=" in values
+    assert r"$\mu_C=47.9149^\circ$, $\gamma_B=" in values
     assert r"i_{ZBC}&=\frac{15}{41.5}\cdot" in values
     few = text("crank_rocker").partition(r"\section*{Numerical values}")[2]
     assert r"\mu_B&=\arccos" in few

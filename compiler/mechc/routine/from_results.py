@@ -38,7 +38,7 @@ def program(
     it; one that needs more than a function is given is left to its caller. ``definitions``
     are those of the pose, on which conditions may rest that no result does; ``loops`` must
     close for a result to have a value, needed for it or not. ``motion`` is that of the drive.
-    What a sheet uses and nothing in it needs, as much of a used mechanism, has no function.
+    What a used mechanism gives and nothing in a sheet needs has no function.
     Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
     """
     scope, inputs = Scope(mechanism, results, definitions or {}), _inputs(mechanism)
@@ -62,11 +62,13 @@ def program(
 
 
 def _needed(mechanism: Mechanism, results: Sequence[Result]) -> list[Result]:
-    """Return the results that have functions: of a sheet those with a part in its calculation.
+    """Return the results that have functions: of a used mechanism those that the sheet needs.
 
-    The status of a ratio with friction asks for that without, too.
+    So it is with what follows from them. The status of a ratio with friction asks for that
+    without, too.
     """
-    aside = frozenset(unused(mechanism, results) if is_sheet(mechanism) else ())
+    given = mechanism.follow | {known.name for known in mechanism.taken}
+    aside = given.intersection(unused(mechanism, results) if given else ())
     own = (r for r in results if r.name not in aside)
     ideal = {r.target.of for r in own if isinstance(r.target, WithFriction)}
     return [r for r in results if r.name not in aside or r.target in ideal]

@@ -70,8 +70,11 @@ class Facing:
         faced = facing(formula, self._values, self._constants)
         return faced if count_operations(faced) > LONG else led(faced)
 
-    def equation(self, equation: Equation) -> Equation:
-        """Return an equation of such sides, with the fewer minuses at their heads."""
+    def relation(self, equation: Equation) -> Equation:
+        """Return an equation of such sides, with the fewer minuses at their heads.
+
+        Of sums of forces and moments the signs have a meaning; velocities have none.
+        """
         sides = Equation(*map(self.of, equation))
         if not any(isinstance(side, Product) and has_minus(side) for side in sides):
             return sides
@@ -97,10 +100,12 @@ def _facing(derivation: Derivation, face: Facing) -> Derivation:
     """Return the steps with sines of differences turned as those of the results are."""
 
     def turned(equations: Iterable[Equation]) -> tuple[Equation, ...]:
-        return tuple(face.equation(e) for e in equations)
+        return tuple(Equation(*map(face.of, equation)) for equation in equations)
 
     steps = (
-        replace(step, relations=turned(step.relations), results=turned(step.results))
+        replace(
+            step, relations=tuple(map(face.relation, step.relations)), results=turned(step.results)
+        )
         for step in derivation.steps
     )
     explanations = (

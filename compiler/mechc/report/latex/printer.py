@@ -271,10 +271,13 @@ def _is_figure(formula: Formula) -> bool:
 
 def _are_words(before: Box, after: Box) -> bool:
     """Return whether a word, or one in an index, would be read as one with the next letter."""
-    is_apart = before.tex[-1] in ")]" or after.tex[0] in "(["
+    is_apart = before.tex[-1] in ")]" or _APART.match(after.tex)
     words = (_WORD.match(before.tex), _WORD.match(after.tex), _WORD_BELOW.search(before.tex))
     return any(words) and not is_apart
 
+
+_APART = pattern(r"[(\[]|\\(sin|cos|tan|cot|sec|csc|ln|arc|operatorname|left)")
+"""What TeX, or a bracket, sets apart from a letter before it."""
 
 _WORD = pattern(r"\\math(rm|it)")
 _WORD_BELOW = pattern(r"\\(mathrm|text)\{[^{}]*\}\}$")
