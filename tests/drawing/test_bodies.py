@@ -120,7 +120,7 @@ def test_points_in_indices_are_points():
     (index,) = {label.runs[1:3] for label in drawing.labels if lettered(label).startswith("RO1 = ")}
     assert [(run.text, run.italic, run.level) for run in index] == [
         ("O", True, -1),
-        ("1", False, -1),
+        ("1", False, -2),
     ]
 
 

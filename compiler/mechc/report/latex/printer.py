@@ -271,13 +271,15 @@ def _is_figure(formula: Formula) -> bool:
 
 def _are_words(before: Box, after: Box) -> bool:
     """Return whether a word, or one in an index, would be read as one with the next letter."""
-    is_apart = before.tex[-1] in ")]" or _APART.match(after.tex)
-    words = (_WORD.match(before.tex), _WORD.match(after.tex), _WORD_BELOW.search(before.tex))
-    return any(words) and not is_apart
+    if before.tex[-1] in ")]" or after.tex[0] in "([":
+        return False
+    if _WORD.match(before.tex) or _WORD.match(after.tex):
+        return True
+    return bool(_WORD_BELOW.search(before.tex)) and not _OPERATOR.match(after.tex)
 
 
-_APART = pattern(r"[(\[]|\\(sin|cos|tan|cot|sec|csc|ln|arc|operatorname|left)")
-"""What TeX, or a bracket, sets apart from a letter before it."""
+_OPERATOR = pattern(r"\\(sin|cos|tan|cot|sec|csc|ln|arc|operatorname|left)")
+"""What TeX sets apart from a letter before it by itself."""
 
 _WORD = pattern(r"\\math(rm|it)")
 _WORD_BELOW = pattern(r"\\(mathrm|text)\{[^{}]*\}\}$")
