@@ -18,6 +18,7 @@ from mechc.driver import Compilation, compile_source
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function
 from mechc.source import Source
+from mechc.work import LIMIT
 
 CHAINS = (scissor, uneven_scissor, four_bar_chain, coupler_chain)
 
@@ -69,3 +70,16 @@ def test_a_long_chain_of_loops_is_given_without_its_slope() -> None:
     )
     assert short.derivatives
     assert long.derivatives is None
+
+
+def work_on_formulas(n: int) -> int:
+    """Return the work on a chain of formulas of the user's own, each resting on the one before."""
+    chain = [f"let a{i} = a{i - 1}*1.01 + 1" for i in range(1, n)]
+    lines = [scissor(1), "let a0 = k*2", *chain]
+    compilation = compile_source(Source("chain.mech", "\n".join(lines)))
+    return LIMIT - compilation.allowance.left
+
+
+def test_work_grows_as_the_formulas_of_a_chain_do() -> None:
+    few, many = map(work_on_formulas, (60, 240))
+    assert many < 5 * few

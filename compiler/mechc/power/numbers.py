@@ -9,7 +9,7 @@ from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as messages
-from ..formula.evaluate import evaluate
+from ..formula.evaluate import Evaluation, evaluate
 from ..formula.rounding import Rounding, Size, beyond_rounding, without_value
 from ..formula.to_text import text
 from ..formula.tree import Formula
@@ -42,6 +42,10 @@ class DefaultNumbers:
     def _rounding(self) -> Rounding:
         return default_rounding(self._plan.graph.pose)
 
+    @cached_property
+    def _chained(self) -> "_Chained":
+        return _Chained(self.values, self._rounding)
+
     def has_given(self, result: Result) -> bool:
         """Return whether no formula of the user's that a result mentions is NaN there."""
         formulas = (result.formula, *(d.formula for d in result.where))
@@ -54,11 +58,38 @@ class DefaultNumbers:
 
         NaN that no condition makes is 0/0 or a pole.
         """
-        number = value_of(result, self.values)
+        is_shared = result.elsewhere is None and self._chained.takes(result.where)
+        values = self._chained.values if is_shared else self.values
+        rounding = self._chained.rounding if is_shared else self._rounding
+        number = value_of(result, values)
         nowhere = number is not None and math.isnan(number) and not result.guards
         if nowhere:
-            return without_value(result.formula, result.where, self._rounding)
-        return beyond_rounding(number, result.formula, result.where, self._rounding)
+            return without_value(result.formula, result.where, rounding)
+        return beyond_rounding(number, result.formula, result.where, rounding)
+
+
+class _Chained:
+    """The values of definitions that results share: formulas of the user's own rest on others.
+
+    Each is found once, so that a long chain of them does not take the square of its length.
+    """
+
+    def __init__(self, values: Mapping[str, float], rounding: Rounding) -> None:
+        self.values, self.rounding = dict(values), Rounding({})
+        self.rounding.values.update(rounding.values)
+        self._evaluation = Evaluation(self.values)
+        self._formulas: dict[str, Formula] = {}
+
+    def takes(self, where: Sequence[tuple[str, Formula]]) -> bool:
+        """Add definitions in order; return whether each has one meaning in all that was added."""
+        if any(self._formulas.get(name, formula) is not formula for name, formula in where):
+            return False
+        for name, formula in where:
+            if name not in self.values and symbols(formula) <= self.values.keys():
+                self.values[name] = self._evaluation.of(formula)
+            self._formulas[name] = formula
+        self.rounding.define(where)
+        return True
 
 
 def with_default(result: Result, size: Size) -> Result:
@@ -115,11 +146,14 @@ def value_of(result: Result, values: Mapping[str, float]) -> float | None:
 
     NaN where a condition of the result is broken, and it has no form for elsewhere.
     """
-    known = completed(values, result.where)
+    known = completed(values, (d for d in result.where if d.name not in values))
     if not symbols(result.formula) <= known.keys():
         return None
     found = standing(result, values)
-    return evaluate(found.formula, completed(values, found.where)) if found else math.nan
+    if found is None:
+        return math.nan
+    left = (d for d in found.where if d.name not in values)
+    return evaluate(found.formula, completed(values, left))
 
 
 def _check_branch(balance: Balance, values: Mapping[str, float], report: Report) -> None:

@@ -72,9 +72,9 @@ class _Units:
     ) -> None:
         self._known = {p.name: p.unit for p in parameters}
         self._text_of = {line.name.text: text(line.span) for line in lines}
-        self._in_text: dict[int, list[str]] = {}
+        self._in_text: dict[int, dict[str, None]] = {}
         for line in lines:
-            self._in_text.setdefault(text(line.span), []).extend(_units(line))
+            self._in_text.setdefault(text(line.span), {}).update(dict.fromkeys(_units(line)))
 
     def given(
         self,

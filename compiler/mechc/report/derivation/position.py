@@ -1,6 +1,6 @@
 """Position: what follows from each loop and sum of vectors, in the order in which it follows."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from ...formula.names import split_points
@@ -9,7 +9,6 @@ from ...formula.typesetting import HALF
 from ...formula.walk import reached, symbols, walk
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop
-from ...study.analysis import Analysis
 from .steps import Derivation, PositionKind, PositionStep
 
 
@@ -90,15 +89,12 @@ def _mentioned(derivation: Derivation) -> Iterator[str]:
             for equation in paragraph.equations:
                 yield from symbols(equation.left) | symbols(equation.right)
         yield from _of_definitions(explanation.where)
-    for result in derivation.results:
-        yield from _of_result(result)
+    # Formulas of the user's own share what they rest on: each is looked at once.
+    shared = {id(d.formula): d for result in derivation.results for d in result.where}
+    yield from symbols(*(result.formula for result in derivation.results))
+    yield from _of_definitions(shared.values())
 
 
-def _of_result(result: Analysis) -> Iterator[str]:
-    yield from symbols(result.formula)
-    yield from _of_definitions(result.where)
-
-
-def _of_definitions(where: Sequence[Definition]) -> Iterator[str]:
+def _of_definitions(where: Iterable[Definition]) -> Iterator[str]:
     for definition in where:
         yield from symbols(definition.formula)
