@@ -233,3 +233,54 @@ def test_what_is_found_for_one_load_is_not_stated_again_for_the_next():
     compilation = Compilation(Source("m.mech", text))
     stated = [len(e.paragraphs) for e in compilation.by_equilibrium.explanations]
     assert stated == [2, 0]
+
+
+PUSHED_ON_A_GUIDE = """
+pivot A
+link AC
+param t = -108.9 deg in -120 deg .. -90 deg
+AC = 119.6 mm @ t
+slider D along -69.7 deg
+link CD
+CD = 122.8 mm @ 55.6 deg
+pivot E
+contact D on EG normal 248.8 deg
+link EG
+EG = 83.8 mm @ -131.9 deg
+ED = 50.5 mm @ -31.6 deg
+torque P on AC
+force F at G along -157.2 deg
+find k = P/F
+find R_D
+"""
+
+IN_TWO_SLOTS = """
+param t = 40 deg in 30 deg .. 50 deg
+pivot O
+pivot C
+link OA
+link CD
+slider E along x
+slot E in OA
+slot E in CD
+OA = 120 mm @ t
+OE = 60 mm @ t
+CD = 100 mm @ 100 deg
+CE = 70 mm @ 100 deg
+torque P on OA
+torque F on CD
+find k = P/F
+find R_E
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [(PUSHED_ON_A_GUIDE, {"N_D", "N_D_guide"}), (IN_TWO_SLOTS, {"N_E_OA", "N_E_CD", "N_E_guide"})],
+)
+def test_forces_of_guide_and_contacts_on_one_pin_have_names_of_their_own(text, names):
+    """Of two forces with one name a sum had one term, and what followed from it was false."""
+    compilation = Compilation(Source("pin.mech", text))
+    listed = [{n for f in e.forces for n in f.names} for e in compilation.equilibrium]
+    assert names == {n for of_one in listed for n in of_one if n[:3] in ("N_D", "N_E")}
+    assert agree(compilation, 3) == 3 * len(listed)

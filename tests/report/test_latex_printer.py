@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from mechc.formula.tree import Call, Power, Product, Symbol, negative, number
 from mechc.frozen import replace
 from mechc.report.latex.display import LINE, Line, display
 from mechc.report.latex.notation import name, notation, points, spellings
@@ -172,6 +173,20 @@ def test_a_long_sum_is_broken_between_terms() -> None:
     shown = display((Line(plain("k"), formula(terms)),), notation("en"), "where")
     assert shown.count("\\\\") >= 1
     assert max(widths(shown)) <= LINE
+
+
+def test_no_sign_stands_behind_a_sign_of_multiplication() -> None:
+    factors = [formula(f"sin(l_{c}*m_{c} + alpha)") for c in "ABCDEFGHKMNPQRS"]
+    below = Power(negative(Symbol("z")), number(-1))
+    shown = display((Line(plain("k"), Product((*factors, below))),), EN, "where")
+    assert r"\times" in shown
+    assert r"\times -" not in shown
+    assert shown.startswith("\\begin{align*}\nk&=-")
+
+
+def test_the_sign_of_a_value_is_printed_without_its_size() -> None:
+    sense = Call("sense", (Symbol("a"), Symbol("b")))
+    assert latex(sense, EN) == r"\operatorname{sgn}a"
 
 
 def test_sums_in_a_long_fraction_get_names() -> None:

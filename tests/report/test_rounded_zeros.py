@@ -206,3 +206,28 @@ def test_a_ratio_of_two_true_zeros_is_not_called_infinite():
     (result,) = compile_source(Source("m.mech", text.replace("along -y", "along x"))).results
     assert result.undetermined
     assert result.default is None
+
+
+IN_LINE = """
+param t1 = 180 deg
+param t2 = 180 deg
+param t3 = 270 deg
+pivot O
+slider A along 90 deg
+link AB
+link OBC
+AB = 89.7 mm @ t1
+OB = 65.3 mm @ t2
+OC = 57.1 mm @ t3
+force P at A along 90 deg
+force F at C along 90 deg
+friction pins 0.131 diameter 9.5 mm
+find k = P/F
+"""
+
+
+def test_an_arm_that_is_zero_but_for_rounding_is_zero_in_a_report():
+    """b_AB = -57.1 mm cos 270 deg was printed as 1.04891e-14 mm."""
+    compilation = compile_source(Source("line.mech", IN_LINE))
+    (document,) = emit(compilation, registry.load("latex"), Options("line"))
+    assert "b_{AB}&=-57.1\\,\\text{mm}\\cos270^\\circ=0\\," in document.text

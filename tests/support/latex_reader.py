@@ -136,6 +136,8 @@ class Reader:
             self.take(")")
         else:
             arguments = [self.bare()]
+        if function == "sign":  # on paper the sine of 180° is zero
+            return power(Call("sense", (*arguments, number(1))), exponent)
         return power(Call(function, tuple(arguments)), exponent)
 
 

@@ -85,6 +85,8 @@ class Page:
                 ):
                     continue
                 meant = known.setdefault(left, value)
+                if math.isnan(value) or math.isnan(meant):
+                    continue
                 if not math.isclose(value, meant, rel_tol=DIGITS, abs_tol=1e-9):
                     yield f"{left} is {meant}, not {value} = {right}"
 

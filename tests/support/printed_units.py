@@ -137,6 +137,9 @@ class Table:
             case Call(function="atan2", arguments=arguments):
                 self.alike(arguments)
                 return ONE
+            case Call(function="sense", arguments=(signed, _)):
+                self.measure(signed)
+                return ONE
             case Call(arguments=arguments):
                 return self._plain(arguments)
         raise AssertionError(formula)
@@ -228,7 +231,6 @@ class PrintedUnits:
         self.tex = re.sub(r"\^(\d)", r"^{\1}", tex.replace("{,}", ".").replace(r";\ ", ","))
         self.unread: list[str] = []
         self.current: dict[str, str] = {}
-        self.exact: set[str] = set()
         starts = [0, *(m.start() for m in PART.finditer(self.tex)), len(self.tex)]
         self.scopes = [self.tex[a:b] for a, b in pairwise(starts)]
 
@@ -290,7 +292,6 @@ class PrintedUnits:
         within = next((said[c].strip("$") for c in RANGES if c in said), "")
         tex = value or within.rpartition(r"\ldots\ ")[2]
         if tex:
-            self.exact |= {n for n in LITERAL.findall(tex) if len(n.strip("0.")) < FIGURES}
             formula = self.read(tex)
             self.table.dimensions[name] = self.table.measure(formula) or ONE
             found = self.value(formula)
@@ -352,7 +353,7 @@ class PrintedUnits:
         total = 0.0
         for literal in (found for found in READ.finditer(tex) if found[1]):
             size = float(literal[1])
-            if size and literal[1] not in self.exact:
+            if size:
                 half = 0.5 * 10.0 ** (math.floor(math.log10(size)) + 1 - FIGURES)
                 moved = f"{tex[: literal.start(1)]}{size + half:.12f}{tex[literal.end(1) :]}"
                 total += abs((self.value(self.read(moved)) or 0.0) - here)

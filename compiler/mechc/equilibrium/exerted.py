@@ -1,5 +1,6 @@
 """What every joint and load exerts on the bodies that are cut free."""
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 from typing import assert_never
@@ -46,10 +47,14 @@ def by_joints(cut: Cutting) -> Iterator[Exerted]:
     yield from (_rod(link, cut) for link in cut.mechanism.links if link.name not in cut.rigid)
     for point in dict.fromkeys(p for points in cut.rigid.values() for p in points):
         yield from _pin(point, cut)
+    touched = Counter(touch.point for touch in cut.pose.touches)
     for point, guide in cut.pose.guides.items():
-        force = JointForce("guide", (f"N_{point}",), (point,))
+        name = f"N_{point}_guide" if touched[point] else f"N_{point}"
+        force = JointForce("guide", (name,), (point,))
         yield _exerted(force, _on_pin(force.names[0], point, guide + QUARTER, (point,), cut))
-    yield from (_touch(touch, cut) for touch in cut.pose.touches)
+    for touch in cut.pose.touches:
+        of = touch.point if touched[touch.point] == 1 else f"{touch.point}_{touch.body}"
+        yield _touch(touch, f"N_{of}", cut)
     for joint in cut.mechanism.joints:
         if (exerted := _passed_on(joint, cut)) is not None:
             yield exerted
@@ -130,9 +135,9 @@ def _components(point: str, bodies: Iterable[str], cut: Cutting) -> tuple[str, t
 # ------------------------------------------------------------------------------- other joints
 
 
-def _touch(touch: PointContact, cut: Cutting) -> Exerted:
+def _touch(touch: PointContact, name: str, cut: Cutting) -> Exerted:
     """Let a body push a pin, and the pin the body."""
-    name, body = f"N_{touch.point}", touch.body
+    body = touch.body
     both = (touch.point, *cut.points(body))
     at = (*cut.pose.frames[body][touch.tail], *touch.reach)
     often = cut.repeats(cut.points(body), both)

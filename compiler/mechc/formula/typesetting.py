@@ -300,6 +300,8 @@ class Typesetter(ABC, Generic[Piece]):
                 angle = is_angle(left, self.angles) or is_angle(right, self.angles)
                 both = [self.set(side, Around.SUM, angle) for side in (left, right)]
                 return self.joined_by(SIGNS[function], both)
+            case "sense", (value, _):  # whose size is there for what rounding leaves of a zero
+                return self._call("sign", (value,))
             case "hypot", _:
                 return self.root(self.set(squares(arguments), Around.SUM, False))
             case "sqrt", (argument,):

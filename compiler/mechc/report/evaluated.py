@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 
 from ..formula.evaluate import evaluate
+from ..formula.rounding import Rounding
 from ..formula.tree import Call, Formula, Symbol
 from ..formula.walk import symbols, walk
 from ..model.mechanism import GRAVITY, LoadRatio, Mechanism, Parameter, Torque, WithFriction
@@ -182,6 +183,7 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     loads = tuple(given_loads(mechanism))
     usual_g = {FREE_FALL.name: float(GRAVITY.value)} if usual_weights(mechanism) else {}
     values = chain.complete(defaults(mechanism) | usual_g)
+    values |= dict.fromkeys(_zeros(chain, defaults(mechanism) | usual_g), 0.0)
     named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals, *loads)}
     units = {name: _unit(p) for name, p in named.items()}
     units |= dict.fromkeys(usual_g, "m/s^2") | _of_loads(where, mechanism)
@@ -197,6 +199,13 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
             angles |= {definition.name} if unit == "deg" else set()
     known = {name: value for name, value in values.items() if math.isfinite(value)}
     return {name: Quantity(known[name], unit) for name, unit in units.items() if name in known}
+
+
+def _zeros(chain: Chain, given: Mapping[str, float]) -> Iterator[str]:
+    """Yield the names of which nothing but rounding is left."""
+    rounding = Rounding(given)
+    rounding.define(chain.definitions)
+    return (n for n, _ in chain.definitions if n in rounding.values and rounding.values[n].is_zero)
 
 
 def _of_loads(where: Iterable[Definition], mechanism: Mechanism) -> dict[str, str]:

@@ -11,7 +11,7 @@ earlier display keeps that name and is not defined again.
 from collections.abc import Iterable, Iterator, Sequence
 
 from ...formula.layout import is_angle
-from ...formula.tree import Formula, Product, Sum
+from ...formula.tree import Formula, Product, Sum, negative
 from ...formula.walk import children, rebuild, symbols
 from ...named import NamedTuple
 from .notation import Notation
@@ -231,7 +231,11 @@ def _factor_lines(formula: Formula, room: float, style: Notation) -> list[Box]:
         if chunks[-1] and _width((*chunks[-1], factor), style) > room:
             chunks.append([])
         chunks[-1].append(factor)
-    boxes = [box(_joined(chunk), style) for chunk in chunks]
+    parts = [_joined(chunk) for chunk in chunks]
+    for i, part in enumerate(parts[1:], 1):
+        if box(part, style).tex.startswith("-"):  # no sign stands behind a sign of multiplication
+            parts[0], parts[i] = negative(parts[0]), negative(part)
+    boxes = [box(part, style) for part in parts]
     return [boxes[0], *(row((plain(r"\times "), b)) for b in boxes[1:])]
 
 

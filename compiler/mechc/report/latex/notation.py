@@ -38,7 +38,6 @@ _COMMON = {
     "min": r"\min",
     "max": r"\max",
     "sign": r"\operatorname{sgn}",
-    "sense": r"\operatorname{sgn}",
     "log": r"\ln",
     "next": r"\operatorname{next}",
     "interpolate": r"\operatorname{table}",
