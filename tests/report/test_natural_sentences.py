@@ -94,5 +94,23 @@ def test_letters_have_one_shape_on_a_page():
 
 def test_two_types_in_an_index_are_one_index():
     text = mechc.load("crank_rocker").emit("latex", pictures=True)
-    assert r"\mathit{R}_{\mathit{O}1}" in text
+    assert r"\mathit{R}_{\mathit{O}_{1}}" in text
     assert "}_{1}_{" not in text
+
+
+def test_a_single_letter_is_a_word_in_english_alone():
+    points = frozenset("ABC")
+    said = [translated("A B", replace(notation(lang), pictured=points)) for lang in ("en", "uk")]
+    assert said == ["A $B$", "$A$ $B$"]
+
+
+def test_words_in_an_index_are_as_small_as_it_is():
+    text = mechc.load("block_and_tackle").emit("latex", language="uk", pictures=True)
+    assert r"\text{\mechccyr{с}}" in text
+    assert r"\mbox{\mechccyr" not in text
+
+
+def test_the_value_of_a_choice_is_apart_from_its_cases():
+    text = mechc.load("jaw_sizes").emit("latex")
+    assert text.count(r"\end{cases}=") == 0
+    assert r"\end{cases}\qquad D=10\,\text{mm} \]" in text

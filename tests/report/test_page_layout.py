@@ -60,6 +60,7 @@ def test_lines_of_a_sheet_begin_with_a_capital_letter():
     ("name", "x", "count"),
     [
         ("jansen_leg", "phi", 13),  # 0° … 360°: every 30°
+        ("karpenko_fig3_inclined_levers", "alpha", 14),  # 1° … 40°: every 3°
         ("crank_slider", "phi", 18),  # 5° … 175°: every 10°
         ("fedoriv_fig1_with_friction", "alpha", 12),  # 1° … 45°: every 4°
         ("band_brake", "mu", 13),  # 0.1 … 0.4: every 0.025

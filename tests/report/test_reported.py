@@ -120,7 +120,7 @@ def test_a_plot_over_something_else_keeps_its_table():
 def test_units_and_decimals_of_pictures_are_those_of_the_language():
     plans = report("report plans", "ru")
     assert r"{,}" in plans
-    assert "V}_{\\mathit{A}}/\\mbox{\\mechccyr{м}}" in plans
+    assert "V}_{\\mathit{A}}/\\text{\\mechccyr{м}}" in plans
     assert "mathrm{/m}" not in plans
 
 

@@ -146,16 +146,19 @@ def figures(value: float) -> str:
 def measured(value: float, of_another: bool = False) -> tuple[Run, ...]:
     """Return that something is a number, to three figures, as it stands before a unit.
 
-    Before the name of another quantity, 1 is not written.
+    Before the name of another quantity, 1 is not written, and what is nearly 1 has its figures.
 
     >>> [run.text for run in measured(2.5e-7)], [run.text for run in measured(1.0, of_another=True)]
     ([' = 2.5 · 10', '−7', ' '], [' = '])
+    >>> measured(1.002, of_another=True)[0].text
+    ' = 1.00\u2009'
     """
     if of_another and math.isclose(value, 1.0, rel_tol=ONE):
         return (Run(" = "),)
     digits, _, power = figures(value).partition("e")
     if not power:
-        return (Run(f" = {digits}{_THIN}"),)
+        nearly = of_another and digits == "1"
+        return (Run(f" = {'1.00' if nearly else digits}{_THIN}"),)
     exponent = str(int(power.replace(_MINUS, "-"))).replace("-", _MINUS)
     return Run(f" = {digits}{_THIN}·{_THIN}10"), Run(exponent, level=1), Run(_THIN)
 

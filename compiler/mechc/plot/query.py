@@ -72,7 +72,7 @@ STEPS = (1.0, 2.0, 2.5, 4.0, 5.0)
 ROUNDING = 1e-9
 """By what part of it a step that was computed may be off."""
 
-DEGREES = (1.0, 2.0, 4.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0)
+DEGREES = (1.0, 2.0, 3.0, 4.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0)
 """Round steps of an angle in degrees."""
 
 

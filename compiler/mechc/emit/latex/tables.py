@@ -50,10 +50,17 @@ def numbers(values: Sequence[float], style: Notation) -> list[str]:
     >>> from ...report.latex.notation import notation
     >>> numbers([0.5, -12.25, math.nan], notation("en"))
     ['$0.50$', '$-12.25$', '--']
+    >>> numbers([-5.0, 3e-15, 5.0], notation("en"))
+    ['$-5$', '$0$', '$5$']
     """
-    decimals = _decimals([abs(v) for v in values if math.isfinite(v) and v])
-    return [_number(value, decimals, style) for value in values]
+    largest = max((abs(v) for v in values if math.isfinite(v)), default=0.0)
+    sizes = [0.0 if abs(v) < NOTHING * largest else v for v in values]
+    decimals = _decimals([abs(v) for v in sizes if math.isfinite(v) and v])
+    return [_number(size, decimals, style) for size in sizes]
 
+
+NOTHING = 1e-12
+"""What is below this part of the largest number of a column is rounding where zero is meant."""
 
 FIGURES, LEAST, MOST = 5, 3, 6
 """Figures of the largest number of a column, of the least one, and decimals that it may take."""

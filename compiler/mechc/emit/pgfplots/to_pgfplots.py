@@ -24,6 +24,7 @@ def to_pgfplots(plot: Plot, words: Mapping[str, str], letters: Letters = LATIN) 
         f"% {comment(plot.title)}",
         f"% {comment(lettered(describe(plot, words), letters))}",
         r"\documentclass[tikz]{standalone}",
+        r"\usepackage{amsmath}",
         *cyrillic(picture),
         r"\usepackage{pgfplots}",
         r"\pgfplotsset{compat=1.15}",

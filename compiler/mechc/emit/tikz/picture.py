@@ -46,6 +46,7 @@ def to_tikz(drawing: Drawing) -> str:
         f"% {comment(drawing.title)}",
         f"% {comment(drawing.description)}",
         r"\documentclass[tikz]{standalone}",
+        r"\usepackage{amsmath}",
         *cyrillic(picture),
         *definitions(),
         r"\begin{document}",
@@ -172,4 +173,4 @@ def _spelled(character: str) -> str:
         return _LETTERS[character]
     if character in _PLAIN or (character.isascii() and character.isalnum()):
         return character
-    return rf"\mbox{{{escape(character)}}}"
+    return rf"\text{{{escape(character)}}}"

@@ -179,14 +179,14 @@ def translated(text: str, style: Notation) -> str:
 _NAMED = pattern(r"(?<![\w\\{'])(?:[A-Z][0-9]*'*)+(?![\w'}])")
 """What may be a point, a vector or a load in a text."""
 
-_WORDS = frozenset({"A", "I"})
+_WORDS = {"en": frozenset({"A", "I"})}
 """Letters that are words of a language, too."""
 
 
 def _as_drawn(word: str, style: Notation) -> str:
     """Return a word of a text, as mathematics where it is made of names of the picture."""
     parts = ["".join(part) for part in split_points(word)]
-    known = word not in _WORDS and style.pictured.issuperset(parts)
+    known = word not in _WORDS.get(style.language, ()) and style.pictured.issuperset(parts)
     return f"${points(word)}$" if known else word
 
 

@@ -1,6 +1,6 @@
 """The formulas of calculation sheets, and those of the user's own in mechanisms, as displays."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from ...formula.tree import Formula, Symbol
 from ...model.written import Written
@@ -53,10 +53,23 @@ def in_numbers(line: NoteLine, where: str, style: Notation) -> str:
     sides = list(_sides(line, style))
     if line.formula and max(side.width for side in sides) > LINE:
         return _broken(line, line.formula, left, sides[-1], where, style)
+    if r"\end{cases}" in sides[0].tex and len(sides) > 1:
+        return _behind_cases(left, sides)
     if left.width + sum(side.width + 1.2 for side in sides) <= LINE or len(sides) == 1:
         return rf"\[ {'='.join(side.tex for side in (left, *sides))} \]"
     rows = r" \\ ".join(rf"&={side.tex}" for side in sides)
     return rf"\begin{{align*}} {left.tex}{rows} \end{{align*}}"
+
+
+def _behind_cases(left: Box, sides: Sequence[Box]) -> str:
+    """Return a choice and apart from it its value, which would seem to belong to one of its cases.
+
+    It is below the choice where a line does not hold both.
+    """
+    value = "=".join(side.tex for side in (left, *sides[1:]))
+    width = sum(side.width + 1.2 for side in (left, left, *sides))
+    between = r"\qquad " if width <= LINE else "\\]\n\\[ "
+    return rf"\[ {left.tex}={sides[0].tex}{between}{value} \]"
 
 
 def _sides(line: NoteLine, style: Notation) -> Iterator[Box]:
