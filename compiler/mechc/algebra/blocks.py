@@ -5,7 +5,7 @@ relations that must be solved together (Dulmage and Mendelsohn 1958; Tarjan 1972
 These few lines stand for a graph library whose import takes longer than a compile.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 Columns = Sequence[frozenset[int]]
 """For each relation, the unknowns (drives apart) that it mentions."""
@@ -54,40 +54,61 @@ def blocks(columns: Columns, matched: Mapping[int, int]) -> list[list[int]]:
     Tarjan's algorithm with an explicit stack: it yields a component after all those
     that it depends on, which is the order wanted.
     """
-    needs = {u: sorted(columns[r] - {u}) for u, r in matched.items()}
-    index: dict[int, int] = {}
-    low: dict[int, int] = {}
-    path: list[int] = []
-    done: set[int] = set()
-    found: list[list[int]] = []
-    for root in sorted(needs):
-        if root in index:
-            continue
-        work = [(root, iter(needs[root]))]
-        index[root] = low[root] = len(index)
-        path.append(root)
+    search = _Search({u: sorted(columns[r] - {u}) for u, r in matched.items()})
+    for root in sorted(search.needs):
+        if root not in search.index:
+            search.from_root(root)
+    return search.found
+
+
+class _Search:
+    """A depth-first search: ``index`` counts nodes as they are met, ``low`` is how far back
+    each of them leads, ``path`` holds those that are in no component yet.
+    """
+
+    def __init__(self, needs: Mapping[int, Sequence[int]]) -> None:
+        self.needs = needs
+        self.index: dict[int, int] = {}
+        self.found: list[list[int]] = []
+        self._low: dict[int, int] = {}
+        self._path: list[int] = []
+        self._done: set[int] = set()
+
+    def from_root(self, root: int) -> None:
+        """Find the components that a node leads to."""
+        work = [self._met(root)]
         while work:
             node, others = work[-1]
-            for other in others:
-                if other not in index:
-                    index[other] = low[other] = len(index)
-                    path.append(other)
-                    work.append((other, iter(needs[other])))
-                    break
-                if other not in done:
-                    low[node] = min(low[node], index[other])
-            else:
-                work.pop()
-                if work:
-                    low[work[-1][0]] = min(low[work[-1][0]], low[node])
-                if low[node] == index[node]:
-                    found.append(_popped(path, node))
-                    done.update(found[-1])
-    return found
+            following = self._next(node, others)
+            if following is not None:
+                work.append(self._met(following))
+                continue
+            work.pop()
+            if work:
+                before, _ = work[-1]
+                self._low[before] = min(self._low[before], self._low[node])
+            if self._low[node] == self.index[node]:
+                self._take(node)
 
+    def _met(self, node: int) -> tuple[int, Iterator[int]]:
+        self.index[node] = self._low[node] = len(self.index)
+        self._path.append(node)
+        return node, iter(self.needs[node])
 
-def _popped(path: list[int], node: int) -> list[int]:
-    group: list[int] = []
-    while not group or group[-1] != node:
-        group.append(path.pop())
-    return sorted(group)
+    def _next(self, node: int, others: Iterator[int]) -> int | None:
+        """Return the next node that has not been met, None where there is none."""
+        for other in others:
+            if other not in self.index:
+                return other
+            if other not in self._done:
+                self._low[node] = min(self._low[node], self.index[other])
+        return None
+
+    def _take(self, node: int) -> None:
+        """Take a component off the path: all from a node on."""
+        start = len(self._path) - 1
+        while self._path[start] != node:
+            start -= 1
+        self.found.append(sorted(self._path[start:]))
+        del self._path[start:]
+        self._done.update(self.found[-1])

@@ -1,7 +1,7 @@
 """What ``mechc check`` prints of a description, line by line, in each language."""
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Final
 
 from ..diagnostics import Diagnostic, Severity
@@ -159,16 +159,10 @@ def _of_result(
         yield f"  {result.name} = {_measured(result.default, unit, spell)}"
         return
     yield f"  {result.name} = {formula}"
-    for literal in literals:
-        assert literal.value
-        value = spell.units(in_unit(evaluate(literal.value, {}), literal.unit, 6))
-        yield _where(f"{literal.name} = {value}", spell)
+    yield from _of_literals(literals, spell)
     for group in grouped(as_written(where, known)):
         yield from _of_definition(group, known, spell)
-    sizes = _sizes(result)
-    if sizes and not (before and sizes == _sizes(before)):
-        press = words["press" if len(sizes) > 1 else "presses"]
-        yield f"    {press.format(names=', '.join(sizes), equation='n = |r + D*n|')}"
+    yield from _of_iterated(result, before, words)
     if says_what_drives(result):
         yield f"    {kind(result, spell.locale, spell)}."
     if result.default is not None:
@@ -176,12 +170,35 @@ def _of_result(
         yield f"    = {words['default'].format(value=value)}"
     elif result.undetermined:
         yield f"    {words['default'].format(value=f'{spell.locale.undetermined} (0/0)')}"
+    yield from _of_conditions(result, before, words)
+    if result.independent:
+        yield f"    {words['independent'].format(names=', '.join(result.independent))}"
+
+
+def _of_literals(literals: Iterable[Parameter], spell: Speller) -> Iterator[str]:
+    for literal in literals:
+        assert literal.value
+        value = spell.units(in_unit(evaluate(literal.value, {}), literal.unit, 6))
+        yield _where(f"{literal.name} = {value}", spell)
+
+
+def _of_iterated(
+    result: Analysis, before: Analysis | None, words: Mapping[str, str]
+) -> Iterator[str]:
+    """Yield by what equation the normal forces are found that a result is made of."""
+    names = sorted(result.iterated)
+    if names and not (before and result.iterated == before.iterated):
+        found = words["press" if len(names) > 1 else "presses"]
+        yield f"    {found.format(names=', '.join(names), equation='n = |r + D*n|')}"
+
+
+def _of_conditions(
+    result: Analysis, before: Analysis | None, words: Mapping[str, str]
+) -> Iterator[str]:
     held = own_conditions(result)
     if held and not (before and reaction(before) and held == own_conditions(before)):
         holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)
         yield f"    {words['holds'].format(conditions=', '.join(holds))}"
-    if result.independent:
-        yield f"    {words['independent'].format(names=', '.join(result.independent))}"
 
 
 def _measured(value: float, unit: str, spell: Speller) -> str:
@@ -190,11 +207,6 @@ def _measured(value: float, unit: str, spell: Speller) -> str:
 
 def _where(formula: str, spell: Speller) -> str:
     return f"    {spell.locale.checked['where'].format(formula=formula)}"
-
-
-def _sizes(result: Analysis) -> list[str]:
-    """Return the pressing forces that a result is made of."""
-    return sorted(result.iterated)
 
 
 def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -> Iterator[str]:

@@ -114,16 +114,7 @@ def _of(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
         case PinFriction():
             yield from _pin(given, pose)
         case GuideFriction(point, factor):
-            joint = guiding(point, pose)
-            guide = pose.guide_of(point)
-            if guide is not None and not _is_shared(joint, pose):
-                along = guide
-                yield FrictionPair(
-                    f"{point}_guide",
-                    joint,
-                    to_product(factor),
-                    lambda graph: projection(graph.velocities[point], along),
-                )
+            yield from _on_guide(point, factor, pose)
         case WheelFriction(id, kind, point, factor):
             joint = JointRef("mesh", point, id)
             yield FrictionPair(f"{point}_{kind}", joint, to_product(factor), _rim(joint, pose))
@@ -149,6 +140,19 @@ def _of(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
             yield _face(point, factor, pose)
         case _:
             assert_never(given)
+
+
+def _on_guide(point: str, factor: Formula, pose: Pose) -> Iterator[FrictionPair]:
+    """Yield the pair of a point and its guide, unless halves or branches share the guide."""
+    joint, guide = guiding(point, pose), pose.guide_of(point)
+    if guide is None or _is_shared(joint, pose):
+        return
+    along = guide
+
+    def slip(graph: Graph) -> Form:
+        return projection(graph.velocities[point], along)
+
+    yield FrictionPair(f"{point}_guide", joint, to_product(factor), slip)
 
 
 def _face(point: str, factor: Formula, pose: Pose) -> FrictionPair:

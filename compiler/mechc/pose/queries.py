@@ -20,6 +20,7 @@ from ..model.mechanism import ForcePair, Mechanism
 from ..model.names.forms import COORDINATES, Form, form_of_pose
 from ..source import Span
 from .loops.triangle import principal
+from .pose import Vector
 from .vectors import Vectors, start_of
 
 
@@ -74,15 +75,19 @@ def _of_vector(form: Form, vectors: Vectors, span: Span, report: Report) -> Form
     elif len(vector) > 1 and vectors.is_open(vector):
         report.add(messages.no_direction_of_its_own(span, f"{tail}{head}"))
     else:
-        if len(vector) > 1:
-            vectors.straighten(tail, head)
-            ((length, angle),) = vectors.path(tail, head) or ()
-        else:
-            ((length, angle),) = vector
-        direction = angle if length.coefficient > 0 else angle + Angle.constant(180)
-        size = length if length.coefficient > 0 else -length
-        return principal(direction).formula() if form.prefix == "phi" else size.formula()
+        return _direction_or_length(form, vector, vectors)
     return None
+
+
+def _direction_or_length(form: Form, vector: Vector, vectors: Vectors) -> Formula:
+    """Return what a form asks for of a vector, which is made one arm if it is several."""
+    if len(vector) > 1:
+        vectors.straighten(*form.points)
+        vector = vectors.path(*form.points) or ()
+    ((length, angle),) = vector
+    if length.coefficient < 0:
+        length, angle = -length, angle + Angle.constant(180)
+    return principal(angle).formula() if form.prefix == "phi" else length.formula()
 
 
 def _coordinate(

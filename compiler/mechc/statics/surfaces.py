@@ -56,14 +56,8 @@ def pairs_of(unfolding: Unfolding) -> Iterator[Pair]:
 
 def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
     match given:
-        case PinFriction(point, carrier, radius):
-            size = evaluate(radius, unfolding.values)
-            for body in unfolding.turning_on(point):
-                if body != carrier:
-                    couples = unfolding.turning(body, point, 1.0)
-                    back = unfolding.turning(carrier, point, -1.0) if carrier else ()
-                    name = f"pin {point} {body}"
-                    yield Pair("pin", name, (*couples, *back), body, point, size)
+        case PinFriction():
+            yield from _on_pin(given, unfolding)
         case GuideFriction(point, factor_):
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
         case WheelFriction(joint, factor=factor_):
@@ -90,6 +84,17 @@ def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:
             assert_never(given)
+
+
+def _on_pin(given: PinFriction, unfolding: Unfolding) -> Iterator[Pair]:
+    """Yield a pair for each body that turns on a pin, but for the one that the pin is fixed to."""
+    point, carrier = given.point, given.carrier
+    size = evaluate(given.radius, unfolding.values)
+    for body in unfolding.turning_on(point):
+        if body != carrier:
+            couples = unfolding.turning(body, point, 1.0)
+            back = unfolding.turning(carrier, point, -1.0) if carrier else ()
+            yield Pair("pin", f"pin {point} {body}", (*couples, *back), body, point, size)
 
 
 def _thrusts(joint: str, unfolding: Unfolding) -> Iterator[tuple[str, float]]:

@@ -86,7 +86,6 @@ def _concluded(
         with within_part(part):
             return _with_friction(item.result, balance, study)
     pose = balance.plan.graph.pose
-    mechanism = pose.mechanism
     where = resting_on(balance.plan, item.value.formula(), [item.value])
     result = replace(
         as_printed(item.result),
@@ -94,17 +93,25 @@ def _concluded(
         poles=poles(item, balance, values),
         breaks=breaks((*where, *(Definition(*d) for d in pose.put_in)), values),
         proportional=_proportional(item.value, item.result),
-        independent=_independent(item.result, mechanism),
+        independent=_independent(item.result, pose.mechanism),
     )
-    used = symbols(result.formula)
+    return _with_trends(result, item.value, pose, numbers)
+
+
+def _with_trends(result: Analysis, value: Product, pose: Pose, numbers: DefaultNumbers) -> Analysis:
+    """Return a result with how it depends on its parameters, of which there may not be too many.
+
+    Where it rests on definitions that is seen along the stroke alone.
+    """
+    mechanism, used = pose.mechanism, symbols(result.formula)
     names = [p.name for p in mechanism.parameters if p.name in used]
-    if len(names) > MANY or not depends_openly(item.value):
+    if len(names) > MANY or not depends_openly(value):
         return result
     if result.where:
-        return _sloping(result, _along_the_stroke(item.value, result, pose), mechanism, numbers)
-    slopes = {name: derivative(item.value, name) for name in names}
+        return _sloping(result, _along_the_stroke(value, result, pose), mechanism, numbers)
+    slopes = {name: derivative(value, name) for name in names}
     box = range_box(mechanism)
-    trends: dict[str, Trend] = {name: trend(item.value, slopes[name], name, box) for name in names}
+    trends: dict[str, Trend] = {name: trend(value, slopes[name], name, box) for name in names}
     swaps, scopes = _swaps(result.formula, mechanism, names), _scopes(mechanism, result, names)
     result = replace(result, swaps=swaps, trends=trends, scopes=scopes)
     partial_ones = {name: slope.formula() for name, slope in slopes.items()}

@@ -245,7 +245,7 @@ def _transmission(
 ) -> Iterator[JointFriction]:
     """Return the friction of a pair by its first wheel, of a rack or screw by its slider."""
     f = coefficient(statement.coefficient, statement.point.text, scope)
-    point, span = statement.point, statement.span
+    point = statement.point
     if not scope.points.acting(point) or f is None:
         return
     word, begun, joints = _transmissions(statement, file, built)
@@ -260,19 +260,33 @@ def _transmission(
         scope.report.add(messages.several_transmissions(point.span, word, point.text))
     elif not isinstance(here[0], Screw):
         kind = here[0].kind if isinstance(here[0], WheelPair) else "rack"
-        yield WheelFriction(here[0].id, kind, point.text, f, span)
+        yield WheelFriction(here[0].id, kind, point.text, f, statement.span)
     elif isinstance(statement, ast.ScrewFriction):
-        thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
-        if thread is not None:
-            _remark_on_lead(here[0], thread, statement.thread.span, scope)
-            thread = scope.named("d", point.text, thread, LENGTH, span)
-            yield ThreadFriction(here[0].id, point.text, f, thread, span)
+        yield from _in_thread(statement, here[0], f, scope)
     elif isinstance(statement, ast.CollarFriction):
-        radius = collars.collar_radius(statement, scope)
-        if statement.thrust is not None:
-            scope.report.add(collar_messages.thrust_of_a_screw(statement.thrust.span, point.text))
-        elif radius is not None:
-            yield CollarFriction(here[0].id, point.text, f, radius, span)
+        yield from _on_collar(statement, here[0], f, scope)
+
+
+def _in_thread(
+    statement: ast.ScrewFriction, screw: Screw, f: Formula, scope: Scope
+) -> Iterator[JointFriction]:
+    point, span = statement.point.text, statement.span
+    thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
+    if thread is not None:
+        _remark_on_lead(screw, thread, statement.thread.span, scope)
+        thread = scope.named("d", point, thread, LENGTH, span)
+        yield ThreadFriction(screw.id, point, f, thread, span)
+
+
+def _on_collar(
+    statement: ast.CollarFriction, screw: Screw, f: Formula, scope: Scope
+) -> Iterator[JointFriction]:
+    point = statement.point.text
+    radius = collars.collar_radius(statement, scope)
+    if statement.thrust is not None:
+        scope.report.add(collar_messages.thrust_of_a_screw(statement.thrust.span, point))
+    elif radius is not None:
+        yield CollarFriction(screw.id, point, f, radius, statement.span)
 
 
 def _remark_on_lead(screw: Screw, thread: Formula, span: Span, scope: Scope) -> None:

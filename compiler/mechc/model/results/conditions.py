@@ -264,25 +264,30 @@ def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
     """Return the values behind ``at``."""
     at: dict[str, Formula] = {}
     for name, expression in statement.at:
-        entry = scope.entries.get(name.text)
-        value = constant(expression, scope, f"the value of '{name.text}'")
-        if entry is None:
-            known = scope.names({"parameter", "load"})
-            scope.unknown(name.span, name.text, known)
-        elif entry.kind not in ("parameter", "load"):
-            scope.report.add(messages.not_a_setting(name.span, name.text, f"a {entry.kind}"))
-        elif value and entry.bare and entry.dimension and value.dimension != NUMBER:
-            bare = entry.bare
-            scope.doubt(Symbol(name.text))
-            scope.report.add(
-                quantities.bare_number(bare.span, bare.digits, value.dimension, name.span)
-            )
-        elif value and _suits(value, entry.dimension, f"the value of '{name.text}'", scope):
+        value = _setting(name, expression, scope)
+        if value is not None:
             if name.text in at:
                 scope.report.add(messages.set_twice(name.span, name.text))
-            at[name.text] = value.formula
-            _remark_on_setting(name, evaluate(value.formula, {}), scope)
+            at[name.text] = value
+            _remark_on_setting(name, evaluate(value, {}), scope)
     return at
+
+
+def _setting(name: ast.Name, expression: ast.Expr, scope: Scope) -> Formula | None:
+    """Return the value that a parameter or a load is set to, None where that is wrong."""
+    entry, what = scope.entries.get(name.text), f"the value of '{name.text}'"
+    value = constant(expression, scope, what)
+    if entry is None:
+        scope.unknown(name.span, name.text, scope.names({"parameter", "load"}))
+    elif entry.kind not in ("parameter", "load"):
+        scope.report.add(messages.not_a_setting(name.span, name.text, f"a {entry.kind}"))
+    elif value and entry.bare and entry.dimension and value.dimension != NUMBER:
+        bare = entry.bare
+        scope.doubt(Symbol(name.text))
+        scope.report.add(quantities.bare_number(bare.span, bare.digits, value.dimension, name.span))
+    elif value and _suits(value, entry.dimension, what, scope):
+        return value.formula
+    return None
 
 
 def _remark_on_setting(name: ast.Name, value: float, scope: Scope) -> None:

@@ -272,10 +272,9 @@ def _paragraphs(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Pa
     found = [e for e in equations if e.left != _driving(asked)] or equations
     match step.kind:
         case "crossed" | "outer" | "parallel" | "single":
-            names, is_pressed = {"link": (step.body,)}, step.sense > 0
-            yield Paragraph(
-                SentenceKind.PRESSED if is_pressed else SentenceKind.PULLED, names=names
-            )
+            names = {"link": (step.body,)}
+            rod = SentenceKind.PRESSED if step.sense > 0 else SentenceKind.PULLED
+            yield Paragraph(rod, names=names)
             yield Paragraph(_LINES[step.kind], tuple(new), names)
         case "face":
             force = {"force": Symbol(f"R_{step.body}")}

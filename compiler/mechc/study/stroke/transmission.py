@@ -36,23 +36,29 @@ class Transmission(NamedTuple):
 
 def transmissions(pose: Pose) -> Iterator[Transmission]:
     """Yield the transmission angle at every pin between a rod and a pivoted link or a guide."""
-    pivots = pose.mechanism.fixed
-    links = pose.mechanism.links
-    for rod in links:
-        if len(rod.points) != 2 or not pivots.isdisjoint(rod.points):
+    for rod in pose.mechanism.links:
+        if len(rod.points) != 2 or not pose.mechanism.fixed.isdisjoint(rod.points):
             continue
         for pin, far in (rod.points, rod.points[::-1]):
             along = _direction(pose, rod, far, pin)
-            for link in links:
-                centre = next((p for p in link.points if p in pivots), None)
-                if link is not rod and centre and pin in link.points and along is not None:
-                    arm = _direction(pose, link, centre, pin)
-                    if arm is not None and not _drives(pose, arm):
-                        ends = frozenset((far, centre))
-                        yield Transmission(pin, along - arm, rod.name, link.name, ends)
-            if pin in pose.guides and along is not None:
+            if along is None:
+                continue
+            yield from _to_links(pose, rod, pin, far, along)
+            if pin in pose.guides:
                 across = pose.guides[pin] + Angle.constant(90)
                 yield Transmission(pin, along - across, rod.name, "")
+
+
+def _to_links(pose: Pose, rod: Link, pin: str, far: str, along: Angle) -> Iterator[Transmission]:
+    """Yield the angles between a rod and the links on pivots that it drives at a pin."""
+    pivots = pose.mechanism.fixed
+    for link in pose.mechanism.links:
+        centre = next((p for p in link.points if p in pivots), None)
+        if link is rod or not centre or pin not in link.points:
+            continue
+        arm = _direction(pose, link, centre, pin)
+        if arm is not None and not _drives(pose, arm):
+            yield Transmission(pin, along - arm, rod.name, link.name, frozenset((far, centre)))
 
 
 def _direction(pose: Pose, link: Link, tail: str, head: str) -> Angle | None:
