@@ -6,14 +6,14 @@ from types import SimpleNamespace
 import pytest
 
 from mechc.figure import layout
-from mechc.figure.figure import Dimension, MirrorLine, Rack
+from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Rack
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
 from mechc.figure.ways import Linear, Way, Ways, along
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
-from mechc.formula.tree import Symbol
+from mechc.formula.tree import Symbol, degrees, negative, total
 from mechc.frozen import replace
-from mechc.model.mechanism import Arrow, Mirror
+from mechc.model.mechanism import Absolute, Arrow, Force, Mirror
 from mechc.pose.places import Plane
 from small_poses import (
     ALONG,
@@ -32,6 +32,7 @@ from small_poses import (
 
 A, B, R, L, C = (VALUES[n] for n in "abrlc")
 ALPHA, PHI, PSI = (VALUES[n] for n in ("alpha", "phi", "psi"))
+ALPHA_, PHI_ = Symbol("alpha"), Symbol("phi")
 X, Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
 
 
@@ -147,6 +148,26 @@ def test_a_given_length_is_measured_along_its_vector():
     (mark,) = [part for part in figure.parts if isinstance(part, Dimension)]
     assert (mark.text, mark.value) == ("a", pytest.approx(A))
     assert mark.along == near(polar(1.0, ALPHA))
+
+
+@pytest.mark.parametrize(
+    ("given", "start", "sweep", "name"),
+    [
+        (ALPHA_, 0.0, ALPHA, "alpha"),
+        (total([ALPHA_, degrees(30)]), math.pi / 6, ALPHA, "alpha"),
+        (total([negative(ALPHA_), degrees(90)]), math.pi / 2, -ALPHA, "alpha"),
+        (total([PHI_, negative(ALPHA_)]), 0.0, PHI - ALPHA, "phi - alpha"),
+        (total([negative(PHI_), negative(ALPHA_)]), 0.0, -PHI - ALPHA, "alpha + phi"),
+    ],
+)
+def test_an_angle_is_marked_from_its_constant_part_on(given, start, sweep, name):
+    """What turns clockwise is marked so, by its name without the minus."""
+    pose = lever()
+    load = Force("F", "A", Absolute(given, HERE), HERE)
+    figure = draw(replace(pose, mechanism=replace(pose.mechanism, geometry=(), loads=(load,))))
+    (mark,) = [part for part in figure.parts if isinstance(part, AngleMark)]
+    assert (mark.vertex, mark.text) == ("A", name)
+    assert (mark.start, mark.sweep) == pytest.approx((start, sweep))
 
 
 @pytest.mark.parametrize(("down", "touches"), [(-1.0, 1.0), (1.0, -1.0)])

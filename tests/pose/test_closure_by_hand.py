@@ -1,0 +1,79 @@
+"""Whether loops close, asked one by one of vectors that are written down by hand."""
+
+import math
+
+import pytest
+
+from mechc.algebra.angle import Angle
+from mechc.algebra.product import Product
+from mechc.pose.closure import Closure, Condition
+from mechc.pose.pose import Arm
+from mechc.source import Span
+
+HERE = Span(0, 1)
+X, Y = Angle.constant(0), Angle.constant(90)
+A, B, L = map(Product.symbol, "abl")
+ALPHA, BETA = Angle.of("alpha"), Angle.of("beta")
+POSES = [{"a": 1.0, "b": 2.0, "alpha": 0.3, "beta": 0.7, "l": 1.0}]
+
+
+def loop(*arms, across=(X, Y), name="AB"):
+    return Condition(name, tuple(Arm(size, along) for size, along in arms), across, HERE)
+
+
+def codes(closure, *conditions):
+    found = [closure.check(condition, POSES) for condition in conditions]
+    return [None if one is None else one.code for one in found]
+
+
+def test_a_vector_there_and_back_closes():
+    assert codes(Closure(()), loop((A, ALPHA), (-A, ALPHA))) == [None]
+
+
+def test_two_given_vectors_do_not():
+    (code,) = codes(Closure(()), loop((A, ALPHA), (-B, BETA)))
+    assert code is not None
+
+
+def test_an_open_length_closes_one_direction_and_not_the_other():
+    """l along alpha makes up for a along alpha, and not for b across it."""
+    assert codes(Closure(["l"]), loop((A, ALPHA), (L, ALPHA))) == [None]
+    across = ALPHA + Angle.constant(90)
+    assert codes(Closure(["l"]), loop((A, ALPHA), (L, ALPHA), (B, across))) != [None]
+
+
+def test_two_open_lengths_close_any_loop_once():
+    ways = loop((A, ALPHA), (L, X), (Product.symbol("k"), Y))
+    closure = Closure(["l", "k"])
+    assert codes(closure, ways) == [None]
+    other = loop((B, BETA), (L, X), (Product.symbol("k"), Y))
+    assert codes(closure, other) != [None]
+
+
+@pytest.mark.parametrize("angle", [X, ALPHA])
+def test_what_stands_across_an_open_length_is_what_is_wrong(angle):
+    """It is said along and across the open length, whichever way the loop is to be projected."""
+    across = angle + Angle.constant(90)
+    found = Closure(["l"]).check(loop((L, angle), (B, across), across=(ALPHA, BETA)), POSES)
+    assert found is not None
+    same = Closure(["l"]).check(loop((L, angle), (B, across), across=(X, Y)), POSES)
+    assert same is not None
+    assert found.message == same.message
+
+
+def test_only_the_direction_that_is_asked_for_counts():
+    """On its guide along x a point may be anywhere: its height alone must close."""
+    assert codes(Closure(()), loop((A, X), across=(Y,))) == [None]
+    assert codes(Closure(()), loop((A, X), across=(X,))) != [None]
+
+
+def test_a_defined_angle_may_close_a_loop():
+    """beta = asin(a·sin(alpha)/b): only numbers show that both heights are equal."""
+    condition = loop((A, ALPHA), (-B, BETA), across=(Y,))
+    poses = [
+        {"a": 1.0, "b": 2.0, "alpha": x, "beta": math.asin(math.sin(x) / 2)} for x in (0.3, 1.0)
+    ]
+    assert Closure((), defined=["beta"]).check(condition, poses) is None
+    assert Closure(()).check(condition, poses) is not None
+    wrong = [poses[0], {**poses[1], "beta": 0.1}]
+    assert Closure((), defined=["beta"]).check(condition, wrong) is not None
