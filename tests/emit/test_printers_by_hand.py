@@ -5,9 +5,11 @@ from fractions import Fraction
 import pytest
 
 from mechc.emit.c.printer import LONGEST_LINE, CPrinter, broken, harmless, wrapped
+from mechc.emit.printer import Level
 from mechc.emit.python.printer import PythonPrinter
-from mechc.formula.tree import ZERO, Number, Product, Symbol, number, product, quotient, total
+from mechc.formula.tree import ZERO, Number, Symbol, number, product, quotient, total
 
+THIRD = Fraction(1, 3)
 A, B = Symbol("a"), Symbol("b")
 NAMES = {"a": "a", "b": "b"}
 PRINTERS = [CPrinter(NAMES), PythonPrinter(NAMES)]
@@ -20,7 +22,7 @@ PRINTERS = [CPrinter(NAMES), PythonPrinter(NAMES)]
         (number(3), "3.0"),
         (ZERO, "0.0"),
         (number(Fraction(1, 4)), "0.25"),
-        (number(Fraction(1, 3)), "1.0/3.0"),
+        (number(THIRD), "1.0/3.0"),
         (total([A, number(-2)]), "a - 2.0"),
         (product([(A, 1), (total([A, B]), 1)]), "a*(a + b)"),
         (quotient(A, product([(A, 1), (B, 1)])), "a/(a*b)"),
@@ -34,16 +36,11 @@ def test_a_formula_is_a_line(printer, formula, expected):
 @pytest.mark.parametrize("printer", PRINTERS, ids=["c", "python"])
 @pytest.mark.parametrize(
     ("value", "expected"),
-    [
-        (-2, "a*(-2.0)"),
-        (2, "a*2.0"),
-        (0, "a*0.0"),
-        (Fraction(-1, 4), "a*(-0.25)"),
-        (Fraction(1, 3), "a*(1.0/3.0)"),
-    ],
+    [(-2, "(-2.0)"), (2, "2.0"), (0, "0.0"), (Fraction(-1, 4), "(-0.25)"), (THIRD, "(1.0/3.0)")],
 )
-def test_a_number_in_a_product_has_brackets_where_it_has_a_sign(printer, value, expected):
-    assert printer.print(Product((A, Number(Fraction(value))))) == expected
+def test_a_number_that_is_a_factor_has_brackets_where_it_has_a_sign(printer, value, expected):
+    assert printer.print(Number(Fraction(value)), Level.PRODUCT) == expected
+    assert printer.print(Number(Fraction(value))) == expected.strip("()")
 
 
 @pytest.mark.parametrize("indent", ["    ", "        "])

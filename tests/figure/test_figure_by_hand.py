@@ -1,6 +1,7 @@
 """Figures of linkages built by hand: open lengths, points, joints and what stands beside them."""
 
 import math
+from fractions import Fraction
 from types import SimpleNamespace
 
 import pytest
@@ -11,9 +12,9 @@ from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
 from mechc.figure.ways import Linear, Way, Ways, along
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
-from mechc.formula.tree import Symbol, degrees, negative, total
+from mechc.formula.tree import Symbol, degrees, negative, number, total
 from mechc.frozen import replace
-from mechc.model.mechanism import Absolute, Arrow, Force, Mirror
+from mechc.model.mechanism import Absolute, Along, Arrow, Force, Mirror
 from mechc.pose.places import Plane
 from small_poses import (
     ALONG,
@@ -155,6 +156,7 @@ def test_a_given_length_is_measured_along_its_vector():
     [
         (ALPHA_, 0.0, ALPHA, "alpha"),
         (total([ALPHA_, degrees(30)]), math.pi / 6, ALPHA, "alpha"),
+        (total([ALPHA_, number(Fraction(1, 2))]), 0.5, ALPHA, "alpha"),
         (total([negative(ALPHA_), degrees(90)]), math.pi / 2, -ALPHA, "alpha"),
         (total([PHI_, negative(ALPHA_)]), 0.0, PHI - ALPHA, "phi - alpha"),
         (total([negative(PHI_), negative(ALPHA_)]), 0.0, -PHI - ALPHA, "alpha + phi"),
@@ -168,6 +170,14 @@ def test_an_angle_is_marked_from_its_constant_part_on(given, start, sweep, name)
     (mark,) = [part for part in figure.parts if isinstance(part, AngleMark)]
     assert (mark.vertex, mark.text) == ("A", name)
     assert (mark.start, mark.sweep) == pytest.approx((start, sweep))
+
+
+@pytest.mark.parametrize("given", [Absolute(degrees(30), HERE), Along("O", "A", 0, HERE)])
+def test_no_angle_is_marked_where_none_has_a_name(given):
+    pose = lever()
+    load = Force("F", "A", given, HERE)
+    figure = draw(replace(pose, mechanism=replace(pose.mechanism, geometry=(), loads=(load,))))
+    assert not [part for part in figure.parts if isinstance(part, AngleMark)]
 
 
 @pytest.mark.parametrize(("down", "touches"), [(-1.0, 1.0), (1.0, -1.0)])
