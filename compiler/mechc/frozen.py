@@ -239,7 +239,7 @@ def _misfit(
     given: tuple[Any, ...],
     named: Mapping[str, Any],
 ) -> str:
-    """Return what is wrong with the values that a constructor got."""
+    """Return the error of a constructor that got these values."""
     if len(given) > len(names):
         return f"{name} takes {len(names)} values, {len(given)} were given"
     if twice := named.keys() & {*names[: len(given)]}:

@@ -69,7 +69,7 @@ def test_what_takes_too_long_is_named(tmp_path, monkeypatch):
     assert list(done.lines()) == ["toggle 0: out of time, causes"]
 
 
-def test_an_error_of_a_description_is_counted_and_one_of_the_compiler_is_told(tmp_path):
+def test_an_error_of_a_description_is_counted_and_one_of_the_compiler_is_shown(tmp_path):
     done = looked_at("toggle", hunted(tmp_path, RISING.replace("slider K along y\n", "")))
     assert (done.results, done.refuted) == (0, ())
     assert done.refused

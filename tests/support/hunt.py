@@ -63,7 +63,7 @@ class Outcome(NamedTuple):
 
 
 def outcome(kind: str, seed: int, seconds: float = SECONDS) -> Outcome | None:
-    """Return what comes of the mechanism that a kind has for a seed; None where it has none."""
+    """Return the outcome for the mechanism that a kind has for a seed; None where it has none."""
     description = made(kind, seed)
     if description is None:
         return None
@@ -76,7 +76,7 @@ def _of_pair(pair: tuple[str, int], seconds: float) -> Outcome | None:
 
 
 def looked_at(kind: str, found: Hunted, seconds: float = SECONDS) -> Outcome:
-    """Return what all that can refute says of a mechanism."""
+    """Return the verdict on a mechanism of all that can refute."""
     done = Outcome(kind, found.seed)
     try:
         with no_longer_than(seconds):
@@ -109,7 +109,7 @@ def tried(done: Outcome, at: str, refute: Callable[[], Iterable[str]]) -> Outcom
 
 
 def traits(found: Hunted) -> tuple[str, ...]:
-    """Return what a mechanism is counted as in the summary."""
+    """Return the heading that a mechanism is counted under in the summary."""
     made = found.compilation
     has_friction = any(isinstance(r.target, WithFriction) for r in made.results)
     return (

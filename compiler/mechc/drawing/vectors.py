@@ -93,7 +93,7 @@ class Forces:
             yield self._source(acting, alone=[a.kind for a in alike].count("rope") == 1)
 
     def _source(self, acting: Acting, *, alone: bool) -> tuple[Run, ...]:
-        """Return what a force comes from: a body by its points, the one rope there as the rope."""
+        """Return the origin of a force: a body by its points, the one rope there as the rope."""
         if acting.kind == "rope" and alone:
             return (Run(self.words["of_rope"]),)
         called = self.called(acting.by)

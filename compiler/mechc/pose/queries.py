@@ -80,7 +80,7 @@ def _of_vector(form: Form, vectors: Vectors, span: Span, report: Report) -> Form
 
 
 def _direction_or_length(form: Form, vector: Vector, vectors: Vectors) -> Formula:
-    """Return what a form asks for of a vector, which is made one arm if it is several."""
+    """Return the length or direction that a form asks for; a vector of several arms is made one."""
     if len(vector) > 1:
         vectors.straighten(*form.points)
         vector = vectors.path(*form.points) or ()
