@@ -40,32 +40,41 @@ class Question(NamedTuple):
     unit: float
 
 
+class Part(NamedTuple):
+    """A part of the right-hand side, and the unknowns that balance it."""
+
+    right: Row
+    found: Found
+
+
 class FrictionForces(NamedTuple):
     """Friction under given loads: its size at each pair, and against which slip.
 
-    ``right`` is the right-hand side that the given loads make by themselves.
+    ``loads`` is the part that the given loads make by themselves, ``against`` that of a friction
+    of 1 against each slip.
     """
 
     question: Question
-    right: Row
+    loads: Part
     pairs: tuple[Pair, ...]
     senses: tuple[float, ...]
+    against: tuple[Part, ...]
     frictions: tuple[float, ...]
 
     @property
-    def parts(self) -> list[tuple[Row, float]]:
-        """Return the right-hand sides under which all balances, each so many times over."""
-        acting = zip(self.pairs, self.senses, self.frictions, strict=True)
-        return [(self.right, 1.0), *((_against(self.question, p, s), f) for p, s, f in acting)]
+    def parts(self) -> list[tuple[Part, float]]:
+        """Return the parts under which all balances, each so many times over."""
+        return [(self.loads, 1.0), *zip(self.against, self.frictions, strict=True)]
 
 
 class Loaded(NamedTuple):
     """All that :class:`FrictionForces` has but its sizes, and what they follow from."""
 
     question: Question
-    right: Row
+    loads: Part
     pairs: tuple[Pair, ...]
     senses: tuple[float, ...]
+    against: tuple[Part, ...]
     pressed: list[SurfacePair]
 
     def under(self, frictions: Iterable[float]) -> FrictionForces:
@@ -134,10 +143,11 @@ def _loaded(
     responses = [question.factors.solve(friction) for friction in frictions]
     slips = map(partial(_slip, question), frictions, responses)
     senses = tuple(-SIGNS[sense] * slip for slip in slips)
+    against = tuple(map(partial(_part_against, question), pairs, senses, responses))
     responses = [[s * x for x in r] for s, r in zip(senses, responses, strict=True)]
     thrusts = {p.name: _size(p.thrust, unfolding, tied, given) for p in pairs if p.thrust}
     pressed = _pressed(question, pairs, senses, (ideal, thrusts), responses)
-    return Loaded(question, right, pairs, senses, pressed)
+    return Loaded(question, Part(right, ideal), pairs, senses, against, pressed)
 
 
 def _right_side(
@@ -168,18 +178,18 @@ def _weights(
     return wanted_of(target.of, unfolding, question.system)
 
 
-def _answer(question: Question, weights: Weights, parts: Sequence[tuple[Row, float]]) -> Answer:
+def _answer(question: Question, weights: Weights, parts: Sequence[tuple[Part, float]]) -> Answer:
     """Return a combination of unknowns under several loads, each so many times over."""
     value = influence = 0.0
-    for load, size in parts:
-        found = question.factors.solve(load)
+    adjoints = {column: question.factors.adjoint(column) for column in weights}
+    for (load, found), size in parts:
         sizes = question.factors.weights(found, load)
         rounding = EPSILON * max(sizes, default=0.0)
         for column, weight in weights.items():
             value += weight * size * found[column]
             if column != question.drive:  # the weight is rounded: a component of a direction
                 influence += abs(size) * (rounding + abs(found[column]))
-            shares = zip(question.factors.adjoint(column), sizes, strict=True)
+            shares = zip(adjoints[column], sizes, strict=True)
             influence += abs(weight * size) * sum(abs(share) * s for share, s in shares)
     return Answer(value, influence)
 
@@ -216,6 +226,12 @@ def _slip(question: Question, friction: dict[int, float], response: Found) -> fl
 def _against(question: Question, pair: Pair, sense: float) -> dict[int, float]:
     """Return the right-hand side of a friction of 1 in a pair."""
     return {i: -v * sense for i, v in question.columns[pair.name].items()}
+
+
+def _part_against(question: Question, pair: Pair, sense: float, response: Found) -> Part:
+    """Return a friction of 1 against a slip, none where nothing slips; a response to one of 1."""
+    found = [sense * x if sense else 0.0 for x in response]
+    return Part(_against(question, pair, sense), found)
 
 
 def _pressed(

@@ -33,10 +33,15 @@ class Step(NamedTuple):
 
 
 class Pivot(NamedTuple):
-    """The unknown ``column`` follows from ``row`` once the later pivots are known."""
+    """The unknown ``column`` follows from ``row`` once the later pivots are known.
+
+    It has the factor ``entry`` there; ``others`` are what is left of the row.
+    """
 
     row: int
     column: int
+    entry: float
+    others: tuple[tuple[int, float], ...]
 
 
 @frozen
@@ -48,7 +53,6 @@ class Factors:
     width: int
     steps: tuple[Step, ...]
     pivots: tuple[Pivot, ...]
-    upper: tuple[Row, ...]
 
     def solve(self, right: Row) -> list[float]:
         """Return the unknowns for one right-hand side, refined once; undetermined ones are 0."""
@@ -67,8 +71,9 @@ class Factors:
 
     def weights(self, unknowns: Sequence[float], right: Row) -> list[float]:
         """Return, per row, the sum of the sizes that its terms may have with entries up to 1."""
+        sizes = [abs(x) for x in unknowns]
         return [
-            sum(abs(unknowns[j]) for j in row) + abs(right.get(i, 0.0)) * self.scales[i]
+            sum(map(sizes.__getitem__, row)) + abs(right.get(i, 0.0)) * self.scales[i]
             for i, row in enumerate(self.rows)
         ]
 
@@ -85,10 +90,10 @@ class Factors:
         """Return the weight with which each row's right-hand side enters an unknown."""
         wanted = {column: 1.0}
         weights = [0.0] * len(self.rows)
-        for pivot, row in zip(self.pivots, self.upper, strict=True):
-            weights[pivot.row] = share = wanted.get(pivot.column, 0.0) / row[pivot.column]
+        for row, column, pivot, others in self.pivots:
+            weights[row] = share = wanted.get(column, 0.0) / pivot
             if share:
-                for j, entry in row.items():
+                for j, entry in others:
                     wanted[j] = wanted.get(j, 0.0) - share * entry
         for target, source, multiple in reversed(self.steps):
             weights[source] -= multiple * weights[target]
@@ -96,7 +101,7 @@ class Factors:
 
     def _residual(self, unknowns: Sequence[float], scaled: Row) -> list[float]:
         return [
-            math.fsum([scaled.get(i, 0.0), *(-a * unknowns[j] for j, a in row.items())])
+            math.fsum([scaled.get(i, 0.0), *[-a * unknowns[j] for j, a in row.items()]])
             for i, row in enumerate(self.rows)
         ]
 
@@ -109,9 +114,9 @@ class Factors:
 
     def _back(self, right: Row, free: Row) -> list[float]:
         unknowns = [free.get(j, 0.0) for j in range(self.width)]
-        for (i, column), row in zip(reversed(self.pivots), reversed(self.upper), strict=True):
-            rest = sum(a * unknowns[j] for j, a in row.items() if j != column)
-            unknowns[column] = (right.get(i, 0.0) - rest) / row[column]
+        for row, column, entry, others in reversed(self.pivots):
+            rest = sum([a * unknowns[j] for j, a in others])
+            unknowns[column] = (right.get(row, 0.0) - rest) / entry
         return unknowns
 
 
@@ -136,7 +141,6 @@ def factor(rows: Sequence[Row], width: int, last: int | None = None) -> Factors:
         width,
         tuple(elimination.steps),
         tuple(elimination.pivots),
-        tuple(elimination.upper),
     )
 
 
@@ -160,7 +164,6 @@ class _Elimination:
         self.queue = [(len(row), i) for i, row in self.left.items()]
         self.steps: list[Step] = []
         self.pivots: list[Pivot] = []
-        self.upper: list[Row] = []
 
     def run(self) -> None:
         """Take row after row, shortest first, until all are pivots or empty."""
@@ -193,8 +196,8 @@ class _Elimination:
         for target in sorted(self.columns[column]):
             self._subtract(target, i, row, column)
         self.columns[column].clear()
-        self.pivots.append(Pivot(i, column))
-        self.upper.append(row)
+        others = tuple((j, v) for j, v in row.items() if j != column)
+        self.pivots.append(Pivot(i, column, row[column], others))
 
     def _subtract(self, target: int, source: int, row: Row, column: int) -> None:
         into = self.left[target]

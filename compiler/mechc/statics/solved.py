@@ -54,8 +54,8 @@ def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
     if isinstance(slipping, str):
         return slipping
     question, found = slipping.question, [0.0] * (len(slipping.question.system.unknowns) + 1)
-    for right, size in slipping.parts:
-        found = [f + size * x for f, x in zip(found, question.factors.solve(right), strict=True)]
+    for (_, more), size in slipping.parts:
+        found = [f + size * x for f, x in zip(found, more, strict=True)]
     loads = _of_all({**_bases(case, tied), drive: found[question.drive] * question.unit}, tied)
     frictions = zip(slipping.pairs, slipping.senses, slipping.frictions, strict=True)
     return Solution(
