@@ -169,15 +169,18 @@ class _At(NamedTuple):
     y: float
 
 
-def narrowed(function: Function, a: float, b: float) -> Root:
-    """Narrow an interval over which the sign changes until nothing is left between its ends.
+def narrowed(function: Function, a: float, b: float, enough: float = 0.0) -> Root:
+    """Narrow an interval over which the sign changes until it is no wider than ``enough``.
 
-    It is divided where three values say that the zero is, or halved where they may mislead (T. R.
-    Chandrupatla, A new hybrid quadratic/bisection algorithm, *Adv. Eng. Software* 28, 1997).
+    At the most that is until nothing is left between its ends. It is divided where three values
+    say that the zero is, or halved where they may mislead (T. R. Chandrupatla, A new hybrid
+    quadratic/bisection algorithm, *Adv. Eng. Software* 28, 1997).
     """
     here, far = _At(a, function(a)), _At(b, function(b))
     last, cuts = far, 0
     while (x := _cut(here, far, last, cuts)) not in (here.x, far.x):
+        if abs(far.x - here.x) <= enough:
+            break
         value, cuts = function(x), cuts + 1
         if value == 0:
             return Root(x, 0.0)

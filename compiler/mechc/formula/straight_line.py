@@ -79,7 +79,9 @@ class StraightLine:
         names: Sequence[str],
         solution: Callable[[System], Solution],
         definitions: Iterable[tuple[str, Formula]] = (),
+        often: int = OFTEN,
     ) -> None:
+        """Take what is computed, to be compiled when it has been computed ``often``."""
         maker = _Maker(names, solution)
         for name, formula in definitions:
             maker.define(name, formula)
@@ -89,7 +91,7 @@ class StraightLine:
         self._steps = [(value.operation, value.arguments) for value in self._made]
         self._results = [result.index for result in results]
         self._work = 1 + len(self._steps) // QUICK
-        self._left = OFTEN
+        self._left = often
         self._function: Function = self._step_by_step
 
     def at(self, values: Sequence[float]) -> list[float]:
@@ -221,7 +223,7 @@ def _compiled(
     lines = ["def at(values):", f" [{', '.join(names[:given])}] = values"]
     for value in made:
         called = f"f{value.index}"
-        operations[called] = value.operation
+        operations[called] = OF_SEVERAL.get(value.operation, value.operation)
         lines.append(f" v{value.index} = {_written(value, called, names)}")
         names.append(f"v{value.index}")
     lines.append(f" return [{', '.join(names[i] for i in results)}]")
@@ -239,7 +241,8 @@ def _written(value: _Made, called: str, names: Sequence[str]) -> str:
     if value.operation is _or_nan:
         return arguments[0]
     joined = ", ".join(arguments)
-    return f"{called}({joined})" if len(arguments) == 1 else f"{called}(({joined}))"
+    is_plain = len(arguments) == 1 or value.operation in OF_SEVERAL
+    return f"{called}({joined})" if is_plain else f"{called}(({joined}))"
 
 
 def _is_whole(exponent: str) -> bool:
@@ -270,3 +273,8 @@ def _on_several(function: Callable[..., float]) -> Operation:
 
 SEVERAL = {name: _on_several(function) for name, function in FUNCTIONS.items()}
 """The functions as operations on a tuple."""
+
+OF_SEVERAL: Mapping[Operation, Callable[..., float]] = {
+    operation: FUNCTIONS[name] for name, operation in SEVERAL.items()
+}
+"""The functions by these operations."""

@@ -12,7 +12,7 @@ from graphlib import CycleError, TopologicalSorter
 
 from ..formula.choices import EQUAL, SENSELESS
 from ..formula.evaluate import Evaluation, evaluate, solver
-from ..formula.straight_line import Solution, StraightLine, in_order
+from ..formula.straight_line import OFTEN, Solution, StraightLine, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
 from ..units import ANGLE, LENGTH
@@ -49,7 +49,7 @@ class Chain:
         needs = {name: mentions.of(formula) for name, formula in formulas.items()}
         order, _ = ordered({name: set(n & formulas.keys()) for name, n in needs.items()})
         self._steps = [(name, formulas[name], needs[name]) for name in order]
-        self._codes: dict[frozenset[str], _Code | None] = {}
+        self._codes: dict[frozenset[str], Completion | None] = {}
 
     @property
     def definitions(self) -> list[tuple[str, Formula]]:
@@ -74,10 +74,7 @@ class Chain:
         if known not in self._codes:
             self._codes[known] = None
             return self._once(values)
-        code = self._codes[known]
-        if code is None:
-            code = self._codes[known] = self._code(known)
-        return code.complete(values)
+        return self.completion(known).complete(values)
 
     def _once(self, values: Values) -> dict[str, float]:
         found = dict(values)
@@ -87,32 +84,45 @@ class Chain:
                 found[name] = evaluation.of(formula)
         return found
 
-    def _code(self, known: frozenset[str]) -> "_Code":
-        """Return the code of all steps from these names on, to be kept for the same names again."""
+    def completion(self, known: frozenset[str], often: int = OFTEN) -> "Completion":
+        """Return what follows from values of these names as code, kept for the same names again.
+
+        It is compiled when it has been used ``often``.
+        """
+        code = self._codes.get(known)
+        if code is None:
+            code = self._codes[known] = self._completion(known, often)
+        return code
+
+    def _completion(self, known: frozenset[str], often: int) -> "Completion":
         found, followed = set(known), []
         for name, formula, needs in self._steps:
             if name not in found and needs <= found:
                 found.add(name)
                 followed.append((name, formula))
-        return _Code(sorted(known), followed, self._solved)
+        return Completion(sorted(known), followed, self._solved, often)
 
 
-class _Code:
-    """Definitions in order as straight-line code."""
+class Completion:
+    """Definitions in order as straight-line code; ``names`` are those that they define."""
 
     def __init__(
         self,
         known: list[str],
         followed: list[tuple[str, Formula]],
         solved: Callable[[System], Solution],
+        often: int,
     ) -> None:
-        self._given, self._names = in_order(known), [name for name, _ in followed]
-        self._code = StraightLine(list(map(Symbol, self._names)), known, solved, followed)
+        self._given, self.names = in_order(known), [name for name, _ in followed]
+        self._code = StraightLine(list(map(Symbol, self.names)), known, solved, followed, often)
 
     def complete(self, values: Values) -> dict[str, float]:
         """Return values with those that follow from them."""
-        found = self._code.at(self._given(values))
-        return {**values, **dict(zip(self._names, found, strict=True))}
+        return {**values, **dict(zip(self.names, self.following(values), strict=True))}
+
+    def following(self, values: Values) -> list[float]:
+        """Return the values of the names that follow, in their order."""
+        return self._code.at(self._given(values))
 
 
 def completed(values: Values, definitions: Iterable[tuple[str, Formula]]) -> dict[str, float]:

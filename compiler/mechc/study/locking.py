@@ -219,10 +219,14 @@ class _Intervals:
         """
         width = NEARLY if self.moving.is_slow else EXACT
         if (other := self.moving.at(bad).state) is not None:
-            bad = last(lambda x: self.moving.at(x).state != other, good, bad, width)
+            bad = last(
+                lambda x: self.moving.at(x).state != other, good, bad, width, self.moving.margin
+            )
         if self.moving.at(bad).state == state:
             return bad
-        return last(lambda x: self.moving.at(x).state == state, good, bad, width)
+        return last(
+            lambda x: self.moving.at(x).state == state, good, bad, width, self.moving.margin
+        )
 
     def _end_of_window(self, x: float) -> Bound | None:
         """Return the end of what was looked at beyond the range; the range ends as it is given."""

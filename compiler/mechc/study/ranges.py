@@ -1,8 +1,10 @@
 """What results are followed along: the drive, angles, and whatever else has a range."""
 
-from collections.abc import Callable, Iterator, Sequence
+import math
+from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import groupby
 
+from ..formula.roots import narrowed
 from ..formula.walk import symbols
 from ..model.locking import Range
 from ..model.mechanism import Mechanism
@@ -79,27 +81,90 @@ def scale_of(result: Result, mechanism: Mechanism) -> str:
     return usual_length(mechanism) if result.dimension == LENGTH else si_unit(result.dimension)
 
 
-def last(holds: Callable[[float], bool], good: float, bad: float, width: float = EXACT) -> float:
-    """Return the last value at which something holds that no longer does at another."""
-    least = width * max(abs(good), abs(bad))
+Measure = Callable[[float], float]
+"""Gives a value that is positive where something holds and negative beyond, or the other way."""
+
+
+def last(
+    holds: Callable[[float], bool],
+    good: float,
+    bad: float,
+    width: float = EXACT,
+    measure: Measure | None = None,
+) -> float:
+    """Return the last value at which something holds that no longer does at another.
+
+    It is found by halves. Where a ``measure`` changes its sign there, values on either side of
+    that are tried first, and what follows from them is not tried again.
+    """
+    least, way = width * max(abs(good), abs(bad)), math.copysign(1.0, bad - good)
+    sure, out = good, bad
+    if measure:
+        sure, out = _between(holds, _beside_zero(measure, good, bad, least), good, bad)
     while abs(bad - good) > least and (middle := (good + bad) / 2) not in (good, bad):
-        if holds(middle):
+        if (sure - middle) * way >= 0:
             good = middle
-        else:
+        elif (middle - out) * way >= 0:
             bad = middle
+        elif holds(middle):
+            good = sure = middle
+        else:
+            bad = out = middle
     return good
 
 
-def spans(grid: Sequence[float], holds: Callable[[float], bool]) -> Iterator[Range]:
-    """Yield the stretches on which something holds."""
+NEARER = (8, 16, 24, 32, 40)
+"""How often a stretch is halved to values beside a zero at its end."""
+
+
+def _beside_zero(measure: Measure, good: float, bad: float, least: float) -> Collection[float]:
+    """Return values on either side of where a measure is zero, nearer and nearer to it.
+
+    It may be zero at the end itself, but for rounding.
+    """
+    first, final = measure(good), measure(bad)
+    if abs(final) <= EXACT * abs(first):
+        return [bad + (good - bad) * 0.5**halvings for halvings in NEARER]
+    if not (first * final < 0 and math.isfinite(first * final)):
+        return ()
+    taken: dict[float, float] = {good: first, bad: final}
+
+    def noted(x: float) -> float:
+        if x not in taken:
+            taken[x] = measure(x)
+        return taken[x]
+
+    narrowed(noted, good, bad, least)
+    return taken
+
+
+def _between(
+    holds: Callable[[float], bool], values: Collection[float], good: float, bad: float
+) -> tuple[float, float]:
+    """Return two neighbours among values: at the first something holds, and no longer beyond."""
+    ordered = sorted({good, bad, *values}, reverse=bad < good)
+    first, final = 0, len(ordered) - 1
+    while final - first > 1:
+        middle = (first + final) // 2
+        if holds(ordered[middle]):
+            first = middle
+        else:
+            final = middle
+    return ordered[first], ordered[final]
+
+
+def spans(
+    grid: Sequence[float], holds: Callable[[float], bool], measure: Measure | None = None
+) -> Iterator[Range]:
+    """Yield the stretches on which something holds, and a measure, if there is one, is positive."""
     first = 0
     for so, group in groupby(grid, holds):
         final = first + len(list(group)) - 1
         if so:
-            low = last(holds, grid[first], grid[first - 1], NEARLY) if first else grid[0]
+            low = last(holds, grid[first], grid[first - 1], NEARLY, measure) if first else grid[0]
             high = grid[-1]
             if final + 1 < len(grid):
-                high = last(holds, grid[final], grid[final + 1], NEARLY)
+                high = last(holds, grid[final], grid[final + 1], NEARLY, measure)
             yield low, high
         first = final + 1
 

@@ -98,9 +98,9 @@ class _Run:
 
     def _usual(self) -> Iterator[Range]:
         """Yield the stretches on which it is usual, if it only passes through that, too."""
-        low, high = USUAL
-        enough = spans(self._sweep, lambda x: self._moving.efficiency(x) >= low)
+        (low, high), efficiency = USUAL, self._moving.efficiency
+        enough = spans(self._sweep, lambda x: efficiency(x) >= low, lambda x: efficiency(x) - low)
         for first, last in list(enough):
             inside = [x for x in self._sweep if first < x < last]
             grid = [first, *inside, last]
-            yield from spans(grid, lambda x: self._moving.efficiency(x) <= high)
+            yield from spans(grid, lambda x: efficiency(x) <= high, lambda x: high - efficiency(x))

@@ -13,7 +13,7 @@ from functools import partial
 from itertools import chain, pairwise
 
 from ..formula.roots import lowest, spaced
-from .ranges import last
+from .ranges import Measure, last
 from .states import Moving
 from .tolerances import JUMP_WIDTH, NEARLY, SAME_EFFICIENCY, SAME_VALUE, TOUCHED
 
@@ -192,7 +192,23 @@ def dead_centre(moving: Moving, a: float, b: float) -> float:
 def before_dead_centre(moving: Moving, a: float, b: float) -> float:
     """Return the last value, from the first of two on, that is still before the dead centre."""
     driven = moving.driven(a)
-    return last(lambda x: driven is not None and moving.driven(x) == driven, a, b)
+    if driven is None:
+        return last(lambda _: False, a, b)
+    measures: tuple[Measure, ...] = (moving.without, partial(_inverse, moving))
+    straightest = min(measures, key=lambda measure: _bend(measure, a, b))
+    return last(lambda x: moving.driven(x) == driven, a, b, measure=straightest)
+
+
+def _inverse(moving: Moving, x: float) -> float:
+    """Return the inverse of the ratio without friction, which passes zero at a pole."""
+    ratio = moving.without(x)
+    return 1 / ratio if ratio else math.inf
+
+
+def _bend(measure: Measure, a: float, b: float) -> float:
+    """Return by which part of its values a measure is off the straight line between two."""
+    first, here, final = (measure(x) for x in (a, (a + b) / 2, b))
+    return abs(first + final - 2 * here) / (abs(first) + abs(final))
 
 
 # ------------------------------------------------------------------------ extremes
@@ -220,8 +236,8 @@ def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
     """
     state, driven, beyond = moving.at(a).state, moving.driven(a), moving.at(b).state
     if None not in (state, beyond) and state != beyond and moving.driven(b) == driven:
-        yield last(lambda x: moving.at(x).state == state, a, b, NEARLY)
-        yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY)
+        yield last(lambda x: moving.at(x).state == state, a, b, NEARLY, moving.margin)
+        yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY, moving.margin)
 
 
 def _where_nothing_moves(moving: Moving, grid: Sequence[float], step: float) -> Iterator[float]:

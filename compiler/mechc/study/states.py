@@ -24,7 +24,7 @@ from ..model.result import Definition, FrictionResult, Result
 from ..model.targets import SIGNS, Sense
 from ..model.values import Values
 from ..named import NamedTuple
-from .sweep import VALUE, Sweep, guarded
+from .sweep import VALUE, Sweep
 from .tolerances import NEGLIGIBLE
 
 
@@ -110,13 +110,8 @@ class Moving:
     def signs(self, x: float) -> tuple[float, ...]:
         """Return the signs of slips and forces: where one changes, friction may jump."""
         if x not in self._signs:
-            self._signs[x] = self._named(self._signed, x) if self.sweep.values(x) else ()
+            self._signs[x] = self.sweep.parts(self._signed, x)
         return self._signs[x]
-
-    def _named(self, parts: Result, x: float) -> tuple[float, ...]:
-        """Return the values of parts of a ratio that have one."""
-        values = self.sweep.named(parts, x)
-        return tuple(values[d.name] for d in parts.where if is_part(d) and d.name in values)
 
     @cached_property
     def _signed(self) -> Result:
@@ -128,7 +123,7 @@ class Moving:
         """Return the factors of the ratio without friction: each is zero at a dead centre."""
         if x not in self._factors:
             is_dead = self.driven(x) is None
-            self._factors[x] = () if is_dead else self._named(self._factored, x)
+            self._factors[x] = () if is_dead else self.sweep.parts(self._factored, x)
         return self._factors[x]
 
     @cached_property
@@ -157,10 +152,10 @@ class Moving:
 
     def _value(self, result: Result, x: float) -> float | None:
         """Return a result's value, NaN where its system says that there is none."""
-        values = self.sweep.named(result, x)
-        found = guarded(result, values)
+        found = self.sweep.guarded(result, x)
         if math.isfinite(found):
             return found
+        values = self.sweep.named(result, x)
         ways = {way(values) for needed, way in self._ways_of(result) if needed <= values.keys()}
         return math.nan if ways and 2 not in ways else None
 
@@ -227,8 +222,3 @@ def parts_of(result: Result, parts: Iterable[Formula]) -> Result:
             where.insert(0, definition)
             needed |= symbols(definition.formula)
     return replace(result, formula=ZERO, where=tuple(where), guards=())
-
-
-def is_part(definition: Definition) -> bool:
-    """Return whether a definition is one of the parts."""
-    return definition.name.startswith(VALUE)

@@ -1,17 +1,20 @@
 """Results where one parameter varies and the others stand at their values."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ..formula.rounding import Rounding, beyond_rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..model.result import Result
-from ..model.values import Chain, allowed, compare, defaults, dependent
+from ..model.values import Chain, Values, allowed, compare, defaults, dependent
 
 VALUE, LEFT, RIGHT = "=", "<", ">"
 """What a result's value, and the sides of its guards, are called, next to its definitions."""
+
+SOON = 4
+"""Code along a range is compiled when it has been used so often: most is used a hundred times."""
 
 
 class Code:
@@ -23,17 +26,54 @@ class Code:
         self.formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
         self.pose = Chain(self.formulas)
         self._closing = tuple(definition.name for definition in pose.definitions)
-        self._results: dict[int, tuple[Result, Chain]] = {}
+        self._forms: dict[tuple[int, frozenset[str]], tuple[Result, Form]] = {}
 
-    def closes(self, values: Mapping[str, float]) -> bool:
+    def closes(self, values: Values) -> bool:
         """Return whether loops close with values: nothing that closes them is undefined."""
         return not any(math.isnan(values.get(name, 0.0)) for name in self._closing)
 
-    def of(self, result: Result) -> Chain:
-        """Return a result's definitions, its value and the sides of its guards."""
-        if id(result) not in self._results:
-            self._results[id(result)] = result, Chain(_formulas(result))
-        return self._results[id(result)][1]
+    def of(self, result: Result, known: frozenset[str]) -> "Form":
+        """Return a result in names that have values in a pose."""
+        key = id(result), known
+        if key not in self._forms:
+            self._forms[key] = result, Form(result, known)
+        return self._forms[key][1]
+
+
+class Form:
+    """A result, with its definitions and the sides of its guards, in names that have values."""
+
+    def __init__(self, result: Result, known: frozenset[str]) -> None:
+        self._code = Chain(_formulas(result)).completion(known, SOON)
+        places = {name: place for place, name in enumerate(self._code.names)}
+        self._value = places.get(VALUE)
+        guards = enumerate(guard.operator for guard in result.guards)
+        sides = ((places.get(f"{LEFT}{i}"), sign, places.get(f"{RIGHT}{i}")) for i, sign in guards)
+        self._guards = [(a, sign, b) for a, sign, b in sides if a is not None and b is not None]
+        self._parts = [
+            places[d.name] for d in result.where if d.name.startswith(VALUE) and d.name in places
+        ]
+
+    def following(self, values: Values) -> list[float]:
+        """Return the values of the definitions, of the result and of the sides of its guards."""
+        return self._code.following(values)
+
+    def value(self, found: Sequence[float]) -> float:
+        """Return the result's own value among them, NaN where it has none."""
+        return math.nan if self._value is None else found[self._value]
+
+    def guarded(self, found: Sequence[float]) -> float:
+        """Return the same, NaN as well where a guard does not hold."""
+        sound = all(compare(found[i], sign, found[j]) for i, sign, j in self._guards)
+        return self.value(found) if sound else math.nan
+
+    def parts(self, found: Sequence[float]) -> tuple[float, ...]:
+        """Return the values of the definitions that are called parts, as far as they have any."""
+        return tuple(found[place] for place in self._parts)
+
+    def named(self, found: Sequence[float]) -> dict[str, float]:
+        """Return all of them by name."""
+        return dict(zip(self._code.names, found, strict=True))
 
 
 class Sweep:
@@ -50,7 +90,10 @@ class Sweep:
         self._found: dict[tuple[int, float], float] = {}
         self._sizes: dict[tuple[int, float], float | None] = {}
         self._rounding: dict[float, Rounding] = {}
-        self._last: tuple[Result, float, dict[str, float]] | None = None
+        given = frozenset((*self.defaults, parameter))
+        self._pose = self._code.pose.completion(given, SOON)
+        self._names = given.union(self._pose.names)
+        self._last: tuple[Result, float, Form, list[float]] | None = None
 
     def values(self, x: float) -> dict[str, float]:
         """Return the values of all names that have one; nothing where no pose is allowed.
@@ -58,7 +101,7 @@ class Sweep:
         Nor is there anything where a loop does not close, be it one that a result does not rest on.
         """
         if x not in self._known:
-            values = self._code.pose.complete({**self.defaults, self._parameter: x})
+            values = self._pose.complete({**self.defaults, self._parameter: x})
             is_pose = self._code.closes(values) and allowed(self._mechanism, values)
             self._known[x] = values if is_pose else {}
         return self._known[x]
@@ -98,26 +141,34 @@ class Sweep:
         """Return a result's value, NaN where it has none."""
         key = id(result), x
         if key not in self._found:
-            self._found[key] = self.named(result, x).get(VALUE, math.nan)
+            form, found = self._following(result, x)
+            self._found[key] = form.value(found)
         return self._found[key]
+
+    def guarded(self, result: Result, x: float) -> float:
+        """Return a result's value, NaN as well where a guard of it does not hold."""
+        form, found = self._following(result, x)
+        return form.guarded(found)
+
+    def parts(self, result: Result, x: float) -> tuple[float, ...]:
+        """Return the values of the definitions of a result that are called parts."""
+        form, found = self._following(result, x)
+        return form.parts(found) if self.values(x) else ()
 
     def named(self, result: Result, x: float) -> dict[str, float]:
         """Return the values at ``x``, those of the names in a result among them."""
+        form, found = self._following(result, x)
+        return {**self.values(x), **form.named(found)}
+
+    def _following(self, result: Result, x: float) -> tuple[Form, list[float]]:
+        """Return a result as code, and what it gives at ``x``; the last is kept."""
         if self._last and self._last[0] is result and self._last[1] == x:
-            return self._last[2]
-        found = self._code.of(result).complete(self.values(x))
-        self._last = result, x, found
-        return found
-
-
-def guarded(result: Result, values: Mapping[str, float]) -> float:
-    """Return a result among all that has a value, NaN where a guard does not hold."""
-    sides = (
-        (values.get(f"{LEFT}{i}"), guard.operator, values.get(f"{RIGHT}{i}"))
-        for i, guard in enumerate(result.guards)
-    )
-    sound = all(a is None or b is None or compare(a, sign, b) for a, sign, b in sides)
-    return values.get(VALUE, math.nan) if sound else math.nan
+            return self._last[2:]
+        values = self.values(x)
+        form = self._code.of(result, self._names if values else frozenset())
+        found = form.following(values)
+        self._last = result, x, form, found
+        return form, found
 
 
 def _formulas(result: Result) -> dict[str, Formula]:
