@@ -47,6 +47,20 @@ def test_a_condition_vanishes_where_the_factor_does(seed):
     assert not has_minus(turned) or has_minus(formula)
 
 
+def test_slopes_have_differences_as_the_result_has_them():
+    page = mechc.load("four_bar").emit("latex")
+    slopes = page.partition("partial derivatives")[2].partition("Velocity ratio")[0]
+    assert r"\sin(\psi-\theta)" not in slopes
+    assert r"\frac{\partial k}{\partial c}&=-\frac{ad}{c^{2}}" in slopes
+
+
+def test_an_equation_of_velocities_begins_without_a_minus():
+    page = mechc.load("examples/press/press.mech").emit("latex")
+    relations = page.partition("Velocities")[2].partition("Power equation")[0]
+    assert r"V_B\cos(T_{\alpha}-\varphi_{AB})=V_A\sin(\varphi-\varphi_{AB})" in relations
+    assert "-V_" not in relations
+
+
 def test_a_velocity_is_projected_by_the_angle_between_the_links():
     """CB leans by theta + 60 deg: the projection is on the sine of an angle with that."""
     page = mechc.load("toggle_clamp").emit("latex")

@@ -146,3 +146,17 @@ def test_a_load_that_is_asked_for_is_a_result():
     assert "\\omega_{QB}" not in page
     plotted = mechc.loads(f"{text}let F = 2 N\nreport M, plot M over phi\n").emit("latex")
     assert "\\begin{tikzpicture}" in plotted
+
+
+def test_a_ratio_that_is_another_one_is_told_of_once():
+    text = mechc.load("crank_slider").emit("latex")
+    speed = text.partition(r"\textbf{Velocity ratio:}")[2]
+    assert "$i$ = $k$: what is said of $k$ holds for it, too." in speed
+    assert "vanishes" not in speed
+    assert "vanishes" in text
+
+
+def test_what_is_nothing_but_rounding_is_zero_in_a_table():
+    table = mechc.load("crank_slider").emit("latex", pictures=True).rpartition(r"\toprule")[2]
+    assert r"$165$ & $0.000$ \\" in table
+    assert "10^{" not in table

@@ -118,14 +118,50 @@ def led(formula: Formula) -> Formula:
 
 
 def _of_directions(formula: Formula, constants: Set[Fraction]) -> Formula:
-    parts = tuple(_of_directions(part, constants) for part in children(formula))
+    return _rewritten(formula, lambda whole: _quarter_turned(whole, constants))
+
+
+def _rewritten(formula: Formula, turned: Callable[[Formula], Formula | None]) -> Formula:
+    """Return a formula with functions turned, their signs put together."""
+    parts = tuple(_rewritten(part, turned) for part in children(formula))
     if isinstance(formula, Power) and isinstance(formula.exponent, Number):
         sign, base = _without_sign(parts[0])
         if sign < 0 and formula.exponent.value.denominator == 1:
             times = sign**formula.exponent.value.numerator
             return product([(number(int(times)), 1), (Power(base, formula.exponent), 1)])
     whole = rebuild(formula, parts) if parts != children(formula) else formula
-    return _quarter_turned(whole, constants) or whole
+    return turned(whole) or whole
+
+
+def as_in(formula: Formula, model: Formula) -> Formula:
+    """Write functions of differences the way round in which another formula has them.
+
+    >>> from .tree import Symbol
+    >>> from .to_text import text
+    >>> a, b = map(Symbol, "ab")
+    >>> one, other = total([a, negative(b)]), total([b, negative(a)])
+    >>> slope = product([(Call("sin", (one,)), -2), (Call("cot", (one,)), 1)])
+    >>> text(as_in(slope, Call("sin", (other,))))
+    '-cot(b - a)/sin(b - a)^2'
+    """
+    arguments = (node.arguments[0] for node in walk(model) if isinstance(node, Call))
+    sums = (argument for argument in arguments if isinstance(argument, Sum))
+    known = {frozenset(argument.terms): argument for argument in sums}
+    return _rewritten(formula, lambda whole: _turned_as(whole, known))
+
+
+_ODD, _EVEN = frozenset({"sin", "tan", "cot", "csc"}), frozenset({"cos", "sec"})
+
+
+def _turned_as(formula: Formula, known: Mapping[frozenset[Formula], Sum]) -> Formula | None:
+    match formula:
+        case Call(function, (Sum(terms),)) if function in _ODD | _EVEN:
+            other = known.get(frozenset(map(negative, terms)))
+            if other is None or frozenset(terms) in known:
+                return None
+            turned = Call(function, (other,))
+            return negative(turned) if function in _ODD else turned
+    return None
 
 
 def _without_sign(formula: Formula) -> tuple[int, Formula]:

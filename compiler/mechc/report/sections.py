@@ -13,7 +13,7 @@ from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
-from ..model.targets import Efficiency, WithFriction, whole
+from ..model.targets import Efficiency, LoadRatio, SpeedRatio, WithFriction, whole
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, given_loads, letters
@@ -96,7 +96,8 @@ def _results(
         )
         needed = (d for r in results for d in earlier.of(r, lines))
         fresh = [*rested, *needed]
-        brief = (in_short(r, results) for r in earlier.conditioned(_conditioned_once(results)))
+        conditioned = earlier.conditioned(_conditioned_once(results))
+        brief = (in_short(r, results) for r in earlier.said_once(conditioned))
         shown = tuple(_by_exact(r, derivation) for r in brief)
         weighs = any(d.name in known.usual for d in fresh)
         where = tuple(as_written(fresh, known))
@@ -114,6 +115,7 @@ class Shown:
     def __init__(self) -> None:
         self._results: set[str] = set()
         self._known: dict[str, Formula] = {}
+        self._ratios: dict[Formula, str] = {}
         self._conditions: dict[tuple[tuple[Formula, str, Formula], ...], str] = {}
 
     def of(self, result: Analysis, lines: Collection[str] = ()) -> list[Definition]:
@@ -136,6 +138,14 @@ class Shown:
         fresh = [d for d in needed if d in new or _system(d) in systems]
         self._known |= dict(fresh)
         return fresh
+
+    def said_once(self, results: Iterable[Analysis]) -> Iterator[Analysis]:
+        """Yield results, a ratio that is equal to an earlier one with the name of that."""
+        for result in results:
+            is_ratio = isinstance(result.target, LoadRatio | SpeedRatio) and symbols(result.formula)
+            known = self._ratios.setdefault(result.formula, result.name) if is_ratio else ""
+            is_known = known not in ("", result.name)
+            yield replace(result, same_as=known, derivatives=None) if is_known else result
 
     def conditioned(self, results: Iterable[Analysis]) -> Iterator[Analysis]:
         """Yield results, one with several conditions that an earlier one had with its name."""

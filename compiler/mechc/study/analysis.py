@@ -121,11 +121,11 @@ class Analysis(Result):
     which values that is proved;
     ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
     the conditions of a result that is printed for one case, those of the earlier result
-    ``holds_as`` if it is named; ``inside`` are the names of its
-    ``where`` that are coefficients of a system. ``locking`` states of a ratio with friction where
-    nothing moves, ``driven`` of it whether the other loads drive the motion at the default pose
-    (None where that is not known), ``courses`` of an efficiency what it runs through, ``extents``
-    of a ratio what it comes to along the stroke, in a report only.
+    ``holds_as`` if it is named; of a ratio that is the ``same_as`` an earlier one no more is said;
+    ``inside`` are the names of its ``where`` that are coefficients of a system. ``locking`` states
+    of a ratio with friction where nothing moves, ``driven`` of it whether the other loads drive
+    the motion at the default pose (None where that is not known), ``courses`` of an efficiency
+    what it runs through, ``extents`` of a ratio what it comes to along the stroke, in a report.
     """
 
     zeros: tuple[Vanishing, ...] = ()
@@ -140,6 +140,7 @@ class Analysis(Result):
     slopes: Mapping[str, Slope] = MappingProxyType({})
     holds: tuple[Require, ...] = ()
     holds_as: str = ""
+    same_as: str = ""
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
     driven: bool | None = None

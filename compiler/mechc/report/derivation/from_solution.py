@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
-from ...formula.facing import LONG, condition, facing, led
+from ...formula.facing import LONG, as_in, condition, facing, led
 from ...formula.layout import has_minus
 from ...formula.operations import count_operations
 from ...formula.tree import Formula, Product, negative
@@ -124,7 +124,7 @@ def _facing(derivation: Derivation, face: Facing) -> Derivation:
             for limits in (result.zeros, result.poles)
         )
         slopes = result.derivatives
-        derivatives = slopes and {name: face.of(slope) for name, slope in slopes.items()}
+        derivatives = slopes and {n: as_in(face.of(s), formula) for n, s in slopes.items()}
         return replace(result, formula=formula, zeros=zeros, poles=poles, derivatives=derivatives)
 
     return replace(

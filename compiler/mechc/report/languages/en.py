@@ -324,6 +324,7 @@ LOCALE = Locale(
     comparison={"number": "No.", "scheme": "Scheme", "results": "Force transmission"},
     holds="This holds while {conditions}.",
     holds_as="This holds under the same conditions as {result}.",
+    same_as="{result} = {other}: what is said of {other} holds for it, too.",
     requirements="The result holds for",
     numbers="Numerical values",
     at_default="At the values given",

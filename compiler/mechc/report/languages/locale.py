@@ -150,6 +150,7 @@ class Locale(NamedTuple):
 
     holds: str
     holds_as: str
+    same_as: str
     requirements: str
     numbers: str
     at_default: str

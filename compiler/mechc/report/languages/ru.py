@@ -330,6 +330,7 @@ LOCALE = Locale(
     comparison={"number": "№", "scheme": "Схема", "results": "Передача силы"},
     holds="Это справедливо, пока {conditions}.",
     holds_as="Это справедливо при тех же условиях, что и {result}.",
+    same_as="{result} = {other}: сказанное о {other} справедливо и здесь.",
     requirements="Результат справедлив, если",
     numbers="Числовые значения",
     at_default="При заданных значениях",

@@ -331,6 +331,7 @@ LOCALE = Locale(
     comparison={"number": "№", "scheme": "Схема", "results": "Передавання сили"},
     holds="Це справедливо, доки {conditions}.",
     holds_as="Це справедливо за тих самих умов, що й {result}.",
+    same_as="{result} = {other}: сказане про {other} справедливе й тут.",
     requirements="Результат справедливий, якщо",
     numbers="Числові значення",
     at_default="За заданих значень",

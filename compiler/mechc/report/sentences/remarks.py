@@ -176,6 +176,9 @@ def is_nameless(result: Analysis) -> bool:
 def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]:
     """Return the remarks on a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
+    if result.same_as:
+        other = _spelled(Symbol(result.same_as), spell)
+        return (locale.same_as.format(result=symbol, other=other),)
     said = _holds(result, locale, spell) + _senses(result, symbol, locale, spell)
     said += limits(result, symbol, locale, spell)
     said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
