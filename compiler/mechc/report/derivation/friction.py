@@ -336,7 +336,8 @@ def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> 
     if not any(isinstance(f, Call) and f.function == "hypot" for f in walk(moments.right)):
         yield Paragraph(sentence, (moments, *new, *rest), names)
         return
-    given = [e for e in new if e.left in _mentioned(moments) and not _rests_on(e, new)]
+    met = _mentioned(moments).union(*map(_mentioned, squared))
+    given = [e for e in new if e.left in met and not _is_root(e.right)]
     yield Paragraph(sentence, (moments, *given), names)
     solved = [e for e in new if e not in given]
     if squared:
@@ -347,9 +348,9 @@ def _mentioned(equation: Equation) -> set[Formula]:
     return {Symbol(name) for side in equation for name in symbols(side)}
 
 
-def _rests_on(equation: Equation, others: Iterable[Equation]) -> bool:
-    names = symbols(equation.right)
-    return any(isinstance(e.left, Symbol) and e.left.name in names for e in others)
+def _is_root(formula: Formula) -> bool:
+    """Return whether something is, or is defined by, the root of a quadratic equation."""
+    return any(isinstance(part, Call) and part.function == "sqrt" for part in walk(formula))
 
 
 def _driving(asked: WithFriction) -> Symbol | None:
