@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 import mechc
+from mechc.diagnostics import MechcError
 from mechc.formula.tree import Implicit
 from mechc.formula.walk import walk
+from paths import LIBRARY
 
 TABLE = """
 mechanism table
@@ -62,3 +64,12 @@ def test_all_lengths_are_kept_along_the_stroke(height, first, second):
     away = np.hypot(points["x_M"] - points["x_B"], points["y_M"] - points["y_B"])
     np.testing.assert_allclose(away, second * 1.2, rtol=1e-12)
     assert math.isfinite(found.evaluate()["k"])
+
+
+def test_what_has_no_place_is_still_asked_for():
+    """Directions that no vector mentions are none to begin from."""
+    text = (LIBRARY / "crank_rocker.mech").read_text(encoding="utf-8")
+    text = text.replace("pivot O1 at (0 mm, 0 mm)", "pivot O1").replace("@ psi", "")
+    with pytest.raises(MechcError) as refused:
+        mechc.loads(text)
+    assert refused.value.diagnostics

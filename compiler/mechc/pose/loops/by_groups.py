@@ -140,11 +140,14 @@ class _Closing:
         them, wherever they stand. One of the directions is what the others are found from.
         """
         state = self._state
-        for reference in sorted(state.open_angles, key=self._place_of_reference):
+        drawn = frozenset().union(*(mentioned(edge.arms) for edge in state.graph.edges))
+        for reference in sorted(state.open_angles & drawn, key=self._place_of_reference):
             with self._as_known(reference):
                 for wanted, cycle in list(state.graph.pairs()):
-                    if _turns_as_a_whole(cycle, wanted, reference, state):
-                        return self._close(wanted, cycle, self._bodies_around(cycle))
+                    if _turns_as_a_whole(cycle, wanted, reference, state) and self._close(
+                        wanted, cycle, self._bodies_around(cycle)
+                    ):
+                        return True
         return False
 
     def _place_of_reference(self, name: str) -> tuple[bool, tuple[int, str]]:
