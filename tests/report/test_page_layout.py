@@ -78,3 +78,18 @@ def test_formulas_of_sources_are_formulas():
     for name in OF_LIBRARY:
         source = compiled(name.stem).mechanism.source
         assert not re.search(r"omega|alpha|beta|theta|sqrt|\w\*\w|\^2", source)
+
+
+def test_what_follows_the_check_is_a_paragraph_of_its_own():
+    after = page("crank_rocker").split("largest relative difference")[1]
+    assert after.splitlines()[1] == ""
+
+
+def test_a_condition_of_a_used_sheet_is_called_after_it(tmp_path):
+    path = tmp_path / "s.mech"
+    path.write_text(
+        "sheet s\nparam F = 2 kN\nuse cylinder as cyl (P = F)\nlet d = 2*cyl_d\n", "utf-8"
+    )
+    text = mechc.load(path).emit("latex")
+    assert "\ncylinder: $" in text
+    assert "(cylinder): $0" not in text

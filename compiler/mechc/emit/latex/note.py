@@ -199,9 +199,15 @@ def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> Check
     reserve = math(decimal(float(f"{check.reserve:.3g}"), style)) if check.reserve else ""
     verdict = words["least" if check.decides else "holds"] if values else ""
     condition = spaced(math(sign.join(sides)))
-    label = f"{translated(check.label, style)}: " if check.label else ""
+    label = f"{_called(check.label, style)}: " if check.label else ""
     numbers = math(sign.join(values)) if values else _unknown(check.missing, words, style)
     return CheckRow(label + condition, numbers, reserve, verdict)
+
+
+def _called(label: str, style: Notation) -> str:
+    """Return the text of a condition; of one without it that a used sheet has, this sheet alone."""
+    text = translated(label, style)
+    return text[1:-1] if text.startswith("(") and text.endswith(")") else text
 
 
 def _unknown(missing: Iterable[str], words: Mapping[str, str], style: Notation) -> str:

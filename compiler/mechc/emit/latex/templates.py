@@ -96,6 +96,7 @@ def _body(_known: Mapping[str, Any]) -> str:
     _parts += ['\n\\medskip\n\\noindent ', str(_known["check"]), '\n']
     for remark in _known["remarks"]:
         _parts += [str(remark), '\n']
+    _parts += ['\n']
     for line in _known["pictures"].table:
         _parts += [str(line), '\n']
     return "".join(_parts)
