@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from friction_chains import chain, squared
-from friction_statements import refuted
+from friction_statements import Ratios, refuted
 from mechc import loads
 from mechc.algebra.angle import Angle
 from mechc.algebra.product import Product
@@ -150,6 +150,23 @@ def test_chains_with_right_angles():
     assert sum(hold_at_the_values_given(c) for _, c in tried) > 12
     for seed, compilation in tried[:2]:
         assert list(refuted(compilation)) == [], seed
+
+
+@pytest.mark.parametrize(
+    ("seed", "name", "near"),
+    [(95000018, "t1", 5.4979), (95000089, "t2", 4.7122), (97000004, "t2", 2.3561)],
+)
+def test_where_two_links_lie_on_a_line_square_to_the_guide_the_drive_moves_them(seed, name, near):
+    """There forces are small against the load, and no fold ends their branch: it was said to jam.
+
+    From steps that became short that was concluded; by arcs the branch is followed to its end.
+    """
+    ((_, compilation),) = squared_chains(range(seed, seed + 1))
+    held = next(r for r in compilation.results if r.name == ("k_f" if seed % 2 else "k_hold"))
+    (reach,) = (r for r in held.locking.reaches if r.parameter == name)
+    assert not [s for s in reach.stretches if s.state == "jammed"]
+    ratios = Ratios(compilation, held)
+    assert set(ratios.states({name: near + np.linspace(-5e-5, 5e-5, 7)})) == {0}
 
 
 @pytest.mark.slow

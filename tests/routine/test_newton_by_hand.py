@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from mechc.frozen import replace
+from mechc.formula import newton
 from mechc.routine.newton import eliminate, follow
 from mechc.routine.steps import Solver
 
-SOLVER = Solver(("x",), ("p",), (), (-1.0,), (1.0,), 200, -1, (), (), ())
+SOLVER = Solver(("x",), ("p",), (), (-1.0,), (1.0,), False, -1, (), (), ())
 """The negative root of ``x² = p``, from p = 1 on."""
 
 
@@ -30,8 +30,9 @@ def test_where_the_branch_ends_there_is_no_number():
     assert np.isnan(found[0])
 
 
-def test_too_few_corrections_give_no_number():
-    status, _ = follow(root, replace(SOLVER, corrections=1), [np.array([9.0])])
+def test_too_few_corrections_give_no_number(monkeypatch):
+    monkeypatch.setattr(newton, "CORRECTIONS", 1)
+    status, _ = follow(root, SOLVER, [np.array([9.0])])
     assert list(status) == [2.0]
 
 

@@ -184,7 +184,7 @@ def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
 def way_of(system: System) -> Way:
     """Return the values that are the same on all ways to a system's solutions."""
     scales = [scale(value) for value in system.start]
-    return Way(numeric(system), side(system), scales, system.corrections)
+    return Way(numeric(system), side(system), scales, system.by_arcs)
 
 
 def beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:

@@ -9,6 +9,10 @@ where the first correction is long, where the corrections do not shrink to :data
 or where the determinant changes its sign: solutions that meet where a branch ends have unlike
 signs.
 
+Of a system whose end says something (``by_arcs``: that friction jams a mechanism) the rest of a way
+on which steps become short is followed by the arc length of the branch (:mod:`.arcs`), and that it
+ends is said where a fold was found.
+
 Every target and the interpreter do the same, correction by correction.
 """
 
@@ -17,13 +21,14 @@ from collections.abc import Callable, Sequence
 from typing import Literal
 
 from ..named import NamedTuple
-from .elimination import Elimination, Matrix, eliminate
+from .arcs import Arcs
+from .elimination import Elimination, Matrix, eliminate, quick
 
 Equations = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
 """Residuals and Jacobian at values of the unknowns and of the outer symbols."""
 
 Status = Literal[0, 1, 2]
-"""0: solved; 1: the branch ends on the way; 2: corrections ran out."""
+"""0: solved; 1: the branch ends on the way; 2: neither was found, corrections ran out."""
 
 CORRECTIONS = 192
 """Corrections of the unknowns altogether, those of steps that are given up among them.
@@ -31,9 +36,6 @@ CORRECTIONS = 192
 With half as many the way past a place where two branches nearly meet was not found at one pose in
 thirty of some triads, be it found at those next to it.
 """
-
-LONGER = 2 * CORRECTIONS
-"""The same where a branch that ends says something of the mechanism: that friction jams it."""
 
 CONTRACTION = 0.4
 """What a correction may be at most, as a part of the one before."""
@@ -53,6 +55,9 @@ FARTHEST = WIDEST * CORRECTIONS
 
 SHORTEST = 2.0**-10
 """Where corrections run out at steps below this part of the path, the branch ends there."""
+
+SHORT = 2.0**-6
+"""Where steps are below this part of the path, arcs lead on faster, if a way is followed by them."""
 
 TINY = 1e-11
 """A correction behind which no other is needed."""
@@ -83,14 +88,14 @@ class Way(NamedTuple):
     """What stays the same on all ways to solutions of a system on one branch.
 
     ``side`` is the sign of the Jacobian's determinant where the branch is known, ``scales`` are
-    those of the unknowns there; ``corrections`` is how many one way may take, and ``solve`` how the
-    equations of each are solved.
+    those of the unknowns there; ``by_arcs`` is whether it is followed by arcs where steps are short,
+    and ``solve`` how the equations are solved.
     """
 
     equations: Equations
     side: int
     scales: Sequence[float]
-    corrections: int = CORRECTIONS
+    by_arcs: bool = False
     solve: Elimination = eliminate
 
     def follow(
@@ -110,9 +115,12 @@ class Way(NamedTuple):
             return 2, tuple(start)
         base, found = list(start), list(start)
         reached, step, last = 0.0, longest, 0.0
-        for _ in range(self.corrections):
+        shortest = SHORT if self.by_arcs else 0.0
+        for _ in range(CORRECTIONS):
+            if step < shortest:
+                break
             aim = reached + step
-            here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
+            here = _between(anchor, outer, aim)
             sign, correction = self._correction(found, here)
             size = _norm(correction, self.scales)
             if not (sign == self.side != 0 and _shrinks(size, last)):
@@ -126,7 +134,20 @@ class Way(NamedTuple):
             else:
                 base, reached, last = found, aim, 0.0
                 step = min(2 * step, longest, 1.0 - reached)
+        if self.by_arcs:
+            return self._by_arcs(anchor, start, outer)
         return 1 if step < SHORTEST else 2, tuple(base)
+
+    def _by_arcs(
+        self, anchor: Sequence[float], start: Sequence[float], outer: Sequence[float]
+    ) -> tuple[Status, tuple[float, ...]]:
+        """Return the same by the arc length of the branch, from the start on, which is exact."""
+        arcs = Arcs(
+            lambda x, share: self.equations(x, _between(anchor, outer, share)),
+            quick(len(start) + 1),
+        )
+        status, found = arcs.follow(start)
+        return status, found or tuple(start)
 
     def beside(self, guess: Sequence[float], outer: Sequence[float]) -> tuple[float, ...] | None:
         """Return the solution that a guess is all but equal to; None where it is not.
@@ -154,6 +175,11 @@ class Way(NamedTuple):
         """Return the sign of the Jacobian's determinant, and what Newton's step takes off."""
         residuals, matrix = self.equations(unknowns, outer)
         return self.solve(matrix, residuals), residuals
+
+
+def _between(anchor: Sequence[float], outer: Sequence[float], share: float) -> list[float]:
+    """Return the outer symbols at a share of the way."""
+    return [(1.0 - share) * a + share * o for a, o in zip(anchor, outer, strict=True)]
 
 
 def side_of(equations: Equations, unknowns: Sequence[float], outer: Sequence[float]) -> int:

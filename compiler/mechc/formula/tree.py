@@ -19,7 +19,6 @@ from fractions import Fraction
 from math import prod
 
 from ..frozen import Hashed, frozen
-from .newton import CORRECTIONS
 
 
 @frozen
@@ -99,14 +98,15 @@ class System:
     there: numbers, or outer symbols that stay the same. Of several solutions they mark the
     branch that is meant. Both kinds of names are bound, as a function's arguments are; what
     outer symbols stand for in a formula is shown by the :class:`Implicit` that mentions the
-    system. The way there may take so many ``corrections``.
+    system. ``by_arcs``: where steps to it become short it is followed by its arc length, so that
+    the end of the branch, if it is one, is a fold that was found.
     """
 
     unknowns: tuple[str, ...]
     equations: tuple["Formula", ...]
     anchor: tuple[tuple[str, float | None], ...]
     start: tuple[float | str, ...]
-    corrections: int = CORRECTIONS
+    by_arcs: bool = False
 
     def __hash__(self) -> int:
         """Return the hash of the unknowns' names, which few other systems share.

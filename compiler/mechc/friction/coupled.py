@@ -9,15 +9,28 @@ the same on the way. Near a dead centre of the drive φ alone would not do: ther
 because the drive that balances a friction is. What is kept is the size of forces and of the load
 q without friction together, φ = q - g·Σ κ·n, where κ·n is what a friction adds to the driving
 load. With the g for which D - g·ideal·κ is least, this rest is of order one at a dead centre, too.
-Where φ passes zero the drive would need to be infinitely strong, and behind it the load to be
-reversed: nothing balances. Nor does anything where the branch of solutions ends on the way.
+
+What is concluded from what. The solutions with a share t of all friction are a curve, from the one
+without friction on (:mod:`~mechc.formula.arcs`).
+
+- It comes to t = 1 with φ > 0: there the forces balance, the mechanism moves.
+- It comes to t = 1 with φ < 0: where φ passed zero the drive would need to be infinitely strong, and
+  behind it the load to be reversed. The solution says that nothing moves.
+- It turns back before, at a fold: forces that balance with less friction end before all of it is
+  there. Nothing moves, either.
+- None of the three was found: nothing is said of the pose. That steps became short, or that corrections
+  did not suffice, is no reason.
+
+Where a pressing force vanishes its size has a corner. The corner is rounded off by a part of the
+loads φ, which vanishes at t = 1, so that the curve is smooth before. Where all loads vanish
+together with the force, as they do where φ passes zero, a part of the share is added to that. Neither is a part
+of the whole size q: forces that are small against it, where links lie on a line, would be rounding.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
 from ..formula.names import another
-from ..formula.newton import LONGER
 from ..formula.tree import (
     ONE,
     Call,
@@ -42,7 +55,7 @@ NOTHING = number(Fraction(1, 10**30))
 """What is added to pressing forces so that none of them vanishes, where no slope would be."""
 
 ROUNDED = Fraction(3, 100)
-"""By how much, against all of them, pressing forces are rounded off where they vanish.
+"""By how much, against the loads, pressing forces are rounded off where they vanish.
 
 They are at the outset, and no longer at the end: on the way a force may turn round.
 """
@@ -269,12 +282,12 @@ def _system(names: Names, pairs: Sequence[Sequence[Row]]) -> System:
     left, step = Symbol(names.left), Symbol(names.step)
     load = product([(left, 1), (Symbol(names.without), 1)])
     true_load = total([load, product([(number(-1), 1), (step, 1), (_load_added(names), 1)])])
-    rounded = product([(Symbol(names.rounded), 1), (load, 1)])
+    rounded = [product([(Symbol(names.rounded), 1), (part, 1)]) for part in (load, step)]
     equations = [
         total(
             [
                 product([(left, 1), (Symbol(x), 1)]),
-                negative(Call("hypot", (*(_force(r, true_load, names) for r in pair), rounded))),
+                negative(Call("hypot", (*(_force(r, true_load, names) for r in pair), *rounded))),
             ]
         )
         for x, pair in zip(names.unknowns, pairs, strict=True)
@@ -286,7 +299,7 @@ def _system(names: Names, pairs: Sequence[Sequence[Row]]) -> System:
         every,
         _anchor(names, [r for pair in pairs for r in pair]),
         (*names.alone, 1.0),
-        LONGER,
+        by_arcs=True,
     )
 
 

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from ..formula import newton
 from ..named import NamedTuple
+from . import arcs
+from .arcs import Array, eliminate
 from .steps import Solver
 
-Array: TypeAlias = NDArray[np.float64]
 Equations: TypeAlias = Callable[[Array, Array], tuple[Array, Array]]
 """Residuals and Jacobian (equations first, poses last) at unknowns and outer symbols."""
 
@@ -56,16 +57,34 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
     left = np.flatnonzero(longest)
     none = np.zeros(len(left))
     poses = _Poses(start[:, left], start[:, left], none, longest[left], none, longest[left])
-    for _ in range(solver.corrections):
+    tried = left
+    for _ in range(newton.CORRECTIONS):
+        if solver.by_arcs:
+            is_long = poses.step >= newton.SHORT
+            left, poses = left[is_long], poses.only(is_long)
+        if not len(left):
+            break
         aim = poses.reached + poses.step
         known = (1.0 - aim) * anchor[:, left] + aim * outer[:, left]
         poses, solved = _corrected(poses, aim, *equations(poses.found, known), solver)
         status[left[solved]], result[:, left[solved]] = 0.0, poses.found[:, solved]
         left, poses = left[~solved], poses.only(~solved)
-        if not len(left):
-            break
-    status[left] = np.where(poses.step < newton.SHORTEST, 1.0, 2.0)
+    if solver.by_arcs:
+        left = tried[status[tried] > 0]
+        status[left], result[:, left] = _by_arcs(equations, solver, outer[:, left])
+    else:
+        status[left] = np.where(poses.step < newton.SHORTEST, 1.0, 2.0)
     return status, result
+
+
+def _by_arcs(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, Array]:
+    """Return statuses and unknowns by the arc length of the branch, from the start on."""
+    anchor, start = _beginning(solver, outer)
+
+    def sides(poses: Array, unknowns: Array, share: Array) -> tuple[Array, Array]:
+        return equations(unknowns, (1.0 - share) * anchor[:, poses] + share * outer[:, poses])
+
+    return arcs.follow(sides, start)
 
 
 def _corrected(
@@ -119,27 +138,3 @@ def _longest(solver: Solver, anchor: Array, outer: Array) -> Array:
     while np.any(wide := (steps * far > newton.WIDEST) & (far <= newton.FARTHEST)):
         steps = np.where(wide, steps / 2, steps)
     return np.where(far <= newton.FARTHEST, steps, 0.0)
-
-
-def eliminate(matrix: Array, right: Array) -> Array:
-    """Solve ``matrix · x = right`` in place; return the determinants' signs, 0 for none."""
-    size = len(right)
-    sign = np.ones(right.shape[1])
-    poses = np.arange(right.shape[1])
-    for k in range(size):
-        best = k + np.argmax(np.abs(matrix[k:, k]), axis=0)
-        for array in (matrix, right):
-            upper, lower = array[k].copy(), array[best, ..., poses]
-            array[k] = np.moveaxis(lower, 0, -1)
-            array[best, ..., poses] = np.moveaxis(upper, -1, 0)
-        pivot = matrix[k, k]
-        sign = np.where(best != k, -sign, sign) * np.where(np.isfinite(pivot), np.sign(pivot), 0.0)
-        for i in range(k + 1, size):
-            times = matrix[i, k] / pivot
-            matrix[i, k + 1 :] -= times * matrix[k, k + 1 :]
-            right[i] -= times * right[k]
-    for k in reversed(range(size)):
-        for j in range(k + 1, size):
-            right[k] -= matrix[k, j] * right[j]
-        right[k] /= matrix[k, k]
-    return sign

@@ -112,7 +112,7 @@ def solver(system: System) -> Solver:
         system.equations,
         system.start,
         tuple(system.anchor[i][1] for i in used),
-        system.corrections,
+        system.by_arcs,
         side(system),
         tuple(step for step in steps if isinstance(step, Step)),
         formulas[:size],

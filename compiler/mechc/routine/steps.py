@@ -47,8 +47,8 @@ class Solver:
     ``equations`` are for the reader. ``residuals`` have the values of their left sides, the rows
     of ``jacobian`` these sides' slopes by the unknowns, and ``steps`` are what all share;
     they mention unknowns, outer symbols and earlier steps only. ``anchor`` and ``start``
-    are the values of outer symbols and unknowns where the way begins, ``corrections`` how many
-    it may take, as those of a :class:`~mechc.formula.tree.System`; ``side`` is the Jacobian's
+    are the values of outer symbols and unknowns where the way begins, ``by_arcs`` how ends
+    are looked at, as those of a :class:`~mechc.formula.tree.System`; ``side`` is the Jacobian's
     sign there. The method is that of :mod:`mechc.formula.newton`.
     """
 
@@ -57,7 +57,7 @@ class Solver:
     equations: tuple[Formula, ...]
     start: tuple[float | str, ...]
     anchor: tuple[float | None, ...]
-    corrections: int
+    by_arcs: bool
     side: int
     steps: tuple[Step, ...]
     residuals: tuple[Formula, ...]

@@ -8,7 +8,7 @@ import re
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...formula import newton
+from ...formula import arcs, newton
 from ...named import NamedTuple
 from ...patterns import pattern
 
@@ -19,7 +19,8 @@ class Real(NamedTuple):
     ``bits`` is the unsigned type of the same width, ``top`` the place of the sign in it,
     ``infinity`` and ``size`` are the bits of infinity and of all but the sign. ``tiny`` and
     ``rounding`` are for this type what :data:`~mechc.formula.newton.TINY` and
-    :data:`~mechc.formula.newton.ROUNDING` are for ``double``.
+    :data:`~mechc.formula.newton.ROUNDING` are for ``double``; ``aside`` and ``least`` what
+    :data:`~mechc.formula.arcs.ASIDE` and :data:`~mechc.formula.arcs.LEAST` are.
     """
 
     name: str
@@ -29,6 +30,8 @@ class Real(NamedTuple):
     size: str
     tiny: float
     rounding: float
+    aside: float
+    least: float
 
 
 DOUBLE = Real(
@@ -39,8 +42,10 @@ DOUBLE = Real(
     "0x7fffffffffffffffu",
     newton.TINY,
     newton.ROUNDING,
+    arcs.ASIDE,
+    arcs.LEAST,
 )
-FLOAT = Real("float", "uint32_t", 31, "0x7f800000u", "0x7fffffffu", 3e-4, 1e-8)
+FLOAT = Real("float", "uint32_t", 31, "0x7f800000u", "0x7fffffffu", 3e-4, 1e-8, 2.0**-7, 2.0**-10)
 """A correction of 3e-4 leaves some 1e-7, which is ``float``'s rounding."""
 
 REALS = {real.name: real for real in (DOUBLE, FLOAT)}

@@ -1,6 +1,6 @@
 """What a source needs to solve systems: one function for each, and elimination for all."""
 
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ...formula import newton
 from ...formula.to_text import text
@@ -16,7 +16,7 @@ from .reserved import RESERVED
 
 _WORDS = """
     base reached step last count i found aim rest right matrix sign size far longest good there
-    residual slope change mechc_eliminate
+    residual slope change mechc_eliminate given work status mechc_arcs
 """
 _OWN = frozenset(_WORDS.split())
 """What the template calls its own."""
@@ -26,10 +26,26 @@ NEVER = 2
 """No determinant has this sign: nothing can be followed from a singular pose."""
 
 
+class ByArcs(NamedTuple):
+    """What follows a branch by its arc length: its equations as a function of what is ``given``.
+
+    ``ends`` are the values given, so many in ``number``, ``lines`` what residuals and slopes rest on,
+    ``sides`` the lines that fill these in, ``room`` how many numbers are kept on the way.
+    """
+
+    name: str
+    lines: list[Line]
+    sides: list[str]
+    number: int
+    ends: str
+    room: int
+
+
 class SolverContext(NamedTuple):
     """One system; fields are what ``c/solver.jinja`` mentions.
 
-    ``fixed`` lines are those of a step along the way, ``body`` those of a correction.
+    ``fixed`` lines are those of a step along the way, ``body`` those of a correction;
+    ``shortest`` is the condition under which steps are not too short.
     """
 
     title: str
@@ -46,7 +62,8 @@ class SolverContext(NamedTuple):
     far: str
     norm: str
     side: int
-    corrections: int
+    shortest: str
+    by_arcs: ByArcs | None
 
 
 def solvers_of(statements: Iterable[Statement]) -> list[Solver]:
@@ -60,21 +77,23 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     names = mangle((*solver.unknowns, *solver.outer, *(step.name for step in solver.steps)), space)
     anchored = list(_anchored(solver))
     ends = {outer: space.claim(f"{names[outer]}_end") for outer, _ in anchored}
-    arguments = (f"double {ends.get(outer, names[outer])}" for outer in solver.outer)
+    given = [ends.get(outer, names[outer]) for outer in solver.outer]
     start = (names[s] if isinstance(s, str) else repr(s) for s in solver.start)
     gaps = (_square(_gap(ends[outer], a), newton.scale(a)) for outer, a in anchored)
     changes = (_square(f"change[{i}]", newton.scale(s)) for i, s in enumerate(solver.start))
     printer = QuickPrinter(names, solver.computed)
     fixed, body = _steps(solver, printer)
     left = reduced(solver.jacobian)
+    fixed = [*(_between(outer, names, ends, a) for outer, a in anchored), *fixed]
+    body = [*(Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)), *body]
     return SolverContext(
         title=harmless(f"The unknowns {', '.join(solver.unknowns)}, for which these are zero"),
         zeros=[harmless(text(equation)) for equation in solver.equations],
-        head=wrapped(f"static int {name}(", [*arguments, "double *found"]),
+        head=wrapped(f"static int {name}(", [*(f"double {g}" for g in given), "double *found"]),
         size=len(solver.unknowns),
         start=f"{{{', '.join(start)}}}",
-        fixed=[*(_between(outer, names, ends, a) for outer, a in anchored), *fixed],
-        body=[*(Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)), *body],
+        fixed=fixed,
+        body=body,
         residuals=[printer.print(f) for f in solver.residuals],
         jacobian=[[printer.print(f) for f in row] for row in solver.jacobian],
         left=left,
@@ -82,7 +101,30 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         far=" + ".join(gaps) or "0.0",
         norm=" + ".join(changes),
         side=solver.side * left.turn or NEVER,
-        corrections=solver.corrections,
+        shortest=f" && step >= {newton.SHORT!r}" if solver.by_arcs else "",
+        by_arcs=_by_arcs(solver, f"{name}_sides", given, [*fixed, *body], printer)
+        if solver.by_arcs
+        else None,
+    )
+
+
+def _by_arcs(
+    solver: Solver, name: str, given: Sequence[str], lines: Sequence[Line], printer: Printer
+) -> ByArcs:
+    """Return what follows a branch by its arc length."""
+    size = len(solver.unknowns)
+    slopes = [entry for row in solver.jacobian for entry in row]
+    return ByArcs(
+        name=name,
+        lines=[*(Line(g, f"given[{i}]") for i, g in enumerate(given)), *lines],
+        sides=[
+            f"{to}[{i}] = {printer.print(f)};"
+            for to, formulas in (("residual", solver.residuals), ("slope", slopes))
+            for i, f in enumerate(formulas)
+        ],
+        number=len(given),
+        ends=f"{{{', '.join(given)}}}",
+        room=5 * (size + 1) + (size + 1) ** 2 + size + size**2,
     )
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...formula import newton
+from ...formula import arcs, newton
 from ...formula.choices import SIGNS
 from ...named import NamedTuple
 from ...patterns import pattern
@@ -78,6 +78,7 @@ class SourceContext(NamedTuple):
     roots: bool
     pi: bool
     real: Real
+    arcs: ModuleType
     code: str
 
 
@@ -156,6 +157,7 @@ def _source(parts: Parts, preface: list[str], header: str, real: Real, threads: 
         roots=any("sqrt(" in line for line in _quick_lines(parts)),
         pi=CPrinter.pi in code,
         real=real,
+        arcs=arcs,
         code=code,
     )
     return render("c/source.jinja", context)

@@ -26,7 +26,7 @@ class SolverContext(NamedTuple):
     start: list[str]
     anchor: list[str]
     side: int
-    corrections: int
+    by_arcs: bool
     scales: list[float]
 
 
@@ -52,7 +52,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         start=[names[s] if isinstance(s, str) else repr(s) for s in solver.start],
         anchor=[names[outer] if a is None else repr(a) for outer, a in anchored],
         side=solver.side,
-        corrections=solver.corrections,
+        by_arcs=solver.by_arcs,
         scales=[newton.scale(s) for s in solver.start],
     )
 

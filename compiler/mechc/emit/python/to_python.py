@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from ...diagnostics import emission as messages
 from ...diagnostics.diagnostic import MechcError
-from ...formula import newton
+from ...formula import arcs, newton
 from ...formula.choices import SIGNS
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
@@ -78,6 +78,8 @@ class ModuleContext(NamedTuple):
     ranges: list[Line]
     solvers: list[SolverContext]
     newton: ModuleType
+    arcs: ModuleType
+    by_arcs: bool
     conditions: list[Line]
     chooses: bool
     commons: list[CommonContext]
@@ -138,6 +140,8 @@ def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
         ranges=_ranges(inputs, arguments),
         solvers=[solver_context(solver, name) for solver, name in solvers.items()],
         newton=newton,
+        arcs=arcs,
+        by_arcs=any(solver.by_arcs for solver in solvers),
         conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
         chooses="choose" in called,
         commons=commons,

@@ -1,0 +1,156 @@
+"""The branch of a system's solutions by its arc length: on to the end of the way, or round a fold.
+
+The solutions of n equations in n unknowns and the share of the way are a curve. Newton's
+straight steps (:mod:`.newton`) need the share to grow along it, and become short where the curve
+is steep, where another branch comes near, and where it turns back alike: that steps are short
+shows nothing of which it is. By its arc length the curve is followed past all three, as only a
+crossing of two branches is singular then (H. B. Keller, *Numerical solution of bifurcation and
+nonlinear eigenvalue problems*, 1977). With F the equations, x the unknowns and t the share, the
+tangent (x', t') solves F_x x' + F_t t' = 0 and goes on from the tangent before it.
+
+What is concluded from what:
+
+- the curve comes to t = 1, and there F = 0, with the sign of the determinant of F_x that it has at the
+  point before: it is the solution. Where another branch crossed on the way the sign is not that
+  of the start, as of symmetric mechanisms, whose forces need not stay alike;
+- of two points of the curve, so close together that their tangents differ by less than an angle
+  of :data:`BENT`, one has t' > 0 and the other t' <= 0: between them F_x is singular with
+  t' = 0, a fold. From the fold on the share falls: with all of it no solution is on the branch;
+- neither is found in so many points, or the points come closer together than numbers can tell
+  them apart: nothing is concluded.
+
+Every target and the interpreter do the same, point by point.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+
+from ..named import NamedTuple
+from .elimination import Elimination, Matrix, eliminate
+
+Sides = Callable[[Sequence[float], float], tuple[list[float], Matrix]]
+"""Residuals and Jacobian by the unknowns, at values of the unknowns and at a share of the way."""
+
+POINTS = 256
+"""Points of the curve altogether, those that are not found among them."""
+
+FIRST, LONGEST = 2.0**-6, 0.25
+"""Length of the first arc, and of the longest, against unknowns and shares of order one."""
+
+LEAST = 2.0**-30
+"""An arc that is shorter leads nowhere: corrections are no longer exact against it."""
+
+BENT = 0.9
+"""The cosine of the angle by which tangents may differ at the ends of an arc."""
+
+ASIDE = 2.0**-20
+"""By how much the share is moved to see how equations change, as a part of what is left of it.
+
+What is rounded off is so by a share that is left, so that nothing changes faster.
+"""
+
+FEW = 6
+"""Corrections of a point at most."""
+
+CONTRACTION = 0.4
+"""What a correction may be at most, as a part of the one before."""
+
+STRAY = 0.5
+"""What the first correction may be, as a part of the arc."""
+
+TINY, ROUNDING = 1e-11, 1e-17
+"""A correction behind which no other is needed, and one that is expected to be below rounding."""
+
+Point = list[float]
+"""The unknowns, then the share."""
+
+
+class Arcs(NamedTuple):
+    """A curve of solutions of equations with these sides."""
+
+    sides: Sides
+    solve: Elimination = eliminate
+
+    def follow(self, start: Sequence[float]) -> tuple[int, tuple[float, ...]]:
+        """Return 0 and the solution at the end of the way, 1 behind a fold, else 2.
+
+        The curve of x² = 1 - 2 t turns back at t = 1/2, that of x² = 1 - t/2 does not.
+
+        >>> def parabola(a):
+        ...     return lambda x, t: ([x[0] * x[0] + a * t - 1.0], [[2 * x[0]]])
+        >>> Arcs(parabola(2.0)).follow([1.0])
+        (1, ())
+        >>> status, (x,) = Arcs(parabola(0.5)).follow([1.0])
+        >>> status, round(x * x, 12)
+        (0, 0.5)
+        """
+        point, arc = [*start, 0.0], FIRST
+        along = [*(0.0 for _ in start), 1.0]
+        side, tangent = self._tangent(point, along)
+        for _ in range(POINTS if side else 0):
+            rest = (1.0 - point[-1]) / tangent[-1]
+            is_last = arc >= rest
+            length = rest if is_last else arc
+            ahead = [p + length * t for p, t in zip(point, tangent, strict=True)]
+            if is_last:
+                ahead[-1] = 1.0
+            across, asked = (along, side) if is_last else (tangent, 0)
+            found = self._corrected(ahead, across, STRAY * length, asked)
+            if found and is_last:
+                return 0, tuple(found[:-1])
+            there, turned = self._tangent(found, tangent) if found else (0, [])
+            if not there or _dot(turned, tangent) < BENT:
+                arc = length / 2
+                if arc < LEAST:
+                    break
+            elif turned[-1] <= 0.0:
+                return 1, ()
+            else:
+                point, tangent, side, arc = found, turned, there, min(2 * arc, LONGEST)
+        return 2, ()
+
+    def _corrected(self, start: Point, across: Point, stray: float, side: int = 0) -> Point:
+        """Return the point of the curve next to one, moved square to a direction; none: [].
+
+        The first correction may be so long. If a side is asked for, the point must be on it.
+        """
+        found, most = start, stray
+        for _ in range(FEW):
+            change, matrix = self._bordered(found, across)
+            sign = self.solve(matrix, change)
+            size = math.sqrt(_dot(change, change))
+            if not sign or not (size <= TINY or size <= most):
+                return []
+            found = [f - c for f, c in zip(found, change, strict=True)]
+            last = most / CONTRACTION
+            if size <= TINY or size * size * size <= ROUNDING * last * last:
+                return found if sign == side or not side else []
+            most = CONTRACTION * size
+        return []
+
+    def _tangent(self, point: Point, before: Point) -> tuple[int, Point]:
+        """Return the direction of the curve that goes on from one before it.
+
+        Before it the sign of the determinant by the unknowns where the share grows along the
+        direction; 0 where there is none.
+        """
+        right, matrix = self._bordered(point, before)
+        right = [*(0.0 for _ in right[1:]), 1.0]
+        sign = self.solve(matrix, right)
+        size = math.sqrt(_dot(right, right)) if sign else 1.0
+        return sign, [r / size for r in right]
+
+    def _bordered(self, point: Point, across: Point) -> tuple[list[float], Matrix]:
+        """Return residuals and slopes by unknowns and share, and a direction as the last row."""
+        *unknowns, share = point
+        residuals, matrix = self.sides(unknowns, share)
+        aside = ASIDE * max(1.0 - share, ASIDE)
+        before, _ = self.sides(unknowns, share - aside)
+        rows = [
+            [*row, (r - b) / aside] for row, r, b in zip(matrix, residuals, before, strict=True)
+        ]
+        return [*residuals, 0.0], [*rows, list(across)]
+
+
+def _dot(one: Sequence[float], other: Sequence[float]) -> float:
+    return sum(a * b for a, b in zip(one, other, strict=True))

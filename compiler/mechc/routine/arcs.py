@@ -1,0 +1,170 @@
+"""The branch of a system's solutions by its arc length, for many poses at a time.
+
+What :mod:`mechc.formula.arcs` does for one pose, point by point; poses that are done wait for
+the others.
+"""
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..formula import arcs
+from ..named import NamedTuple
+
+Array: TypeAlias = NDArray[np.float64]
+Sides: TypeAlias = Callable[[Array, Array, Array], tuple[Array, Array]]
+"""Residuals and Jacobian (equations first, poses last) at unknowns and shares of poses."""
+
+
+class _Curves(NamedTuple):
+    """Where the poses are: the unknowns and the share, the tangent there, and the next arc.
+
+    ``side`` is the sign of the determinant by the unknowns.
+    """
+
+    points: Array
+    tangents: Array
+    arcs: Array
+    side: Array
+
+    def only(self, chosen: Array) -> "_Curves":
+        """Return some of the poses."""
+        return _Curves(*(array[..., chosen] for array in self))
+
+
+def follow(sides: Sides, start: Array) -> tuple[Array, Array]:
+    """Return the status of every pose, and its unknowns where the status is 0."""
+    poses = start.shape[1]
+    status, result = np.full(poses, 2.0), np.full_like(start, np.nan)
+    points = np.vstack([start, np.zeros(poses)])
+    along = np.zeros_like(points)
+    along[-1] = 1.0
+    left = np.arange(poses)
+    side, tangents = _tangents(sides, left, points, along)
+    curves = _Curves(points, tangents, np.full(poses, arcs.FIRST), side)
+    left, curves = left[side != 0], curves.only(side != 0)
+    for _ in range(arcs.POINTS):
+        curves, here = _ahead(sides, left, curves)
+        done = here < 2
+        status[left[done]], result[:, left[done]] = here[done], curves.points[:-1, done]
+        on = ~done & (curves.arcs >= arcs.LEAST)
+        left, curves = left[on], curves.only(on)
+        if not len(left):
+            break
+    return status, result
+
+
+def _ahead(sides: Sides, poses: Array, curves: _Curves) -> tuple[_Curves, Array]:
+    """Return the next points, and the status: 0 at the end, 1 behind a fold, 2 on the way."""
+    points, tangents, arc, side = curves
+    rest = (1.0 - points[-1]) / tangents[-1]
+    is_last = arc >= rest
+    length = np.where(is_last, rest, arc)
+    ahead = points + length * tangents
+    ahead[-1] = np.where(is_last, 1.0, ahead[-1])
+    along = np.zeros_like(points)
+    along[-1] = 1.0
+    across = np.where(is_last, along, tangents)
+    is_found, found = _corrected(
+        sides, poses, ahead, across, arcs.STRAY * length, np.where(is_last, side, 0)
+    )
+    there, turned = _tangents(sides, poses, found, tangents)
+    is_end = is_found & is_last
+    good = is_found & (there != 0) & (_dot(turned, tangents) >= arcs.BENT)
+    is_fold = good & ~is_end & (turned[-1] <= 0.0)
+    status = np.where(is_end, 0.0, np.where(is_fold, 1.0, 2.0))
+    moved = good | is_end
+    return (
+        _Curves(
+            np.where(moved, found, points),
+            np.where(good, turned, tangents),
+            np.where(good, np.minimum(2.0 * arc, arcs.LONGEST), length / 2.0),
+            np.where(good, there, side),
+        ),
+        status,
+    )
+
+
+def _corrected(
+    sides: Sides, poses: Array, start: Array, across: Array, stray: Array, side: Array
+) -> tuple[NDArray[np.bool_], Array]:
+    """Return whether there is a point of the curve next to one, and that point."""
+    found, most = start.copy(), stray
+    good, there = np.ones(len(poses), bool), np.zeros(len(poses), bool)
+    for _ in range(arcs.FEW):
+        sign, change = _solved(sides, poses, found, across)
+        size = np.sqrt(_dot(change, change))
+        is_tiny = size <= arcs.TINY
+        good &= there | ((sign != 0) & (is_tiny | (size <= most)))
+        found = np.where(good & ~there, found - change, found)
+        last = most / arcs.CONTRACTION
+        is_precise = is_tiny | (size * size * size <= arcs.ROUNDING * last * last)
+        ends = good & ~there & is_precise
+        good &= ~ends | (side == 0) | (sign == side)
+        there |= ends
+        most = arcs.CONTRACTION * size
+        if np.all(there | ~good):
+            break
+    return good & there, found
+
+
+def _tangents(sides: Sides, poses: Array, points: Array, before: Array) -> tuple[Array, Array]:
+    """Return the sign of the determinant by the unknowns, and the direction that goes on.
+
+    The sign is 0 where there is no such direction.
+    """
+    residuals, matrix = _bordered(sides, poses, points, before)
+    right = np.zeros_like(residuals)
+    right[-1] = 1.0
+    sign = eliminate(matrix, right)
+    return sign, right / np.sqrt(_dot(right, right))
+
+
+def _solved(sides: Sides, poses: Array, points: Array, across: Array) -> tuple[Array, Array]:
+    """Return the signs of the determinants, and the corrections."""
+    right, matrix = _bordered(sides, poses, points, across)
+    return eliminate(matrix, right), right
+
+
+def _bordered(sides: Sides, poses: Array, points: Array, across: Array) -> tuple[Array, Array]:
+    """Return residuals and slopes by unknowns and share, and a direction as the last row."""
+    unknowns, share = points[:-1], points[-1]
+    residuals, matrix = sides(poses, unknowns, share)
+    aside = arcs.ASIDE * np.maximum(1.0 - share, arcs.ASIDE)
+    before, _ = sides(poses, unknowns, share - aside)
+    by_share = (residuals - before) / aside
+    rows = np.concatenate([matrix, by_share[:, None]], axis=1)
+    return (
+        np.concatenate([residuals, np.zeros((1, len(share)))]),
+        np.concatenate([rows, across[None]]),
+    )
+
+
+def _dot(one: Array, other: Array) -> Array:
+    return np.sum(one * other, axis=0)
+
+
+def eliminate(matrix: Array, right: Array) -> Array:
+    """Solve ``matrix · x = right`` in place; return the determinants' signs, 0 for none."""
+    size = len(right)
+    sign = np.ones(right.shape[1])
+    poses = np.arange(right.shape[1])
+    for k in range(size):
+        best = k + np.argmax(np.abs(matrix[k:, k]), axis=0)
+        for array in (matrix, right):
+            upper, lower = array[k].copy(), array[best, ..., poses]
+            array[k] = np.moveaxis(lower, 0, -1)
+            array[best, ..., poses] = np.moveaxis(upper, -1, 0)
+        pivot = matrix[k, k]
+        sign = np.where(best != k, -sign, sign) * np.where(np.isfinite(pivot), np.sign(pivot), 0.0)
+        for i in range(k + 1, size):
+            times = matrix[i, k] / pivot
+            matrix[i, k + 1 :] -= times * matrix[k, k + 1 :]
+            right[i] -= times * right[k]
+    for k in reversed(range(size)):
+        for j in range(k + 1, size):
+            right[k] -= matrix[k, j] * right[j]
+        right[k] /= matrix[k, k]
+    return sign

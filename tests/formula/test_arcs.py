@@ -1,0 +1,165 @@
+"""Branches by their arc length: solved at the end of the way, or behind a fold that was found."""
+
+import math
+
+import numpy as np
+import pytest
+
+from mechc.formula import arcs
+from mechc.formula.arcs import Arcs
+from mechc.formula.newton import Way
+from mechc.routine import arcs as for_arrays
+from mechc.routine.newton import follow
+from mechc.routine.steps import Solver
+
+
+def curve(x, at, along):
+    """Return ``t = along(x)`` as one equation: where its slope is zero the curve turns back."""
+    step = 1e-6
+    slope = (along(x + step) - along(x - step)) / (2 * step)
+    return along(x) - at, slope
+
+
+def of_one(along):
+    """Return the sides of ``along(x) = t``, for one pose."""
+
+    def sides(unknowns, share):
+        residual, slope = curve(unknowns[0], share, along)
+        return [residual], [[slope]]
+
+    return sides
+
+
+def of_many(along):
+    """Return the same for many."""
+
+    def sides(_, unknowns, share):
+        residual, slope = curve(unknowns[0], share, along)
+        return residual[None], slope[None, None]
+
+    return sides
+
+
+def wave(height):
+    """Rise to a hill of a height, fall into a valley, and rise to all heights; from 0 on."""
+    return lambda x: height * (6.75 * x * (1 - x) ** 2)
+
+
+def layer(width):
+    """Turn from one straight line to another that is fifty times as steep, within a width."""
+    return lambda x: x - 0.98 * (np.sqrt((x - 0.5) ** 2 + width**2) + (x - 0.5)) / 2
+
+
+def begun(along):
+    """Return where a curve begins, near 0."""
+    x = 0.0
+    for _ in range(5):
+        residual, slope = curve(x, 0.0, along)
+        x -= float(residual / slope)
+    return x
+
+
+CURVES = {
+    "hill below the end": (wave(0.7), 1),
+    "hill just below the end": (wave(1 - 1e-6), 1),
+    "hill above the end": (wave(1.3), 0),
+    "sharp hill": (lambda x: 0.4 - np.sqrt((x - 0.4) ** 2 + 1e-12), 1),
+    "corner, where no tangent goes on": (lambda x: 0.4 - abs(x - 0.4), 2),
+    "flat": (layer(1e-4), 0),
+    "no more": (lambda x: np.where(x < 0.6, x, np.nan), 2),
+    "gap": (lambda x: x + (x > 0.5), 2),
+}
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_an_end_is_a_fold_that_was_found(name):
+    along, expected = CURVES[name]
+    start = begun(along)
+    status, found = Arcs(of_one(along)).follow([start])
+    assert status == expected
+    if status == 0:
+        assert along(found[0]) == pytest.approx(1.0, abs=1e-10)
+    many, unknowns = for_arrays.follow(of_many(along), np.full((1, 3), start))
+    assert list(many) == [expected] * 3
+    if status == 0:
+        assert unknowns[0] == pytest.approx([found[0]] * 3, rel=1e-12)
+
+
+def test_no_fold_is_found_in_too_few_points(monkeypatch):
+    monkeypatch.setattr(arcs, "POINTS", 3)
+    along, start = wave(0.7), 0.0
+    assert Arcs(of_one(along)).follow([start]) == (2, ())
+    many, _ = for_arrays.follow(of_many(along), np.full((1, 1), start))
+    assert list(many) == [2]
+
+
+def crossing(unknowns, share):
+    """The sides of y·(t - 1/2 - y²) = 0, x = t: three branches cross at t = 1/2, y = 0."""
+    x, y = unknowns
+    rest = share - 0.5
+    return [x - share, y * (rest - y * y)], [[1.0, 0.0], [0.0, rest - 3 * y * y]]
+
+
+def test_a_branch_that_others_cross_goes_on_though_the_determinant_changes_its_sign():
+    status, found = Arcs(crossing).follow([0.0, 0.0])
+    assert status == 0
+    assert found == pytest.approx((1.0, 0.0), abs=1e-12)
+
+    def sides(_, unknowns, share):
+        residuals, matrix = crossing(unknowns, share)
+        rows = [[np.broadcast_to(m, share.shape) for m in row] for row in matrix]
+        return np.array(residuals), np.array(rows)
+
+    many, unknowns = for_arrays.follow(sides, np.zeros((2, 3)))
+    assert list(many) == [0.0] * 3
+    assert unknowns == pytest.approx(np.array([[1.0] * 3, [0.0] * 3]), abs=1e-12)
+
+
+def steep(unknowns, outer):
+    """The sides of ``x - 2 e x³ = p`` with a fold at x² = 1/(6 e), and a kink of another slope."""
+    (x,), (p, e) = unknowns, outer
+    return [x - 2 * e * x**3 - p], [[1 - 6 * e * x * x]]
+
+
+@pytest.mark.parametrize(("p", "expected"), [(0.3, 0), (0.54, 0), (0.55, 1), (3.0, 1)])
+def test_a_way_by_arcs_says_that_it_ends_behind_a_fold(p, expected):
+    """The fold is at p = 2/3 · sqrt(1/6 e) = 0.5443 for e = 1/4."""
+    way = Way(steep, 1, [1.0], by_arcs=True)
+    status, found = way.follow([0.0, 0.25], [0.0], [p, 0.25])
+    assert status == expected
+    if status == 0:
+        assert steep(found, [p, 0.25])[0][0] == pytest.approx(0.0, abs=1e-12)
+
+
+def ending(unknowns, outer):
+    """The sides of ``x = sqrt(1 - p)``: no number at p > 1, and no fold either."""
+    (x,), (p,) = unknowns, outer
+    root = math.sqrt(1 - p) if p <= 1 else math.nan
+    return [x - root], [[1.0]]
+
+
+def test_a_way_by_arcs_concludes_nothing_from_short_steps():
+    """Steps become short before there is no number, and so they do before a fold."""
+    status, _ = Way(ending, 1, [1.0]).follow([0.0], [1.0], [1.5])
+    assert status == 1
+    status, _ = Way(ending, 1, [1.0], by_arcs=True).follow([0.0], [1.0], [1.5])
+    assert status == 2
+
+
+def test_many_ways_by_arcs_end_as_each_does():
+    solver = Solver(("x",), ("p", "e"), (), (0.0,), (0.0, None), True, 1, (), (), ())
+
+    def sides(unknowns, known):
+        (x,), (p, e) = unknowns, known
+        return (x - 2 * e * x**3 - p)[None], (1 - 6 * e * x * x)[None, None]
+
+    p = np.linspace(-0.8, 0.8, 33)
+    status, (found,) = follow(sides, solver, [p, np.array(0.25)])
+    way = Way(steep, 1, [1.0], by_arcs=True)
+    alone = [way.follow([0.0, 0.25], [0.0], [x, 0.25]) for x in p]
+    assert list(status) == [s for s, _ in alone]
+    assert {0.0, 1.0} == set(status)
+    for x, (each, at) in zip(found, alone, strict=True):
+        assert x == pytest.approx(
+            at[0] if each == 0 else math.nan, rel=1e-12, abs=1e-15, nan_ok=True
+        )
