@@ -10,9 +10,9 @@ tangent (x', t') solves F_x x' + F_t t' = 0 and goes on from the tangent before 
 
 What is concluded from what:
 
-- the curve comes to t = 1, and there F = 0, with the sign of the determinant of F_x that it has at the
-  point before: it is the solution. Where another branch crossed on the way the sign is not that
-  of the start, as of symmetric mechanisms, whose forces need not stay alike;
+- the curve comes to t = 1, and there F = 0, with the sign of the determinant of F_x that it has at
+  the point before: it is the solution. Where another branch crossed on the way the sign is not
+  that of the start, as of symmetric mechanisms, whose forces need not stay alike;
 - of two points of the curve, so close together that their tangents differ by less than an angle
   of :data:`BENT`, one has t' > 0 and the other t' <= 0: between them F_x is singular with
   t' = 0, a fold. From the fold on the share falls: with all of it no solution is on the branch;
@@ -24,6 +24,7 @@ Every target and the interpreter do the same, point by point.
 
 import math
 from collections.abc import Callable, Sequence
+from typing import Literal
 
 from ..named import NamedTuple
 from .elimination import Elimination, Matrix, eliminate
@@ -71,7 +72,7 @@ class Arcs(NamedTuple):
     sides: Sides
     solve: Elimination = eliminate
 
-    def follow(self, start: Sequence[float]) -> tuple[int, tuple[float, ...]]:
+    def follow(self, start: Sequence[float]) -> tuple[Literal[0, 1, 2], tuple[float, ...]]:
         """Return 0 and the solution at the end of the way, 1 behind a fold, else 2.
 
         The curve of x² = 1 - 2 t turns back at t = 1/2, that of x² = 1 - t/2 does not.

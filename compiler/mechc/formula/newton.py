@@ -57,7 +57,7 @@ SHORTEST = 2.0**-10
 """Where corrections run out at steps below this part of the path, the branch ends there."""
 
 SHORT = 2.0**-6
-"""Where steps are below this part of the path, arcs lead on faster, if a way is followed by them."""
+"""Where steps are below this part of a path that is followed by arcs, these lead on faster."""
 
 TINY = 1e-11
 """A correction behind which no other is needed."""
@@ -88,8 +88,8 @@ class Way(NamedTuple):
     """What stays the same on all ways to solutions of a system on one branch.
 
     ``side`` is the sign of the Jacobian's determinant where the branch is known, ``scales`` are
-    those of the unknowns there; ``by_arcs`` is whether it is followed by arcs where steps are short,
-    and ``solve`` how the equations are solved.
+    those of the unknowns there; ``by_arcs`` is whether it is followed by arcs where steps are
+    short, and ``solve`` how the equations are solved.
     """
 
     equations: Equations

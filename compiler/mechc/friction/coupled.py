@@ -10,21 +10,21 @@ because the drive that balances a friction is. What is kept is the size of force
 q without friction together, φ = q - g·Σ κ·n, where κ·n is what a friction adds to the driving
 load. With the g for which D - g·ideal·κ is least, this rest is of order one at a dead centre, too.
 
-What is concluded from what. The solutions with a share t of all friction are a curve, from the one
-without friction on (:mod:`~mechc.formula.arcs`).
+What is concluded from what. The solutions with a share t of all friction are a curve, from the
+one without friction on (:mod:`~mechc.formula.arcs`).
 
 - It comes to t = 1 with φ > 0: there the forces balance, the mechanism moves.
-- It comes to t = 1 with φ < 0: where φ passed zero the drive would need to be infinitely strong, and
-  behind it the load to be reversed. The solution says that nothing moves.
+- It comes to t = 1 with φ < 0: where φ passed zero the drive would need to be infinitely strong,
+  and behind it the load to be reversed. The solution says that nothing moves.
 - It turns back before, at a fold: forces that balance with less friction end before all of it is
   there. Nothing moves, either.
-- None of the three was found: nothing is said of the pose. That steps became short, or that corrections
-  did not suffice, is no reason.
+- None of the three was found: nothing is said of the pose. That steps became short, or that
+  corrections did not suffice, is no reason.
 
 Where a pressing force vanishes its size has a corner. The corner is rounded off by a part of the
-loads φ, which vanishes at t = 1, so that the curve is smooth before. Where all loads vanish
-together with the force, as they do where φ passes zero, a part of the share is added to that. Neither is a part
-of the whole size q: forces that are small against it, where links lie on a line, would be rounding.
+loads φ, which vanishes at t = 1, so that the curve is smooth before; and by a part of the share t,
+as the loads vanish, too, where φ passes zero. Neither is a part of the whole size q: forces may be
+small against it, where links lie on a line, and would be rounding.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set

@@ -14,7 +14,9 @@ from ..formula import arcs
 from ..named import NamedTuple
 
 Array: TypeAlias = NDArray[np.float64]
-Sides: TypeAlias = Callable[[Array, Array, Array], tuple[Array, Array]]
+Flags: TypeAlias = NDArray[np.bool_]
+Poses: TypeAlias = NDArray[np.intp]
+Sides: TypeAlias = Callable[[Poses, Array, Array], tuple[Array, Array]]
 """Residuals and Jacobian (equations first, poses last) at unknowns and shares of poses."""
 
 
@@ -29,7 +31,7 @@ class _Curves(NamedTuple):
     arcs: Array
     side: Array
 
-    def only(self, chosen: Array) -> "_Curves":
+    def only(self, chosen: Flags) -> "_Curves":
         """Return some of the poses."""
         return _Curves(*(array[..., chosen] for array in self))
 
@@ -56,7 +58,7 @@ def follow(sides: Sides, start: Array) -> tuple[Array, Array]:
     return status, result
 
 
-def _ahead(sides: Sides, poses: Array, curves: _Curves) -> tuple[_Curves, Array]:
+def _ahead(sides: Sides, poses: Poses, curves: _Curves) -> tuple[_Curves, Array]:
     """Return the next points, and the status: 0 at the end, 1 behind a fold, 2 on the way."""
     points, tangents, arc, side = curves
     rest = (1.0 - points[-1]) / tangents[-1]
@@ -88,8 +90,8 @@ def _ahead(sides: Sides, poses: Array, curves: _Curves) -> tuple[_Curves, Array]
 
 
 def _corrected(
-    sides: Sides, poses: Array, start: Array, across: Array, stray: Array, side: Array
-) -> tuple[NDArray[np.bool_], Array]:
+    sides: Sides, poses: Poses, start: Array, across: Array, stray: Array, side: Array
+) -> tuple[Flags, Array]:
     """Return whether there is a point of the curve next to one, and that point."""
     found, most = start.copy(), stray
     good, there = np.ones(len(poses), bool), np.zeros(len(poses), bool)
@@ -110,7 +112,7 @@ def _corrected(
     return good & there, found
 
 
-def _tangents(sides: Sides, poses: Array, points: Array, before: Array) -> tuple[Array, Array]:
+def _tangents(sides: Sides, poses: Poses, points: Array, before: Array) -> tuple[Array, Array]:
     """Return the sign of the determinant by the unknowns, and the direction that goes on.
 
     The sign is 0 where there is no such direction.
@@ -122,13 +124,13 @@ def _tangents(sides: Sides, poses: Array, points: Array, before: Array) -> tuple
     return sign, right / np.sqrt(_dot(right, right))
 
 
-def _solved(sides: Sides, poses: Array, points: Array, across: Array) -> tuple[Array, Array]:
+def _solved(sides: Sides, poses: Poses, points: Array, across: Array) -> tuple[Array, Array]:
     """Return the signs of the determinants, and the corrections."""
     right, matrix = _bordered(sides, poses, points, across)
     return eliminate(matrix, right), right
 
 
-def _bordered(sides: Sides, poses: Array, points: Array, across: Array) -> tuple[Array, Array]:
+def _bordered(sides: Sides, poses: Poses, points: Array, across: Array) -> tuple[Array, Array]:
     """Return residuals and slopes by unknowns and share, and a direction as the last row."""
     unknowns, share = points[:-1], points[-1]
     residuals, matrix = sides(poses, unknowns, share)
@@ -143,7 +145,7 @@ def _bordered(sides: Sides, poses: Array, points: Array, across: Array) -> tuple
 
 
 def _dot(one: Array, other: Array) -> Array:
-    return np.sum(one * other, axis=0)
+    return np.asarray(np.sum(one * other, axis=0))
 
 
 def eliminate(matrix: Array, right: Array) -> Array:

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from ..formula.choices import SIGNS, equal_within, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ..model.result import Drive
-from .newton import Array, follow
+from .arcs import Array
+from .newton import follow
 from .quotient import quotient_of
 from .steps import NOTHING, Function, Guard, Pose, Solve, Statement
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..formula import newton
 from ..named import NamedTuple
 from . import arcs
-from .arcs import Array, eliminate
+from .arcs import Array, Poses, eliminate
 from .steps import Solver
 
 Equations: TypeAlias = Callable[[Array, Array], tuple[Array, Array]]
@@ -81,7 +81,7 @@ def _by_arcs(equations: Equations, solver: Solver, outer: Array) -> tuple[Array,
     """Return statuses and unknowns by the arc length of the branch, from the start on."""
     anchor, start = _beginning(solver, outer)
 
-    def sides(poses: Array, unknowns: Array, share: Array) -> tuple[Array, Array]:
+    def sides(poses: Poses, unknowns: Array, share: Array) -> tuple[Array, Array]:
         return equations(unknowns, (1.0 - share) * anchor[:, poses] + share * outer[:, poses])
 
     return arcs.follow(sides, start)

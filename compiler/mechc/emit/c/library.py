@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from ...kept import folder
+from ...routine.arcs import Array
 from ...routine.evaluate import OnArrays, Value, scalar_or_array
-from ...routine.newton import Array
 
 FLAGS = ("-O3", "-ffp-contract=fast", "-fPIC", "-shared")
 BLOCK = 16384

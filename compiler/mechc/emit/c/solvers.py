@@ -29,8 +29,8 @@ NEVER = 2
 class ByArcs(NamedTuple):
     """What follows a branch by its arc length: its equations as a function of what is ``given``.
 
-    ``ends`` are the values given, so many in ``number``, ``lines`` what residuals and slopes rest on,
-    ``sides`` the lines that fill these in, ``room`` how many numbers are kept on the way.
+    ``ends`` are the values given, so many in ``number``, ``lines`` what residuals and slopes rest
+    on, ``sides`` the lines that fill these in, ``room`` how many numbers are kept on the way.
     """
 
     name: str
