@@ -56,9 +56,10 @@ class DefaultNumbers:
     def of(self, result: Result) -> Size:
         """Return the value of a result there; no number where something it needs has none.
 
-        NaN that no condition makes is 0/0 or a pole.
+        NaN that no condition makes is 0/0 or a pole. What has conditions may have a form for
+        elsewhere, in which names mean something else: it shares none of them.
         """
-        is_shared = result.elsewhere is None and self._chained.takes(result.where)
+        is_shared = not result.guards and self._chained.takes(result.where)
         values = self._chained.values if is_shared else self.values
         rounding = self._chained.rounding if is_shared else self._rounding
         number = value_of(result, values)
