@@ -135,7 +135,7 @@ class Opaque:
 
     def residue(self, point: Point) -> int:
         """Return a random value of its own."""
-        return point.length(str(self.inside))
+        return point.length(_text(self.inside))
 
     def formula(self) -> Formula:
         """Return the formula itself."""
@@ -143,7 +143,12 @@ class Opaque:
 
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
-        return (0, "") if isinstance(self.inside, Pi) else (2, str(self.inside))
+        return (0, "") if isinstance(self.inside, Pi) else (2, _text(self.inside))
+
+
+@lru_cache(maxsize=4096)
+def _text(inside: Formula) -> str:
+    return str(inside)
 
 
 CIRCLE = Opaque(Pi())
