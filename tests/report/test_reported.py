@@ -148,7 +148,7 @@ def test_a_load_that_is_asked_for_is_a_result():
     assert "\\begin{tikzpicture}" in plotted
 
 
-def test_a_ratio_that_is_another_one_is_told_of_once():
+def test_a_ratio_that_is_another_one_is_shown_once():
     text = mechc.load("crank_slider").emit("latex")
     speed = text.partition(r"\textbf{Velocity ratio:}")[2]
     assert "$i$ = $k$: what is said of $k$ holds for it, too." in speed

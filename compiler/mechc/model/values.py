@@ -85,7 +85,7 @@ class Chain:
         return found
 
     def completion(self, known: frozenset[str], often: int = OFTEN) -> "Completion":
-        """Return what follows from values of these names as code, kept for the same names again.
+        """Return as code all that values of these names determine, kept for the same names again.
 
         It is compiled when it has been used ``often``.
         """
