@@ -13,7 +13,8 @@ from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate
-from mechc.formula.walk import symbols
+from mechc.formula.tree import Call, Formula, number
+from mechc.formula.walk import children, rebuild, symbols
 from mechc.model.values import completed, holds
 from mechc.report.latex.document_style import style_of
 from mechc.report.latex.notation import name, notation
@@ -54,7 +55,8 @@ class Page:
             values[literal.name] = evaluate(literal.value, {})
         values |= {f.name: float(run(f, values)) for f in functions}
         for result in self.compilation.results:
-            values = completed(values, (d for d in result.where if d.name not in values))
+            new = (d for d in result.where if d.name not in values)
+            values = completed(values, ((d.name, _on_paper(d.formula)) for d in new))
         yield from values.items()
 
     def _holds(self, result: Analysis) -> bool:
@@ -98,3 +100,11 @@ class Page:
         if not symbols(formula) <= known.keys():
             return None
         return evaluate(formula, known)
+
+
+def _on_paper(formula: Formula) -> Formula:
+    """Return a formula in which the sign of what is zero but for rounding is zero."""
+    parts = tuple(map(_on_paper, children(formula)))
+    if isinstance(formula, Call) and formula.function == "sign":
+        return Call("sense", (*parts, number(1)))
+    return rebuild(formula, parts)

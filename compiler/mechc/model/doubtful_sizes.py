@@ -42,10 +42,15 @@ def beyond_a_turn(mechanism: Mechanism) -> Iterator[Diagnostic]:
         wound |= _turning(mechanism)
     for parameter in mechanism.parameters:
         turns = parameter.dimension == ANGLE and parameter.name not in wound
-        if turns and not parameter.dependent:
+        if turns and not parameter.dependent and not _is_drawn(parameter, mechanism):
             yield from _turn_of(parameter)
     if not mechanism.meshes:
         yield from _turns_written(mechanism, ranged)
+
+
+def _is_drawn(parameter: Parameter, mechanism: Mechanism) -> bool:
+    """Return whether a parameter is the direction of a drawn link, whose range is the stroke."""
+    return mechanism.drive is not None and parameter.span == mechanism.drive.span
 
 
 def _turning(mechanism: Mechanism) -> set[str]:
@@ -59,7 +64,8 @@ def _turns_written(mechanism: Mechanism, ranged: set[str]) -> Iterator[Diagnosti
     """Yield the ends of strokes and the directions beyond a turn."""
     drive = mechanism.drive
     angles = mechanism.angles
-    if drive and drive.parameter in angles - ranged:
+    is_drawn = drive and _is_drawn(mechanism.parameter(drive.parameter), mechanism)
+    if drive and drive.parameter in angles and (is_drawn or drive.parameter not in ranged):
         what = f"an end of the stroke of {drive.parameter}"
         yield from _beyond(drive.span, what, (drive.low, drive.high))
     for direction in directions(mechanism):

@@ -182,8 +182,8 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     chain = Chain({**dict(where), **dependent(mechanism)})
     loads = tuple(given_loads(mechanism))
     usual_g = {FREE_FALL.name: float(GRAVITY.value)} if usual_weights(mechanism) else {}
-    values = chain.complete(defaults(mechanism) | usual_g)
-    values |= dict.fromkeys(_zeros(chain, defaults(mechanism) | usual_g), 0.0)
+    known = defaults(mechanism) | usual_g
+    values = chain.complete(known | dict.fromkeys(_zeros(chain, known), 0.0))
     named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals, *loads)}
     units = {name: _unit(p) for name, p in named.items()}
     units |= dict.fromkeys(usual_g, "m/s^2") | _of_loads(where, mechanism)

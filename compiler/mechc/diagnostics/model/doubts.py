@@ -175,6 +175,20 @@ def condition_of_constants(span: Span) -> Message:
     return Message(span, "this condition compares constants, so that it states nothing", hint)
 
 
+@coded("W219")
+def never_met(span: Span, name: str, has_range: bool) -> Message:
+    """A case of a choice never holds, whatever value its parameter has in its range.
+
+    param v = 1 m/s in 0 m/s .. 2 m/s
+    let K = 1.3 when v > 5 m/s else 1.2             # warned of
+    let K = 1.3 when v > 1 m/s else 1.2             # right
+    let K = 1.3 when v < 1 m/s and v > 2 m/s else 1 # warned of: two cases were meant
+    """
+    where = " in its range" if has_range else ""
+    hint = "correct the bound or its unit; where one bound or the other is meant, write two cases"
+    return Message(span, f"no value of '{name}'{where} meets this condition", hint)
+
+
 @coded("W256")
 def let_without_value(span: Span, name: str) -> Message:
     """A user-defined formula has no finite value at the given parameters.

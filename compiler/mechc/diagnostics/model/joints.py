@@ -125,12 +125,12 @@ def twin_declared(span: Span, twin: str, point: str, mirror: Span) -> Message:
 
 @coded("E248")
 def copies_not_whole(span: Span, found: str) -> Message:
-    """The number of copies is not a whole number of at least two.
+    """The number of copies is not a whole number from two to a thousand.
 
     copies 3 sharing A       # right
     copies 1/2 sharing A     # wrong
     """
-    message = f"the number of copies is a whole number from 2 on, found {found}"
+    message = f"the number of copies is a whole number from 2 to 1000, found {found}"
     return Message(span, message, "count all equal branches, the one described among them")
 
 

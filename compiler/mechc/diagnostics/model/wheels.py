@@ -152,6 +152,19 @@ def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool)
     )
 
 
+@coded("E218")
+def inner_of_one_radius(span: Span, first: str, second: str, radius: float) -> Message:
+    """A ring has teeth inside, and the wheel that runs in it is smaller.
+
+    Of one radius they would be one about the other, on one axis, and pass no motion on::
+
+        gear O 40 mm, A 40 mm inner     # wrong
+        gear O 40 mm, A 15 mm inner     # right
+    """
+    message = f"the ring and the wheel inside it, on {first} and {second}, have one radius"
+    return Message(span, f"{message}, {radius * 1000:.7g} mm", "make one of them smaller")
+
+
 @coded("E236")
 def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Message:
     """The wheels of a belt stand where they overlap.

@@ -17,6 +17,7 @@ from ..constants import leaves
 from ..mechanism import Require, Subject
 from ..names.scope import FORMULA, Scope
 from ..statements import every
+from .bounds import never_met
 from .expressions import Quantity, Reader
 from .parameters import constant
 from .sorts import Sort
@@ -308,6 +309,10 @@ def _branches(choice: ast.Choice, scope: Scope) -> Iterator[tuple[Formula, Quant
             operands = branch.conditions[0].operands
             whole = operands[0].span.to(operands[-1].span)
             reader.report.add(doubts.condition_of_constants(whole))
+        elif sound and (name := never_met(found, scope.ranges)):
+            first, last = branch.conditions[0].operands[0], branch.conditions[-1].operands[-1]
+            whole = first.span.to(last.span)
+            reader.report.add(doubts.never_met(whole, name, name in scope.ranges))
         condition = Call("both", tuple(found)) if len(found) > 1 else found[0] if found else None
         yield (condition, value) if sound and condition and value else None
 

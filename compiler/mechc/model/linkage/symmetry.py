@@ -28,6 +28,9 @@ from ..names.scope import DESCRIPTION, Scope
 from ..statements import every, only
 from ..twins import primed
 
+MOST_COPIES = 1000
+"""More branches than any mechanism has: digits too many."""
+
 
 def read_mirror(
     file: ast.File, guided: Sequence[Slider | Slide], loads: Sequence[Load], scope: Scope
@@ -127,7 +130,7 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
     if not found or not Reader(scope, DESCRIPTION).fits(found, NUMBER, "the number of copies"):
         return None
     value = rational(found.formula)
-    if value is None or value < 2 or value.denominator != 1:
+    if value is None or not 2 <= value <= MOST_COPIES or value.denominator != 1:
         span = statement.number.span
         shown = scope.report.source.written(span)
         scope.report.add(messages.copies_not_whole(span, shown))

@@ -40,6 +40,10 @@ def _pair(statement: ast.Gear | ast.Belt, scope: Scope) -> WheelPair | None:
         at = statement.second.span
         scope.report.add(names.repeated_point(at, first + second, first))
         return None
+    if isinstance(statement, ast.Gear) and statement.inner and _alike(radii, scope):
+        size = value_of(radii[0], scope) or 0.0
+        scope.report.add(messages.inner_of_one_radius(statement.span, first, second, size))
+        return None
     arm = _arm(statement, scope)
     links = _links(statement, arm, scope) if arm is not None else None
     if arm is None or links is None:
@@ -49,6 +53,13 @@ def _pair(statement: ast.Gear | ast.Belt, scope: Scope) -> WheelPair | None:
     ends = (first, links[0], radii[0]), (second, links[1], radii[1])
     kind: Literal["gear", "belt"] = "gear" if is_gear else "belt"
     return WheelPair(kind, *ends[0], *ends[1], same, statement.span, arm)
+
+
+def _alike(radii: Iterable[Formula | None], scope: Scope) -> bool:
+    """Return whether two radii are one and the same, by their values or as they are written."""
+    first, second = (radius for radius in radii if radius)
+    sizes = value_of(first, scope), value_of(second, scope)
+    return first == second or (None not in sizes and sizes[0] == sizes[1])
 
 
 def _arm(statement: ast.Gear | ast.Belt, scope: Scope) -> str | None:
