@@ -3,15 +3,18 @@
 import ctypes
 import shutil
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from mechc.driver import Compilation
 from mechc.emit.c.to_c import TARGET
-from mechc.emit.target import Options
+from mechc.emit.target import Emitted, Options
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function
+from mechc.source import Source
 from mechc.units import ANGLE
 from routine_samples import LIBRARY, SAMPLES, solved
 from run_targets import built, poses
@@ -30,13 +33,17 @@ ITERATED = ("double_butterfly", "scissor_table", "triad_closed")
 
 
 def compile_all(names: list[str], compiler: str, level: str, folder: Path) -> None:
+    files = [file for name in names for file in TARGET.emit(solved(name), Options(name))]
+    compile_files(files, compiler, level, folder)
+
+
+def compile_files(files: Sequence[Emitted], compiler: str, level: str, folder: Path) -> None:
     command = COMPILERS[compiler]
     if shutil.which(command[0]) is None:
         pytest.skip(f"no {command[0]}")
-    for name in names:
-        for name_, text in TARGET.emit(solved(name), Options(name)):
-            (folder / name_).write_text(text, encoding="utf-8")
-    sources = [f"{name}.c" for name in names]
+    for name, text in files:
+        (folder / name).write_text(text, encoding="utf-8")
+    sources = [name for name, _ in files if name.endswith(".c")]
     run = [*command, *STRICT, *level.split(), *sources]
     done = subprocess.run(run, cwd=folder, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr[:2000]
@@ -52,6 +59,42 @@ def test_systems_compile_without_a_warning(compiler, level, tmp_path):
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_the_library_compiles_without_a_warning(compiler, tmp_path):
     compile_all([*SAMPLES, *LIBRARY], compiler, LEVELS[compiler], tmp_path)
+
+
+TWO_BRANCHES = """
+param t1 = -93.2 deg in -133.2 deg .. -53.2 deg
+slider A along t1
+pivot C
+link AB
+param t2 = -176.2 deg in -216.2 deg .. -136.2 deg
+AB = 147.4 mm @ t2
+link CB
+param t3 = -21.7 deg in -61.7 deg .. 18.3 deg
+CB = 89.4 mm @ t3
+pivot E
+link AD
+param t4 = -147.0 deg in -187.0 deg .. -107.0 deg
+AD = 151.0 mm @ t4
+link EDG
+param t5 = 140.9 deg in 100.9 deg .. 180.9 deg
+ED = 113.2 mm @ t5
+param t6 = 175.1 deg in 135.1 deg .. 215.1 deg
+EG = 156.7 mm @ t6
+force P at A along t1 times 2
+param t7 = 57.9 deg in 17.9 deg .. 97.9 deg
+force F at G along t7
+find k = P / F
+param q = 1
+friction pins 0.086*q diameter 6 mm coulomb
+friction slider A 0.08*q guide 50 mm overhang 5 mm linear
+"""
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_a_loop_that_needs_fewer_arguments_compiles_without_a_warning(compiler, tmp_path):
+    """Only where friction turns a force round is k_f one of t2 and t3."""
+    compilation = Compilation(Source("branches.mech", TWO_BRANCHES))
+    compile_files(TARGET.emit(compilation, Options("branches")), compiler, "-O1", tmp_path)
 
 
 HUGE = [1e6, 1.05e6, -2e6, 1e15, 1e22, -1e22, 1e300, np.inf, -np.inf, np.nan]

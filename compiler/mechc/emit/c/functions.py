@@ -145,9 +145,8 @@ def _computed(
     """Return the body of a function, and the same without branches where it pays."""
     names = {**own, **mangle((n for s in function.steps for n in names_of(s)), inner)}
     plain = _plain(function, function.steps, CPrinter(names), solvers, inner)
-    return plain, _quick(function, QuickPrinter(names, _formulas(function))) if _is_circular(
-        function
-    ) else None
+    printer = QuickPrinter(names, _formulas(function))
+    return plain, _quick(function, own, printer) if _is_circular(function) else None
 
 
 def _taken(
@@ -174,12 +173,18 @@ def _plain(
     return Body(body, conditions, printer.print(function.output))
 
 
-def _quick(function: Function, printer: Printer) -> Body:
-    """Return a body without branches: each guard is a call around the output."""
+def _quick(function: Function, own: Mapping[str, str], printer: Printer) -> Body:
+    """Return a body without branches: each guard is a call around the output.
+
+    What the form for elsewhere alone needs is not used in it.
+    """
+    used = mentioned(function.steps, _ends(function))
+    unused = [f"(void){own[i.name]};" for i in function.inputs if i.name not in used]
     output = printer.print(function.output)
     for guard in function.guards:
         output = guarded(guard, printer, output)
-    return Body(lines(function.steps, frozenset(), {}, printer, Names(RESERVED))[0], [], output)
+    steps, _ = lines(function.steps, frozenset(), {}, printer, Names(RESERVED))
+    return Body([*steps, *unused], [], output)
 
 
 def _is_circular(function: Function) -> bool:
