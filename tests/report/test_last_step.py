@@ -81,4 +81,10 @@ def test_loads_that_are_tied_are_put_into_the_ratio_with_their_factor():
         for name in ("claw_closed", "scissor_table")
     }
     assert shown["claw_closed"] == "-(V_C_R + f*V_C_T)/V_B"
-    assert shown["scissor_table"] == "(cos(phi_AM)*V_D - V_C_W)/(2*V_AE)"
+    assert shown["scissor_table"] == "(cos(gamma_M/2)*V_D - V_C_W)/(2*V_AE)"
+
+
+def test_a_quotient_of_two_negative_sums_has_no_minus():
+    """Both jaws move against what presses on them."""
+    text = mechc.load("d45_09_racks_pinion").emit("latex")
+    assert r"\frac{N}{P}&=\frac{V_A}{V_A+V_B}" in text.replace(r"\frac{N}{P}=", r"\frac{N}{P}&=")

@@ -1,6 +1,6 @@
 """A result as people read it, with what follows from it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Literal
 
@@ -12,6 +12,7 @@ from ..model.mechanism import Require
 from ..model.result import Definition, FrictionResult, Result
 from ..named import NamedTuple
 from ..units import Dimension
+from .tolerances import SAME_RATIO, SAME_TURN
 
 
 class Acted(NamedTuple):
@@ -62,10 +63,35 @@ class Break(NamedTuple):
 
 
 class Extreme(NamedTuple):
-    """A value of a parameter, and that of a result there, in SI."""
+    """A value of a parameter, and that of a result there, in SI; it is so ``again`` elsewhere."""
 
     x: float
     value: float
+    again: tuple[float, ...] = ()
+
+
+def least_and_greatest(found: Sequence[Extreme]) -> tuple[Extreme | None, Extreme | None]:
+    """Return the extremes of all that were found, each with every place at which it is met.
+
+    >>> low, high = least_and_greatest([Extreme(1.0, 2.0), Extreme(3.0, 2.0), Extreme(2.0, 5.0)])
+    >>> low, high
+    (Extreme(x=1.0, value=2.0, again=(3.0,)), Extreme(x=2.0, value=5.0, again=()))
+    """
+    if not found:
+        return None, None
+    size = max(abs(each.value) for each in found)
+    width = max(each.x for each in found) - min(each.x for each in found)
+
+    def met(best: Extreme) -> Extreme:
+        alike = (each.x for each in found if abs(each.value - best.value) <= SAME_RATIO * size)
+        places: list[float] = []
+        for x in sorted(alike):
+            if not places or x - places[-1] > SAME_TURN * width:
+                places.append(x)
+        return Extreme(places[0], best.value, tuple(places[1:]))
+
+    low, high = (pick(found, key=lambda each: each.value) for pick in (min, max))
+    return met(low), met(high)
 
 
 @frozen

@@ -9,7 +9,7 @@ from ..friction.solution import Solution
 from ..frozen import replace
 from ..model.mechanism import Drive, LoadRatio, SpeedRatio
 from ..model.values import range_of
-from .analysis import Analysis, Extent, Extreme
+from .analysis import Analysis, Extent, Extreme, least_and_greatest
 from .ranges import moved, scale_of, unit_of
 from .stroke import extent
 from .sweep import Sweep
@@ -77,7 +77,7 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
             sweep = Sweep(solution.plan, name, {})
             extremes = _extremes(sweep, result, spaced(*ends, CELLS))
             if extremes:
-                low, high = (f(extremes, key=lambda e: e.value) for f in (min, max))
+                low, high = least_and_greatest(extremes)
                 unit = unit_of(name, mechanism)
                 scale = scale_of(result, mechanism)
                 yield Extent(name, unit, ends, (), (), low, high, scale, False)

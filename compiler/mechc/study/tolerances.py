@@ -15,6 +15,9 @@ SAME_VALUE = 1e-9
 VANISHED_SUM = 1e-9
 """A sum is zero below this part of its size a radian away."""
 
+SAME_TURN = 1e-6
+"""Extrema closer than this part of the range are one: of a flat top half the digits are known."""
+
 SAME_RATIO = 1e-9
 """Relative difference below which two formulas agree at a pose."""
 

@@ -54,6 +54,8 @@ def _of_tied(target: LoadRatio, terms: Sequence[PowerTerm], owners: Owners) -> F
         return None
     (above, often), (below, seldom) = (_summed(powers[name]) for name in asked)
     share = number(Fraction(seldom) / Fraction(often))
+    if all(map(has_minus, getattr(above, "terms", (above,)))):
+        return product([(share, 1), (quotient(below, negative(above)), 1)])
     if any(map(has_minus, getattr(below, "terms", (below,)))):
         return product([(share, 1), (quotient(_turned(below), above), 1)])
     return product([(share, 1), (number(-1), 1), (quotient(below, above), 1)])

@@ -247,7 +247,9 @@ def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
     if _is_distance(formula) and not _ENDS_APART.search(before.tex):
         return True
     return (before.open and not (is_function or raised)) or (
-        (before.tex[-1].isdigit() and after.tex[0].isdigit()) or (before.tex == "d" and is_letter)
+        (before.tex[-1].isdigit() and after.tex[0].isdigit())
+        or (before.tex == "d" and is_letter)
+        or (before.tex == "f" and after.tex[:1] == "d")
     )
 
 

@@ -58,7 +58,8 @@ def _extreme(extent: Extent, symbol: str, locale: Locale, spell: Speller) -> Ite
         for kind, extreme, value in zip(
             ("least", "greatest"), (least, greatest), values, strict=True
         ):
-            at = _at(extreme.x, extent, locale, spell)
+            places = [_at(x, extent, locale, spell) for x in (extreme.x, *extreme.again)]
+            at = enumeration(dict.fromkeys(places), locale)
             yield locale.extents[kind].format(result=symbol, place=at, value=value)
 
 

@@ -7,7 +7,7 @@ from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, SpeedRatio
 from ...model.values import range_of
 from ...units import ANGLE
-from ..analysis import Analysis, Extent, Extreme
+from ..analysis import Analysis, Extent, Extreme, least_and_greatest
 from ..ranges import scale_of
 from .along import Along
 from .from_balance import run
@@ -62,8 +62,7 @@ def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along
         (part.low, part.high),
         zeros,
         poles,
-        min(extremes, key=lambda e: e.value, default=None),
-        max(extremes, key=lambda e: e.value, default=None),
+        *least_and_greatest(extremes),
         scale_of(result, along.mechanism),
         not is_open,
         tuple((n.low, n.high) for n in stroke.nil if n.result == result.name and _is_in(n, part)),
