@@ -302,9 +302,9 @@ class Pipeline:
         if self.pose.mechanism.drive is None:
             return None
         from .pose.motion import motion
-        from .study.stroke.points_in_step import astray
+        from .study.stroke.points_in_step import lagging
 
-        return motion(self.pose, astray(self.plan))
+        return motion(self.pose, lagging(self.plan))
 
     @Stage
     def routine(self) -> "Routine":

@@ -226,9 +226,9 @@ def chained(pose, driving, sense, **given):
     """Return the driving load that follows body after body, by the signs of the pose."""
     found, signs = plan(pose), one_pose()
     equations = equations_of(terms(found))
-    pressed = loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
+    joint = loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
     owners = {load.name: equations.owner(load.name) for load in pose.mechanism.loads}
-    task = Task(pose, driving, given, owners, pressed, Reactions(pose, (driving,)))
+    task = Task(pose, driving, given, owners, joint, Reactions(pose, (driving,)))
     solver = SequentialSolver(cut_free(task, False), signs, sense)
     return value(solver.solve(), signs)
 
@@ -384,8 +384,8 @@ def single(ideal, by=ZERO, slip=ONE, factor=Fraction(1, 5)):
 @pytest.mark.parametrize("sense", [1, -1])
 def test_a_guide_that_its_own_friction_presses_gives_a_quotient(sense):
     """n = 2 − σ·μ·n/2 and P = 3 + σ·μ·n with μ = 1/5."""
-    pressed = single(Product(2), by=Product(Fraction(1, 2)))
-    solver = LinearSolver("P", Product(3), [pressed], one_pose(), sense)
+    joint = single(Product(2), by=Product(Fraction(1, 2)))
+    solver = LinearSolver("P", Product(3), [joint], one_pose(), sense)
     size = 2 / (1 + sense * 0.1)
     assert number_of(solver.solve()) == pytest.approx(3 + sense * 0.2 * size)
 
@@ -397,19 +397,19 @@ def test_more_pairs_than_a_person_reads_hang_together():
 
 @pytest.mark.parametrize("sense", [1, -1])
 def test_to_first_order_friction_adds_its_power_under_ideal_forces(sense):
-    pressed = single(Product(-2), slip=Product(-3))
-    found = first_order(number(5), [pressed], sense, lever().mechanism)
+    joint = single(Product(-2), slip=Product(-3))
+    found = first_order(number(5), [joint], sense, lever().mechanism)
     assert evaluate(found.formula, {}) == pytest.approx(5 + sense * 0.2 * 2 * 3)
 
 
 @pytest.mark.parametrize("sense", [1, -1])
 def test_the_coupled_equations_give_the_true_pressing_force(sense):
     """The same guide as above, by Newton's method: n = 2/(1 ± μ/2)."""
-    pressed = [single(Product(2), by=Product(Fraction(1, 2)))]
-    sizes = true_sizes(coupled(pressed, set()), sense)
+    joint = [single(Product(2), by=Product(Fraction(1, 2)))]
+    sizes = true_sizes(coupled(joint, set()), sense)
     known = completed({}, sizes.definitions)
     assert known[sizes.names["G"]] == pytest.approx(2 / (1 + sense * 0.1))
-    found = exact(number(3), pressed, sizes, lambda value: value)
+    found = exact(number(3), joint, sizes, lambda value: value)
     whole = evaluate(found.formula, completed({}, found.where))
     assert whole == pytest.approx(3 + sense * 0.2 * 2 / (1 + sense * 0.1))
 

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from mechc.algebra.product import ONE
-from mechc.kinematics.joint_refs import JointRef, held_end, members, touch_at, unclear
+from mechc.kinematics.joint_refs import JointRef, contact_at, held_end, members, unclear
 from mechc.kinematics.release import released_linkage, work_of
 from small_poses import (
     HERE,
@@ -126,4 +126,4 @@ def test_what_a_joint_holds():
     assert members(on_pivots(wheels()), JointRef("mesh", "O", wheels().id)) == (*"OQ", *"OA", *"QB")
     assert members(lever(), JointRef("pin", "A", "OAB")) == ("O", "A", "B")
     assert members(lever(), JointRef("ground", "O")) == ("O",)
-    assert touch_at(slotted(), "A").body == "QB"
+    assert contact_at(slotted(), "A").body == "QB"

@@ -157,10 +157,10 @@ def assert_same_friction(one: Result, two: Result, new: dict[str, str], where: s
             assert [s.state for s in reach.stretches] == [s.state for s in others], where
             for first, second in zip(reach.stretches, others, strict=True):
                 assert ends_of(first) == pytest.approx(ends_of(second), abs=NEAR), where
-    courses = {c.parameter: c for c in two.courses}
-    for course in one.courses:
-        other = courses[new.get(course.parameter, course.parameter)]
-        figures = (course.least, course.greatest)
+    efficiency_ranges = {c.parameter: c for c in two.efficiency_ranges}
+    for efficiency in one.efficiency_ranges:
+        other = efficiency_ranges[new.get(efficiency.parameter, efficiency.parameter)]
+        figures = (efficiency.least, efficiency.greatest)
         assert figures == pytest.approx((other.least, other.greatest), abs=1e-3), where
 
 

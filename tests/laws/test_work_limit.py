@@ -127,7 +127,7 @@ def test_what_takes_too_much_work_along_ranges_is_named_and_the_rest_is_given(mo
     assert names == ["k", "k_f", "k_f1", "k_hold", "eta_k"]
     found = [d for d in compilation.report.diagnostics if d.code == "W261"]
     assert [d.message.split()[0] for d in found] == ["k_f", "k_hold", "eta_k"]
-    assert all(r.locking is None and not r.courses for r in compilation.results)
+    assert all(r.locking is None and not r.efficiency_ranges for r in compilation.results)
     assert compilation.verdict.trials
 
 

@@ -179,7 +179,7 @@ def test_what_acts_on_links_at_a_pin_adds_up_to_what_acts_on_the_pin(plain):
     values, results = evaluated(sample, made)
     loads, size = loads_on(made, values), max(abs(v) for v in results.values())
     pins = {name.split("_")[1] for name in results if "_on_" in name}
-    touched = {t.point for t in made.compilation.pose.touches}
+    touched = {t.point for t in made.compilation.pose.contacts}
     for pin in pins - touched:
         names = [n for n in results if n.startswith(f"R_{pin}_on_") and n.endswith("_x")]
         links = [k for k in made.compilation.mechanism.links if pin in k.points]

@@ -149,7 +149,7 @@ def test_a_contact_may_push_and_not_pull(turn, codes):
     """The pin of OA rests on QB: turned round, its face would have to hold it down."""
     pose = on_pivots(Contact("A", "QB", "Q", "B", ALONG, HERE))
     touch = PointContact("contact", "A", "QB", "Q", arm("l", at(theta=1)), at(turn, theta=1), HERE)
-    whole = replace(pose, touches=(touch,))
+    whole = replace(pose, contacts=(touch,))
     asked = Result("k", LoadRatio("M", "T"), NUMBER, None)
     assert [d.code for d in pulling([asked], Balanced(whole, ALL))] == codes
 

@@ -99,14 +99,14 @@ def hold_to_sampling(seed: int) -> None:
     """Compare what an efficiency is said to run through with a dense sampling."""
     made = made_of(chain(seed))
     study, eta = Study(made.compilation.solution), result(made, "eta_k")
-    for course in eta.courses:
-        moving = study.moving(eta.target.of, eta.target.sense, course.parameter)
-        low, high = course.range
+    for efficiency in eta.efficiency_ranges:
+        moving = study.moving(eta.target.of, eta.target.sense, efficiency.parameter)
+        low, high = efficiency.range
         found = [moving.efficiency(low + (high - low) * (i + 0.5) / 400) for i in range(400)]
         found = [e for e in found if not math.isnan(e)]
-        where = f"seed {seed}: {course}"
-        assert min(found) > course.least - 1e-3, where
-        assert max(found) < course.greatest + 1e-3, where
+        where = f"seed {seed}: {efficiency}"
+        assert min(found) > efficiency.least - 1e-3, where
+        assert max(found) < efficiency.greatest + 1e-3, where
 
 
 def test_states_are_those_of_free_bodies():
@@ -175,4 +175,4 @@ def test_beside_a_pole_what_sticks_is_stated_where_iteration_gives_up():
     stuck = [s for r in result(made, "k_f").locking.reaches for s in r.stretches]
     assert [s.state for s in stuck] == ["jammed"]
     assert list(refuted(made.compilation)) == []
-    assert [course.least for course in result(made, "eta_k").courses] == [0]
+    assert [efficiency.least for efficiency in result(made, "eta_k").efficiency_ranges] == [0]

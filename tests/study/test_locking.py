@@ -1,4 +1,4 @@
-"""Where friction locks or jams a mechanism, against formulas by hand; courses of efficiencies."""
+"""Where friction locks or jams a mechanism, against formulas by hand; ranges of efficiencies."""
 
 import math
 from collections.abc import Iterable
@@ -116,8 +116,8 @@ def stretches(description: str, name: str) -> list[LockingInterval]:
     return list(reach.stretches)
 
 
-def course(description: str, name: str) -> EfficiencyRange:
-    (found,) = results(description)[name].courses
+def efficiency(description: str, name: str) -> EfficiencyRange:
+    (found,) = results(description)[name].efficiency_ranges
     return found
 
 
@@ -155,7 +155,7 @@ def test_the_motion_named_releasing_locks_alike():
         ROD_TOGGLE.format(low=0.1, more="motion releasing"),
     )
     assert stretches(there, "k_hold") == stretches(here, "k_f")
-    assert course(here, "eta_k").least == 0
+    assert efficiency(here, "eta_k").least == 0
 
 
 def test_fedoriv_locks_up_to_both_angles_of_friction():
@@ -249,7 +249,7 @@ def by_hand(alpha: float) -> float:
 
 
 def test_what_an_efficiency_runs_through():
-    found = course(FEDORIV.format(alpha=10), "eta_k")
+    found = efficiency(FEDORIV.format(alpha=10), "eta_k")
     assert found.least == pytest.approx(by_hand(math.radians(1)))
     assert found.greatest == pytest.approx(by_hand(math.radians(45)))
     ((low, high),) = found.usual
@@ -258,7 +258,7 @@ def test_what_an_efficiency_runs_through():
 
 
 def test_an_efficiency_is_nil_where_nothing_moves():
-    assert course(SLIDER_CRANK, "eta_k").least == 0
+    assert efficiency(SLIDER_CRANK, "eta_k").least == 0
 
 
 def test_the_efficiency_of_what_the_load_drives_is_below_one():
@@ -343,8 +343,8 @@ def test_the_stroke_tells_where_nothing_moves():
         ("k_f", "jammed", *(first.within or ())),
         ("k_f", "jammed", *(last.within or ())),
     ]
-    ((name, found),) = stroke.courses
-    assert (name, found) == ("eta_k", course(SLIDER_CRANK, "eta_k"))
+    ((name, found),) = stroke.efficiency_ranges
+    assert (name, found) == ("eta_k", efficiency(SLIDER_CRANK, "eta_k"))
 
 
 def test_the_table_of_the_stroke_tells_it_in_words(tmp_path, capsys):
@@ -612,10 +612,10 @@ def test_a_nut_locks_below_the_pitch_that_friction_holds():
 
 def test_what_an_efficiency_runs_through_over_a_coefficient():
     """η = tan ψ/tan(ψ + arctan μ) falls from 1."""
-    (course,) = (c for c in results(NUT)["eta_k"].courses if c.parameter == "mu")
+    (efficiency,) = (c for c in results(NUT)["eta_k"].efficiency_ranges if c.parameter == "mu")
     psi = math.atan(0.004 / (math.pi * 0.02))
-    assert course.greatest == pytest.approx(1)
-    assert course.least == pytest.approx(math.tan(psi) / math.tan(psi + math.atan(0.2)))
+    assert efficiency.greatest == pytest.approx(1)
+    assert efficiency.least == pytest.approx(math.tan(psi) / math.tan(psi + math.atan(0.2)))
 
 
 def test_lengths_are_stated_in_their_unit(tmp_path, capsys):
@@ -740,14 +740,17 @@ def assert_stuck(mechanism: SolvedMechanism, result: Analysis, reach: LockingInt
         assert stated == (not value > 0), (result.name, reach.parameter, place)
 
 
-def assert_run(mechanism: SolvedMechanism, result: Analysis, course: EfficiencyRange) -> None:
+def assert_run(mechanism: SolvedMechanism, result: Analysis, efficiency: EfficiencyRange) -> None:
     """An efficiency stays within what is stated, and is usual just where that is stated."""
-    places = along(course.range)
-    found = mechanism.evaluate(**{course.parameter: places})[result.name]
+    places = along(efficiency.range)
+    found = mechanism.evaluate(**{efficiency.parameter: places})[result.name]
     share = np.broadcast_to(np.fmax(found, 0), len(places))
     for place, eta in zip(places, share, strict=True):
-        assert course.least - 1e-9 <= eta <= course.greatest + 1e-9
-        assert is_within(place, course.usual) == (0.9 <= eta <= 0.95), (course.parameter, place)
+        assert efficiency.least - 1e-9 <= eta <= efficiency.greatest + 1e-9
+        assert is_within(place, efficiency.usual) == (0.9 <= eta <= 0.95), (
+            efficiency.parameter,
+            place,
+        )
 
 
 @pytest.mark.parametrize("name", [*WITH_FRICTION, *OWN])
@@ -757,8 +760,8 @@ def test_what_is_stated_is_true_of_code(name):
         for reach in result.locking.reaches if result.locking else ():
             if reach.range is not None:
                 assert_stuck(mechanism, result, reach)
-        for course in result.courses:
-            assert_run(mechanism, result, course)
+        for efficiency in result.efficiency_ranges:
+            assert_run(mechanism, result, efficiency)
 
 
 INCLINE = """
@@ -782,8 +785,8 @@ def test_a_weight_on_an_incline_stays_where_friction_holds_it():
 
 
 def test_an_efficiency_has_no_course_over_what_it_does_not_depend_on():
-    courses = results(INCLINE)["eta_P"].courses
-    assert [c.parameter for c in courses] == ["gamma", "mu"]
+    efficiency_ranges = results(INCLINE)["eta_P"].efficiency_ranges
+    assert [c.parameter for c in efficiency_ranges] == ["gamma", "mu"]
 
 
 def test_a_pose_at_which_a_joint_turns_back_is_no_fault(tmp_path, capsys):

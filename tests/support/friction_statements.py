@@ -111,8 +111,8 @@ def refuted(compilation: Compilation) -> Iterator[str]:
                 yield from stuck(Ratios(compilation, result), result, reach)
             for stretch in reach.stretches:
                 yield from throughout(Ratios(compilation, result), result, reach, stretch)
-        for course in result.courses:
-            yield from run(Ratios(compilation, result), result, course)
+        for efficiency in result.efficiency_ranges:
+            yield from run(Ratios(compilation, result), result, efficiency)
         if result.holds:
             yield from printed(compilation, result)
 
@@ -216,24 +216,24 @@ def _holds(result: Analysis, known: Mapping[str, float]) -> bool:
     )
 
 
-def run(ratios: Ratios, result: Result, course: EfficiencyRange) -> Iterator[str]:
+def run(ratios: Ratios, result: Result, efficiency: EfficiencyRange) -> Iterator[str]:
     """Yield what an efficiency comes to beyond what it is said to run through."""
-    width = course.range[1] - course.range[0]
-    places = np.linspace(*course.range, DENSE)[1:-1] + ASIDE * width
-    k, share = ratios.along(course.parameter, places)
+    width = efficiency.range[1] - efficiency.range[0]
+    places = np.linspace(*efficiency.range, DENSE)[1:-1] + ASIDE * width
+    k, share = ratios.along(efficiency.parameter, places)
     driven = ratios.sense * k < 0
     with np.errstate(all="ignore"):
         found = np.where(share > 0, np.where(driven, share, 1 / share), 0.0)
     known = ~np.isnan(share)
-    where = f"{result.name} over {course.parameter}"
+    where = f"{result.name} over {efficiency.parameter}"
     for x, eta in zip(places[known], found[known], strict=True):
-        if not course.least - ENOUGH <= eta <= course.greatest + ENOUGH:
-            yield f"{where} is {eta} at {x!r}, not {course.least} to {course.greatest}"
+        if not efficiency.least - ENOUGH <= eta <= efficiency.greatest + ENOUGH:
+            yield f"{where} is {eta} at {x!r}, not {efficiency.least} to {efficiency.greatest}"
             return
-        if any(abs(x - end) < NEAR * width for part in course.usual for end in part):
+        if any(abs(x - end) < NEAR * width for part in efficiency.usual for end in part):
             continue
-        is_said = any(a <= x <= b for a, b in course.usual)
+        is_said = any(a <= x <= b for a, b in efficiency.usual)
         slack = ENOUGH if is_said else -ENOUGH
         if is_said != (USUAL[0] - slack <= eta <= USUAL[1] + slack):
-            yield f"{where} is {eta} at {x!r}: usual from … to {course.usual}"
+            yield f"{where} is {eta} at {x!r}: usual from … to {efficiency.usual}"
             return

@@ -48,10 +48,10 @@ def _balanced(matrix: Array, pairs: list[FrictionPair], part: float, near: Array
     for _ in range(30):
         gap, slopes = matrix @ found, matrix.copy()
         for pair in pairs:
-            pressed = found[list(pair.pressing)]
-            size, against = np.linalg.norm(pressed), -part * pair.factor * pair.dragged
+            loaded = found[list(pair.pressing)]
+            size, against = np.linalg.norm(loaded), -part * pair.factor * pair.dragged
             gap = gap + against * size
-            for column, each in zip(pair.pressing, pressed / (size or 1), strict=True):
+            for column, each in zip(pair.pressing, loaded / (size or 1), strict=True):
                 slopes[:, column] += against * each
         right = np.append(-gap, 1 - near @ found)
         change = np.linalg.lstsq(np.vstack([slopes, near]), right, rcond=1e-12)[0]

@@ -106,7 +106,7 @@ class Forces:
         for body, along in whole.slides.items():
             yield ("slide", body), self.on_body(body, 1j * along, 0)
             yield ("couple", body), self.on_body(body, 0, 0, 1)
-        for pin, body, normal, place in whole.touches:
+        for pin, body, normal, place in whole.contacts:
             effect = self.on_point(pin, normal) - self.on_body(body, normal, place)
             yield ("touch", pin, body), effect
         for i, pulls in enumerate(whole.ropes):
@@ -241,7 +241,7 @@ class Forces:
 
     def _normal(self, point: str) -> Weights:
         bodies = [n for n in self.assembly.slides if point in points_of(n)]
-        choices = [("touch", *t[:2]) for t in self.half.touches if t.pin == point]
+        choices = [("touch", *t[:2]) for t in self.half.contacts if t.pin == point]
         choices += [("guide", point), *(("slide", b) for b in bodies)]
         return {next(c for c in choices if c in self.columns): 1.0}
 
@@ -268,11 +268,11 @@ class Forces:
                 gap = matrix @ found - right
                 jacobian = matrix.copy()
                 for pair in pairs:
-                    pressed = found[list(pair.pressing)]
-                    size = float(np.linalg.norm(pressed))
+                    loaded = found[list(pair.pressing)]
+                    size = float(np.linalg.norm(loaded))
                     against = -sense * part * pair.factor * pair.dragged
                     gap = gap + against * size
-                    slope = pressed / size if size else 0 * pressed
+                    slope = loaded / size if size else 0 * loaded
                     for column, each in zip(pair.pressing, slope, strict=True):
                         jacobian[:, column] += against * each
                 step = np.linalg.lstsq(jacobian, -gap, rcond=1e-11)[0]

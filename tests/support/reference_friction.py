@@ -145,11 +145,11 @@ class FrictionPairs:
         return next((n for n in self._half.slides if point in self._half.links[n]), "")
 
     def _face(self, point: str, factor: float) -> Iterator[FrictionPair]:
-        touch = next(t for t in self._half.touches if t.pin == point)
+        touch = next(t for t in self._half.contacts if t.pin == point)
         slip = self._motion.velocity(point) - self._motion._velocity_at(touch.body, touch.place)
         face = 1j * touch.normal
         sense = sign(np.array([face.real, face.imag]) @ slip @ self._move)
-        for pin, body, normal, place in self._forces.assembly.touches:
+        for pin, body, normal, place in self._forces.assembly.contacts:
             if pin in (point, point + "'"):
                 line = 1j * normal * sense * (1 if (pin, body) == touch[:2] else -1)
                 effect = self._forces.on_point(pin, line) - self._forces.on_body(body, line, place)

@@ -84,7 +84,7 @@ class Motion:
             yield self.turning(name)
             first = next(iter(self.assembly.links[name]))
             yield np.array([-along.imag, along.real]) @ self.velocity(first, name)
-        for pin, body, normal, place in self.assembly.touches:
+        for pin, body, normal, place in self.assembly.contacts:
             own = self.velocity(pin) - self._velocity_at(body, place)
             yield np.array([normal.real, normal.imag]) @ own
         for first, at, second, there, along in (pair[:5] for pair in self.assembly.rollings):

@@ -154,7 +154,7 @@ SCREW = model.Screw("K", Symbol("c"), "OA", HERE)
 def slotted() -> Pose:
     """The pin A of the crank OA in a slot of the crank QB, which points at it along theta."""
     touch = PointContact("slot", "A", "QB", "Q", arm("l", at(theta=1)), at(90, theta=1), HERE)
-    return on_pivots(model.Slot("A", "QB", "Q", "B", HERE), touches=(touch,))
+    return on_pivots(model.Slot("A", "QB", "Q", "B", HERE), contacts=(touch,))
 
 
 def graph(of: Pose) -> Graph:

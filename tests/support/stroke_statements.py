@@ -42,8 +42,8 @@ def refuted(compilation: Compilation, stroke: Stroke) -> Iterator[str]:
     for result in results.values():
         if result.locking:
             yield from stuck(Ratios(compilation, result), stroke, result.name, places)
-    for name, course in stroke.courses:
-        yield from run(Ratios(compilation, results[name]), results[name], course)
+    for name, efficiency in stroke.efficiency_ranges:
+        yield from run(Ratios(compilation, results[name]), results[name], efficiency)
 
 
 def stuck(ratios: Ratios, stroke: Stroke, name: str, places: np.ndarray) -> Iterator[str]:

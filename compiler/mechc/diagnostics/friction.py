@@ -20,7 +20,7 @@ def several_degrees_of_freedom(span: Span, number: int) -> Message:
 
 
 @coded("E511")
-def pressed_how_hard(span: Span, point: str) -> Message:
+def loaded_how_much(span: Span, point: str) -> Message:
     """Equilibrium leaves open how hard a joint with friction is pressed.
 
     Where a mechanism is held more often than it needs (a redundant bar, two guides on one

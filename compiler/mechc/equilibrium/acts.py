@@ -96,7 +96,7 @@ def bent(pose: Pose) -> Iterator[str]:
                 yield link
             case _:
                 assert_never(load)
-    yield from (touch.body for touch in pose.touches)
+    yield from (contact.body for contact in pose.contacts)
     for joint in pose.mechanism.joints:
         match joint:
             case WheelPair() | Rack() | Screw():

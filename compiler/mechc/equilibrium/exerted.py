@@ -47,14 +47,14 @@ def by_joints(cut: Cutting) -> Iterator[Exerted]:
     yield from (_rod(link, cut) for link in cut.mechanism.links if link.name not in cut.rigid)
     for point in dict.fromkeys(p for points in cut.rigid.values() for p in points):
         yield from _pin(point, cut)
-    touched = Counter(touch.point for touch in cut.pose.touches)
+    touched = Counter(contact.point for contact in cut.pose.contacts)
     for point, guide in cut.pose.guides.items():
         name = f"N_{point}_guide" if touched[point] else f"N_{point}"
         force = JointForce("guide", (name,), (point,))
         yield _exerted(force, _on_pin(force.names[0], point, guide + QUARTER, (point,), cut))
-    for touch in cut.pose.touches:
-        of = touch.point if touched[touch.point] == 1 else f"{touch.point}_{touch.body}"
-        yield _touch(touch, f"N_{of}", cut)
+    for contact in cut.pose.contacts:
+        of = contact.point if touched[contact.point] == 1 else f"{contact.point}_{contact.body}"
+        yield _contact(contact, f"N_{of}", cut)
     for joint in cut.mechanism.joints:
         if (exerted := _passed_on(joint, cut)) is not None:
             yield exerted
@@ -135,16 +135,16 @@ def _components(point: str, bodies: Iterable[str], cut: Cutting) -> tuple[str, t
 # ------------------------------------------------------------------------------- other joints
 
 
-def _touch(touch: PointContact, name: str, cut: Cutting) -> Exerted:
+def _contact(contact: PointContact, name: str, cut: Cutting) -> Exerted:
     """Let a body push a pin, and the pin the body."""
-    body = touch.body
-    both = (touch.point, *cut.points(body))
-    at = (*cut.pose.frames[body][touch.tail], *touch.reach)
+    body = contact.body
+    both = (contact.point, *cut.points(body))
+    at = (*cut.pose.frames[body][contact.tail], *contact.reach)
     often = cut.repeats(cut.points(body), both)
     return _exerted(
-        JointForce("touch", (name,), (touch.point, body)),
-        _on_pin(name, touch.point, touch.normal, both, cut),
-        [(body, _at(name, touch.normal, at, Product(-often)))],
+        JointForce("touch", (name,), (contact.point, body)),
+        _on_pin(name, contact.point, contact.normal, both, cut),
+        [(body, _at(name, contact.normal, at, Product(-often)))],
     )
 
 

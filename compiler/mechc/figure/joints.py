@@ -101,8 +101,8 @@ def _contact(contact: model.Contact, half: Half) -> drawn.Contact:
 
 
 def _touch(kind: str, point: str, half: Half) -> PointContact:
-    touches = half.ways.pose.touches
-    return next(t for t in touches if (t.kind, t.point) == (kind, point))
+    contacts = half.ways.pose.contacts
+    return next(t for t in contacts if (t.kind, t.point) == (kind, point))
 
 
 def _wheels(mesh: model.WheelPair, half: Half) -> drawn.Gears | drawn.Belt:

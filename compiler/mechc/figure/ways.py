@@ -82,9 +82,9 @@ class Ways:
     def loose(self) -> Iterator[Way]:
         """Yield where to draw what touches, meshes or slides, where nothing else says it."""
         mechanism, slides = self.pose.mechanism, self.pose.slides
-        for touch in self.pose.touches:
-            if touch.kind == "contact" and not touch.reach:
-                yield along(touch.tail, touch.point, self._beside(touch))
+        for contact in self.pose.contacts:
+            if contact.kind == "contact" and not contact.reach:
+                yield along(contact.tail, contact.point, self._beside(contact))
         for joint in mechanism.joints:
             match joint:
                 case WheelPair(first=first, second=second):
@@ -123,9 +123,9 @@ class Ways:
         assert angle is not None
         return self.unit(angle)
 
-    def face(self, touch: PointContact) -> Plane:
+    def face(self, contact: PointContact) -> Plane:
         """Return the unit direction of a slot's line, or of the face that a point touches."""
-        return self.unit(touch.normal).turned().times(-1)
+        return self.unit(contact.normal).turned().times(-1)
 
     def right(self, rack: Rack) -> Plane:
         """Return the vector from a gear's centre to the pitch point of its rack."""
@@ -133,11 +133,11 @@ class Ways:
         return self.guide(rack.point).turned().times(-radius)
 
     def _touching(self) -> Iterator[Way]:
-        for touch in self.pose.touches:
-            if touch.reach:
-                yield self._way(touch.tail, touch.point, touch.reach)
-            elif touch.kind == "slot":
-                yield along(touch.tail, touch.point, self.face(touch).times(HALFWAY))
+        for contact in self.pose.contacts:
+            if contact.reach:
+                yield self._way(contact.tail, contact.point, contact.reach)
+            elif contact.kind == "slot":
+                yield along(contact.tail, contact.point, self.face(contact).times(HALFWAY))
 
     def _on_the_mirror(self) -> Iterator[Way]:
         mirror, axis = self.pose.mechanism.mirror, self.pose.axis
@@ -145,12 +145,12 @@ class Ways:
             first, others = mirror.sharing[:1], mirror.sharing[1:]
             yield from (along(first[0], point, self.unit(axis)) for point in others)
 
-    def _beside(self, touch: PointContact) -> Plane:
+    def _beside(self, contact: PointContact) -> Plane:
         """Return where a pin touches a slide, from its first point: on the side it is pushed to."""
-        frame = self.pose.frames[touch.body]
+        frame = self.pose.frames[contact.body]
         row = 0 if any(frame.values()) else len(frame) - 1
-        middle = self.unit(self.pose.slides[touch.body]).times(row / 2)
-        return middle.plus(self.unit(touch.normal).times(BESIDE))
+        middle = self.unit(self.pose.slides[contact.body]).times(row / 2)
+        return middle.plus(self.unit(contact.normal).times(BESIDE))
 
     def _away(self, mesh: WheelPair) -> Plane:
         """Return in which direction wheels stand in a row: away from a rack, if there is one."""

@@ -35,7 +35,7 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
         if not isinstance(pin, PinFriction) or not pin.assumed or pin.radius == ZERO:
             continue
         bodies = mechanism.turning_at(pin.point)
-        others = bool([t for t in pose.touches if t.point == pin.point])
+        others = bool([t for t in pose.contacts if t.point == pin.point])
         acting = [load for load in mechanism.loads if acts_on_pin(load, pin.point)]
         if len(bodies) + others > 2 and not acting:
             yield messages.pin_fast_in(pin.span, pin.point, pin.carrier, bodies)

@@ -24,7 +24,7 @@ class ForceLines:
 
     def __init__(self, bodies: Bodies, signs: Signs, sense: int, notes: Notes) -> None:
         self._bodies, self._signs, self._sense, self._notes = bodies, signs, sense, notes
-        self._radii = radii(p.pair for p in bodies.task.pressed)
+        self._radii = radii(p.pair for p in bodies.task.loaded)
         self._lines: dict[str, Angle] = {}
         self._senses: dict[str, Product] = {}
 
@@ -33,16 +33,16 @@ class ForceLines:
         yield from self._bodies.loads_on(body)
         for rod, point in self._bodies.rods_at(body):
             yield self._rod_force(rod, point)
-        for touch, is_under in self._bodies.touches_at(body):
-            line = self._face(touch)
-            place, ahead = (under(touch), line + HALF_TURN) if is_under else (touch.point, line)
-            yield BodyForce(f"R_{touch.point}", place, ahead)
+        for contact, is_under in self._bodies.contacts_at(body):
+            line = self._face(contact)
+            place, ahead = (under(contact), line + HALF_TURN) if is_under else (contact.point, line)
+            yield BodyForce(f"R_{contact.point}", place, ahead)
 
     def _rod_force(self, rod: Link, point: str) -> BodyForce:
         """Return the force of a rod, under a unit axial force, on the body at a point."""
         line, surface = self._line(rod), surfaces.of_rod(self._bodies, rod, point)
-        pressed, counted = self.sense_of(rod), self.counted(rod)
-        couple = pressed * counted * self.resistance(surface) if surface else ZERO
+        sense, counted = self.sense_of(rod), self.counted(rod)
+        couple = sense * counted * self.resistance(surface) if surface else ZERO
         is_ahead = (point == rod.points[1]) == (counted == ONE)
         return BodyForce(
             f"S_{rod.name}", point, line if is_ahead else line + HALF_TURN, ONE, couple
@@ -66,17 +66,17 @@ class ForceLines:
                 self._notes.rod(rod, self.sense_of(rod), resistances, turn)
         return self._lines[rod.name]
 
-    def _face(self, touch: PointContact) -> Angle:
+    def _face(self, contact: PointContact) -> Angle:
         """Return the line of the force on a pin: the normal turned by the angle of friction."""
-        name, surface = f"R_{touch.point}", surfaces.of_face(self._bodies, touch)
+        name, surface = f"R_{contact.point}", surfaces.of_face(self._bodies, contact)
         if surface and name not in self._lines:
-            side = self._signs.of(f"s_{touch.point}", surface.pressed)
+            side = self._signs.of(f"s_{contact.point}", surface.across)
             turn = -(self.resistance(surface) * side)
-            label = f"phi_{touch.point}"
-            self._lines[name] = self._signs.turned(label, touch.normal, "atan", turn)
+            label = f"phi_{contact.point}"
+            self._lines[name] = self._signs.turned(label, contact.normal, "atan", turn)
             if self._signs.is_read:
-                self._notes.face(touch.point)
-        return self._lines.get(name, touch.normal)
+                self._notes.face(contact.point)
+        return self._lines.get(name, contact.normal)
 
     def surfaces(self, rod: Link) -> list[Surface]:
         """Return the frictions of a rod, at one or both of its ends."""

@@ -74,7 +74,7 @@ class Task:
     driving: str
     given: Given
     owners: Mapping[str, tuple[str, Product]]
-    pressed: Sequence[LoadedPair]
+    loaded: Sequence[LoadedPair]
     reactions: Reactions
 
 
@@ -188,17 +188,17 @@ class Bodies:
             raise EquationsCoupled
         return arms[0].angle, arms[0].length
 
-    def touches_at(self, body: str) -> Iterator[tuple[PointContact, bool]]:
+    def contacts_at(self, body: str) -> Iterator[tuple[PointContact, bool]]:
         """Yield the slots and contacts of a body, and whether it is the one under the pin."""
-        for touch in self.pose.touches:
-            if touch.point in self.points(body):
-                yield touch, False
-            if touch.body == body:
-                yield touch, True
+        for contact in self.pose.contacts:
+            if contact.point in self.points(body):
+                yield contact, False
+            if contact.body == body:
+                yield contact, True
 
-    def touch(self, name: str) -> PointContact | None:
+    def contact(self, name: str) -> PointContact | None:
         """Return the slot or contact whose force is called so."""
-        return next((t for t in self.pose.touches if f"R_{t.point}" == name), None)
+        return next((t for t in self.pose.contacts if f"R_{t.point}" == name), None)
 
     # ---------------------------------------------------------------- levers and guides
 
@@ -207,10 +207,10 @@ class Bodies:
         pivot = self.pivot(lever)
         points = (p for p in self.levers[lever].points if p != pivot)
         arms = {p: self.pose.vector(lever, pivot, p) for p in points}
-        for touch in self.pose.touches:
-            if touch.body == lever:
-                tail = () if touch.tail == pivot else arms[touch.tail]
-                arms[under(touch)] = gathered((*tail, *touch.reach))
+        for contact in self.pose.contacts:
+            if contact.body == lever:
+                tail = () if contact.tail == pivot else arms[contact.tail]
+                arms[under(contact)] = gathered((*tail, *contact.reach))
         return arms
 
     def pivot(self, lever: str) -> str:
@@ -222,9 +222,9 @@ class Bodies:
         return self.pose.slides[body] if body in self.pose.slides else self.guides[body]
 
 
-def under(touch: PointContact) -> str:
+def under(contact: PointContact) -> str:
     """Return the name of the place on a body that a pin touches."""
-    return f"under {touch.point}"
+    return f"under {contact.point}"
 
 
 # ---------------------------------------------------------------------------- cutting
@@ -239,7 +239,7 @@ def cut_free(task: Task, cranks: bool) -> Bodies:
     turned = {k.link for k in mechanism.loads if isinstance(k, Torque)}
     levers = {k.name: k for k in mechanism.links if _is_lever(k, turned, cranks, fixed)}
     rods = {f"S_{k.name}": k for k in mechanism.links if k.name not in levers}
-    loaded = {p.pair.joint: p for p in task.pressed}
+    loaded = {p.pair.joint: p for p in task.loaded}
     pins = (r for r in mechanism.friction.joints if isinstance(r, PinFriction))
     carriers = {r.point: r.carrier for r in pins}
     guides = task.pose.guides_and_line
@@ -259,20 +259,20 @@ def _has_others(bodies: Bodies, turned: Set[str]) -> bool:
     m = bodies.mechanism
     return (
         bool(m.cylinders or m.meshes or m.ropes or any(link.arc for link in m.links))
-        or any(p.pair.thrust for p in bodies.task.pressed)
+        or any(p.pair.thrust for p in bodies.task.loaded)
         or any(_is_apart(load, bodies) for load in m.loads)
         or any(len(k.points) > 2 or k.name in turned for k in bodies.rods.values())
-        or _has_strange_touches(bodies)
+        or _has_strange_contacts(bodies)
         or _has_shared_points(bodies)
     )
 
 
-def _has_strange_touches(bodies: Bodies) -> bool:
+def _has_strange_contacts(bodies: Bodies) -> bool:
     """Return whether a contact is on neither lever nor slide, or a point is in two of them."""
-    touches = bodies.pose.touches
+    contacts = bodies.pose.contacts
     held = {*bodies.levers, *(s.name for s in bodies.mechanism.slides)}
-    is_twice = len({t.point for t in touches}) < len(touches)
-    return is_twice or any(t.body not in held for t in touches)
+    is_twice = len({t.point for t in contacts}) < len(contacts)
+    return is_twice or any(t.body not in held for t in contacts)
 
 
 def _has_shared_points(bodies: Bodies) -> bool:

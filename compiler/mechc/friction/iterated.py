@@ -25,24 +25,24 @@ from .solution import Step
 
 
 def first_order(
-    ideal: Formula, pressed: Sequence[LoadedPair], sense: int, mechanism: Mechanism
+    ideal: Formula, loaded: Sequence[LoadedPair], sense: int, mechanism: Mechanism
 ) -> Named:
     """Return the driving load with the frictions that ideal pressing forces give.
 
     The power of friction with ideal instead of true forces: the error is of second order.
     """
-    parts = _powers(pressed, partial(magnitude, mechanism=mechanism))
+    parts = _powers(loaded, partial(magnitude, mechanism=mechanism))
     return Named(_with(ideal, parts, sense))
 
 
 def first_order_case(
-    name: str, ideal: Result, pressed: Sequence[LoadedPair], sense: int, signs: AtOnePose
+    name: str, ideal: Result, loaded: Sequence[LoadedPair], sense: int, signs: AtOnePose
 ) -> Printed:
     """Return the same for the signs of a pose, and the forces and slips that it sums up.
 
     Where it is longer than these, they keep their names in it.
     """
-    parts = _powers(pressed, positive_at(signs))
+    parts = _powers(loaded, positive_at(signs))
     formula = _with(ideal.formula, parts, sense)
     if count_operations(formula) > LINE:
         return _in_names(ideal, parts, sense, signs)
@@ -128,10 +128,10 @@ class Power(NamedTuple):
         return (self.pair.factor * self.force * self.slip).scaled(self.times)
 
 
-def _powers(pressed: Sequence[LoadedPair], positive: Callable[[Product], Product]) -> list[Power]:
+def _powers(loaded: Sequence[LoadedPair], positive: Callable[[Product], Product]) -> list[Power]:
     """Return the powers of frictions under ideal forces, but for those that are zero."""
     found = []
-    for p in pressed:
+    for p in loaded:
         parts = [c.ideal for c in p.components if c.ideal]
         if parts and p.slip:
             x, y = (*parts, ZERO)[:2]
@@ -164,7 +164,7 @@ def _gathered(terms: Iterable[Product]) -> list[Product]:
 
 def exact(
     ideal: Formula,
-    pressed: Sequence[LoadedPair],
+    loaded: Sequence[LoadedPair],
     sizes: Sizes,
     positive: Callable[[Product], Product],
 ) -> Named:
@@ -173,7 +173,7 @@ def exact(
     ``positive`` gives absolute values.
     """
     parts = [
-        Part(p.pair, p.pair.factor.formula(), positive(p.slip).formula(), ONCE) for p in pressed
+        Part(p.pair, p.pair.factor.formula(), positive(p.slip).formula(), ONCE) for p in loaded
     ]
     steps = (Step("iterated"),)
     whole = _sum(ideal, parts, sizes)
@@ -181,15 +181,15 @@ def exact(
 
 
 def exact_case(
-    ideal: Result, pressed: Sequence[LoadedPair], sizes: Sizes, signs: AtOnePose
+    ideal: Result, loaded: Sequence[LoadedPair], sizes: Sizes, signs: AtOnePose
 ) -> Printed:
     """Return the same with a name for each slip, its sign that of a pose.
 
     So has the load without friction, where it is long.
     """
-    labels, positive = radii(p.pair for p in pressed), positive_at(signs)
+    labels, positive = radii(p.pair for p in loaded), positive_at(signs)
     parts = []
-    for p in pressed:
+    for p in loaded:
         slip = Symbol(signs.define(_slip_name(p.pair), positive(p.slip_of_one).formula()))
         parts.append(Part(p.pair, named_factor(p.pair, labels, signs).formula(), slip, p.times))
     is_long = count_operations(ideal.formula) > SHORT

@@ -33,13 +33,13 @@ class ForceWithFriction:
         target: ForceAtJoint,
         plan: Plan,
         driving: str,
-        pressed: Sequence[LoadedPair],
+        loaded: Sequence[LoadedPair],
         sizes: Sizes,
     ) -> None:
         self._target, self._pose = target, plan.graph.pose
-        self._pressed, self._sizes = pressed, sizes
-        pairs = [p.pair for p in pressed]
-        known = (plan, *(other for p in pressed for other in p.plans))
+        self._loaded, self._sizes = loaded, sizes
+        pairs = [p.pair for p in loaded]
+        known = (plan, *(other for p in loaded for other in p.plans))
         reactions = Reactions(self._pose, (driving,), partial(_terms, pairs), known)
         self.transmitted = reactions.of(joint_of(target, self._pose))
 
@@ -51,7 +51,7 @@ class ForceWithFriction:
 
     def at_one_pose(self, signs: AtOnePose) -> Printed:
         """Return the force as it is printed, for the signs of one pose."""
-        labels = radii(p.pair for p in self._pressed)
+        labels = radii(p.pair for p in self._loaded)
         formula = self._formula(
             lambda pair: named_factor(pair, labels, signs),
             lambda slip: signs.of("", slip).formula(),
@@ -70,7 +70,7 @@ class ForceWithFriction:
         self, factor: Callable[[FrictionPair], Product], sign: Callable[[Product], Formula]
     ) -> Formula:
         frictions = {
-            load_of(p.pair): self._resisting(p, factor(p.pair), sign(p.slip)) for p in self._pressed
+            load_of(p.pair): self._resisting(p, factor(p.pair), sign(p.slip)) for p in self._loaded
         }
 
         def along(*line: Arm) -> Formula:
@@ -87,9 +87,9 @@ class ForceWithFriction:
             case _:
                 return along(*line_of(self._target, self._pose))
 
-    def _resisting(self, pressed: LoadedPair, factor: Product, sign: Formula) -> Formula:
+    def _resisting(self, loaded: LoadedPair, factor: Product, sign: Formula) -> Formula:
         """Return a friction as a load on its slip: its size, against the sign of the slip."""
-        size = Symbol(self._sizes.names[pressed.pair.name])
+        size = Symbol(self._sizes.names[loaded.pair.name])
         return product(
             [(number(-self._sizes.sense), 1), (factor.formula(), 1), (size, 1), (sign, 1)]
         )

@@ -128,8 +128,8 @@ def _parallel(
 ) -> Balanced:
     """Return the force where all are parallel; the pivot takes (a·c + b)/a without friction."""
     arm, rest, along = parts
-    pressed = signs.of(f"s_{label}_pivot", add((arm * along, rest)))
-    lever = turn * pressed * radius
+    side = signs.of(f"s_{label}_pivot", add((arm * along, rest)))
+    lever = turn * side * radius
     left = add((arm, -lever))
     if not left:
         raise EquationsCoupled

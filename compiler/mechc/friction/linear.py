@@ -24,18 +24,18 @@ class LinearSolver:
     """Solves the linear system."""
 
     def __init__(
-        self, driving: str, ideal: Product, pressed: Sequence[LoadedPair], signs: Signs, sense: int
+        self, driving: str, ideal: Product, loaded: Sequence[LoadedPair], signs: Signs, sense: int
     ) -> None:
-        if len(pressed) > MOST or any(len(p.components) != 1 for p in pressed):
+        if len(loaded) > MOST or any(len(p.components) != 1 for p in loaded):
             raise EquationsCoupled
         self._driving, self._ideal = driving, ideal
-        self._pressed, self._signs, self._sense = pressed, signs, sense
+        self._loaded, self._signs, self._sense = loaded, signs, sense
         self.conditions: list[Condition] = []
         self.steps: tuple[Step, ...] = ()
 
     def solve(self) -> Product:
         """Return the driving load."""
-        sides = [self._side(p) for p in self._pressed]
+        sides = [self._side(p) for p in self._loaded]
         sizes = self._solved(sides)
         self.conditions += [Condition(ONE, size) for size in sizes]
         if self._signs.is_read:
@@ -43,36 +43,36 @@ class LinearSolver:
             self._keep(sizes)
         parts = (
             p.pair.factor * self._slip(p) * p.slip * size
-            for p, size in zip(self._pressed, sizes, strict=True)
+            for p, size in zip(self._loaded, sizes, strict=True)
         )
         return canonical(add((self._ideal, *(part.scaled(self._sense) for part in parts))))
 
     def _keep(self, sizes: Sequence[Product]) -> None:
         """Note that each size stays positive; one that is not balances nothing."""
-        for pressed, size in zip(self._pressed, sizes, strict=True):
-            if self._signs.of(f"s_{pressed.pair.name}", size).coefficient < 0:
+        for loaded, size in zip(self._loaded, sizes, strict=True):
+            if self._signs.of(f"s_{loaded.pair.name}", size).coefficient < 0:
                 raise EquationsCoupled
 
-    def _side(self, pressed: LoadedPair) -> Product:
+    def _side(self, loaded: LoadedPair) -> Product:
         """Return the sign of a pressing force in the ideal mechanism."""
-        sign = self._signs.of(f"s_{pressed.pair.name}", pressed.components[0].ideal)
+        sign = self._signs.of(f"s_{loaded.pair.name}", loaded.components[0].ideal)
         if not sign:
             raise EquationsCoupled
         return sign
 
-    def _slip(self, pressed: LoadedPair) -> Product:
-        return self._signs.sense(f"sigma_{pressed.pair.name}", pressed.slip)
+    def _slip(self, loaded: LoadedPair) -> Product:
+        return self._signs.sense(f"sigma_{loaded.pair.name}", loaded.slip)
 
     def _solved(self, sides: Sequence[Product]) -> list[Product]:
         """Return the sizes of the pressing forces by Cramer's rule."""
-        places = {p.pair.name: i for i, p in enumerate(self._pressed)}
+        places = {p.pair.name: i for i, p in enumerate(self._loaded)}
         matrix = []
-        for i, (pressed, side) in enumerate(zip(self._pressed, sides, strict=True)):
-            by = pressed.components[0].by
+        for i, (loaded, side) in enumerate(zip(self._loaded, sides, strict=True)):
+            by = loaded.components[0].by
             row = [self._share(by, name, side) for name in places]
             row[i] = add((ONE, row[i]))
             matrix.append(row)
-        right = [p.components[0].ideal * s for p, s in zip(self._pressed, sides, strict=True)]
+        right = [p.components[0].ideal * s for p, s in zip(self._loaded, sides, strict=True)]
         whole = determinant(matrix)
         return [
             canonical(determinant(with_column(matrix, i, right)) / whole) for i in range(len(right))
@@ -82,35 +82,35 @@ class LinearSolver:
         """Return by how much a unit of another pressing force presses less here."""
         if name not in by:
             return ZERO
-        other = next(p for p in self._pressed if p.pair.name == name)
+        other = next(p for p in self._loaded if p.pair.name == name)
         return (side * by[name] * other.pair.factor * self._slip(other)).scaled(self._sense)
 
     def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> Step:
         """Return the forces that press, the slips, and what frictions add to the driving load."""
-        balances = [self._balance(*pair) for pair in zip(self._pressed, sides, strict=True)]
-        found = zip(map(_size, self._pressed), (size.formula() for size in sizes), strict=True)
+        balances = [self._balance(*pair) for pair in zip(self._loaded, sides, strict=True)]
+        found = zip(map(_size, self._loaded), (size.formula() for size in sizes), strict=True)
         equations = dict.fromkeys((*balances, *found))
         equations |= {
-            (_slip(p), (self._slip(p) * p.slip_of_one).formula()): None for p in self._pressed
+            (_slip(p), (self._slip(p) * p.slip_of_one).formula()): None for p in self._loaded
         }
         powers = (
             power(self._sense * p.times, p.pair.factor.formula(), _size(p), _slip(p))
-            for p in self._pressed
+            for p in self._loaded
         )
         whole = total([self._ideal.formula(), *powers])
         return Step("straight", equations=(*equations, (Symbol(self._driving), whole)))
 
-    def _balance(self, pressed: LoadedPair, side: Product) -> tuple[Formula, Formula]:
+    def _balance(self, loaded: LoadedPair, side: Product) -> tuple[Formula, Formula]:
         """Return a pressing force less what frictions change in it, and the ideal one."""
-        (component,) = pressed.components
-        shares = ((self._share(component.by, p.pair.name, side), _size(p)) for p in self._pressed)
+        (component,) = loaded.components
+        shares = ((self._share(component.by, p.pair.name, side), _size(p)) for p in self._loaded)
         changes = (product([(share.formula(), 1), (n, 1)]) for share, n in shares if share)
-        return total([_size(pressed), *changes]), (component.ideal * side).formula()
+        return total([_size(loaded), *changes]), (component.ideal * side).formula()
 
 
-def _size(pressed: LoadedPair) -> Formula:
-    return Symbol(f"n_{pressed.pair.name}")
+def _size(loaded: LoadedPair) -> Formula:
+    return Symbol(f"n_{loaded.pair.name}")
 
 
-def _slip(pressed: LoadedPair) -> Formula:
-    return Symbol(f"v_{pressed.pair.name}")
+def _slip(loaded: LoadedPair) -> Formula:
+    return Symbol(f"v_{loaded.pair.name}")

@@ -55,28 +55,28 @@ def loaded_pairs(
     """
     pose = plan.graph.pose
     names = {load_of(pair): pair.name for pair in pairs}
-    reactions = Reactions(pose, (driving,), partial(_beside_others, pairs), (plan,))
+    reactions = Reactions(pose, (driving,), partial(_with_others, pairs), (plan,))
     slips = without_standing([_slip(pair, plan, equations, driving) for pair in pairs], plan)
     (load,) = (load for load in pose.mechanism.loads if load.name == driving)
     driven = occurrences(pose.mechanism, load)
-    pressed = []
+    loaded = []
     for pair, slip in zip(pairs, slips, strict=True):
         times = pair.number / driven
         if pair.thrust is not None:
             ideal = _thrust_under(pair.thrust, equations, given)
             if isinstance(ideal, str):
                 raise LoadedByAnother(ideal)
-            pressed.append(LoadedPair(pair, slip, (Component(ideal, {}),), (), times))
+            loaded.append(LoadedPair(pair, slip, (Component(ideal, {}),), (), times))
             continue
         transmitted = reactions.of(pair.joint)
         if transmitted is None:
             raise Undetermined(pair)
         components = (_component(r, pair, pairs, names, given) for r in transmitted.releases)
-        pressed.append(LoadedPair(pair, slip, tuple(components), transmitted.plans, times))
-    return tuple(pressed)
+        loaded.append(LoadedPair(pair, slip, tuple(components), transmitted.plans, times))
+    return tuple(loaded)
 
 
-def _beside_others(pairs: Sequence[FrictionPair], loose: Plan) -> list[Term]:
+def _with_others(pairs: Sequence[FrictionPair], loose: Plan) -> list[Term]:
     """Return the frictions in a released linkage that has several motions.
 
     There they decide whether the force at the joint is determined. In one motion it is by the
@@ -139,9 +139,9 @@ def _by_frictions(
     return {name: part for name, part in by.items() if part}
 
 
-def scaled(pressed: Sequence[LoadedPair], factor: Product) -> tuple[LoadedPair, ...]:
+def scaled(loaded: Sequence[LoadedPair], factor: Product) -> tuple[LoadedPair, ...]:
     """Return the loaded pairs with their slips multiplied by a factor."""
-    return tuple(replace(p, slip=p.slip * factor) for p in pressed)
+    return tuple(replace(p, slip=p.slip * factor) for p in loaded)
 
 
 def _thrust_under(

@@ -15,7 +15,7 @@ from ..frozen import field, frozen
 from ..kinematics import meshes
 from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
-from ..kinematics.joint_refs import JointRef, members, touch_at
+from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan, Speeds
 from ..kinematics.release import Measure
 from ..model.mechanism import (
@@ -162,8 +162,8 @@ def _face(point: str, factor: Formula, pose: Pose) -> FrictionPair:
         radius = product([(arc.radius, 1), (coulomb(factor), 1)])
         joint, slip = JointRef("pin", arc.centre, rod.name), _turning(rod.name, arc.link)
         return FrictionPair(f"{point}_face", joint, to_product(radius), slip)
-    touch = touch_at(pose, point)
-    slip, joint = _sliding(touch), JointRef("touch", point)
+    contact = contact_at(pose, point)
+    slip, joint = _sliding(contact), JointRef("touch", point)
     return FrictionPair(f"{point}_face", joint, to_product(factor), slip)
 
 
@@ -181,10 +181,10 @@ def _turning(link: str, carrier: str) -> Measure:
     return lambda graph: meshes.turning(graph, link, carrier)
 
 
-def _sliding(touch: PointContact) -> Measure:
+def _sliding(contact: PointContact) -> Measure:
     def slip(graph: Graph) -> Form:
-        there = next((t for t in graph.pose.touches if t.point == touch.point), touch)
-        return leaving(graph, there, touch.normal + QUARTER)
+        there = next((t for t in graph.pose.contacts if t.point == contact.point), contact)
+        return leaving(graph, there, contact.normal + QUARTER)
 
     return slip
 

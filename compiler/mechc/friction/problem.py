@@ -108,7 +108,7 @@ class Problem:
         try:
             return loaded_pairs(self.plan, self.equations, case.driving, self._pairs, case.given)
         except Undetermined as found:
-            self.report.add(messages.pressed_how_hard(find.span, found.pair.joint.point))
+            self.report.add(messages.loaded_how_much(find.span, found.pair.joint.point))
         except LoadedByAnother as found:
             self.report.add(messages.another_load_presses(find.span, found.load, find.name))
         except Idle as found:
@@ -202,13 +202,13 @@ def unsuited(
     equations: Equations,
 ) -> Iterator[Diagnostic]:
     """Yield an error for each pair of surfaces that is pressed as no result can say."""
-    pressed_on = unclear(mechanism)
+    loaded_on = unclear(mechanism)
     lines = {k.point: k.span for k in mechanism.friction.joints if isinstance(k, PinFriction)}
     for pair in pairs:
         point = pair.joint.point
         if pair.thrust is not None:
             yield from _thrust(find, driving, point, pair.thrust, equations)
-        elif pair.joint.kind == "pin" and point in pressed_on:
+        elif pair.joint.kind == "pin" and point in loaded_on:
             yield reaction_messages.transmission_presses(
                 lines.get(point, find.span), point, has_friction=True
             )

@@ -152,9 +152,9 @@ class SequentialSolver:
         self.sizes[force.name] = size
         if rod and self._lines.surfaces(rod):
             self._keep(self._lines.sense_of(rod) * self._lines.counted(rod), self.sizes[force.name])
-        touch = self._bodies.touch(force.name)
-        if touch and (surface := surfaces.of_face(self._bodies, touch)):
-            side = self._signs.of(f"s_{touch.point}", surface.pressed)
+        contact = self._bodies.contact(force.name)
+        if contact and (surface := surfaces.of_face(self._bodies, contact)):
+            side = self._signs.of(f"s_{contact.point}", surface.across)
             self._keep(side, self.sizes[force.name])
 
     def _keep(self, sign: Product, force: Product) -> None:

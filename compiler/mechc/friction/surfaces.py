@@ -14,14 +14,14 @@ from .pairs import LoadedPair
 class Surface(NamedTuple):
     """Friction of a body at a joint: its factor, its slip, and 1, or -1 for a slip turned round.
 
-    ``pressed`` is, of a guide, the ideal force across it.
+    ``across`` is, of a guide, the ideal force across it.
     """
 
     name: str
     factor: Product
     slip: Product
     turn: int = 1
-    pressed: Product = ZERO
+    across: Product = ZERO
 
 
 def of_rod(bodies: Bodies, rod: Link, point: str) -> Surface | None:
@@ -32,29 +32,29 @@ def of_rod(bodies: Bodies, rod: Link, point: str) -> Surface | None:
     others = [p for b, p in bodies.loaded.items() if b.kind == "pin" and b.point == point]
     if bodies.carriers.get(point) != rod.name or not others:
         return None
-    if len(others) > 1 or _is_pressed_besides(bodies, point):
+    if len(others) > 1 or _is_loaded_otherwise(bodies, point):
         raise EquationsCoupled
     return _surface(others[0])._replace(turn=-1)
 
 
-def _is_pressed_besides(bodies: Bodies, point: str) -> bool:
+def _is_loaded_otherwise(bodies: Bodies, point: str) -> bool:
     """Return whether a pin has a guide, or is on a lever and in a slot or contact.
 
     Then two links press one another at the pin with other forces than it has from them.
     """
     slides = bool(bodies.mechanism.slides_at(point))
     turning = any(point in k.points for k in bodies.levers.values())
-    touching = any(touch.point == point for touch in bodies.pose.touches)
+    touching = any(contact.point == point for contact in bodies.pose.contacts)
     return point in bodies.guides or slides or (turning and touching)
 
 
-def of_face(bodies: Bodies, touch: PointContact) -> Surface | None:
+def of_face(bodies: Bodies, contact: PointContact) -> Surface | None:
     """Return the friction of a pin on the body under it, with the ideal force on the pin."""
-    pressed = bodies.loaded.get(JointRef("touch", touch.point))
-    if pressed is None:
+    found = bodies.loaded.get(JointRef("touch", contact.point))
+    if found is None:
         return None
-    (component,) = pressed.components
-    return _surface(pressed)._replace(pressed=component.ideal)
+    (component,) = found.components
+    return _surface(found)._replace(across=component.ideal)
 
 
 def at_pin(bodies: Bodies, point: str) -> bool:
@@ -64,8 +64,8 @@ def at_pin(bodies: Bodies, point: str) -> bool:
 
 def of_pivot(bodies: Bodies, lever: str) -> Surface | None:
     """Return the friction of a lever on its pivot."""
-    pressed = bodies.loaded.get(JointRef("pin", bodies.pivot(lever), lever))
-    return _surface(pressed) if pressed else None
+    found = bodies.loaded.get(JointRef("pin", bodies.pivot(lever), lever))
+    return _surface(found) if found else None
 
 
 def of_guide(bodies: Bodies, body: str) -> Surface | None:
@@ -74,11 +74,11 @@ def of_guide(bodies: Bodies, body: str) -> Surface | None:
         JointRef("ground", body),
         *(JointRef("slide", p, body) for p in bodies.points(body)),
     ]
-    pressed = next((bodies.loaded[b] for b in joint_refs if b in bodies.loaded), None)
-    if pressed is None:
+    found = next((bodies.loaded[b] for b in joint_refs if b in bodies.loaded), None)
+    if found is None:
         return None
-    (component,) = pressed.components
-    return _surface(pressed)._replace(pressed=-component.ideal)
+    (component,) = found.components
+    return _surface(found)._replace(across=-component.ideal)
 
 
 def compression(bodies: Bodies, rod: Link) -> Product:
@@ -92,11 +92,11 @@ def compression(bodies: Bodies, rod: Link) -> Product:
         raise EquationsCoupled
     outwards = bodies.vector(rod)[0]
     along = found.along(outwards if end == rod.points[1] else outwards + HALF_TURN)
-    pressed = -add(along[n] * size for n, size in bodies.task.given.items() if n in along)
-    if any(bound_names(pressed)):
+    force = -add(along[n] * size for n, size in bodies.task.given.items() if n in along)
+    if any(bound_names(force)):
         raise EquationsCoupled
-    return pressed
+    return force
 
 
-def _surface(pressed: LoadedPair) -> Surface:
-    return Surface(pressed.pair.name, pressed.pair.factor, pressed.slip)
+def _surface(loaded: LoadedPair) -> Surface:
+    return Surface(loaded.pair.name, loaded.pair.factor, loaded.slip)

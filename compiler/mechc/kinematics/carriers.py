@@ -138,6 +138,6 @@ def _loosen(draft: Draft, link: Link, rods: Sequence[Link]) -> str:
 
 def _carry_loose_pins(draft: Draft) -> None:
     """Let a pin that has left its guide, and that no body has, move in its slot and off it."""
-    for touch in draft.pose.touches:
-        if touch.point not in draft.velocities:
-            draft.free(touch.point, touch.normal, touch.normal + QUARTER)
+    for contact in draft.pose.contacts:
+        if contact.point not in draft.velocities:
+            draft.free(contact.point, contact.normal, contact.normal + QUARTER)

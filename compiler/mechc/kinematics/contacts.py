@@ -20,8 +20,8 @@ Spins = Mapping[str, int]
 
 def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Relation]:
     """Yield the relation of every joint that holds no pin."""
-    for touch in pose.touches:
-        yield _touch(touch, velocities, spins)
+    for contact in pose.contacts:
+        yield _contact(contact, velocities, spins)
     for joint in pose.mechanism.joints:
         match joint:
             case WheelPair():
@@ -46,18 +46,18 @@ def spinning(pose: Pose) -> set[str]:
     guiding = [slot for slot in mechanism.each(Slot) if slot.guided]
     together = {link for joint in (*mechanism.meshes, *guiding) for link in joint.bodies}
     slides = {slide.name for slide in mechanism.slides}
-    return (together - slides) | {t.body for t in pose.touches}
+    return (together - slides) | {t.body for t in pose.contacts}
 
 
-def _touch(touch: PointContact, velocities: Velocities, spins: Spins) -> Relation:
+def _contact(contact: PointContact, velocities: Velocities, spins: Spins) -> Relation:
     """(V_B − V of the body under B) · normal = 0."""
-    under = velocities[touch.tail]
-    if touch.body in spins:
-        under = (*under, *turned(touch.reach, spins[touch.body]))
-    own = projection(velocities[touch.point], touch.normal)
-    form = subtract(own, projection(under, touch.normal))
-    rule = Rule.SLOT if touch.kind == "slot" else Rule.CONTACT
-    return Relation(rule, touch.body, (touch.point,), touch.normal, form, touch.span)
+    under = velocities[contact.tail]
+    if contact.body in spins:
+        under = (*under, *turned(contact.reach, spins[contact.body]))
+    own = projection(velocities[contact.point], contact.normal)
+    form = subtract(own, projection(under, contact.normal))
+    rule = Rule.SLOT if contact.kind == "slot" else Rule.CONTACT
+    return Relation(rule, contact.body, (contact.point,), contact.normal, form, contact.span)
 
 
 def _turning_together(slot: Slot, spins: Spins) -> Relation:

@@ -54,14 +54,14 @@ def parting(graph: Graph, pair: ForcePair, line: Angle) -> Form:
     return subtract(ahead, behind)
 
 
-def leaving(graph: Graph, touch: PointContact, along: Angle) -> Form:
+def leaving(graph: Graph, contact: PointContact, along: Angle) -> Form:
     """Return the component of a pin's velocity relative to the body that it touches."""
-    own, under = (projection(graph.velocities[p], along) for p in (touch.point, touch.tail))
+    own, under = (projection(graph.velocities[p], along) for p in (contact.point, contact.tail))
     form = subtract(own, under)
-    if not touch.reach:
+    if not contact.reach:
         return form
-    lever = add(arm.length * cosine(arm.angle + QUARTER - along) for arm in touch.reach)
-    return subtract(form, scaled(spin(graph, touch.body), lever))
+    lever = add(arm.length * cosine(arm.angle + QUARTER - along) for arm in contact.reach)
+    return subtract(form, scaled(spin(graph, contact.body), lever))
 
 
 def scaled(form: Form, factor: Product) -> Form:

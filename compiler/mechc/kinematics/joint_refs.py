@@ -86,13 +86,13 @@ def unclear(mechanism: Mechanism) -> frozenset[str]:
 def members(pose: Pose, joint: JointRef) -> tuple[str, ...]:
     """Return the points of all that a joint holds; it is shared by halves where they all are."""
     if joint.kind == "touch":
-        return (joint.point, *pose.frames[touch_at(pose, joint.point).body])
+        return (joint.point, *pose.frames[contact_at(pose, joint.point).body])
     if joint.kind == "mesh":
         mesh = pose.mechanism.joint(joint.of)
         return (*mesh.points, *(p for body in mesh.bodies for p in pose.frames[body]))
     return tuple(pose.frames[joint.of]) if joint.of else (joint.point,)
 
 
-def touch_at(pose: Pose, point: str) -> PointContact:
+def contact_at(pose: Pose, point: str) -> PointContact:
     """Return the slot or contact of a point."""
-    return next(t for t in pose.touches if t.point == point)
+    return next(t for t in pose.contacts if t.point == point)

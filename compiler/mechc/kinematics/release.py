@@ -35,7 +35,7 @@ from . import meshes
 from .carriers import graph_of
 from .forms import QUARTER, combined, leaving, parting, projection, spin, subtract
 from .graph import Form, Graph, Relation, Rule
-from .joint_refs import JointRef, touch_at
+from .joint_refs import JointRef, contact_at
 from .plan import Plan, Speeds
 from .planning import plan_of
 
@@ -126,7 +126,7 @@ def _released(pose: Pose, joint: JointRef, along: Angle) -> Released:
         case "mesh":
             return _without_mesh(pose, joint)
         case "touch":
-            return _without_touch(pose, joint.point)
+            return _without_contact(pose, joint.point)
         case "thrust":
             raise AssertionError("a thrust is given")
         case _:
@@ -167,8 +167,8 @@ def _with_own_point(pose: Pose, joint: JointRef) -> Pose:
             loads=_carried(mechanism, joint),
         ),
         frames={**pose.frames, link: frame},
-        touches=tuple(
-            t._replace(tail=own) if (t.body, t.tail) == (link, point) else t for t in pose.touches
+        contacts=tuple(
+            t._replace(tail=own) if (t.body, t.tail) == (link, point) else t for t in pose.contacts
         ),
     )
 
@@ -263,10 +263,10 @@ def _without_mesh(pose: Pose, joint: JointRef) -> Released:
     return Released(free, lambda graph: meshes.slipping(graph, pose, mesh))
 
 
-def _without_touch(pose: Pose, point: str) -> Released:
-    touch = touch_at(pose, point)
-    left = tuple(t for t in pose.touches if t is not touch)
+def _without_contact(pose: Pose, point: str) -> Released:
+    contact = contact_at(pose, point)
+    left = tuple(t for t in pose.contacts if t is not contact)
     return Released(
-        replace(pose, touches=left),
-        lambda graph: leaving(graph, touch, touch.normal),
+        replace(pose, contacts=left),
+        lambda graph: leaving(graph, contact, contact.normal),
     )

@@ -63,7 +63,7 @@ def _lay(
         geometry[geometry.index(entry)] = arrow
 
 
-def touches(
+def contacts(
     mechanism: Mechanism, directions: Directions, vectors: Vectors, find: Find
 ) -> Iterator[PointContact]:
     """Yield every pin that slides along a body."""

@@ -63,9 +63,9 @@ def _formulas(pose: Pose) -> Iterator[tuple[str, Formula]]:
             yield from ((f"vector to {point} of {link}", f) for f in _of_vector(vector))
     for kind, angles in (("guide", pose.guides), ("line", pose.lines), ("slide", pose.slides)):
         yield from ((f"{kind} of {name}", angle.formula()) for name, angle in angles.items())
-    for touch in pose.touches:
-        yield f"{touch.kind} of {touch.point}", touch.normal.formula()
-        yield from ((f"{touch.kind} of {touch.point}", f) for f in _of_vector(touch.reach))
+    for contact in pose.contacts:
+        yield f"{contact.kind} of {contact.point}", contact.normal.formula()
+        yield from ((f"{contact.kind} of {contact.point}", f) for f in _of_vector(contact.reach))
     yield from (("radius", radius.formula()) for radius in pose.radii.values())
 
 

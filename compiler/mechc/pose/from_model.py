@@ -13,7 +13,7 @@ from ..model.values import holds
 from ..named import NamedTuple
 from ..source import Span
 from . import lines
-from .bodies import aligned, frames, on_the_line, touches
+from .bodies import aligned, contacts, frames, on_the_line
 from .closure import Closure, Condition, across
 from .directions import Directions
 from .drawn import drawn_elsewhere, given_by_hand, moved_from_drawing
@@ -114,7 +114,7 @@ def _pose(read: _Read, closed: Closed) -> Pose:
     named = lines.Lines(directions, vectors, missing, report)
     guides, axis = lines.guides(mechanism, named), lines.mirror_line(mechanism, named)
     of_loads = {**lines.forces(mechanism, named), **_thrusts(read, axis)}
-    held = tuple(touches(mechanism, directions, vectors, named.of))
+    held = tuple(contacts(mechanism, directions, vectors, named.of))
     laid_out = frames(mechanism, vectors, missing, report)
     slides = lines.slides(mechanism, named)
     return Pose(
@@ -128,7 +128,7 @@ def _pose(read: _Read, closed: Closed) -> Pose:
         free=tuple(p.name for p in mechanism.parameters if not p.dependent),
         rates=closed.rates,
         slides=slides,
-        touches=held,
+        contacts=held,
         radii={radius: terms.length(radius) for radius in radii(mechanism)},
         limits=closed.limits,
         loops=closed.loops,
@@ -162,7 +162,7 @@ def _check_loops(pose: Pose, read: _Read, unfound: Set[str]) -> None:
     given = given_by_hand(mechanism) if mechanism.drawn else None
     closure = Closure(pose.placeholders, {d.name for d in pose.definitions}, given)
     values = poses_nearby(mechanism, pose.definitions)
-    slots = on_the_line([t for t in pose.touches if t.kind == "slot"], vectors)
+    slots = on_the_line([t for t in pose.contacts if t.kind == "slot"], vectors)
     for condition in (*_loops(vectors), *_guide_lines(pose, vectors), *slots):
         if unfound & mentioned(condition.arms):
             continue

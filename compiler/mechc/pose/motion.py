@@ -49,16 +49,16 @@ class Motion:
     definitions: tuple[Definition, ...]
 
 
-def motion(pose: Pose, astray: Collection[str] = ()) -> Motion | None:
+def motion(pose: Pose, lagging: Collection[str] = ()) -> Motion | None:
     """Return the motion along the drive; None where there is no drive, or nothing has a place.
 
-    Nothing is said of links and points that are ``astray``: they do not follow the drive as
+    Nothing is said of links and points that are ``lagging``: they do not follow the drive as
     they are given.
     """
     drive = pose.mechanism.drive
     if drive is None or drive.reshapes:
         return None
-    places = (*_points(pose, astray), *_links(pose, astray))
+    places = (*_points(pose, lagging), *_links(pose, lagging))
     titles = Titles("t" if drive.speed else drive.parameter, _taken(pose))
     first = first_rates(pose, drive.speed or ONE, titles, [p.formula for p in places])
     if drive.speed is None:
@@ -91,19 +91,19 @@ def _whole(pose: Pose, quantities: Sequence[Quantity], *rates: Rates) -> Motion 
     return Motion(tuple(apart), (*closing, *named)) if apart else None
 
 
-def _points(pose: Pose, astray: Collection[str]) -> Iterator[Quantity]:
+def _points(pose: Pose, lagging: Collection[str]) -> Iterator[Quantity]:
     """Yield the coordinates of every point that has a place."""
-    lost = [link for link in pose.mechanism.links if link.name in astray]
+    lost = [link for link in pose.mechanism.links if link.name in lagging]
     for point, vector in paths.paths(pose, lost).items():
-        if point in astray:
+        if point in lagging:
             continue
         for axis, formula in zip("xy", _components(vector), strict=True):
             yield _named(f"{axis}_{point}", "place", point, axis, LENGTH, formula)
 
 
-def _links(pose: Pose, astray: Collection[str]) -> Iterator[Quantity]:
+def _links(pose: Pose, lagging: Collection[str]) -> Iterator[Quantity]:
     """Yield the direction of every link: of its second point from its first."""
-    for link in (link for link in pose.mechanism.rigid_links if link.name not in astray):
+    for link in (link for link in pose.mechanism.rigid_links if link.name not in lagging):
         first, second, *_ = link.points
         vector = pose.vector(link.name, first, second)
         if vector:

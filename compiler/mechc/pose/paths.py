@@ -10,15 +10,15 @@ from .pose import Pose, Vector, gathered, measured_by, reverse
 from .vectors import start_of
 
 
-def paths(pose: Pose, astray: Collection[Link] = ()) -> dict[str, Vector]:
+def paths(pose: Pose, lagging: Collection[Link] = ()) -> dict[str, Vector]:
     """Return the vector from the origin to every point that the description gives a place.
 
     Without a place of any pivot the origin is at the first pivot. A point is left out to which
     only vectors of open length lead, and one that stands for the place of a guide.
-    Links that are ``astray`` lead nowhere: what is said of their directions holds at one pose.
+    Links that are ``lagging`` lead nowhere: what is said of their directions holds at one pose.
     """
     ways: dict[str, dict[str, Vector]] = {}
-    for tail, head, vector in _given(pose, astray):
+    for tail, head, vector in _given(pose, lagging):
         ways.setdefault(tail, {}).setdefault(head, vector)
         ways.setdefault(head, {}).setdefault(tail, reverse(vector))
     start = start_of(pose.mechanism, ways)
@@ -33,12 +33,12 @@ def paths(pose: Pose, astray: Collection[Link] = ()) -> dict[str, Vector]:
     return {point: vector for point, vector in found.items() if points_of(point)}
 
 
-def _given(pose: Pose, astray: Collection[Link]) -> Iterator[tuple[str, str, Vector]]:
+def _given(pose: Pose, lagging: Collection[Link]) -> Iterator[tuple[str, str, Vector]]:
     """Yield the vectors whose length and direction are known, by their points."""
     known = {name: value for name, value in pose.placeholders.items() if value is not None}
     closed = {name for name, _ in (*pose.closing, *pose.definitions)}
     values = closed | {parameter.name for parameter in pose.mechanism.parameters} | known.keys()
-    lost = [set(link.points) for link in astray]
+    lost = [set(link.points) for link in lagging]
     for tail, head, vector in _vectors(pose):
         if any({tail, head} <= points for points in lost):
             continue
@@ -52,6 +52,6 @@ def _vectors(pose: Pose) -> Iterator[tuple[str, str, Vector]]:
     for frame in pose.frames.values():
         first, *others = frame
         yield from ((first, point, frame[point]) for point in others if frame[point])
-    for touch in pose.touches:
-        if touch.reach:
-            yield touch.tail, touch.point, touch.reach
+    for contact in pose.contacts:
+        if contact.reach:
+            yield contact.tail, contact.point, contact.reach

@@ -148,7 +148,7 @@ class Pose:
     free: tuple[str, ...]
     rates: Mapping[str, Product] = MappingProxyType({})
     slides: Mapping[str, Angle] = MappingProxyType({})
-    touches: tuple[PointContact, ...] = ()
+    contacts: tuple[PointContact, ...] = ()
     radii: Mapping[Formula, Product] = MappingProxyType({})
     limits: tuple[Limit, ...] = ()
     loops: tuple[ClosedLoop, ...] = ()

@@ -51,10 +51,10 @@ def _reach(
 def _names(pose: Pose) -> Iterator[str]:
     """Yield the names that vectors and directions mention, and those the description asks for."""
     vectors = [v for frame in pose.frames.values() for v in frame.values()]
-    for vector in (*vectors, *(touch.reach for touch in pose.touches)):
+    for vector in (*vectors, *(contact.reach for contact in pose.contacts)):
         yield from mentioned(vector)
     angles = [*pose.guides.values(), *pose.lines.values(), *pose.slides.values()]
-    for angle in (*angles, *(touch.normal for touch in pose.touches)):
+    for angle in (*angles, *(contact.normal for contact in pose.contacts)):
         yield from angle.names
     if pose.axis is not None:
         yield from pose.axis.names

@@ -91,7 +91,7 @@ def _ropes(mechanism: Mechanism) -> frozenset[str]:
 
 def holding(point: str, pose: Pose) -> JointRef:
     """Return the joint that presses on a point across a line: a slot, a contact, a guide."""
-    if any(touch.point == point for touch in pose.touches):
+    if any(contact.point == point for contact in pose.contacts):
         return JointRef("touch", point)
     return guiding(point, pose)
 
@@ -135,9 +135,9 @@ def line_of(target: ForceAtJoint, pose: Pose) -> Vector:
             end = joint_of(target, pose).point
             return _outwards(link, *((tail, head) if end == head else (head, tail)), pose)
         case Normal(point):
-            touch = next((t for t in pose.touches if t.point == point), None)
+            contact = next((t for t in pose.contacts if t.point == point), None)
             guide = pose.guide_of(point) or Angle()
-            return (Arm(ONE, touch.normal if touch else guide + QUARTER),)
+            return (Arm(ONE, contact.normal if contact else guide + QUARTER),)
 
 
 def _outwards(link: str, tail: str, head: str, pose: Pose) -> Vector:

@@ -13,7 +13,7 @@ from ..algebra.trigonometry import cosine
 from ..formula.tree import ZERO
 from ..frozen import frozen
 from ..kinematics.forms import QUARTER
-from ..kinematics.joint_refs import JointRef, members, touch_at
+from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan
 from ..kinematics.release import ReleasedLinkage, released_linkage
 from ..model.mechanism import Absolute, Force
@@ -136,7 +136,7 @@ def directions(pose: Pose, joint: JointRef) -> tuple[Angle, ...]:
     shared = pose.mechanism.is_on_the_line(members(pose, joint))
     match joint.kind:
         case "touch":
-            return (touch_at(pose, joint.point).normal,)
+            return (contact_at(pose, joint.point).normal,)
         case "mesh":
             return (Angle(),)
         case "ground" if joint.point in pose.guides:

@@ -21,10 +21,12 @@ Forces = Mapping[tuple[str, str], float]
 
 def pulling(results: Sequence[Result], at: Balanced) -> Iterator[Diagnostic]:
     """Yield an error for each contact that pulls where the given loads act as drawn."""
-    contacts = {(t.point, t.body): t for t in at.pose.touches if t.kind == "contact"}
+    contacts = {(t.point, t.body): t for t in at.pose.contacts if t.kind == "contact"}
     for key, load, force in _wrong(results, at, contacts, "contact"):
-        touch, place = contacts[key], free_values(at.pose, at.values)
-        yield messages.contact_would_pull(touch.span, touch.point, touch.body, load, force, place)
+        contact, place = contacts[key], free_values(at.pose, at.values)
+        yield messages.contact_would_pull(
+            contact.span, contact.point, contact.body, load, force, place
+        )
 
 
 def slack(results: Sequence[Result], at: Balanced) -> Iterator[Diagnostic]:

@@ -118,7 +118,7 @@ class _Maker:
     def _loose(self) -> frozenset[str]:
         """Return the slides of which nothing says where on them the pins are, in both halves."""
         pose = self.unfolding.pose
-        touched = {touch.body for touch in pose.touches}
+        touched = {contact.body for contact in pose.contacts}
         bare = {s.name for s in pose.mechanism.slides if not any(pose.frames[s.name].values())}
         found = (touched & pose.slides.keys()) | bare
         return frozenset((*found, *(primed(name) for name in found)))

@@ -75,7 +75,7 @@ class Loaded(NamedTuple):
     pairs: tuple[Pair, ...]
     senses: tuple[float, ...]
     against: tuple[Part, ...]
-    pressed: list[SurfacePair]
+    surfaces: list[SurfacePair]
 
     def under(self, frictions: Iterable[float]) -> FrictionForces:
         """Return the same with frictions of these sizes."""
@@ -89,7 +89,7 @@ def with_friction(
     loaded = _loaded(unfolding, target.sense, driving, given)
     if isinstance(loaded, str):
         return Answer(math.nan, math.inf, loaded)
-    found = friction_sizes(loaded.pressed)
+    found = friction_sizes(loaded.surfaces)
     if found is None:
         return Answer(math.nan, math.inf, UNSETTLED)
     return _answered(unfolding, target, driving, loaded.under(found))
@@ -101,7 +101,7 @@ def others_with_friction(
     """Yield the same for other frictions that balance, as far as some are found."""
     loaded = _loaded(unfolding, target.sense, driving, given)
     if not isinstance(loaded, str):
-        for found in other_friction_sizes(loaded.pressed):
+        for found in other_friction_sizes(loaded.surfaces):
             yield _answered(unfolding, target, driving, loaded.under(found))
 
 
@@ -112,7 +112,7 @@ def friction_forces(
     loaded = _loaded(unfolding, sense, driving, given)
     if isinstance(loaded, str):
         return loaded
-    found = friction_sizes(loaded.pressed)
+    found = friction_sizes(loaded.surfaces)
     return UNSETTLED if found is None else loaded.under(found)
 
 
@@ -146,8 +146,8 @@ def _loaded(
     against = tuple(map(partial(_part_against, question), pairs, senses, responses))
     responses = [[s * x for x in r] for s, r in zip(senses, responses, strict=True)]
     thrusts = {p.name: _size(p.thrust, unfolding, tied, given) for p in pairs if p.thrust}
-    pressed = _pressed(question, pairs, senses, (ideal, thrusts), responses)
-    return Loaded(question, Part(right, ideal), pairs, senses, against, pressed)
+    surfaces = _loaded_surfaces(question, pairs, senses, (ideal, thrusts), responses)
+    return Loaded(question, Part(right, ideal), pairs, senses, against, surfaces)
 
 
 def _right_side(
@@ -234,7 +234,7 @@ def _part_against(question: Question, pair: Pair, sense: float, response: Found)
     return Part(_against(question, pair, sense), found)
 
 
-def _pressed(
+def _loaded_surfaces(
     question: Question,
     pairs: Sequence[Pair],
     senses: Sequence[float],

@@ -105,7 +105,7 @@ def _besides(unfolding: Unfolding) -> tuple[frozenset[Bearing], frozenset[str]]:
 
 def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:
     """Return the bearings of wheels, racks and screws, in both halves."""
-    half = list(_pressed(unfolding.pose.mechanism))
+    half = list(_of_one_half(unfolding.pose.mechanism))
     points = [(primed(point), by) for point, by in half]
     return frozenset(
         bearing
@@ -114,7 +114,7 @@ def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:
     )
 
 
-def _pressed(mechanism: Mechanism) -> Iterator[Bearing]:
+def _of_one_half(mechanism: Mechanism) -> Iterator[Bearing]:
     for joint in mechanism.joints:
         match joint:
             case WheelPair():

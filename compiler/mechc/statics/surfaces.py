@@ -133,7 +133,7 @@ def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
     if found := unfolding.pose.mechanism.arc_at(point):
         rod, arc = found
         return _arc(point, size, rod.name, arc, unfolding)
-    touch = next(t for t in unfolding.pose.touches if t.point == point)
+    touch = next(t for t in unfolding.pose.contacts if t.point == point)
     along = direction(touch.normal.evaluate(unfolding.values)).turned()
     return Pair("face", f"face {point}", _apart(touch, along, unfolding), touch.body, point, size)
 

@@ -62,17 +62,17 @@ def slides(halves: Halves) -> Iterator[Translation]:
 
 def point_contacts(halves: Halves) -> Iterator[PinOnBody]:
     """Yield every pin in a slot and every contact, in both halves."""
-    for touch in halves.pose.touches:
-        normal = direction(touch.normal.evaluate(halves.values))
-        reach = Plane(*evaluate_vector(touch.reach, halves.values))
-        first = next(iter(halves.pose.frames[touch.body]))
-        base = halves.arm(touch.body, first, touch.tail)
+    for contact in halves.pose.contacts:
+        normal = direction(contact.normal.evaluate(halves.values))
+        reach = Plane(*evaluate_vector(contact.reach, halves.values))
+        first = next(iter(halves.pose.frames[contact.body]))
+        base = halves.arm(contact.body, first, contact.tail)
         arm = Plane(base.x + reach.x, base.y + reach.y)
-        yield PinOnBody(touch.kind, touch.point, touch.body, arm, normal)
-        if not (halves.is_shared(touch.point) and halves.is_shared(touch.body)):
-            body = touch.body if halves.is_shared(touch.body) else primed(touch.body)
+        yield PinOnBody(contact.kind, contact.point, contact.body, arm, normal)
+        if not (halves.is_shared(contact.point) and halves.is_shared(contact.body)):
+            body = contact.body if halves.is_shared(contact.body) else primed(contact.body)
             mirrored = halves.reflected(arm), halves.reflected(normal)
-            yield PinOnBody(touch.kind, halves.twin(touch.point), body, *mirrored)
+            yield PinOnBody(contact.kind, halves.twin(contact.point), body, *mirrored)
 
 
 def telescopes(halves: Halves) -> Iterator[Cylinder]:

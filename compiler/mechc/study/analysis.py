@@ -150,8 +150,9 @@ class Analysis(Result):
     ``holds_as`` if it is named; of a ratio that is the ``same_as`` an earlier one no more is said;
     ``inside`` are the names of its ``where`` that are coefficients of a system. ``locking`` states
     of a ratio with friction where nothing moves, ``driven`` of it whether the other loads drive
-    the motion at the default pose (None where that is not known), ``courses`` of an efficiency
-    what it runs through, ``extents`` of a ratio what it comes to along the stroke, in a report.
+    the motion at the default pose (None where that is not known), ``efficiency_ranges`` of an
+    efficiency what it runs through, ``extents`` of a ratio what it comes to along the stroke, in a
+    report.
     """
 
     zeros: tuple[Vanishing, ...] = ()
@@ -170,7 +171,7 @@ class Analysis(Result):
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
     driven: bool | None = None
-    courses: tuple[EfficiencyRange, ...] = ()
+    efficiency_ranges: tuple[EfficiencyRange, ...] = ()
     extents: tuple[Extent, ...] = ()
 
     @property

@@ -165,7 +165,9 @@ def _with_friction(
         case WithFriction(of=LoadRatio() | LoadForm(), order="exact"):
             return replace(printed, locking=locking.locking(study(), result, printed))
         case Efficiency():
-            return replace(printed, courses=tuple(ratios.efficiency_ranges(study(), result)))
+            return replace(
+                printed, efficiency_ranges=tuple(ratios.efficiency_ranges(study(), result))
+            )
         case _:
             return printed
 

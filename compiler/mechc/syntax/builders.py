@@ -263,11 +263,11 @@ def thrust(force: ast.Expr, faces: ast.Expr | None, link: ast.Name | None) -> Th
 
 
 def friction_collar(
-    point: ast.Name, coefficient: ast.Expr, mean: ast.Expr, pressed: Thrust | None
+    point: ast.Name, coefficient: ast.Expr, mean: ast.Expr, thrust: Thrust | None
 ) -> ast.CollarFriction:
     """Return ``friction collar A mu mean d thrust W``."""
     sizes = mean, None, None, law(None)
-    return ast.CollarFriction(NOWHERE, point, coefficient, *sizes, *(pressed or ()))
+    return ast.CollarFriction(NOWHERE, point, coefficient, *sizes, *(thrust or ()))
 
 
 def friction_ring(
@@ -276,11 +276,11 @@ def friction_ring(
     outer: ast.Expr,
     inner: ast.Expr,
     named: Token | None,
-    pressed: Thrust | None,
+    thrust: Thrust | None,
 ) -> ast.CollarFriction:
     """Return ``friction collar A mu outer D inner d wear thrust W``."""
     sizes = None, outer, inner, law(named)
-    return ast.CollarFriction(NOWHERE, point, coefficient, *sizes, *(pressed or ()))
+    return ast.CollarFriction(NOWHERE, point, coefficient, *sizes, *(thrust or ()))
 
 
 Drum = tuple[ast.Expr, ast.Name]

@@ -55,7 +55,7 @@ def not_guided(span: Span, point: str, in_slot: bool) -> Message:
 
 
 @coded("E273")
-def nothing_touches(span: Span, point: str) -> Message:
+def nothing_in_contact(span: Span, point: str) -> Message:
     """Friction of a contact is given at a point that is in no contact and no slot.
 
     friction contact A 0.1              # wrong without

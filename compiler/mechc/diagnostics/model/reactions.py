@@ -80,7 +80,7 @@ def not_a_rod(span: Span, link: str, number: int, pin: str) -> Message:
 
 
 @coded("E256")
-def several_touch(span: Span, point: str) -> Message:
+def several_in_contact(span: Span, point: str) -> Message:
     """A pin is in several slots or contacts, and one of them is named by it.
 
     slot A in OB

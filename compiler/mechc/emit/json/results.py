@@ -126,7 +126,7 @@ LOCKING: Kind[Locking] = record(
     member("reaches", "By parameter.", list_of(REACH), lambda k: k.reaches),
 )
 
-COURSE: Kind[EfficiencyRange] = record(
+EFFICIENCY_RANGE: Kind[EfficiencyRange] = record(
     "course",
     "What an efficiency runs through over a range, found by sampling.",
     member("parameter", "Its name.", TEXT, lambda c: c.parameter),
@@ -208,7 +208,9 @@ RESULT: Kind[Analysis] = record(
         optional(TRUTH),
         lambda r: r.driven,
     ),
-    member("courses", "Of an efficiency.", list_of(COURSE), lambda r: r.courses),
+    member(
+        "courses", "Of an efficiency.", list_of(EFFICIENCY_RANGE), lambda r: r.efficiency_ranges
+    ),
     member("value", "At the default pose, SI; null at a pole.", FLOAT, lambda r: r.default),
     member(
         "holds",

@@ -106,11 +106,11 @@ def _of_ring(
         return None
     outer, inner = (_called(*of, statement, scope) for of in (("D", outer), ("D_i", inner)))
     if statement.law == "pressure":
-        return _evenly_pressed(outer, inner)
+        return _of_even_pressure(outer, inner)
     return product([(total([outer, inner]), 1), (number(4), -1)])
 
 
-def _evenly_pressed(outer: Formula, inner: Formula) -> Formula:
+def _of_even_pressure(outer: Formula, inner: Formula) -> Formula:
     """Return (D² + D·d + d²)/(D + d)/3, which is (D³ − d³)/(D² − d²)/3."""
     squares = [power(outer, number(2)), product([(outer, 1), (inner, 1)]), power(inner, number(2))]
     return product([(total(squares), 1), (total([outer, inner]), -1), (number(3), -1)])

@@ -232,9 +232,9 @@ def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[JointFrictio
     if touching == 1:
         yield FaceFriction(point.text, f, statement.span)
     elif touching:
-        scope.report.add(reactions_messages.several_touch(point.span, point.text))
+        scope.report.add(reactions_messages.several_in_contact(point.span, point.text))
     else:
-        scope.report.add(messages.nothing_touches(point.span, point.text))
+        scope.report.add(messages.nothing_in_contact(point.span, point.text))
 
 
 def _transmission(
@@ -328,10 +328,10 @@ def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
         return True
     if point.text in scope.points.guided:
         held = scope.points.carried.keys() | scope.points.touching.keys()
-        pressed = point.text in held or any(acts_at(point.text, k) for k in built.loads)
-        if not pressed:
+        is_loaded = point.text in held or any(acts_at(point.text, k) for k in built.loads)
+        if not is_loaded:
             scope.report.add(messages.nothing_presses(point.span, point.text))
-        return pressed
+        return is_loaded
     in_slot = any(slot.point == point.text for slot in built.each(Slot))
     scope.report.add(messages.not_guided(point.span, point.text, in_slot))
     return False

@@ -157,7 +157,7 @@ def check_guides_of_copies(mechanism: Mechanism, scope: Scope) -> None:
 
 def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
     if scope.points.touching[point] > 1:
-        scope.report.add(messages.several_touch(symbol.span, point))
+        scope.report.add(messages.several_in_contact(symbol.span, point))
         return None
     if point in scope.points.arcs:
         if centre := scope.points.centre(point):

@@ -121,7 +121,7 @@ class Locale(NamedTuple):
     all_of_range: str
     out_of_range: str
     out_of_ranges: str
-    course: str
+    efficiency_range: str
     steady: str
     still: str
     usual: str

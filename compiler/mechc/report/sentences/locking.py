@@ -35,13 +35,16 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
     """Yield where nothing moves, what an efficiency runs through, and whether that is proved."""
     if result.locking:
         yield from _locking(result.locking, locale, spell)
-    for course in result.courses:
-        yield _course(result, course, locale, spell)
-    if any(course.least != course.greatest and course.is_of_joints for course in result.courses):
+    for efficiency in result.efficiency_ranges:
+        yield _efficiency_range(result, efficiency, locale, spell)
+    if any(
+        efficiency.least != efficiency.greatest and efficiency.is_of_joints
+        for efficiency in result.efficiency_ranges
+    ):
         yield locale.why_usual
     reaches = result.locking.reaches if result.locking else ()
     shown = [s for reach in reaches for s in reach.stretches if _is_shown(s, reach)]
-    if result.courses or any(part.sampled for part in shown):
+    if result.efficiency_ranges or any(part.sampled for part in shown):
         yield locale.sampled
 
 
@@ -149,23 +152,25 @@ def _within(part: LockingInterval, reach: LockingIntervals, locale: Locale, spel
     return f", {locale.in_range.format(condition=span(part.within, reach, locale, spell))}"
 
 
-def _course(result: Analysis, course: EfficiencyRange, locale: Locale, spell: Speller) -> str:
-    least, greatest = (_share(v, locale, spell) for v in (course.least, course.greatest))
-    said = (locale.steady if least == greatest else locale.course).format(
+def _efficiency_range(
+    result: Analysis, efficiency: EfficiencyRange, locale: Locale, spell: Speller
+) -> str:
+    least, greatest = (_share(v, locale, spell) for v in (efficiency.least, efficiency.greatest))
+    said = (locale.steady if least == greatest else locale.efficiency_range).format(
         result=spell.relation((Symbol(result.name),), (), False),
-        condition=span(course.range, course, locale, spell),
+        condition=span(efficiency.range, efficiency, locale, spell),
         least=least,
         greatest=greatest,
     )
-    is_bare = least == greatest or not course.is_of_joints
-    return f"{said}." if is_bare else f"{said}; {_usual(course, locale, spell)}."
+    is_bare = least == greatest or not efficiency.is_of_joints
+    return f"{said}." if is_bare else f"{said}; {_usual(efficiency, locale, spell)}."
 
 
-def _usual(course: EfficiencyRange, locale: Locale, spell: Speller) -> str:
+def _usual(efficiency: EfficiencyRange, locale: Locale, spell: Speller) -> str:
     """Return where an efficiency is what textbooks assume."""
-    if course.usual == (course.range,):
+    if efficiency.usual == (efficiency.range,):
         return locale.always_usual
-    spans = [span(part, course, locale, spell) for part in course.usual]
+    spans = [span(part, efficiency, locale, spell) for part in efficiency.usual]
     return locale.usual.format(conditions=enumeration(spans, locale)) if spans else locale.unusual
 
 

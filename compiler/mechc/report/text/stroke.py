@@ -142,7 +142,9 @@ def said(shown: Written) -> Iterator[str]:
     yield from (_singular(s, shown) for s in stroke.singular)
     yield from (_extremum(e, shown) for e in stroke.extrema)
     yield from (_standstill(s, shown) for s in stroke.standstills)
-    yield from (_course(name, course, shown) for name, course in stroke.courses)
+    yield from (
+        _efficiency_range(name, efficiency, shown) for name, efficiency in stroke.efficiency_ranges
+    )
     yield from _looked(shown)
 
 
@@ -257,12 +259,12 @@ def _standstill(found: JammedInterval, shown: Written) -> str:
     return shown.says(f"{found.state} part", name=found.result, span=span, ends=ends)
 
 
-def _course(name: str, course: EfficiencyRange, shown: Written) -> str:
-    parts = [shown.says("from", span=_span(*part, shown)) for part in course.usual]
-    reached = (course.least, course.greatest, *USUAL)
+def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: Written) -> str:
+    parts = [shown.says("from", span=_span(*part, shown)) for part in efficiency.usual]
+    reached = (efficiency.least, efficiency.greatest, *USUAL)
     least, greatest, low, high = (shown.number(f"{round(x, 3):g}") for x in reached)
     where = shown.says("and").join(parts) or shown.says("no part")
-    if not course.is_of_joints:
+    if not efficiency.is_of_joints:
         return shown.says("course alone", name=name, least=least, greatest=greatest)
     return shown.says(
         "course", name=name, least=least, greatest=greatest, low=low, high=high, parts=where

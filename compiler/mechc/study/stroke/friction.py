@@ -55,7 +55,9 @@ def is_shown(extremum: Extremum, result: Analysis) -> bool:
     return extremum.value > 0 or not isinstance(result.target, Efficiency)
 
 
-def courses(results: Iterable[Analysis], drive: str) -> Iterator[tuple[str, EfficiencyRange]]:
+def efficiency_ranges(
+    results: Iterable[Analysis], drive: str
+) -> Iterator[tuple[str, EfficiencyRange]]:
     """Yield each efficiency with what it runs through."""
     for result in results:
-        yield from ((result.name, c) for c in result.courses if c.parameter == drive)
+        yield from ((result.name, c) for c in result.efficiency_ranges if c.parameter == drive)

@@ -14,7 +14,7 @@ from ..analysis import Analysis
 from .along import EXCLUDED
 from .columns import named_apart
 from .extrema import extrema_along
-from .friction import courses, some, standstills
+from .friction import efficiency_ranges, some, standstills
 from .points import Asked, asked
 from .rounded import is_apart, zero_parts
 from .rows import columns, rows
@@ -86,7 +86,7 @@ def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
         tuple(branches),
         tuple(one for one in extrema if is_apart(one, nil, run.range)),
         tuple(standstills(run.results, drive.name)),
-        tuple(courses(run.results, drive.name)),
+        tuple(efficiency_ranges(run.results, drive.name)),
         along.defaults,
         run.open,
         tuple((r.name, _looked(run, r, stretches)) for r in run.results),

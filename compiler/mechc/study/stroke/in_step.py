@@ -23,7 +23,7 @@ Rates = Mapping[str, float]
 """How fast each link turns."""
 
 
-class Astray(NamedTuple):
+class Lagging(NamedTuple):
     """A link that does not follow the drive, and the angle in it that changes, if one does.
 
     The angle is named by three pins, the middle one at its vertex.
@@ -45,13 +45,13 @@ def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
             report.add(messages.link_bends(link.span, link.name, bent, drive))
         else:
             report.add(messages.direction_stays(link.span, link.name, drive))
-    return tuple(astray.link for astray in found)
+    return tuple(lagging.link for lagging in found)
 
 
-def out_of_step(plan: Plan) -> tuple[Astray, ...]:
+def out_of_step(plan: Plan) -> tuple[Lagging, ...]:
     """Return the links that do not follow the drive at its default, whether it matters or not."""
     found = at_default(plan)
-    return tuple(links_astray(plan, *found)) if found else ()
+    return tuple(links_lagging(plan, *found)) if found else ()
 
 
 def at_default(plan: Plan) -> tuple[Along, float] | None:
@@ -83,7 +83,7 @@ def _is_smooth(pose: Pose, along: Along, x: float) -> bool:
     return all(abs(b - a) <= SAME_RATE * fastest for a, b in zip(near, far, strict=True))
 
 
-def links_astray(plan: Plan, along: Along, x: float) -> Iterator[Astray]:
+def links_lagging(plan: Plan, along: Along, x: float) -> Iterator[Lagging]:
     """Yield the links that do not follow the drive at a value of it."""
     pose = plan.graph.pose
     drawn = {link.name: _turning(pose, link, along, x) for link in pose.mechanism.links}
@@ -100,7 +100,7 @@ def links_astray(plan: Plan, along: Along, x: float) -> Iterator[Astray]:
         fastest = max(abs(there), *map(abs, drawn.values()))
         bent = _bent(pose, link, along, x, fastest)
         if bent or abs(here - there) > SAME_RATE * fastest:
-            yield Astray(link, bent)
+            yield Lagging(link, bent)
 
 
 def _mentioned(pose: Pose) -> set[str]:

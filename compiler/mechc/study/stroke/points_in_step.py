@@ -11,13 +11,13 @@ from ...pose import paths
 from ...pose.pose import Vector, evaluate_vector
 from ..tolerances import DIFFERENCE, SAME_RATE, STILL
 from .along import Along
-from .in_step import at_default, links_astray
+from .in_step import at_default, links_lagging
 
 Velocities = Mapping[str, complex]
 """How fast points move, x and y as a complex number."""
 
 
-def astray(plan: Plan) -> frozenset[str]:
+def lagging(plan: Plan) -> frozenset[str]:
     """Return the names of links and points that do not follow the drive at its default.
 
     A rack drawn in one place stays there, whatever the gear does. Where the drive does not
@@ -26,7 +26,7 @@ def astray(plan: Plan) -> frozenset[str]:
     found = at_default(plan)
     if found is None:
         return frozenset()
-    links = tuple(astray.link for astray in links_astray(plan, *found))
+    links = tuple(lagging.link for lagging in links_lagging(plan, *found))
     return frozenset((*(link.name for link in links), *_points(plan, links, *found)))
 
 

@@ -144,10 +144,10 @@ class JammedInterval(NamedTuple):
 class Stroke:
     """Everything along the stroke of one mechanism; all in SI and radians.
 
-    ``courses`` are the values that each efficiency runs through. ``without`` are the loads asked
-    for that rest on loads without a value, with these. ``looked`` states of each result at how many
-    values it was looked at: what is found between two of them is refined. Ratios are zero all over
-    the parts ``nil``.
+    ``efficiency_ranges`` are the values that each efficiency runs through. ``without`` are the
+    loads asked for that rest on loads without a value, with these. ``looked`` states of each
+    result at how many values it was looked at: what is found between two of them is refined.
+    Ratios are zero all over the parts ``nil``.
     """
 
     drive: str
@@ -162,7 +162,7 @@ class Stroke:
     branches: tuple[Branch, ...]
     extrema: tuple[Extremum, ...]
     standstills: tuple[JammedInterval, ...]
-    courses: tuple[tuple[str, EfficiencyRange], ...]
+    efficiency_ranges: tuple[tuple[str, EfficiencyRange], ...]
     defaults: Mapping[str, float]
     without: tuple[tuple[str, tuple[str, ...]], ...] = ()
     looked: tuple[tuple[str, int], ...] = ()
