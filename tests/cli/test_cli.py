@@ -213,7 +213,7 @@ def test_a_folder_stands_for_the_descriptions_below_it(run: Mechc, tmp_path: Pat
         assert "error[E906]: no file in 'empty' ends in .mech" in err
 
 
-def test_a_verbose_check_tells_what_is_given_and_what_is_missing(
+def test_a_verbose_check_states_what_is_given_and_what_is_missing(
     run: Mechc, tmp_path: Path
 ) -> None:
     text = (library()["crank_rocker"]).read_text()
@@ -323,7 +323,7 @@ def test_check_says_what_it_found(run: Mechc) -> None:
     assert run("check", "--quiet", "clamp.mech").out == ""
 
 
-def test_check_tells_a_given_load_once_in_its_unit(run: Mechc) -> None:
+def test_check_states_a_given_load_once_in_its_unit(run: Mechc) -> None:
     lines = run("check", "tongs_fig4_9_forces").out.splitlines()
     assert "  N = 500 N" in lines
     assert not any("where N" in line for line in lines)

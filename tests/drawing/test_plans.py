@@ -84,7 +84,7 @@ def test_loads_do_no_work_together(name):
     assert max(powers) > 1e-3
 
 
-def test_the_drive_tells_sense_and_size():
+def test_the_drive_states_sense_and_size():
     """The crank of a crank slider at 10 rad/s, by hand: V_A = omega r, square to the crank."""
     text = """
 mechanism crank_slider

@@ -30,7 +30,7 @@ def test_floats_give_what_arrays_give(name):
 
 
 @pytest.mark.parametrize("name", ["clamp", "crank_rocker", "karpenko_fig9_with_friction"])
-def test_where_floats_raise_an_error_arrays_tell(name):
+def test_where_floats_raise_an_error_arrays_state_it(name):
     routine = solved(name).routine
     evaluator, function = Evaluator(routine), routine.functions[0]
     names = [i.name for i in function.inputs]

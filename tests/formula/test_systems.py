@@ -136,7 +136,7 @@ def test_small_whole_numbers_are_equal_to_those_that_are_made() -> None:
     assert product([(s("a"), 1), (number(0), 1)]) == number(0)
 
 
-def test_elimination_tells_the_determinants_sign() -> None:
+def test_elimination_states_the_determinants_sign() -> None:
     for rows, sign in (([[0.0, 1.0], [1.0, 0.0]], -1), ([[2.0, 1.0], [1.0, 3.0]], 1)):
         right = [5.0, 10.0]
         expected = np.linalg.solve(np.array(rows), right)

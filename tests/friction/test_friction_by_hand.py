@@ -268,7 +268,7 @@ def loaded(pose, driving, **given):
     return loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
 
 
-def test_a_guide_is_pressed_by_the_load_times_the_tangent():
+def test_the_normal_force_of_a_guide_is_the_load_times_the_tangent():
     """Driven by M, the slip per unit speed of the crank is that of the slider."""
     pose = with_friction(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
     (pair,) = loaded(pose, "M", F=ONE)

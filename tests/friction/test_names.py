@@ -100,7 +100,7 @@ TONGS = {
         (90.5, "k_hold", -0.283583631, 0),
     ],
 )
-def test_beside_a_dead_centre_a_status_tells_what_is_stuck(alpha, name, value, state):
+def test_beside_a_dead_centre_a_status_states_what_is_stuck(alpha, name, value, state):
     """The values are those of free bodies, followed in from no friction."""
     function = TONGS[name]
     values = {i.name: i.default for i in function.inputs} | {"alpha": math.radians(alpha)}

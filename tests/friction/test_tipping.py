@@ -29,7 +29,7 @@ find N_A
 
 
 @pytest.mark.parametrize("h", [0.3, 0.9])
-def test_it_slides_while_it_is_pressed_behind(h):
+def test_it_slides_while_its_load_is_behind(h):
     found = mechc.loads(CRATE).evaluate(W=100.0, h=h)
     assert found["P_f"] == pytest.approx(30)
     assert found["N_A_f"] == pytest.approx(50 - 30 * h / 0.6)

@@ -132,14 +132,14 @@ def test_couples_of_the_teeth_on_free_bodies() -> None:
         ("ru", "водило", "неподвижно"),
     ],
 )
-def test_reports_tell_the_arm_and_which_wheel_stands_still(
+def test_reports_state_the_arm_and_which_wheel_stands_still(
     language: str, arm: str, still: str
 ) -> None:
     report = mechc.loads(train(), "train.mech").emit("latex", language=language).lower()
     assert (report.count(arm), report.count(still)) == (1, 1)
 
 
-def test_reports_do_not_tell_a_planet_for_the_ring() -> None:
+def test_reports_do_not_take_a_planet_for_the_ring() -> None:
     report = mechc.loads(train(), "train.mech").emit("latex")
     assert report.count("mesh, one inside the other") == 1
     assert "The relations for $OS$, $AB$ and $OA$ are solved together" in report

@@ -109,7 +109,7 @@ def test_a_piston_rod_in_its_cylinder_bears_a_side_load() -> None:
 @pytest.mark.parametrize(
     ("language", "words"), [("en", "is fast in the block"), ("uk", "повзуном"), ("ru", "ползуном")]
 )
-def test_reports_tell_what_the_slot_guides(language: str, words: str) -> None:
+def test_reports_state_what_the_slot_guides(language: str, words: str) -> None:
     report = mechc.loads(DRAWN.format(drive=""), "block.mech").emit("latex", language=language)
     assert report.count(words) == 1
 

@@ -10,7 +10,7 @@ from mechc.driver import Compilation
 from mechc.source import Source
 from paths import LIBRARY
 
-PRESSED_AXLE = """
+LOADED_AXLE = """
 pivot O at (0 m, 0 m)
 pivot K at (2 m, 2 m)
 link OB
@@ -46,7 +46,7 @@ def hold(texts: Iterable[str]) -> int:
 
 
 def test_an_axle_bears_twice_the_rope_and_no_arm_of_two_metres():
-    assert hold([PRESSED_AXLE]) == 1
+    assert hold([LOADED_AXLE]) == 1
 
 
 def test_formulas_of_mechanisms_on_a_grid_balance():

@@ -90,7 +90,7 @@ def test_with_lengths_given_the_nearest_closure_is_meant(place, mode):
     assert value(text + given) == value(stated + given)
 
 
-def test_a_few_drawn_points_tell_many_closures_apart():
+def test_a_few_drawn_points_set_many_closures_apart():
     text = DRAWN["double_butterfly"]
     shape = [  # of the bodies through C and G, which are then not drawn
         ("link ABC", "AC = 2.7374799 m", "angle BAC = -58.4692 deg"),

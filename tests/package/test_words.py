@@ -11,6 +11,8 @@ SAID_BEFORE = {
     "felt": "dual", "told": "shown", "untold": "new", "settle": "solve", "settled": "solved",
     "mend": "fix", "bond": "joint", "entangled": "coupled", "loosened": "released",
     "shelf": "list", "freedoms": "degrees of freedom", "saying": "sentence",
+    "astray": "lagging", "course": "range", "courses": "ranges", "pressed": "loaded",
+    "tell": "state", "tells": "states",
 }  # fmt: skip
 """Private words, and what books say."""
 

@@ -124,7 +124,7 @@ def test_friction_is_among_what_is_given(name, said):
         ),
     ],
 )
-def test_headings_tell_results_with_friction_apart(language, tightening, releasing, first):
+def test_headings_set_results_with_friction_apart(language, tightening, releasing, first):
     shown = mechc.load("karpenko_fig2_with_friction").emit("latex", language=language)
     assert rf"{tightening} ($k_f$):}}" in shown
     hold = {"en": r"\mathrm{hold}", "uk": r"\text{утр}", "ru": r"\text{уд}"}[language]
@@ -261,7 +261,7 @@ def test_what_is_long_multiplied_out_keeps_the_names_of_its_parts():
     assert shown.count("under the same conditions as k_f.") == 1
 
 
-def test_check_tells_the_parts_of_a_force_once():
+def test_check_states_the_parts_of_a_force_once():
     lines = list(report(compile_source(Source("crank.mech", ITERATED)), verbose=False))
     assert "  R_A_on_AB_f = hypot(R_A_on_AB_x_f, R_A_on_AB_y_f)" in lines
     forces = lines[next(i for i, line in enumerate(lines) if "R_A_on_AB_x_f =" in line) :]

@@ -13,7 +13,7 @@ def steps(name):
     return compiled(name).derivation.position
 
 
-def test_a_four_bar_is_one_triangle_and_its_vertices_tell_the_assembly():
+def test_a_four_bar_is_one_triangle_and_its_vertices_state_the_assembly():
     (step,) = steps("crank_rocker")
     assert (step.kind, step.points, step.is_clockwise) == ("triangle", ("O2", "B", "A"), False)
     assert [d.name for d in step.definitions] == ["len_AO2", "phi_AO2", "mu_B", "psi", "theta"]

@@ -99,7 +99,7 @@ def test_files_grow_as_the_chain_does(target: object) -> None:
     assert many < 2.2 * few
 
 
-def test_comments_tell_where_other_results_come_from() -> None:
+def test_comments_state_where_other_results_come_from() -> None:
     (module,) = PYTHON.emit(chain(120), Options("chain"))
     stated = "q119 = q118*cos(phi) - q117/119\n        where q117, q118 are results, too\n"
     assert stated in module.text
@@ -138,7 +138,7 @@ def test_functions_that_call_others_give_the_values_of_their_formulas(tmp_path: 
             np.testing.assert_allclose(values, expected[name], rtol=1e-9, atol=1e-12)
 
 
-def test_a_document_tells_a_long_let_by_the_results_that_it_mentions() -> None:
+def test_a_document_states_a_long_let_by_the_results_that_it_mentions() -> None:
     (file,) = JSON.emit(growing(52), Options("growing"))
     document = json.loads(file.text)
     results = {r["name"]: r for r in document["results"]}

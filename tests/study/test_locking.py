@@ -279,7 +279,7 @@ def stated(description: str, tmp_path, capsys, *command: str) -> str:
     return " ".join(capsys.readouterr().out.split())
 
 
-def test_check_tells_the_condition(tmp_path, capsys):
+def test_check_states_the_condition(tmp_path, capsys):
     out = stated(ROD_TOGGLE.format(low=0.1, more=""), tmp_path, capsys, "check")
     assert (
         "Self-locking: F alone cannot move the mechanism for alpha <= delta_OB (0.573 deg)" in out
@@ -288,13 +288,13 @@ def test_check_tells_the_condition(tmp_path, capsys):
     assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 for 5.19 deg" in out
 
 
-def test_check_tells_what_is_locked_as_given(tmp_path, capsys):
+def test_check_states_what_is_locked_as_given(tmp_path, capsys):
     out = stated(WEDGE, tmp_path, capsys, "check")
     assert "Self-locking: F alone cannot move the mechanism at the values given." in out
 
 
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
-def test_the_report_tells_the_condition(language, tmp_path, capsys):
+def test_the_report_states_the_condition(language, tmp_path, capsys):
     out = tmp_path / "m.tex"
     description = FEDORIV.format(alpha=10)
     stated(description, tmp_path, capsys, "compile", "--lang", language, "-o", str(out))
@@ -336,7 +336,7 @@ def test_the_stroke_takes_signs_from_each_pose():
     assert math.isnan(stroke.rows[0].values[names.index("k_f")])
 
 
-def test_the_stroke_tells_where_nothing_moves():
+def test_the_stroke_states_where_nothing_moves():
     stroke = mechc.loads(SLIDER_CRANK).stroke()
     first, last = stretches(SLIDER_CRANK, "k_f")
     assert [(s.result, s.state, s.low, s.high) for s in stroke.standstills] == [
@@ -347,7 +347,7 @@ def test_the_stroke_tells_where_nothing_moves():
     assert (name, found) == ("eta_k", efficiency(SLIDER_CRANK, "eta_k"))
 
 
-def test_the_table_of_the_stroke_tells_it_in_words(tmp_path, capsys):
+def test_the_table_of_the_stroke_states_it_in_words(tmp_path, capsys):
     out = stated(ROD_TOGGLE.format(low=0.1, more="drive alpha"), tmp_path, capsys, "stroke")
     assert "k_hold: self-locking, the load alone moves nothing, from alpha = 0.1 deg" in out
     assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 from alpha" in out
@@ -524,7 +524,7 @@ def test_the_condition_of_an_efficiency_is_stated(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("points", [66, 651])
-def test_each_row_of_a_stroke_tells_what_is_stuck(points, tmp_path, capsys):
+def test_each_row_of_a_stroke_states_what_is_stuck(points, tmp_path, capsys):
     path = tmp_path / "m.mech"
     path.write_text(TOGGLE.format(r=100), encoding="utf-8")
     assert main(["stroke", "--csv", "-n", str(points), str(path)]) == 0
@@ -784,7 +784,7 @@ def test_a_weight_on_an_incline_stays_where_friction_holds_it():
     assert [text(b.exact) for b in (gamma, mu) if b.exact] == ["atan(mu)", "tan(gamma)"]
 
 
-def test_an_efficiency_has_no_course_over_what_it_does_not_depend_on():
+def test_an_efficiency_has_no_range_over_what_it_does_not_depend_on():
     efficiency_ranges = results(INCLINE)["eta_P"].efficiency_ranges
     assert [c.parameter for c in efficiency_ranges] == ["gamma", "mu"]
 

@@ -273,7 +273,7 @@ def _paragraphs(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Pa
     match step.kind:
         case "crossed" | "outer" | "parallel" | "single":
             names = {"link": (step.body,)}
-            rod = SentenceKind.PRESSED if step.sense > 0 else SentenceKind.PULLED
+            rod = SentenceKind.IN_COMPRESSION if step.sense > 0 else SentenceKind.IN_TENSION
             yield Paragraph(rod, names=names)
             yield Paragraph(_LINES[step.kind], tuple(new), names)
         case "face":
