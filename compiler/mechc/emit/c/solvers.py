@@ -111,7 +111,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
 def _by_arcs(
     solver: Solver, name: str, given: Sequence[str], lines: Sequence[Line], printer: Printer
 ) -> ByArcs:
-    """Return what follows a branch by its arc length."""
+    """Return the functions that follow a branch by its arc length."""
     size = len(solver.unknowns)
     slopes = [entry for row in solver.jacobian for entry in row]
     return ByArcs(
