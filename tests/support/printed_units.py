@@ -179,7 +179,7 @@ PER_UNIT = re.compile(
     r"(?:per unit of|віднесено до|отнесены к) \$(.*?)\$"
     r"(?:, (?:so that|тож|поэтому) \$(.*?)\$ (?:is|— це|— это) \$(.*?)\$)?"
 )
-ROW = re.compile(r"^[^&\n]+ &.*\\\\$", re.MULTILINE)
+ROW = re.compile(r"^[^&\n]+ &.*\\\\\*?$", re.MULTILINE)
 VALUES, RANGES = {"Value", "Значення", "Значение"}, {"Range", "Межі", "Пределы"}
 SLOPE = re.compile(r"\\partial |\\mathrm\{d\} ")
 CASES = re.compile(r"\\begin\{cases\}(.*?)\\end\{cases\}", re.DOTALL)
@@ -209,7 +209,7 @@ def relations(tex: str) -> Iterator[Relation]:
         text = re.sub(r"\\\\(\[2pt\])?\s*&(\\quad\{\}|(?==))", " ", single or several or alone)
         text = text.replace("\\\\\n", " ") if kind == "multline*" else text
         text = CASES.sub(lambda found: _branches(found[1]), text)
-        for line in re.split(r"\\\\(?:\[2pt\])?\n|&\n", text):
+        for line in re.split(r"\\\\(?:\[2pt\])?\n|&\n|\\qquad ", text):
             yield from map(Relation, re.split(r"\\[gl]eq |[<>]", line))
 
 
@@ -278,7 +278,7 @@ class PrintedUnits:
     def _given(self) -> None:
         columns: list[str] = []
         for row in ROW.finditer(self.tex):
-            cells = [c.strip() for c in row[0].removesuffix(r"\\").split("&")]
+            cells = [c.strip() for c in row[0].removesuffix("*").removesuffix(r"\\").split("&")]
             if "$" not in row[0]:
                 columns = cells
             elif VALUES.intersection(columns) and len(cells) == len(columns):
