@@ -103,18 +103,26 @@ def condition(factor: Formula, values: Values, constants: Set[Fraction]) -> Form
 
 
 def led(formula: Formula) -> Formula:
-    """Return a formula in whose sums a term without a minus leads, where there is one.
+    """Return a formula in whose sums a term without a minus leads; what is squared has none.
 
     >>> from .tree import Symbol
     >>> from .to_text import text
     >>> text(led(total([negative(Symbol("a")), Symbol("b")])))
     'b - a'
+    >>> text(led(Power(negative(Symbol("a")), number(2))))
+    'a^2'
     """
     parts = tuple(map(led, children(formula)))
+    if isinstance(formula, Power) and _is_even(formula.exponent) and has_minus(parts[0]):
+        return Power(negative(parts[0]), formula.exponent)
     if isinstance(formula, Sum) and has_minus(parts[0]):
         lead = next((i for i, part in enumerate(parts) if not has_minus(part)), 0)
         return total([parts[lead], *parts[:lead], *parts[lead + 1 :]])
     return rebuild(formula, parts) if parts != children(formula) else formula
+
+
+def _is_even(exponent: Formula) -> bool:
+    return isinstance(exponent, Number) and exponent.value % 2 == 0
 
 
 def _of_directions(formula: Formula, constants: Set[Fraction]) -> Formula:
