@@ -42,6 +42,7 @@ class SequentialSolver:
         self._given = task.given
         self._lines = ForceLines(bodies, signs, sense, self._notes)
         self._squared: dict[str, Sides] = {}
+        self._forces: dict[str, list[BodyForce]] = {}
 
     @property
     def steps(self) -> list[Step]:
@@ -60,8 +61,7 @@ class SequentialSolver:
 
     def _solves(self, body: str) -> bool:
         """Solve a body if it has no more unknowns than equations."""
-        kind = self._bodies.kind(body)
-        forces = list(self._lines.on(body))
+        kind, forces = self._bodies.kind(body), self._on(body)
         unknown = [p for p in forces if p.name not in self.sizes]
         if len(unknown) != (2 if kind == "pin" else 1):
             return False
@@ -72,6 +72,12 @@ class SequentialSolver:
             found = {p.name: self.sizes[p.name] for p in unknown}
             self._notes.balance(kind, body, free, friction, found, self._squared.get(body))
         return True
+
+    def _on(self, body: str) -> list[BodyForce]:
+        """Return the forces on a body, which do not change as their sizes are found."""
+        if body not in self._forces:
+            self._forces[body] = list(self._lines.on(body))
+        return self._forces[body]
 
     def _balance(
         self, kind: Kind, body: str, unknown: Sequence[BodyForce], known: Sequence[BodyForce]
