@@ -1,7 +1,8 @@
 """One pose with its equations of equilibrium, set up once however many questions are asked."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
+from typing import Any, TypeVar
 
 from ..formula.evaluate import Evaluation, evaluate
 from ..formula.walk import symbols
@@ -13,6 +14,8 @@ from .solve import Factors, factor, scale_of
 from .unfold import Unfolding
 
 Row = Mapping[int, float]
+
+T = TypeVar("T")
 
 
 class Tie(NamedTuple):
@@ -57,6 +60,17 @@ class Balanced(Unfolding):
 
     @cached_property
     def _eliminated(self) -> dict[tuple[str | int | None, ...], Eliminated]:
+        return {}
+
+    def once(self, asked: Hashable, find: Callable[[], T]) -> T:
+        """Return what is found in this pose, found when it is first asked for."""
+        if asked not in self._found:
+            self._found[asked] = find()
+        found: T = self._found[asked]
+        return found
+
+    @cached_property
+    def _found(self) -> dict[Hashable, Any]:
         return {}
 
     def formulas(self, where: tuple[Definition, ...]) -> Evaluation:

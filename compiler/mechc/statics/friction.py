@@ -16,7 +16,7 @@ from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.targets import SIGNS
 from ..named import NamedTuple
 from .answers import Answer
-from .balanced import Row, Tie, gather, ties, with_loads
+from .balanced import Balanced, Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
 from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
@@ -45,6 +45,21 @@ class Part(NamedTuple):
 
     right: Row
     found: Found
+
+
+class Responses(NamedTuple):
+    """What balances the given loads, and a friction of 1 in each pair, whatever way it moves.
+
+    ``slips`` are the signs with which the pairs slip as the driving load drives along its arrow;
+    ``thrusts`` are the forces along axes.
+    """
+
+    question: Question
+    loads: Part
+    pairs: tuple[Pair, ...]
+    thrusts: Mapping[str, float]
+    slips: tuple[float, ...]
+    each: tuple[Found, ...]
 
 
 class FrictionForces(NamedTuple):
@@ -129,10 +144,27 @@ def _loaded(
     unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
 ) -> Loaded | str:
     """Return the forces of loads and frictions on all pairs of surfaces, or why these are open."""
+    find = partial(_responses, unfolding, driving, given)
+    asked = driving, *sorted(given.items())
+    found = unfolding.once(asked, find) if isinstance(unfolding, Balanced) else find()
+    return found if isinstance(found, str) else _in_sense(found, SIGNS[sense])
+
+
+def _in_sense(found: Responses, sign: int) -> Loaded:
+    """Return the forces of loads and frictions in one of the two senses of motion."""
+    question, loads, pairs, thrusts, slips, each = found
+    senses = tuple(-sign * slip for slip in slips)
+    against = tuple(map(partial(_part_against, question), pairs, senses, each))
+    responses = [[s * x for x in r] for s, r in zip(senses, each, strict=True)]
+    surfaces = _loaded_surfaces(question, pairs, senses, (loads.found, thrusts), responses)
+    return Loaded(question, loads, pairs, senses, against, surfaces)
+
+
+def _responses(unfolding: Unfolding, driving: str, given: Mapping[str, float]) -> Responses | str:
+    """Return what balances the given loads and each friction, or why that is open."""
     tied = ties(unfolding.pose.mechanism, unfolding.values)
-    drive = tied[driving]
     pairs = tuple(pairs_of(unfolding))
-    question = _question(unfolding, pairs, drive.base)
+    question = _question(unfolding, pairs, tied[driving].base)
     if not question.factors.determined(question.drive):
         return OPEN
     right = _right_side(question, tied, given)
@@ -140,14 +172,10 @@ def _loaded(
     if question.factors.gap(ideal, right) > INCONSISTENT:
         return UNBALANCED
     frictions = [_against(question, pair, 1.0) for pair in pairs]
-    responses = [question.factors.solve(friction) for friction in frictions]
-    slips = map(partial(_slip, question), frictions, responses)
-    senses = tuple(-SIGNS[sense] * slip for slip in slips)
-    against = tuple(map(partial(_part_against, question), pairs, senses, responses))
-    responses = [[s * x for x in r] for s, r in zip(senses, responses, strict=True)]
+    each = tuple(question.factors.solve(friction) for friction in frictions)
+    slips = tuple(map(partial(_slip, question), frictions, each))
     thrusts = {p.name: _size(p.thrust, unfolding, tied, given) for p in pairs if p.thrust}
-    surfaces = _loaded_surfaces(question, pairs, senses, (ideal, thrusts), responses)
-    return Loaded(question, Part(right, ideal), pairs, senses, against, surfaces)
+    return Responses(question, Part(right, ideal), pairs, thrusts, slips, each)
 
 
 def _right_side(
