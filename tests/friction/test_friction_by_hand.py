@@ -32,10 +32,11 @@ from mechc.model.joint_friction import (
     Friction,
     GuideFriction,
     PinFriction,
+    RopeFriction,
     ThreadFriction,
     WheelFriction,
 )
-from mechc.model.mechanism import LoadRatio, Mirror
+from mechc.model.mechanism import LoadRatio, Mirror, Rope
 from mechc.model.result import Definition, FrictionResult, Result
 from mechc.model.values import completed
 from mechc.power.balance import equations_of
@@ -62,6 +63,7 @@ from small_poses import (
     unknown,
     wheels,
 )
+from small_poses import pose as small_pose
 
 A, B, L, R, C = (VALUES[n] for n in "ablrc")
 ALPHA, PHI, PSI = (VALUES[n] for n in ("alpha", "phi", "psi"))
@@ -108,6 +110,22 @@ def test_a_lever_lifts_against_the_friction_circle_of_its_pivot(signs, turn):
     bearing = Bearing("O", Product.symbol("rho"), Product(turn))
     size = value(on_lever(UP, [LOAD], ARMS, bearing, at_pose).size, at_pose)
     assert A * size - B == pytest.approx(turn * RHO * math.hypot(size, 1))
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+def test_the_force_on_a_lever_is_a_root_of_the_quadratic_that_is_shown(turn):
+    """(a·P − b·F)² = ρ²·(P² + F²) with P in it by its name."""
+    signs = one_pose()
+    bearing = Bearing("O", Product.symbol("rho"), Product(turn))
+    found = on_lever(UP, [LOAD], ARMS, bearing, signs)
+    size = value(found.size, signs)
+
+    def sides(force):
+        known = completed({**VALUES, "rho": RHO, "P": force}, signs.definitions)
+        return [evaluate(side, known) for side in found.quadratic]
+
+    assert sides(size) == pytest.approx([(A * size - B) ** 2, RHO**2 * (size**2 + 1)])
+    assert sides(2.0) == pytest.approx([(2 * A - B) ** 2, RHO**2 * 5])
 
 
 @pytest.mark.parametrize(("turn", "turns"), [(1, False), (-1, True)])
@@ -174,6 +192,19 @@ def test_a_pin_slips_with_the_relative_rotation_of_its_links():
 def test_a_pivot_slips_with_the_rotation_of_its_link():
     pose = with_friction(slider_crank(), pin("O"))
     assert slip_of(pose)[1] == {unknown(graph(pose), "OA"): 1}
+
+
+@pytest.mark.parametrize(("axle", "place"), [("O", 1), ("K", 2)])
+def test_a_rope_slips_by_half_of_what_runs_on_and_half_of_what_runs_off(axle, place):
+    """From A along x to O, down to K, and along x to B: what A pulls back, B lets run."""
+    rope = Rope(("A", "O", "K", "B"), (ALONG, ALONG, ALONG), HERE)
+    falls = {rope.id: (at(), at(-90), at())}
+    roped = small_pose({}, pivots="OK", guides={"A": at(), "B": at()}, joints=(rope,), falls=falls)
+    given = RopeFriction(rope.id, axle, place, Symbol("mu"), Symbol("theta"), None, "", HERE)
+    pair, slip = slip_of(with_friction(roped, given))
+    first, last = unknown(graph(roped), "A"), unknown(graph(roped), "B")
+    assert pair.name == f"{axle}_rope"
+    assert slip == pytest.approx({first: -0.5, last: -0.5})
 
 
 def test_a_guide_slips_with_the_speed_of_its_slider():
