@@ -52,6 +52,7 @@ LATE = {
     ("friction/from_balance.py", "friction.results"),
     ("routine/from_results.py", "routine.together"),
     ("emit/c/to_c.py", "emit.c.gradient"),
+    ("emit/c/to_c.py", "emit.c.threads"),
     ("emit/python/to_python.py", "emit.python.gradient"),
     ("emit/latex/to_latex.py", "emit.latex.pictures"),
 }

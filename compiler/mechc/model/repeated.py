@@ -1,4 +1,9 @@
-"""What a description has several times: halves, branches, and parts that are mechanisms."""
+"""What a description has several times: halves, branches, and parts that are mechanisms.
+
+The twin of ``B`` in the other half of a mirrored mechanism is ``B'``; a description names twins
+so as well. Only where names are read is a twin known by its name; everywhere else it is a field
+that states so.
+"""
 
 from collections.abc import Iterable
 from fractions import Fraction
@@ -49,3 +54,24 @@ class Subassembly:
     prefix: str
     name: str
     points: tuple[tuple[str, str], ...]
+
+
+PRIME = "'"
+
+
+def primed(name: str) -> str:
+    """Return the name of a twin.
+
+    >>> primed("B")
+    "B'"
+    """
+    return name + PRIME
+
+
+def without_prime(name: str) -> str:
+    """Return the name of what is described, whether its twin is named or itself.
+
+    >>> without_prime("B'"), without_prime("B")
+    ('B', 'B')
+    """
+    return name.removesuffix(PRIME)

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Sequence, Set
 
 from ..frozen import frozen, replace
 from ..model.mechanism import Torque
+from ..model.repeated import primed
 from ..model.result import Result
-from ..model.twins import primed
 from ..pose.places import NOWHERE
 from ..pose.pose import Pose
 from . import solved

@@ -16,7 +16,7 @@ from typing import assert_never
 
 from ..frozen import frozen
 from ..model.mechanism import Force, ForcePair, Load, Torque
-from ..model.twins import primed
+from ..model.repeated import primed
 from .assembly import Action, Assembly, Couple, Plane, PointForce, Wrench, direction
 from .halves import Halves
 from .transfers import transfers

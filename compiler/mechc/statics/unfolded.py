@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from ..model.mechanism import Pivot, Slider
-from ..model.twins import primed
+from ..model.repeated import primed
 from ..pose.pose import evaluate_vector
 from .assembly import Body, Cylinder, Guide, PinOnBody, Plane, Translation, direction
 from .halves import Halves

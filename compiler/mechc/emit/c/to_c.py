@@ -25,7 +25,6 @@ from .real import FLOAT, Real, in_single_precision, named
 from .reserved import HEADERS, LINKED, RESERVED
 from .solvers import SolverContext, solver_context, solvers_of
 from .status import StatusContext
-from .threads import in_threads
 
 if TYPE_CHECKING:
     from .gradient import GradientContext
@@ -143,6 +142,8 @@ def _file(name: str, text: str, real: Real) -> Emitted:
 def _source(parts: Parts, preface: list[str], header: str, real: Real, threads: bool) -> str:
     code = render("c/functions.jinja", CodeContext(*parts, newton, real))
     if threads:
+        from .threads import in_threads
+
         code = in_threads(code)
     called = helpers(code)
     context = SourceContext(

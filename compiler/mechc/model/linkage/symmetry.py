@@ -25,8 +25,8 @@ from ..mechanism import (
     Slider,
 )
 from ..names.scope import DESCRIPTION, Scope
+from ..repeated import primed
 from ..statements import every, only
-from ..twins import primed
 
 MOST_COPIES = 1000
 """More branches than any mechanism has: digits too many."""

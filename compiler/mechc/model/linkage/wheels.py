@@ -14,9 +14,9 @@ from ..formulas.directions import value_of
 from ..formulas.expressions import Reader
 from ..mechanism import Geometry, Joint, Link, Offset, WheelPair
 from ..names.scope import DESCRIPTION, Scope
+from ..repeated import without_prime
 from ..statements import every
 from ..tolerances import SAME_VALUE
-from ..twins import without_prime
 
 
 def read_wheels(file: ast.File, scope: Scope) -> Iterator[WheelPair]:

@@ -21,8 +21,8 @@ from ..mechanism import (
 )
 from ..names.forms import COORDINATES, Form, form_of, form_of_pose
 from ..names.scope import Entry, Scope
+from ..repeated import PRIME
 from ..statements import every, only
-from ..twins import PRIME
 from .reactions import read_reaction
 
 

@@ -72,10 +72,13 @@ from .linkage import Telescope as Telescope
 from .linkage import Turn as Turn
 from .linkage import Vector as Vector
 from .quantities import Branch as Branch
+from .quantities import Brought as Brought
 from .quantities import Choice as Choice
 from .quantities import Condition as Condition
 from .quantities import Expect as Expect
 from .quantities import Find as Find
+from .quantities import Follows as Follows
+from .quantities import Given as Given
 from .quantities import Let as Let
 from .quantities import LetValue as LetValue
 from .quantities import Lookup as Lookup
@@ -84,8 +87,5 @@ from .quantities import Param as Param
 from .quantities import Require as Require
 from .quantities import Sizes as Sizes
 from .quantities import Table as Table
-from .uses import Brought as Brought
-from .uses import Follows as Follows
-from .uses import Given as Given
-from .uses import Taken as Taken
-from .uses import Use as Use
+from .quantities import Taken as Taken
+from .quantities import Use as Use
