@@ -164,13 +164,17 @@ def condition_of_one_value(span: Span, name: str) -> Message:
 
 
 @coded("W282")
-def condition_of_constants(span: Span) -> Message:
-    """A condition names nothing that could vary: it holds always, or never.
+def condition_of_constants(span: Span, is_same: bool = False) -> Message:
+    """A condition compares constants, or a thing with itself: it holds always, or never.
 
     require 1 < 2                        # warned of
+    require tau <= tau                   # warned of: tau_a was meant
     let c = 0.3 when 5 mm < 6 mm else 1  # warned of
     require a < 2 mm                     # right
     """
+    if is_same:
+        message = "this condition compares a thing with itself, so that it states nothing"
+        return Message(span, message, "is the name on one side another one?")
     hint = "name what the condition is about, as in `a < 2 mm`"
     return Message(span, "this condition compares constants, so that it states nothing", hint)
 
@@ -246,14 +250,15 @@ def unused_parameter(span: Span, name: str, is_vector: bool = False) -> Message:
 def lonely_point(span: Span, point: str, link: str) -> Message:
     """Only one link goes through a point, and nothing acts there.
 
-    Most often it is a mistyped pin: the point was meant to join two links.
+    Most often it is a mistyped pin, the point being meant to join two links, or the line is
+    missing that pins it to the ground.
 
         link OA
         link BC      # warned of, where AC was meant
     """
     short = link if len(link) <= 40 else f"{link[:40]}…"
     message = f"only link {short} goes through point {point}, and nothing acts there"
-    return Message(span, message, "is it a mistyped pin?")
+    return Message(span, message, f"is it a mistyped pin, or is `pivot {point}` missing?")
 
 
 @coded("W203")

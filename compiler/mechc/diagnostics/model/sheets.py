@@ -81,13 +81,13 @@ def size_not_positive(span: Span, name: str) -> Message:
 
 
 @coded("W289")
-def size_in_another_unit(span: Span, name: str, usual: str) -> Message:
-    """One size of a list has another unit than all others, and is far from them.
+def size_in_another_unit(span: Span, what: str, usual: str) -> Message:
+    """One size of a list, or number of a table, has another unit than all others, far from them.
 
     list pins = 5 mm, 6 mm, 8 mm, 10 cm     # warned of
     list pins = 5 mm, 6 mm, 8 mm, 10 mm     # right
     """
-    message = f"this size of list '{name}' is far from the others, which are in {usual}"
+    message = f"this {what} is far from the others, which are in {usual}"
     return Message(span, message, "is its unit right?")
 
 

@@ -62,7 +62,7 @@ def read_tables(file: ast.File, scope: Scope) -> Tables:
     for listed in every(file, ast.Sizes):
         if sizes := _alike([constant(s, scope, "a size of a list") for s in listed.sizes], scope):
             _check_order(sizes, listed.name.text, scope)
-            _check_units(listed.sizes, sizes, listed.name.text, scope)
+            _check_units(listed.sizes, sizes, f"size of list '{listed.name.text}'", scope)
             _check_least(sizes[0], listed.name.text, scope)
             found.sizes[listed.name.text] = sizes
     return found
@@ -70,11 +70,13 @@ def read_tables(file: ast.File, scope: Scope) -> Tables:
 
 def _rows(table: ast.Table, scope: Scope) -> list[tuple[Quantity, Quantity]]:
     """Return the rows of a table from the smallest argument on; none where one is wrong."""
-    columns = zip(*table.rows, strict=True)
+    columns = list(zip(*table.rows, strict=True))
     read = ([constant(e, scope, "a value of a table") for e in column] for column in columns)
     arguments, values = (_alike(column, scope) for column in read)
     if not (arguments and values):
         return []
+    for written, found in zip(columns, (arguments, values), strict=True):
+        _check_units(written, found, f"number of table '{table.name.text}'", scope)
     if len(arguments) == 1:
         scope.report.add(messages.table_of_one_row(table.name.span, table.name.text))
         return []
@@ -100,19 +102,19 @@ def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:
 
 
 def _check_units(
-    written: Sequence[ast.Expr], sizes: Sequence[Quantity], name: str, scope: Scope
+    written: Sequence[ast.Expr], sizes: Sequence[Quantity], what: str, scope: Scope
 ) -> None:
-    """Say that one size alone has another unit, and is far from its neighbours."""
+    """Say that one number alone has another unit, and is far from its neighbours."""
     units = [next((n.unit for n in leaves(e) if isinstance(n, ast.Number)), "") for e in written]
     usual = max(units, key=units.count)
     odd = [i for i, unit in enumerate(units) if unit != usual]
     if len(odd) != 1 or len(units) < 3:
         return
     values = [_value(size) for size in sizes]
-    here, rest = odd[0], [v for i, v in enumerate(values) if i != odd[0]]
-    nearest = min(rest, key=lambda value: abs(value - values[here]))
-    if not 1 / JUMP < values[here] / nearest < JUMP:
-        scope.report.add(messages.size_in_another_unit(sizes[here].span, name, usual))
+    here, rest = odd[0], [v for i, v in enumerate(values) if v and i != odd[0]]
+    nearest = min(rest, key=lambda value: abs(value - values[here]), default=0.0)
+    if nearest and units[here] and not 1 / JUMP < values[here] / nearest < JUMP:
+        scope.report.add(messages.size_in_another_unit(sizes[here].span, what, usual))
 
 
 def _check_least(least: Quantity, name: str, scope: Scope) -> None:

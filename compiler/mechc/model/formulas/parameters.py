@@ -69,7 +69,8 @@ def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:
 def note_unitless(name: str, given: Quantity, scope: Scope) -> None:
     """State of a number without unit that it is one: 30 could be radians, but who means them?"""
     if given.sort.nature is Nature.BARE:
-        scope.without_unit(name, Bare(shown(given.formula), given.span))
+        is_number = not symbols(given.formula)  # what a table has for a name is none
+        scope.without_unit(name, Bare(shown(given.formula), given.span) if is_number else None)
     elif given.sort.nature is Nature.UNITLESS:
         scope.without_unit(name, scope.bare(given.formula))
 

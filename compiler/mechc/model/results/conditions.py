@@ -80,6 +80,8 @@ def _remark_on(conditions: Sequence[Require], found: Definitions, scope: Scope) 
         sides = condition.left, condition.right
         if not symbols(*sides):
             scope.report.add(doubts.condition_of_constants(condition.span))
+        elif condition.left == condition.right:
+            scope.report.add(doubts.condition_of_constants(condition.span, is_same=True))
         elif condition.operator == "=":
             free = [f.name for f in sides if isinstance(f, Symbol) and _is_free(f.name, found)]
             if free:
