@@ -115,3 +115,10 @@ def test_many_toggles_that_fold():
     strokes, tried = hold(joined(range(95001000, 95001200)))
     assert strokes > 150
     assert tried > 5
+
+
+def test_beside_a_branch_point_rounding_makes_no_extrema():
+    """k falls from -0.00645564 m on; a millionth of a radian from the branch it was least."""
+    stroke = mechc.loads(folding(98030056).text).stroke(3)
+    (branch,) = stroke.branches
+    assert not [e for e in stroke.extrema if abs(e.drive - branch.drive) < 1e-3]

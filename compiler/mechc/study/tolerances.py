@@ -67,6 +67,12 @@ BRANCH_POINT = 1e-6
 Angles of a triangle that is nearly flat have half the digits.
 """
 
+BESIDE_BRANCH_POINT = 1e-4
+"""Nearer to a branch point than this part of the stroke an angle is off by more than k changes.
+
+A cosine next to 1 that is off by a rounding e is that of an angle x off by e/x, and k by e/x².
+"""
+
 AT_BRANCH_POINT = 1e-3 * BRANCH_POINT
 """A value this near to a branch point is that point: every loop counts as flat there."""
 

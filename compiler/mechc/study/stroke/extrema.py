@@ -8,7 +8,7 @@ from typing import Literal
 from ...formula.roots import lowest, roots
 from ...model.mechanism import LoadRatio, SpeedRatio
 from ..analysis import Analysis
-from ..tolerances import BRANCH_POINT, CONSTANT
+from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT
 from .along import Along
 from .friction import is_shown, some
 from .rounded import is_nil, rounded
@@ -23,20 +23,18 @@ def extrema_along(
     run: Run,
     stretches: Sequence[StrokeInterval],
     singular: Sequence[Singular],
-    crossings: Sequence[Branch],
+    branches: Sequence[Branch],
 ) -> tuple[Extremum, ...]:
-    """Return the extrema along a stroke; next to a branch that iteration finds digits are lost.
-
-    ``crossings`` are such branches.
-    """
+    """Return the extrema along a stroke; beside a branch point what looks like one is rounding."""
     found = [
         one
         for stretch, result in product(stretches, run.results)
         if not is_nil(result, run.along, stretch)
         for one in _on_stretch(run, result, stretch, singular)
     ]
-    near = BRANCH_POINT * run.range
-    others = [b.drive for b in crossings] + [s.drive for s in singular if s.sides]
+    near = BESIDE_BRANCH_POINT * run.range
+    others = [b.drive for b in branches]
+    others += [s.drive for s in singular if s.value == "undetermined"]
     apart = [e for e in found if all(abs(e.drive - other) > near for other in others)]
     return tuple(sorted(apart, key=lambda e: e.drive))
 

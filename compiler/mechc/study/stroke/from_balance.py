@@ -72,7 +72,7 @@ def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
     drives = list(spaced(run.low, run.high, points - 1))
     nil = tuple(zero_parts(run, stretches, branches))
     singular = singular_along(run, stretches, branches)
-    extrema = extrema_along(run, stretches, singular, crossings)
+    extrema = extrema_along(run, stretches, singular, branches)
     return Stroke(
         drive.name,
         drive.dimension,
