@@ -199,3 +199,12 @@ def test_what_equals_a_load_has_no_number():
     assert "RK = F" in found
     assert any(text.startswith("RA,стояк") for text in found)
     assert any(text.startswith("RA,кан") for text in found)
+
+
+@pytest.mark.parametrize(("language", "words"), [("en", EN), ("uk", UK), ("ru", RU)])
+def test_a_question_mark_is_explained(language, words):
+    written = lettering(begun("roberval_balance").drawn_bodies(language))
+    assert any("= ?" in text for text in written)
+    assert any(text.endswith(f"; {words['undetermined']}") for text in written)
+    determined = lettering(begun("crank_rocker").drawn_bodies(language))
+    assert not any(words["undetermined"] in text for text in determined)

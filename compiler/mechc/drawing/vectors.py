@@ -31,9 +31,12 @@ def heading(diagram: Diagram, words: Mapping[str, str]) -> tuple[Run, ...]:
     if diagram.per:
         before, behind = words["per"].split("{load}")
         runs += (Run(f", {before}"), *name(diagram.per), *([Run(behind)] if behind else []))
-    if not diagram.trouble:
-        return runs
-    return (*runs, Run(f": {words.get(diagram.trouble, diagram.trouble)}"))
+    if diagram.trouble:
+        return (*runs, Run(f": {words.get(diagram.trouble, diagram.trouble)}"))
+    acting = (acting for body in diagram.bodies for acting in body.forces)
+    if any(one.force is None for one in acting):
+        return (*runs, Run(f"; {words['undetermined']}"))
+    return runs
 
 
 def in_words(runs: tuple[Run, ...]) -> str:
