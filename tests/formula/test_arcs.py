@@ -115,6 +115,35 @@ def test_a_branch_that_others_cross_goes_on_though_the_determinant_changes_its_s
     assert unknowns == pytest.approx(np.array([[1.0] * 3, [0.0] * 3]), abs=1e-12)
 
 
+def own_friction(unknowns, share):
+    """The sides of a force x that its own friction alone makes, of the load q, on a circle.
+
+    With all of the share x = |1.5 x|, so that x = 0 is the solution. What is rounded off makes a
+    fold where q = 0, at t = 2/3.
+    """
+    x, q = unknowns
+    force, left = 1.5 * share * x, 0.03 * (1.0 - share)
+    size = np.sqrt(force * force + left * left * q * q + 1e-60)
+    slopes = [1.0 - 1.5 * share * force / size, -left * left * q / size]
+    return [x - size, x * x + q * q - 1.0], [slopes, [2 * x, 2 * q]]
+
+
+def test_a_fold_that_is_made_by_what_is_rounded_off_is_none():
+    start = np.array([0.03, 1.0]) / np.hypot(0.03, 1.0)
+    status, found = Arcs(own_friction).follow(list(start))
+    assert status == 0
+    assert found == pytest.approx((0.0, 1.0), abs=1e-12)
+
+    def sides(_, unknowns, share):
+        residuals, matrix = own_friction(unknowns, share)
+        rows = [[np.broadcast_to(m, share.shape) for m in row] for row in matrix]
+        return np.array(residuals), np.array(rows)
+
+    statuses, unknowns = for_arrays.follow(sides, np.array([start] * 2).T)
+    assert list(statuses) == [0.0] * 2
+    assert unknowns == pytest.approx(np.array([[0.0] * 2, [1.0] * 2]), abs=1e-12)
+
+
 def steep(unknowns, outer):
     """The sides of ``x - 2 e x³ = p`` with a fold at x² = 1/(6 e), and a kink of another slope."""
     (x,), (p, e) = unknowns, outer

@@ -43,6 +43,16 @@ def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
 
 
 @pytest.mark.slow
+def test_a_pin_that_nothing_loads_but_its_own_friction_jams_nothing():
+    """Beside the end of a loop a jam was told; all forces balance with none in that pin."""
+    text = closed(91000313)
+    assert hold([text]) == 1
+    (held,) = (r for r in Compilation(Source("pin.mech", text)).results if r.name == "k_hold")
+    (reach,) = (r for r in held.locking.reaches if r.parameter == "phi")
+    assert "jammed" not in {s.state for s in reach.stretches}
+
+
+@pytest.mark.slow
 def test_an_efficiency_that_is_highest_at_a_kink():
     """It rises to 0.842 and falls by a hundredth within 0.0002 rad, as a pin is pressed anew."""
     assert hold([opened(6000195)]) == 1

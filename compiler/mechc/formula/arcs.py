@@ -15,7 +15,11 @@ What is concluded from what:
   that of the start, as of symmetric mechanisms, whose forces need not stay alike;
 - of two points of the curve, so close together that their tangents differ by less than an angle
   of :data:`BENT`, one has t' > 0 and the other t' <= 0: between them F_x is singular with
-  t' = 0, a fold. From the fold on the share falls: with all of it no solution is on the branch;
+  t' = 0, a fold. From the fold on the share falls: with all of it no solution is on the branch.
+  But what is rounded off on the way may have made the fold, where it is all that there is in an
+  unknown; so there is none if Newton's method leads straight from the start to a solution with
+  all of the share, whatever the sign of the determinant, its last unknown, the size of the whole,
+  above zero as at the start;
 - neither is found in so many points, or the points come closer together than numbers can tell
   them apart: nothing is concluded.
 
@@ -52,6 +56,9 @@ What is rounded off is so by a share that is left, so that nothing changes faste
 
 FEW = 6
 """Corrections of a point at most."""
+
+STRAIGHT = 12
+"""Corrections from the start straight to a solution at most, where a fold was found."""
 
 CONTRACTION = 0.4
 """What a correction may be at most, as a part of the one before."""
@@ -105,7 +112,8 @@ class Arcs(NamedTuple):
                 if arc < LEAST:
                     break
             elif turned[-1] <= 0.0:
-                return 1, ()
+                straight = self._straight([*start, 1.0], along)
+                return (0, tuple(straight[:-1])) if straight else (1, ())
             else:
                 point, tangent, side, arc = found, turned, there, min(2 * arc, LONGEST)
         return 2, ()
@@ -127,6 +135,17 @@ class Arcs(NamedTuple):
             if size <= TINY or size * size * size <= ROUNDING * last * last:
                 return found if sign == side or not side else []
             most = CONTRACTION * size
+        return []
+
+    def _straight(self, found: Point, along: Point) -> Point:
+        """Return a solution with all of the share that Newton's method comes to; none: []."""
+        for _ in range(STRAIGHT):
+            change, matrix = self._bordered(found, along)
+            if not self.solve(matrix, change):
+                return []
+            found = [f - c for f, c in zip(found, change, strict=True)]
+            if math.sqrt(_dot(change, change)) <= TINY:
+                return found if found[-2] > 0.0 else []
         return []
 
     def _tangent(self, point: Point, before: Point) -> tuple[int, Point]:

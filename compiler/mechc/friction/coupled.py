@@ -17,7 +17,8 @@ one without friction on (:mod:`~mechc.formula.arcs`).
 - It comes to t = 1 with φ < 0: where φ passed zero the drive would need to be infinitely strong,
   and behind it the load to be reversed. The solution says that nothing moves.
 - It turns back before, at a fold: forces that balance with less friction end before all of it is
-  there. Nothing moves, either.
+  there. Nothing moves, either, unless Newton's method finds forces that balance with all of it:
+  of a pressing force that nothing makes but its own friction, what is rounded off makes folds.
 - None of the three was found: nothing is said of the pose. That steps became short, or that
   corrections did not suffice, is no reason.
 

@@ -16,7 +16,10 @@ from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..diagnostics import Diagnostic
 from ..diagnostics import pose as messages
+from ..formula.evaluate import evaluate
 from ..formula.to_text import text
+from ..formula.tree import Formula
+from ..formula.walk import constants
 from ..named import NamedTuple
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector
@@ -119,7 +122,10 @@ class Closure:
         relation = ""
         if not self._mentions_open(condition.arms):
             left = add(a.length * cosine(a.angle - direction) for a in condition.arms)
-            relation = f"{text(left.formula())} = 0"
+            relation = _relation(left.formula())
+        if self._given is not None:
+            names = [name for name in names if name in self._given]
+            relation = ""
         return messages.loop_ties_symbols(condition.span, condition.name, names, relation)
 
     def _mentions_open(self, arms: Vector) -> bool:
@@ -149,6 +155,12 @@ def _along(arms: Vector, direction: Angle, values: Values) -> float:
     except (KeyError, ZeroDivisionError):
         return 0.0
     return (x * math.cos(t) + y * math.sin(t)) / longest
+
+
+def _relation(left: Formula) -> str:
+    """Return an equation, with the values of what has a name here alone."""
+    known = (f"{c.name} = {_metres(evaluate(c, {}))}" for c in constants([left]))
+    return ", ".join([f"{text(left)} = 0", *known])
 
 
 def _metres(gap: float) -> str:

@@ -10,7 +10,7 @@ from ..diagnostics import pose as pose_messages
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import Drawn, Mechanism
+from ..model.mechanism import Drawn, Mechanism, Pivot
 from ..model.values import Chain, defaults, dependent
 from ..units import in_unit
 from .loops.vector_graph import mentioned
@@ -29,8 +29,12 @@ def places_of(drawn: Sequence[Drawn], values: Values) -> dict[str, Place]:
 
 
 def given_by_hand(mechanism: Mechanism) -> frozenset[str]:
-    """Return the parameters that stand in the description, without the drive and what is drawn."""
+    """Return the parameters that stand in the description, without the drive and what is drawn.
+
+    What lies between pivots at coordinates, lengths and angles, is drawn as well.
+    """
     places = {drawn.span for drawn in mechanism.drawn}
+    places |= {pivot.span for pivot in mechanism.each(Pivot)}
     drive = mechanism.drive_name
     declared = (p for p in mechanism.parameters if p.span not in places and p.name != drive)
     return frozenset(parameter.name for parameter in declared)

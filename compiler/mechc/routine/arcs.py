@@ -49,6 +49,7 @@ def follow(sides: Sides, start: Array) -> tuple[Array, Array]:
     left, curves = left[side != 0], curves.only(side != 0)
     for _ in range(arcs.POINTS):
         curves, here = _ahead(sides, left, curves)
+        here, curves = _straight(sides, start, left, here, curves)
         done = here < 2
         status[left[done]], result[:, left[done]] = here[done], curves.points[:-1, done]
         on = ~done & (curves.arcs >= arcs.LEAST)
@@ -87,6 +88,29 @@ def _ahead(sides: Sides, poses: Poses, curves: _Curves) -> tuple[_Curves, Array]
         ),
         status,
     )
+
+
+def _straight(
+    sides: Sides, start: Array, poses: Poses, status: Array, curves: _Curves
+) -> tuple[Array, _Curves]:
+    """Return statuses and points: behind a fold, of a solution that is found from the start."""
+    (folds,) = np.nonzero(status == 1)
+    if not len(folds):
+        return status, curves
+    found = np.vstack([start[:, poses[folds]], np.ones(len(folds))])
+    along = np.zeros_like(found)
+    along[-1] = 1.0
+    good, there = np.ones(len(folds), bool), np.zeros(len(folds), bool)
+    for _ in range(arcs.STRAIGHT):
+        sign, change = _solved(sides, poses[folds], found, along)
+        good &= there | (sign != 0)
+        found = np.where(good & ~there, found - change, found)
+        there |= good & (np.sqrt(_dot(change, change)) <= arcs.TINY)
+    is_solution = good & there & (found[-2] > 0.0)
+    solved = folds[is_solution]
+    points, ends = curves.points.copy(), status.copy()
+    points[:, solved], ends[solved] = found[:, is_solution], 0.0
+    return ends, curves._replace(points=points)
 
 
 def _corrected(
