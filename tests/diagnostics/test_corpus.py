@@ -109,3 +109,19 @@ def test_no_message_is_long_or_spreads_over_lines(path):
     for line in expected(path.read_text(encoding="utf-8")):
         assert len(line) < 400
         assert "  " not in line.split(" ", 3)[3]
+
+
+MADE = re.compile(r"\b(?:len|delta|x|y)_[A-Z]\w*|\bphi_[A-Z]+\w*_\w*")
+"""Names of lengths, angles and coordinates that mechc makes where a description has none."""
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_no_message_prints_a_name_that_nobody_introduced(path):
+    """The user wrote it, or the message states its value."""
+    text = path.read_text(encoding="utf-8", errors="replace")
+    lines = text.split("\n")
+    written = "\n".join(line for line in lines if not line.startswith("#!"))
+    for line in lines:
+        said = line.split(" | ")[0]
+        for name in MADE.findall(said) if line.startswith("#!") else ():
+            assert name in written or f"{name} = " in said, line

@@ -12,6 +12,7 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Drawn, Mechanism, Pivot
 from ..model.values import Chain, defaults, dependent
+from ..source import Span
 from ..units import in_unit
 from .loops.vector_graph import mentioned
 from .pose import Pose, evaluate_vector
@@ -33,11 +34,13 @@ def given_by_hand(mechanism: Mechanism) -> frozenset[str]:
 
     What lies between pivots at coordinates, lengths and angles, is drawn as well.
     """
-    places = {drawn.span for drawn in mechanism.drawn}
-    places |= {pivot.span for pivot in mechanism.each(Pivot)}
-    drive = mechanism.drive_name
-    declared = (p for p in mechanism.parameters if p.span not in places and p.name != drive)
-    return frozenset(parameter.name for parameter in declared)
+    drawn, drive = [*mechanism.drawn, *mechanism.each(Pivot)], mechanism.drive_name
+    declared = (p for p in mechanism.parameters if p.name != drive)
+    return frozenset(p.name for p in declared if not any(_is_in(p.span, d.span) for d in drawn))
+
+
+def _is_in(span: Span, place: Span) -> bool:
+    return place.start <= span.start and span.end <= place.end
 
 
 def drawn_elsewhere(
