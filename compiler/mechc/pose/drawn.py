@@ -34,9 +34,10 @@ def given_by_hand(mechanism: Mechanism) -> frozenset[str]:
 
     What lies between pivots at coordinates, lengths and angles, is drawn as well.
     """
-    drawn, drive = [*mechanism.drawn, *mechanism.each(Pivot)], mechanism.drive_name
+    pivots = (pivot.span for pivot in mechanism.each(Pivot))
+    places, drive = [*(drawn.span for drawn in mechanism.drawn), *pivots], mechanism.drive_name
     declared = (p for p in mechanism.parameters if p.name != drive)
-    return frozenset(p.name for p in declared if not any(_is_in(p.span, d.span) for d in drawn))
+    return frozenset(p.name for p in declared if not any(_is_in(p.span, at) for at in places))
 
 
 def _is_in(span: Span, place: Span) -> bool:
