@@ -3,7 +3,8 @@
 ``python tests/support/hunt.py --from 98000000 --count 3000 --workers 2`` makes a mechanism of each
 seed, of the kinds in turn. Each line of the output is a statement that was refuted, a mechanism
 that took too long, or the summary; the exit status is 1 where anything was refuted. With
-``--kinds closed --from 98000007 --count 1`` one of them is looked at again.
+``--kinds closed --from 98000007 --count 1`` one of them is looked at again; Ctrl-C ends it, with the
+summary of what there was.
 """
 
 import argparse
@@ -13,7 +14,7 @@ import sys
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from itertools import islice
 from multiprocessing import Pool
@@ -168,7 +169,7 @@ def main() -> int:
     kinds = [chosen[seed % len(chosen)] for seed in seeds]
     seen: list[Outcome] = []
     look = partial(_of_pair, seconds=asked.seconds)
-    with Pool(asked.workers, maxtasksperchild=FRESH) as workers:
+    with suppress(KeyboardInterrupt), Pool(asked.workers, maxtasksperchild=FRESH) as workers:
         for one in workers.imap(look, zip(kinds, seeds, strict=True)):
             if one is not None:
                 seen.append(one)
