@@ -3,8 +3,8 @@
 ``python tests/support/hunt.py --from 98000000 --count 3000 --workers 2`` makes a mechanism of each
 seed, of the kinds in turn. Each line of the output is a statement that was refuted, a mechanism
 that took too long, or the summary; the exit status is 1 where anything was refuted. With
-``--kinds closed --from 98000007 --count 1`` one of them is looked at again; Ctrl-C ends it, with the
-summary of what there was.
+``--kinds closed --from 98000007 --count 1`` one of them is looked at again; Ctrl-C ends it,
+with the summary of what there was.
 """
 
 import argparse

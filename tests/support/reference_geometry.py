@@ -227,7 +227,7 @@ class Assembly:
     pivots: set[str]
     guides: dict[str, complex]
     slides: dict[str, complex]
-    touches: list[PointContact]
+    contacts: list[PointContact]
     rollings: list[Rolling]
     ropes: list[dict[str, complex]]
     actions: list[Action]
@@ -285,20 +285,20 @@ def _as_described(file: ast.File, values: Values, seed: int, arms: Arms | None =
     carried = {p for points in links.values() for p in points}
     slides |= {p: along for p, along in guides.items() if p not in carried}
     links |= {name: dict.fromkeys(points_of(name), 0j) for name in slides}
-    touches = list(_touches(file, values, arms, links, slides))
+    contacts = list(_touches(file, values, arms, links, slides))
     for name, first, second in cylinders(file):
         links[name] = {first: 0j}
         reach = arms.between(first, second)
-        touches.append(PointContact(second, name, 1j * reach / abs(reach), reach))
+        contacts.append(PointContact(second, name, 1j * reach / abs(reach), reach))
     return Assembly(
         links,
         {s.point.text for s in every(file, ast.Pivot)},
         guides,
         slides,
-        touches,
+        contacts,
         [
             *rollings(file, links, guides | slides, lambda e: evaluate(e, values)),
-            *_blocks(file, arms, links, touches),
+            *_blocks(file, arms, links, contacts),
         ],
         [_rope(s, values, arms) for s in every(file, ast.Rope)],
         _actions(file, values, arms),
@@ -358,14 +358,14 @@ def _blocks(
     file: ast.File,
     arms: Arms,
     links: Mapping[str, Mapping[str, complex]],
-    touches: Iterable[PointContact],
+    contacts: Iterable[PointContact],
 ) -> Iterator[Rolling]:
     """Yield the second place at which the block of a guided link touches its slot."""
     for s in every(file, ast.Slot):
         if s.guided:
             tail, head = points_of(s.line.text)
             ahead = arms.between(tail, head) / abs(arms.between(tail, head))
-            touch = next(t for t in touches if t.pin == s.point.text)
+            touch = next(t for t in contacts if t.pin == s.point.text)
             there = links[s.guided.text][s.point.text] + ahead
             yield Rolling(s.guided.text, there, touch.body, touch.place + ahead, 1j * ahead)
 
@@ -427,11 +427,11 @@ def _unfold(half: Assembly, axis: complex, shared: set[str]) -> None:
     for name, points in list(half.links.items()):
         if not set(points) <= shared:
             half.links[name + "'"] = {twin(p): reflect(v) for p, v in points.items()}
-    for touch in list(half.touches):
+    for touch in list(half.contacts):
         body = touch.body if set(half.links[touch.body]) <= shared else touch.body + "'"
         if (twin(touch.pin), body) != (touch.pin, touch.body):
             normal, place = reflect(touch.normal), reflect(touch.place)
-            half.touches.append(PointContact(twin(touch.pin), body, normal, place))
+            half.contacts.append(PointContact(twin(touch.pin), body, normal, place))
     for first, at, second, there, along, arm in list(half.rollings):
         names = [
             b if set(half.links.get(b, ())) <= shared else b + "'" for b in (first, second, arm)
