@@ -8,6 +8,7 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.intervals import Interval
 from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
+from mechc.algebra.trigonometry import cosine, sine
 from mechc.diagnostics import Report
 from mechc.formula.rounding import Size
 from mechc.formula.tree import Call, Symbol, number, quotient, total
@@ -128,6 +129,17 @@ def test_a_crank_drives_a_slider_and_stands_still_at_its_dead_centres():
     assert zero.cause == DeadCentre(still=Acted("B"), moving=Acted("OA"))
     causes = [p.cause for p in poles(item, found, VALUES)]
     assert causes == [DeadCentre(still=Acted("OA"), moving=Acted("B"))]
+
+
+@pytest.mark.parametrize(("lengths", "is_zero"), [((0.3, 0.2), True), ((0.3, 0.3), False)])
+def test_where_lengths_are_equal_a_zero_may_be_none(lengths, is_zero):
+    """sin α/(a - b·cos α) vanishes at α = 0, and grows without end there where a = b."""
+    item, found = solved(lever(), "P", "F")
+    a, b = map(Product.symbol, "ab")
+    value = sine(Angle.of("alpha")) / add([a, -b * cosine(Angle.of("alpha"))])
+    item = replace(item, value=value, result=replace(item.result, formula=value.formula()))
+    near = {**VALUES, **dict(zip("ab", lengths, strict=True)), "alpha": 0.4}
+    assert (("alpha", number(0)) in [zero.at for zero in zeros(item, found, near)]) is is_zero
 
 
 def test_a_length_that_is_infinite_somewhere_breaks_a_result():
