@@ -231,3 +231,37 @@ def test_an_arm_that_is_zero_but_for_rounding_is_zero_in_a_report():
     compilation = compile_source(Source("line.mech", IN_LINE))
     (document,) = emit(compilation, registry.load("latex"), Options("line"))
     assert "b_{AB}&=-57.1\\,\\text{mm}\\cos270^\\circ=0\\," in document.text
+
+
+AGAINST_NOTHING = """
+pivot O at (0 m, 0 m)
+pivot P5 at (-0.011017087543308417 m, 0.05452346968355958 m)
+param s = 0.15005477958391056 m
+param r = 0.09598994917815715 m
+telescope P5A4
+P5A4 = s
+link OA4E6
+OA4 = r
+OE6 = 0.10044236495153604 m
+angle A4OE6 = 0.4190898615296242 rad
+slot S7 in OA4
+link E6S7
+E6S7 = 0.04156680726650065 m
+assembly OP5A4 cw
+assembly S7 back
+actuator M between P5 and A4
+actuator F between E6 and S7
+find k = M / F
+drive s from 0.12005477958391056 m to 0.18005477958391056 m
+param q = 0.5
+friction pins 0.166*q diameter 6 mm coulomb
+friction pin E6 0.15*q diameter 8 mm on E6S7
+friction contact S7 0.035*q
+"""
+
+
+def test_forces_of_a_load_that_works_against_nothing_are_zero_in_a_report():
+    """Iteration leaves 1e-60 N of them."""
+    compilation = compile_source(Source("idle.mech", AGAINST_NOTHING))
+    (document,) = emit(compilation, registry.load("latex"), Options("idle"))
+    assert "10^{-60}" not in document.text

@@ -20,6 +20,9 @@ from .put_in import Quantity, has_units, in_numbers, usual_unit, values_of, with
 from .sections import Outline, Section
 from .sentences.remarks import asked
 
+NOTHING = 1e-40
+"""What is smaller is what iteration leaves of a zero, in SI."""
+
 
 class Evaluated(NamedTuple):
     """A name, its formula in numbers, and its value; no ``numbers`` where nobody would put them in.
@@ -153,7 +156,8 @@ def _iterated(
     values = completed(values_of(given), result.where)
     unit = si_unit(FORCE.over(_measured_by(result, mechanism)))
     known = (d.name for d in result.where if d.name in named and d.name in values)
-    return {name: Quantity(values[name], unit) for name in known if math.isfinite(values[name])}
+    finite = ((name, values[name]) for name in known if math.isfinite(values[name]))
+    return {name: Quantity(size * (abs(size) > NOTHING), unit) for name, size in finite}
 
 
 def _measured_by(result: Analysis, mechanism: Mechanism) -> Dimension:
