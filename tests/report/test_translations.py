@@ -67,7 +67,7 @@ def test_texts_are_in_the_language_where_they_are_translated() -> None:
 def test_a_sheet_is_translated_whole() -> None:
     shown = report(SHEET, "uk")
     assert not re.search("Pin in|force|allowable|diameter|taken|standard", shown)
-    assert all(text in shown for text in ("Палець на зріз", "допустиме напруження", "прийнято"))
+    assert all(text in shown for text in ("Палець на зріз", "допустиме напруження", "Прийнято"))
 
 
 def test_what_is_used_brings_its_translations(tmp_path: Path) -> None:

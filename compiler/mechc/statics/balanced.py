@@ -63,7 +63,7 @@ class Balanced(Unfolding):
         return {}
 
     def once(self, asked: Hashable, find: Callable[[], T]) -> T:
-        """Return what is found in this pose, found when it is first asked for."""
+        """Return an answer for this pose, found when it is first asked for."""
         if asked not in self._found:
             self._found[asked] = find()
         found: T = self._found[asked]

@@ -161,7 +161,7 @@ def _in_sense(found: Responses, sign: int) -> Loaded:
 
 
 def _responses(unfolding: Unfolding, driving: str, given: Mapping[str, float]) -> Responses | str:
-    """Return what balances the given loads and each friction, or why that is open."""
+    """Return the reactions to the given loads and to each friction, or why they are open."""
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     pairs = tuple(pairs_of(unfolding))
     question = _question(unfolding, pairs, tied[driving].base)
