@@ -115,6 +115,26 @@ def test_a_branch_that_others_cross_goes_on_though_the_determinant_changes_its_s
     assert unknowns == pytest.approx(np.array([[1.0] * 3, [0.0] * 3]), abs=1e-12)
 
 
+@pytest.mark.parametrize(("slope", "bend"), [(0.365, 0.25), (0.065, 0.5), (0.4, 0.5), (0.715, 1)])
+def test_no_arc_ends_behind_the_way(slope, bend):
+    """The share grows ever faster along t = b x + c x²: square to a tangent it is past the end."""
+
+    def bent(x, t):
+        return [slope * x[0] + bend * x[0] * x[0] - t], [[slope + 2 * bend * x[0]]]
+
+    end = (math.sqrt(slope * slope + 4 * bend) - slope) / (2 * bend)
+    status, found = Arcs(bent).follow([0.0])
+    assert (status, *found) == (0, pytest.approx(end, abs=1e-12))
+
+    def sides(_, unknowns, share):
+        residuals, matrix = bent(unknowns, share)
+        return np.array(residuals), np.array(matrix)
+
+    statuses, many = for_arrays.follow(sides, np.zeros((1, 2)))
+    assert list(statuses) == [0.0] * 2
+    assert many == pytest.approx(np.array([[end] * 2]), abs=1e-12)
+
+
 def own_friction(unknowns, share):
     """The sides of a force x that its own friction alone makes, of the load q, on a circle.
 

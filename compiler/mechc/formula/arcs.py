@@ -74,7 +74,10 @@ Point = list[float]
 
 
 class Arcs(NamedTuple):
-    """A curve of solutions of equations with these sides."""
+    """A curve of solutions of equations with these sides.
+
+    An arc that leads past the end of the way is halved: from behind it none leads there.
+    """
 
     sides: Sides
     solve: Elimination = eliminate
@@ -107,7 +110,7 @@ class Arcs(NamedTuple):
             if found and is_last:
                 return 0, tuple(found[:-1])
             there, turned = self._tangent(found, tangent) if found else (0, [])
-            if not there or _dot(turned, tangent) < BENT:
+            if not there or found[-1] > 1.0 or _dot(turned, tangent) < BENT:
                 arc = length / 2
                 if arc < LEAST:
                     break

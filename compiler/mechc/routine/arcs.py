@@ -75,7 +75,8 @@ def _ahead(sides: Sides, poses: Poses, curves: _Curves) -> tuple[_Curves, Array]
     )
     there, turned = _tangents(sides, poses, found, tangents)
     is_end = is_found & is_last
-    good = is_found & (there != 0) & (_dot(turned, tangents) >= arcs.BENT)
+    is_within = is_found & (found[-1] <= 1.0)
+    good = is_within & (there != 0) & (_dot(turned, tangents) >= arcs.BENT)
     is_fold = good & ~is_end & (turned[-1] <= 0.0)
     status = np.where(is_end, 0.0, np.where(is_fold, 1.0, 2.0))
     moved = good | is_end
