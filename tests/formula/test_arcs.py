@@ -20,6 +20,15 @@ def curve(x, at, along):
     return along(x) - at, slope
 
 
+def alone(sides):
+    """Return a function of the residuals alone."""
+    return lambda unknowns, share: sides(unknowns, share)[0]
+
+
+def arcs_of(sides):
+    return Arcs(sides, alone(sides))
+
+
 def of_one(along):
     """Return the sides of ``along(x) = t``, for one pose."""
 
@@ -75,7 +84,7 @@ CURVES = {
 def test_an_end_is_a_fold_that_was_found(name):
     along, expected = CURVES[name]
     start = begun(along)
-    status, found = Arcs(of_one(along)).follow([start])
+    status, found = arcs_of(of_one(along)).follow([start])
     assert status == expected
     if status == 0:
         assert along(found[0]) == pytest.approx(1.0, abs=1e-10)
@@ -88,7 +97,7 @@ def test_an_end_is_a_fold_that_was_found(name):
 def test_no_fold_is_found_in_too_few_points(monkeypatch):
     monkeypatch.setattr(arcs, "POINTS", 3)
     along, start = wave(0.7), 0.0
-    assert Arcs(of_one(along)).follow([start]) == (2, ())
+    assert arcs_of(of_one(along)).follow([start]) == (2, ())
     many, _ = for_arrays.follow(of_many(along), np.full((1, 1), start))
     assert list(many) == [2]
 
@@ -101,7 +110,7 @@ def crossing(unknowns, share):
 
 
 def test_a_branch_that_others_cross_goes_on_though_the_determinant_changes_its_sign():
-    status, found = Arcs(crossing).follow([0.0, 0.0])
+    status, found = arcs_of(crossing).follow([0.0, 0.0])
     assert status == 0
     assert found == pytest.approx((1.0, 0.0), abs=1e-12)
 
@@ -123,7 +132,7 @@ def test_no_arc_ends_behind_the_way(slope, bend):
         return [slope * x[0] + bend * x[0] * x[0] - t], [[slope + 2 * bend * x[0]]]
 
     end = (math.sqrt(slope * slope + 4 * bend) - slope) / (2 * bend)
-    status, found = Arcs(bent).follow([0.0])
+    status, found = arcs_of(bent).follow([0.0])
     assert (status, *found) == (0, pytest.approx(end, abs=1e-12))
 
     def sides(_, unknowns, share):
@@ -150,7 +159,7 @@ def own_friction(unknowns, share):
 
 def test_a_fold_that_is_made_by_what_is_rounded_off_is_none():
     start = np.array([0.03, 1.0]) / np.hypot(0.03, 1.0)
-    status, found = Arcs(own_friction).follow(list(start))
+    status, found = arcs_of(own_friction).follow(list(start))
     assert status == 0
     assert found == pytest.approx((0.0, 1.0), abs=1e-12)
 
@@ -173,7 +182,7 @@ def steep(unknowns, outer):
 @pytest.mark.parametrize(("p", "expected"), [(0.3, 0), (0.54, 0), (0.55, 1), (3.0, 1)])
 def test_a_way_by_arcs_says_that_it_ends_behind_a_fold(p, expected):
     """The fold is at p = 2/3 · sqrt(1/6 e) = 0.5443 for e = 1/4."""
-    way = Way(steep, 1, [1.0], by_arcs=True)
+    way = Way(steep, 1, [1.0], residuals=alone(steep))
     status, found = way.follow([0.0, 0.25], [0.0], [p, 0.25])
     assert status == expected
     if status == 0:
@@ -191,7 +200,7 @@ def test_a_way_by_arcs_concludes_nothing_from_short_steps():
     """Steps become short before there is no number, and so they do before a fold."""
     status, _ = Way(ending, 1, [1.0]).follow([0.0], [1.0], [1.5])
     assert status == 1
-    status, _ = Way(ending, 1, [1.0], by_arcs=True).follow([0.0], [1.0], [1.5])
+    status, _ = Way(ending, 1, [1.0], residuals=alone(ending)).follow([0.0], [1.0], [1.5])
     assert status == 2
 
 
@@ -204,11 +213,11 @@ def test_many_ways_by_arcs_end_as_each_does():
 
     p = np.linspace(-0.8, 0.8, 33)
     status, (found,) = follow(sides, solver, [p, np.array(0.25)])
-    way = Way(steep, 1, [1.0], by_arcs=True)
-    alone = [way.follow([0.0, 0.25], [0.0], [x, 0.25]) for x in p]
-    assert list(status) == [s for s, _ in alone]
+    way = Way(steep, 1, [1.0], residuals=alone(steep))
+    each = [way.follow([0.0, 0.25], [0.0], [x, 0.25]) for x in p]
+    assert list(status) == [s for s, _ in each]
     assert {0.0, 1.0} == set(status)
-    for x, (each, at) in zip(found, alone, strict=True):
+    for x, (end, at) in zip(found, each, strict=True):
         assert x == pytest.approx(
-            at[0] if each == 0 else math.nan, rel=1e-12, abs=1e-15, nan_ok=True
+            at[0] if end == 0 else math.nan, rel=1e-12, abs=1e-15, nan_ok=True
         )

@@ -83,8 +83,8 @@ def test_between_places_where_nothing_moves_something_may():
     assert [s.state for s in held.stretches] == ["locked", "locked"]
 
 
-def test_between_two_places_where_no_forces_balance_something_may_move():
-    """From 0.274 to 0.408 rad it does; of a stroke of 5.2 that is less than was between places."""
+def test_up_to_a_jam_it_moves_with_a_force_that_grows_beyond_all():
+    """k_f grows from 0.15 at -0.3 rad to 16 at 0.39: by short steps it was said to jam there."""
     text = closed(91000317)
     assert text is not None
     assert hold([text]) == 1
@@ -92,11 +92,17 @@ def test_between_two_places_where_no_forces_balance_something_may_move():
     (k_f,) = (r for r in compilation.results if r.name == "k_f")
     (reach,) = (r for r in k_f.locking.reaches if r.parameter == "phi")
     assert [round(end, 2) for s in reach.stretches[:2] for end in s.within] == [
-        -0.28,
-        0.27,
         0.41,
         0.97,
+        3.55,
+        4.12,
     ]
+    code = next(f for f in compilation.routine.functions if f.name == "k_f")
+    given = {i.name: i.default for i in code.inputs}
+    grown = [evaluate(code, {**given, "phi": 0.03 * i}) for i in range(-10, 14)]
+    assert grown == sorted(grown)
+    assert grown[0] == pytest.approx(0.1535, abs=1e-3)
+    assert grown[-1] == pytest.approx(15.87, abs=1e-2)
 
 
 @pytest.mark.slow

@@ -36,6 +36,9 @@ from .elimination import Elimination, Matrix, eliminate
 Sides = Callable[[Sequence[float], float], tuple[list[float], Matrix]]
 """Residuals and Jacobian by the unknowns, at values of the unknowns and at a share of the way."""
 
+Residuals = Callable[[Sequence[float], float], list[float]]
+"""The residuals alone."""
+
 POINTS = 256
 """Points of the curve altogether, those that are not found among them."""
 
@@ -47,6 +50,9 @@ LEAST = 2.0**-30
 
 BENT = 0.9
 """The cosine of the angle by which tangents may differ at the ends of an arc."""
+
+EASY = 0.975
+"""The cosine of half that angle: behind an arc that is bent more the next is no longer."""
 
 ASIDE = 2.0**-20
 """By how much the share is moved to see how equations change, as a part of what is left of it.
@@ -69,6 +75,12 @@ STRAY = 0.5
 TINY, ROUNDING = 1e-11, 1e-17
 """A correction behind which no other is needed, and one that is expected to be below rounding."""
 
+NEAR = 1e-4
+"""The same on the way, against the first that may be: a point need be exact against its arc alone.
+
+What such a correction leaves is its square, as an arc is bent by less than its length.
+"""
+
 Point = list[float]
 """The unknowns, then the share."""
 
@@ -80,6 +92,7 @@ class Arcs(NamedTuple):
     """
 
     sides: Sides
+    residuals: Residuals
     solve: Elimination = eliminate
 
     def follow(self, start: Sequence[float]) -> tuple[Literal[0, 1, 2], tuple[float, ...]]:
@@ -88,10 +101,12 @@ class Arcs(NamedTuple):
         The curve of x² = 1 - 2 t turns back at t = 1/2, that of x² = 1 - t/2 does not.
 
         >>> def parabola(a):
-        ...     return lambda x, t: ([x[0] * x[0] + a * t - 1.0], [[2 * x[0]]])
-        >>> Arcs(parabola(2.0)).follow([1.0])
+        ...     def side(x, t):
+        ...         return [x[0] * x[0] + a * t - 1.0]
+        ...     return Arcs(lambda x, t: (side(x, t), [[2 * x[0]]]), side)
+        >>> parabola(2.0).follow([1.0])
         (1, ())
-        >>> status, (x,) = Arcs(parabola(0.5)).follow([1.0])
+        >>> status, (x,) = parabola(0.5).follow([1.0])
         >>> status, round(x * x, 12)
         (0, 0.5)
         """
@@ -110,7 +125,8 @@ class Arcs(NamedTuple):
             if found and is_last:
                 return 0, tuple(found[:-1])
             there, turned = self._tangent(found, tangent) if found else (0, [])
-            if not there or found[-1] > 1.0 or _dot(turned, tangent) < BENT:
+            cosine = _dot(turned, tangent) if there else 0.0
+            if not there or found[-1] > 1.0 or cosine < BENT:
                 arc = length / 2
                 if arc < LEAST:
                     break
@@ -118,15 +134,17 @@ class Arcs(NamedTuple):
                 straight = self._straight([*start, 1.0], along)
                 return (0, tuple(straight[:-1])) if straight else (1, ())
             else:
-                point, tangent, side, arc = found, turned, there, min(2 * arc, LONGEST)
+                point, tangent, side = found, turned, there
+                arc = min(2 * arc, LONGEST) if cosine >= EASY else arc
         return 2, ()
 
     def _corrected(self, start: Point, across: Point, stray: float, side: int = 0) -> Point:
         """Return the point of the curve next to one, moved square to a direction; none: [].
 
-        The first correction may be so long. If a side is asked for, the point must be on it.
+        The first correction may be so long. If a side is asked for, the point must be on it, and
+        is exact.
         """
-        found, most = start, stray
+        found, most, tiny = start, stray, TINY if side else max(TINY, NEAR * stray)
         for _ in range(FEW):
             change, matrix = self._bordered(found, across)
             sign = self.solve(matrix, change)
@@ -135,7 +153,7 @@ class Arcs(NamedTuple):
                 return []
             found = [f - c for f, c in zip(found, change, strict=True)]
             last = most / CONTRACTION
-            if size <= TINY or size * size * size <= ROUNDING * last * last:
+            if size <= tiny or size * size * size <= ROUNDING * last * last:
                 return found if sign == side or not side else []
             most = CONTRACTION * size
         return []
@@ -168,7 +186,7 @@ class Arcs(NamedTuple):
         *unknowns, share = point
         residuals, matrix = self.sides(unknowns, share)
         aside = ASIDE * max(1.0 - share, ASIDE)
-        before, _ = self.sides(unknowns, share - aside)
+        before = self.residuals(unknowns, share - aside)
         rows = [
             [*row, (r - b) / aside] for row, r, b in zip(matrix, residuals, before, strict=True)
         ]

@@ -11,7 +11,7 @@ from .choices import chosen
 from .derivative import jacobian
 from .elimination import Matrix
 from .functions import FUNCTIONS
-from .newton import Equations, Status, Way, scale, side_of
+from .newton import Equations, Residuals, Status, Way, scale, side_of
 from .straight_line import Solution, StraightLine, in_order
 from .tree import (
     Call,
@@ -184,7 +184,8 @@ def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
 def way_of(system: System) -> Way:
     """Return the values that are the same on all ways to a system's solutions."""
     scales = [scale(value) for value in system.start]
-    return Way(numeric(system), side(system), scales, system.by_arcs)
+    alone = residuals(system) if system.by_arcs else None
+    return Way(numeric(system), side(system), scales, alone)
 
 
 def beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:
@@ -217,3 +218,11 @@ def numeric(system: System) -> Equations:
         return found[:size], [found[end : end + size] for end in ends]
 
     return at
+
+
+@lru_cache(maxsize=SYSTEMS)
+def residuals(system: System) -> Residuals:
+    """Return the residuals as a function of floats."""
+    names = (*system.unknowns, *(name for name, _ in system.anchor))
+    code = straight_line(system.equations, names)
+    return lambda unknowns, outer: list(code.at((*unknowns, *outer)))

@@ -27,6 +27,9 @@ from .elimination import Elimination, Matrix, eliminate, quick
 Equations = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
 """Residuals and Jacobian at values of the unknowns and of the outer symbols."""
 
+Residuals = Callable[[Sequence[float], Sequence[float]], list[float]]
+"""The residuals alone."""
+
 Status = Literal[0, 1, 2]
 """0: solved; 1: the branch ends on the way; 2: neither was found, corrections ran out."""
 
@@ -95,7 +98,7 @@ class Way(NamedTuple):
     equations: Equations
     side: int
     scales: Sequence[float]
-    by_arcs: bool = False
+    residuals: Residuals | None = None
     solve: Elimination = eliminate
 
     def follow(
@@ -115,7 +118,7 @@ class Way(NamedTuple):
             return 2, tuple(start)
         base, found = list(start), list(start)
         reached, step, last = 0.0, longest, 0.0
-        shortest = SHORT if self.by_arcs else 0.0
+        shortest = SHORT if self.residuals else 0.0
         for _ in range(CORRECTIONS):
             if step < shortest:
                 break
@@ -134,16 +137,21 @@ class Way(NamedTuple):
             else:
                 base, reached, last = found, aim, 0.0
                 step = min(2 * step, longest, 1.0 - reached)
-        if self.by_arcs:
-            return self._by_arcs(anchor, start, outer)
+        if self.residuals:
+            return self._by_arcs(self.residuals, anchor, start, outer)
         return 1 if step < SHORTEST else 2, tuple(base)
 
     def _by_arcs(
-        self, anchor: Sequence[float], start: Sequence[float], outer: Sequence[float]
+        self,
+        residuals: Residuals,
+        anchor: Sequence[float],
+        start: Sequence[float],
+        outer: Sequence[float],
     ) -> tuple[Status, tuple[float, ...]]:
         """Return the same by the arc length of the branch, from the start on, which is exact."""
         arcs = Arcs(
             lambda x, share: self.equations(x, _between(anchor, outer, share)),
+            lambda x, share: residuals(x, _between(anchor, outer, share)),
             quick(len(start) + 1),
         )
         status, found = arcs.follow(start)

@@ -76,7 +76,9 @@ def _ahead(sides: Sides, poses: Poses, curves: _Curves) -> tuple[_Curves, Array]
     there, turned = _tangents(sides, poses, found, tangents)
     is_end = is_found & is_last
     is_within = is_found & (found[-1] <= 1.0)
-    good = is_within & (there != 0) & (_dot(turned, tangents) >= arcs.BENT)
+    cosine = _dot(turned, tangents)
+    good = is_within & (there != 0) & (cosine >= arcs.BENT)
+    longer = np.where(cosine >= arcs.EASY, np.minimum(2.0 * arc, arcs.LONGEST), arc)
     is_fold = good & ~is_end & (turned[-1] <= 0.0)
     status = np.where(is_end, 0.0, np.where(is_fold, 1.0, 2.0))
     moved = good | is_end
@@ -84,7 +86,7 @@ def _ahead(sides: Sides, poses: Poses, curves: _Curves) -> tuple[_Curves, Array]
         _Curves(
             np.where(moved, found, points),
             np.where(good, turned, tangents),
-            np.where(good, np.minimum(2.0 * arc, arcs.LONGEST), length / 2.0),
+            np.where(good, longer, length / 2.0),
             np.where(good, there, side),
         ),
         status,
@@ -119,15 +121,15 @@ def _corrected(
 ) -> tuple[Flags, Array]:
     """Return whether there is a point of the curve next to one, and that point."""
     found, most = start.copy(), stray
+    tiny = np.maximum(arcs.TINY, np.where(side == 0, arcs.NEAR * stray, 0.0))
     good, there = np.ones(len(poses), bool), np.zeros(len(poses), bool)
     for _ in range(arcs.FEW):
         sign, change = _solved(sides, poses, found, across)
         size = np.sqrt(_dot(change, change))
-        is_tiny = size <= arcs.TINY
-        good &= there | ((sign != 0) & (is_tiny | (size <= most)))
+        good &= there | ((sign != 0) & ((size <= arcs.TINY) | (size <= most)))
         found = np.where(good & ~there, found - change, found)
         last = most / arcs.CONTRACTION
-        is_precise = is_tiny | (size * size * size <= arcs.ROUNDING * last * last)
+        is_precise = (size <= tiny) | (size * size * size <= arcs.ROUNDING * last * last)
         ends = good & ~there & is_precise
         good &= ~ends | (side == 0) | (sign == side)
         there |= ends
