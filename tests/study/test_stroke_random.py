@@ -1,5 +1,7 @@
 """What a stroke says of random closed mechanisms, against dense sampling of emitted code."""
 
+from functools import lru_cache
+
 import pytest
 
 from grown import Grown, wide
@@ -8,6 +10,7 @@ from mechc.driver import Compilation
 from mechc.frozen import replace
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
+from mechc.study.stroke.stroke import Stroke
 from stroke_curves import Curve, changes_of_sign, curves, refuted
 
 
@@ -16,9 +19,15 @@ def compiled(seed: int) -> Compilation:
     return Compilation(Source("grown.mech", wide(Grown(seed))))
 
 
-def curve(seed: int) -> Curve:
+@lru_cache(maxsize=4)
+def along(seed: int) -> tuple[Compilation, Stroke]:
+    """Return the same with its stroke, once for what looks at it in turn."""
     compilation = compiled(seed)
-    (found,) = curves(compilation, compilation.stroke(3))
+    return compilation, compilation.stroke(3)
+
+
+def curve(seed: int) -> Curve:
+    (found,) = curves(*along(seed))
     return found
 
 
@@ -26,9 +35,8 @@ def sweep(seeds) -> int:
     """Check the strokes of mechanisms whose closures the lines tell apart; return how many."""
     number = 0
     for seed in seeds:
-        compilation = compiled(seed)
         try:
-            stroke = compilation.stroke(3)
+            compilation, stroke = along(seed)
         except MechcError as error:
             if {d.code for d in error.diagnostics if d.code[0] == "E"} != {"E308"}:
                 raise
@@ -70,7 +78,7 @@ def test_where_a_length_is_infinite_k_jumps_and_has_neither_pole_nor_extremum():
 def test_a_load_that_works_against_nothing_has_no_singular_poses():
     """An actuator between two points of one plate: what k comes to is rounding."""
     assert sweep([70006]) == 1
-    assert not compiled(70006).stroke(3).extrema
+    assert not along(70006)[1].extrema
 
 
 def test_a_way_past_a_place_where_branches_nearly_meet():
