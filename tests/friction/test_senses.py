@@ -146,7 +146,7 @@ def test_chains_with_right_angles():
     tried = list(squared_chains(range(95000000, 95000008)))
     assert len(tried) > 3
     assert sum(hold_at_the_values_given(c) for _, c in tried) > 12
-    for seed, compilation in tried[:2]:
+    for seed, compilation in tried[:1]:
         assert list(refuted(compilation)) == [], seed
 
 
@@ -169,6 +169,7 @@ def test_where_two_links_lie_on_a_line_square_to_the_guide_the_drive_moves_them(
 
 @pytest.mark.slow
 def test_many_chains_with_right_angles():
-    for seed, compilation in squared_chains(range(95000020, 95000060)):
+    tried = (range(95000001, 95000002), range(95000020, 95000060))
+    for seed, compilation in (one for seeds in tried for one in squared_chains(seeds)):
         hold_at_the_values_given(compilation)
         assert list(refuted(compilation)) == [], seed

@@ -78,8 +78,8 @@ def test_tables_have_round_steps(name, x, count):
 def test_formulas_of_sources_are_formulas():
     text = mechc.load("four_bar").emit("latex")
     assert r"\ensuremath{\omega}\ensuremath{{}_4}/\ensuremath{\omega}" in text
-    told = (path.read_text(encoding="utf-8") for path in OF_LIBRARY)
-    sources = [found[1] for text in told if (found := re.search(r"(?m)^source:? (.*)", text))]
+    texts = (path.read_text(encoding="utf-8") for path in OF_LIBRARY)
+    sources = [found[1] for text in texts if (found := re.search(r"(?m)^source:? (.*)", text))]
     assert len(sources) > len(OF_LIBRARY) / 2
     for source in sources:
         assert not re.search(r"omega|alpha|beta|theta|sqrt|\w\*\w|\^2", source)
