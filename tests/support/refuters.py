@@ -19,7 +19,7 @@ from homogeneous import uneven
 from hunted import Hunted
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.target import Options
-from mechc.model.targets import LoadForm, LoadRatio, SpeedRatio
+from mechc.model.targets import LoadRatio, SpeedRatio
 from mechc.syntax import ast
 from page import Page
 from printed_units import PrintedUnits, displaced
@@ -44,7 +44,7 @@ def limits(found: Hunted) -> Iterator[str]:
 def left_out(found: Hunted) -> Iterator[str]:
     """Zeros and poles of ratios without friction that are not stated."""
     for result in found.compilation.results:
-        if isinstance(result.target, LoadRatio | LoadForm | SpeedRatio):
+        if isinstance(result.target, LoadRatio | SpeedRatio):
             yield from statements.missing(found.compilation.pose.mechanism, result, found.seed)
 
 
