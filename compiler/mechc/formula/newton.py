@@ -91,8 +91,8 @@ class Way(NamedTuple):
     """What stays the same on all ways to solutions of a system on one branch.
 
     ``side`` is the sign of the Jacobian's determinant where the branch is known, ``scales`` are
-    those of the unknowns there; ``by_arcs`` is whether it is followed by arcs where steps are
-    short, and ``solve`` how the equations are solved.
+    those of the unknowns there; with ``residuals`` it is followed by arcs where steps are short.
+    ``solve`` is how the equations are solved.
     """
 
     equations: Equations
