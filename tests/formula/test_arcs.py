@@ -10,7 +10,7 @@ from mechc.formula.arcs import Arcs
 from mechc.formula.newton import Way
 from mechc.routine import arcs as for_arrays
 from mechc.routine.newton import follow
-from mechc.routine.steps import Solver
+from mechc.routine.steps import NO_ARCS, Solver
 
 
 def curve(x, at, along):
@@ -20,31 +20,23 @@ def curve(x, at, along):
     return along(x) - at, slope
 
 
-def alone(sides):
-    """Return a function of the residuals alone."""
-    return lambda unknowns, share: sides(unknowns, share)[0]
+def of_many(sides):
+    """Return the sides of one pose for many."""
 
+    def arrays(_, unknowns, share):
+        residuals, matrix = sides(unknowns, share)
+        rows = [[np.broadcast_to(m, share.shape) for m in row] for row in matrix]
+        return np.array(residuals), np.array(rows)
 
-def arcs_of(sides):
-    return Arcs(sides, alone(sides))
+    return arrays
 
 
 def of_one(along):
-    """Return the sides of ``along(x) = t``, for one pose."""
+    """Return the sides of ``along(x) = t``."""
 
     def sides(unknowns, share):
         residual, slope = curve(unknowns[0], share, along)
-        return [residual], [[slope]]
-
-    return sides
-
-
-def of_many(along):
-    """Return the same for many."""
-
-    def sides(_, unknowns, share):
-        residual, slope = curve(unknowns[0], share, along)
-        return residual[None], slope[None, None]
+        return [residual], [[slope, -1.0]]
 
     return sides
 
@@ -84,11 +76,11 @@ CURVES = {
 def test_an_end_is_a_fold_that_was_found(name):
     along, expected = CURVES[name]
     start = begun(along)
-    status, found = arcs_of(of_one(along)).follow([start])
+    status, found = Arcs(of_one(along)).follow([start])
     assert status == expected
     if status == 0:
         assert along(found[0]) == pytest.approx(1.0, abs=1e-10)
-    many, unknowns = for_arrays.follow(of_many(along), np.full((1, 3), start))
+    many, unknowns = for_arrays.follow(of_many(of_one(along)), np.full((1, 3), start))
     assert list(many) == [expected] * 3
     if status == 0:
         assert unknowns[0] == pytest.approx([found[0]] * 3, rel=1e-12)
@@ -97,8 +89,8 @@ def test_an_end_is_a_fold_that_was_found(name):
 def test_no_fold_is_found_in_too_few_points(monkeypatch):
     monkeypatch.setattr(arcs, "POINTS", 3)
     along, start = wave(0.7), 0.0
-    assert arcs_of(of_one(along)).follow([start]) == (2, ())
-    many, _ = for_arrays.follow(of_many(along), np.full((1, 1), start))
+    assert Arcs(of_one(along)).follow([start]) == (2, ())
+    many, _ = for_arrays.follow(of_many(of_one(along)), np.full((1, 1), start))
     assert list(many) == [2]
 
 
@@ -106,20 +98,14 @@ def crossing(unknowns, share):
     """The sides of y·(t - 1/2 - y²) = 0, x = t: three branches cross at t = 1/2, y = 0."""
     x, y = unknowns
     rest = share - 0.5
-    return [x - share, y * (rest - y * y)], [[1.0, 0.0], [0.0, rest - 3 * y * y]]
+    return [x - share, y * (rest - y * y)], [[1.0, 0.0, -1.0], [0.0, rest - 3 * y * y, y]]
 
 
 def test_a_branch_that_others_cross_goes_on_though_the_determinant_changes_its_sign():
-    status, found = arcs_of(crossing).follow([0.0, 0.0])
+    status, found = Arcs(crossing).follow([0.0, 0.0])
     assert status == 0
     assert found == pytest.approx((1.0, 0.0), abs=1e-12)
-
-    def sides(_, unknowns, share):
-        residuals, matrix = crossing(unknowns, share)
-        rows = [[np.broadcast_to(m, share.shape) for m in row] for row in matrix]
-        return np.array(residuals), np.array(rows)
-
-    many, unknowns = for_arrays.follow(sides, np.zeros((2, 3)))
+    many, unknowns = for_arrays.follow(of_many(crossing), np.zeros((2, 3)))
     assert list(many) == [0.0] * 3
     assert unknowns == pytest.approx(np.array([[1.0] * 3, [0.0] * 3]), abs=1e-12)
 
@@ -129,17 +115,12 @@ def test_no_arc_ends_behind_the_way(slope, bend):
     """The share grows ever faster along t = b x + c x²: square to a tangent it is past the end."""
 
     def bent(x, t):
-        return [slope * x[0] + bend * x[0] * x[0] - t], [[slope + 2 * bend * x[0]]]
+        return [slope * x[0] + bend * x[0] * x[0] - t], [[slope + 2 * bend * x[0], -1.0]]
 
     end = (math.sqrt(slope * slope + 4 * bend) - slope) / (2 * bend)
-    status, found = arcs_of(bent).follow([0.0])
+    status, found = Arcs(bent).follow([0.0])
     assert (status, *found) == (0, pytest.approx(end, abs=1e-12))
-
-    def sides(_, unknowns, share):
-        residuals, matrix = bent(unknowns, share)
-        return np.array(residuals), np.array(matrix)
-
-    statuses, many = for_arrays.follow(sides, np.zeros((1, 2)))
+    statuses, many = for_arrays.follow(of_many(bent), np.zeros((1, 2)))
     assert list(statuses) == [0.0] * 2
     assert many == pytest.approx(np.array([[end] * 2]), abs=1e-12)
 
@@ -153,22 +134,17 @@ def own_friction(unknowns, share):
     x, q = unknowns
     force, left = 1.5 * share * x, 0.03 * (1.0 - share)
     size = np.sqrt(force * force + left * left * q * q + 1e-60)
-    slopes = [1.0 - 1.5 * share * force / size, -left * left * q / size]
-    return [x - size, x * x + q * q - 1.0], [slopes, [2 * x, 2 * q]]
+    by_share = (0.03 * left * q * q - 1.5 * x * force) / size
+    slopes = [1.0 - 1.5 * share * force / size, -left * left * q / size, by_share]
+    return [x - size, x * x + q * q - 1.0], [slopes, [2 * x, 2 * q, 0.0]]
 
 
 def test_a_fold_that_is_made_by_what_is_rounded_off_is_none():
     start = np.array([0.03, 1.0]) / np.hypot(0.03, 1.0)
-    status, found = arcs_of(own_friction).follow(list(start))
+    status, found = Arcs(own_friction).follow(list(start))
     assert status == 0
     assert found == pytest.approx((0.0, 1.0), abs=1e-12)
-
-    def sides(_, unknowns, share):
-        residuals, matrix = own_friction(unknowns, share)
-        rows = [[np.broadcast_to(m, share.shape) for m in row] for row in matrix]
-        return np.array(residuals), np.array(rows)
-
-    statuses, unknowns = for_arrays.follow(sides, np.array([start] * 2).T)
+    statuses, unknowns = for_arrays.follow(of_many(own_friction), np.array([start] * 2).T)
     assert list(statuses) == [0.0] * 2
     assert unknowns == pytest.approx(np.array([[0.0] * 2, [1.0] * 2]), abs=1e-12)
 
@@ -179,10 +155,16 @@ def steep(unknowns, outer):
     return [x - 2 * e * x**3 - p], [[1 - 6 * e * x * x]]
 
 
+def steep_along(unknowns, outer, changes):
+    """The same with the slope by the share of a way on which p and e change."""
+    residuals, ((slope,),) = steep(unknowns, outer)
+    return residuals, [[slope, -2 * unknowns[0] ** 3 * changes[1] - changes[0]]]
+
+
 @pytest.mark.parametrize(("p", "expected"), [(0.3, 0), (0.54, 0), (0.55, 1), (3.0, 1)])
 def test_a_way_by_arcs_says_that_it_ends_behind_a_fold(p, expected):
     """The fold is at p = 2/3 · sqrt(1/6 e) = 0.5443 for e = 1/4."""
-    way = Way(steep, 1, [1.0], residuals=alone(steep))
+    way = Way(steep, 1, [1.0], along=steep_along)
     status, found = way.follow([0.0, 0.25], [0.0], [p, 0.25])
     assert status == expected
     if status == 0:
@@ -196,24 +178,30 @@ def ending(unknowns, outer):
     return [x - root], [[1.0]]
 
 
+def ending_along(unknowns, outer, changes):
+    (p,), (change,) = outer, changes
+    by_share = change / (2 * math.sqrt(1 - p)) if p < 1 else math.nan
+    return ending(unknowns, outer)[0], [[1.0, by_share]]
+
+
 def test_a_way_by_arcs_concludes_nothing_from_short_steps():
     """Steps become short before there is no number, and so they do before a fold."""
     status, _ = Way(ending, 1, [1.0]).follow([0.0], [1.0], [1.5])
     assert status == 1
-    status, _ = Way(ending, 1, [1.0], residuals=alone(ending)).follow([0.0], [1.0], [1.5])
+    status, _ = Way(ending, 1, [1.0], along=ending_along).follow([0.0], [1.0], [1.5])
     assert status == 2
 
 
 def test_many_ways_by_arcs_end_as_each_does():
-    solver = Solver(("x",), ("p", "e"), (), (0.0,), (0.0, None), True, 1, (), (), ())
+    solver = Solver(("x",), ("p", "e"), (), (0.0,), (0.0, None), 1, (), (), (), NO_ARCS)
 
-    def sides(unknowns, known):
-        (x,), (p, e) = unknowns, known
-        return (x - 2 * e * x**3 - p)[None], (1 - 6 * e * x * x)[None, None]
+    def sides(unknowns, known, changes=None):
+        found = steep(unknowns, known) if changes is None else steep_along(unknowns, known, changes)
+        return np.array(found[0]), np.array(found[1])
 
     p = np.linspace(-0.8, 0.8, 33)
     status, (found,) = follow(sides, solver, [p, np.array(0.25)])
-    way = Way(steep, 1, [1.0], residuals=alone(steep))
+    way = Way(steep, 1, [1.0], along=steep_along)
     each = [way.follow([0.0, 0.25], [0.0], [x, 0.25]) for x in p]
     assert list(status) == [s for s, _ in each]
     assert {0.0, 1.0} == set(status)

@@ -7,7 +7,7 @@ from mechc.formula import newton
 from mechc.routine.newton import eliminate, follow
 from mechc.routine.steps import Solver
 
-SOLVER = Solver(("x",), ("p",), (), (-1.0,), (1.0,), False, -1, (), (), ())
+SOLVER = Solver(("x",), ("p",), (), (-1.0,), (1.0,), -1, (), (), ())
 """The negative root of ``x² = p``, from p = 1 on."""
 
 

@@ -34,10 +34,7 @@ from ..named import NamedTuple
 from .elimination import Elimination, Matrix, eliminate
 
 Sides = Callable[[Sequence[float], float], tuple[list[float], Matrix]]
-"""Residuals and Jacobian by the unknowns, at values of the unknowns and at a share of the way."""
-
-Residuals = Callable[[Sequence[float], float], list[float]]
-"""The residuals alone."""
+"""Residuals and their slopes, by the unknowns and last by the share, at values of both."""
 
 POINTS = 256
 """Points of the curve altogether, those that are not found among them."""
@@ -53,12 +50,6 @@ BENT = 0.9
 
 EASY = 0.975
 """The cosine of half that angle: behind an arc that is bent more the next is no longer."""
-
-ASIDE = 2.0**-20
-"""By how much the share is moved to see how equations change, as a part of what is left of it.
-
-What is rounded off is so by a share that is left, so that nothing changes faster.
-"""
 
 FEW = 6
 """Corrections of a point at most."""
@@ -93,7 +84,6 @@ class Arcs(NamedTuple):
     """
 
     sides: Sides
-    residuals: Residuals
     solve: Elimination = eliminate
 
     def follow(self, start: Sequence[float]) -> tuple[Literal[0, 1, 2], tuple[float, ...]]:
@@ -102,9 +92,7 @@ class Arcs(NamedTuple):
         The curve of x² = 1 - 2 t turns back at t = 1/2, that of x² = 1 - t/2 does not.
 
         >>> def parabola(a):
-        ...     def side(x, t):
-        ...         return [x[0] * x[0] + a * t - 1.0]
-        ...     return Arcs(lambda x, t: (side(x, t), [[2 * x[0]]]), side)
+        ...     return Arcs(lambda x, t: ([x[0] * x[0] + a * t - 1.0], [[2 * x[0], a]]))
         >>> parabola(2.0).follow([1.0])
         (1, ())
         >>> status, (x,) = parabola(0.5).follow([1.0])
@@ -183,15 +171,10 @@ class Arcs(NamedTuple):
         return sign, [r / size for r in right]
 
     def _bordered(self, point: Point, across: Point) -> tuple[list[float], Matrix]:
-        """Return residuals and slopes by unknowns and share, and a direction as the last row."""
+        """Return residuals and slopes, and a direction as the last row."""
         *unknowns, share = point
         residuals, matrix = self.sides(unknowns, share)
-        aside = ASIDE * max(1.0 - share, ASIDE)
-        before = self.residuals(unknowns, share - aside)
-        rows = [
-            [*row, (r - b) / aside] for row, r, b in zip(matrix, residuals, before, strict=True)
-        ]
-        return [*residuals, 0.0], [*rows, list(across)]
+        return [*residuals, 0.0], [*matrix, list(across)]
 
 
 def _dot(one: Sequence[float], other: Sequence[float]) -> float:

@@ -50,15 +50,30 @@ def derivative(formula: Formula, name: str) -> Formula:
     return _by(name)(formula)
 
 
+def along(formulas: Sequence[Formula], changes: Mapping[str, Formula]) -> tuple[Formula, ...]:
+    """Return by how much formulas change for a share of a way, on which names change by so much.
+
+    >>> from .to_text import text
+    >>> x, y = Symbol("x"), Symbol("y")
+    >>> text(*along([product([(x, 1), (y, 2)])], {"x": Symbol("d"), "y": number(3)}))
+    'd*y^2 + 6*x*y'
+    """
+    return tuple(map(_along(changes), formulas))
+
+
 def _by(name: str) -> Slope:
-    """Return the derivative with respect to a name, found once of parts that formulas share."""
+    return _along({name: ONE})
+
+
+def _along(changes: Mapping[str, Formula]) -> Slope:
+    """Return the slope where names change by so much, found once of parts that formulas share."""
 
     def found(formula: Formula) -> Formula:
         match formula:
             case Number() | Pi():
                 return ZERO
-            case Symbol(symbol):
-                return ONE if symbol == name else ZERO
+            case Symbol(name):
+                return changes.get(name, ZERO)
             case Sum(terms):
                 return total(map(slope, terms))
             case Product(factors):
@@ -69,8 +84,9 @@ def _by(name: str) -> Slope:
                 return _of_call(function, arguments, slope)
             case Implicit(_, _, arguments):
                 if any(slope(a) != ZERO for a in arguments):
+                    names = ", ".join(changes)
                     raise ValueError(
-                        f"what depends on {name} by a system has no formula for its slope"
+                        f"what depends on {names} by a system has no formula for its slope"
                     )
                 return ZERO
             case _:

@@ -8,10 +8,11 @@ from typing import assert_never
 from ..named import NamedTuple
 from ..work import LIMIT, Allowance, at_most, spend
 from .choices import chosen
-from .derivative import jacobian
+from .derivative import along, jacobian
 from .elimination import Matrix
 from .functions import FUNCTIONS
-from .newton import Equations, Residuals, Status, Way, scale, side_of
+from .names import another
+from .newton import Along, Equations, Status, Way, scale, side_of
 from .straight_line import Solution, StraightLine, in_order
 from .tree import (
     Call,
@@ -184,8 +185,8 @@ def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
 def way_of(system: System) -> Way:
     """Return the values that are the same on all ways to a system's solutions."""
     scales = [scale(value) for value in system.start]
-    alone = residuals(system) if system.by_arcs else None
-    return Way(numeric(system), side(system), scales, alone)
+    along = numeric_along(system) if system.by_arcs else None
+    return Way(numeric(system), side(system), scales, along)
 
 
 def beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:
@@ -221,8 +222,35 @@ def numeric(system: System) -> Equations:
 
 
 @lru_cache(maxsize=SYSTEMS)
-def residuals(system: System) -> Residuals:
-    """Return the residuals as a function of floats."""
-    names = (*system.unknowns, *(name for name, _ in system.anchor))
-    code = straight_line(system.equations, names)
-    return lambda unknowns, outer: list(code.at((*unknowns, *outer)))
+def numeric_along(system: System) -> Along:
+    """Return residuals and their slopes, by the unknowns and by a share of the way, on floats."""
+    names = changes(system)
+    slopes = along(system.equations, {outer: Symbol(name) for outer, name in names.items()})
+    rows = jacobian(system.equations, system.unknowns)
+    entries = [e for row, last in zip(rows, slopes, strict=True) for e in (*row, last)]
+    outer = [name for name, _ in system.anchor]
+    code = straight_line([*system.equations, *entries], [*system.unknowns, *outer, *names.values()])
+    places = [outer.index(name) for name in names]
+    size = len(system.unknowns)
+    ends = range(size, size + size * (size + 1), size + 1)
+
+    def at(
+        unknowns: Sequence[float], outer: Sequence[float], by: Sequence[float]
+    ) -> tuple[list[float], Matrix]:
+        found = code.at((*unknowns, *outer, *(by[place] for place in places)))
+        return found[:size], [found[end : end + size + 1] for end in ends]
+
+    return at
+
+
+def changes(system: System) -> dict[str, str]:
+    """Return the outer symbols that change on the way, with names for by how much they do."""
+    taken = {*system.unknowns, *(name for name, _ in system.anchor)}
+    found = {}
+    for name, _ in (pair for pair in system.anchor if pair[1] is not None):
+        wanted = f"{name}_change"
+        while wanted in taken:
+            wanted = another(wanted)
+        found[name] = wanted
+        taken.add(wanted)
+    return found

@@ -27,8 +27,11 @@ from .elimination import Elimination, Matrix, eliminate, quick
 Equations = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
 """Residuals and Jacobian at values of the unknowns and of the outer symbols."""
 
-Residuals = Callable[[Sequence[float], Sequence[float]], list[float]]
-"""The residuals alone."""
+Along = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
+"""Residuals, and slopes by the unknowns and by the share of a way.
+
+At values of the unknowns and of the outer symbols, and at what these change by on the whole way.
+"""
 
 Status = Literal[0, 1, 2]
 """0: solved; 1: the branch ends on the way; 2: neither was found, corrections ran out."""
@@ -91,14 +94,14 @@ class Way(NamedTuple):
     """What stays the same on all ways to solutions of a system on one branch.
 
     ``side`` is the sign of the Jacobian's determinant where the branch is known, ``scales`` are
-    those of the unknowns there; with ``residuals`` it is followed by arcs where steps are short.
+    those of the unknowns there; with ``along`` it is followed by arcs where steps are short.
     ``solve`` is how the equations are solved.
     """
 
     equations: Equations
     side: int
     scales: Sequence[float]
-    residuals: Residuals | None = None
+    along: Along | None = None
     solve: Elimination = eliminate
 
     def follow(
@@ -118,7 +121,7 @@ class Way(NamedTuple):
             return 2, tuple(start)
         base, found = list(start), list(start)
         reached, step, last = 0.0, longest, 0.0
-        shortest = SHORT if self.residuals else 0.0
+        shortest = SHORT if self.along else 0.0
         for _ in range(CORRECTIONS):
             if step < shortest:
                 break
@@ -137,21 +140,21 @@ class Way(NamedTuple):
             else:
                 base, reached, last = found, aim, 0.0
                 step = min(2 * step, longest, 1.0 - reached)
-        if self.residuals:
-            return self._by_arcs(self.residuals, anchor, start, outer)
+        if self.along:
+            return self._by_arcs(self.along, anchor, start, outer)
         return 1 if step < SHORTEST else 2, tuple(base)
 
     def _by_arcs(
         self,
-        residuals: Residuals,
+        along: Along,
         anchor: Sequence[float],
         start: Sequence[float],
         outer: Sequence[float],
     ) -> tuple[Status, tuple[float, ...]]:
         """Return the same by the arc length of the branch, from the start on, which is exact."""
+        changes = [o - a for a, o in zip(anchor, outer, strict=True)]
         arcs = Arcs(
-            lambda x, share: self.equations(x, _between(anchor, outer, share)),
-            lambda x, share: residuals(x, _between(anchor, outer, share)),
+            lambda x, share: along(x, _between(anchor, outer, share), changes),
             quick(len(start) + 1),
         )
         status, found = arcs.follow(start)

@@ -17,7 +17,10 @@ Array: TypeAlias = NDArray[np.float64]
 Flags: TypeAlias = NDArray[np.bool_]
 Poses: TypeAlias = NDArray[np.intp]
 Sides: TypeAlias = Callable[[Poses, Array, Array], tuple[Array, Array]]
-"""Residuals and Jacobian (equations first, poses last) at unknowns and shares of poses."""
+"""Residuals and their slopes, by the unknowns and last by the share, at values of both.
+
+Equations are first, poses last.
+"""
 
 
 class _Curves(NamedTuple):
@@ -158,16 +161,12 @@ def _solved(sides: Sides, poses: Poses, points: Array, across: Array) -> tuple[A
 
 
 def _bordered(sides: Sides, poses: Poses, points: Array, across: Array) -> tuple[Array, Array]:
-    """Return residuals and slopes by unknowns and share, and a direction as the last row."""
+    """Return residuals and slopes, and a direction as the last row."""
     unknowns, share = points[:-1], points[-1]
     residuals, matrix = sides(poses, unknowns, share)
-    aside = arcs.ASIDE * np.maximum(1.0 - share, arcs.ASIDE)
-    before, _ = sides(poses, unknowns, share - aside)
-    by_share = (residuals - before) / aside
-    rows = np.concatenate([matrix, by_share[:, None]], axis=1)
     return (
         np.concatenate([residuals, np.zeros((1, len(share)))]),
-        np.concatenate([rows, across[None]]),
+        np.concatenate([matrix, across[None]]),
     )
 
 

@@ -15,9 +15,9 @@ from ..formula.choices import SIGNS, equal_within, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ..model.result import Drive
 from .arcs import Array
-from .newton import follow
+from .newton import Equations, follow
 from .quotient import quotient_of
-from .steps import NOTHING, Function, Guard, Pose, Solve, Statement
+from .steps import NOTHING, Function, Guard, Pose, Solve, Solver, Statement
 
 Value: TypeAlias = float | Array
 OnArrays = Callable[..., Value]
@@ -148,23 +148,32 @@ def _run(statement: Statement, scope: dict[str, Array]) -> Array:
     solver = statement.solver
     outer = [compute(a, scope) for a in statement.arguments]
 
-    def equations(unknowns: Array, known: Array) -> tuple[Array, Array]:
-        inner = dict(zip((*solver.unknowns, *solver.outer), (*unknowns, *known), strict=True))
-        for step in solver.steps:
-            inner[step.name] = compute(step.formula, inner)
-        rows = [solver.residuals, *solver.jacobian]
-        residuals, *slopes = ([compute(f, inner) for f in row] for row in rows)
-        return _stacked(residuals, unknowns[0]), np.stack(
-            [_stacked(s, unknowns[0]) for s in slopes]
-        )
-
-    status, found = follow(equations, solver, outer)
+    status, found = follow(_equations(solver), solver, outer)
     scope.update(zip(statement.names, found, strict=True))
     return status
 
 
-def _stacked(values: list[Array], like: Array) -> Array:
-    return np.stack([np.broadcast_to(value, like.shape) for value in values])
+def _equations(solver: Solver) -> Equations:
+    """Return a solver's residuals and slopes, those by the share where changes are given."""
+
+    def equations(
+        unknowns: Array, known: Array, changes: Array | None = None
+    ) -> tuple[Array, Array]:
+        inner = dict(zip((*solver.unknowns, *solver.outer), (*unknowns, *known), strict=True))
+        steps, rows = solver.steps, solver.jacobian
+        if changes is not None and (arcs := solver.by_arcs):
+            inner |= {name: changes[place] for place, name in arcs.changes}
+            steps = (*steps, *arcs.steps)
+            rows = tuple((*row, last) for row, last in zip(rows, arcs.slopes, strict=True))
+        for step in steps:
+            inner[step.name] = compute(step.formula, inner)
+        residuals, *slopes = (
+            np.stack([np.broadcast_to(compute(f, inner), unknowns[0].shape) for f in row])
+            for row in (solver.residuals, *rows)
+        )
+        return residuals, np.stack(slopes)
+
+    return equations
 
 
 def _holds(guard: Guard, scope: Mapping[str, Array]) -> NDArray[np.bool_]:

@@ -4,8 +4,8 @@ What :func:`mechc.formula.newton.follow` does for one pose, correction by correc
 are done wait for the others.
 """
 
-from collections.abc import Callable, Sequence
-from typing import TypeAlias
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +16,16 @@ from . import arcs
 from .arcs import Array, Poses, eliminate
 from .steps import Solver
 
-Equations: TypeAlias = Callable[[Array, Array], tuple[Array, Array]]
-"""Residuals and Jacobian (equations first, poses last) at unknowns and outer symbols."""
+
+class Equations(Protocol):
+    """Residuals and Jacobian (equations first, poses last) at unknowns and outer symbols.
+
+    With what the outer symbols change by on the whole way, slopes by its share as the last column.
+    """
+
+    def __call__(
+        self, unknowns: Array, known: Array, changes: Array | None = None, /
+    ) -> tuple[Array, Array]: ...
 
 
 def follow(equations: Equations, solver: Solver, outer: Sequence[Array]) -> tuple[Array, Array]:
@@ -59,7 +67,7 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
     poses = _Poses(start[:, left], start[:, left], none, longest[left], none, longest[left])
     tried = left
     for _ in range(newton.CORRECTIONS):
-        if solver.by_arcs:
+        if solver.by_arcs is not None:
             is_long = poses.step >= newton.SHORT
             left, poses = left[is_long], poses.only(is_long)
         if not len(left):
@@ -69,7 +77,7 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
         poses, solved = _corrected(poses, aim, *equations(poses.found, known), solver)
         status[left[solved]], result[:, left[solved]] = 0.0, poses.found[:, solved]
         left, poses = left[~solved], poses.only(~solved)
-    if solver.by_arcs:
+    if solver.by_arcs is not None:
         left = tried[status[tried] > 0]
         status[left], result[:, left] = _by_arcs(equations, solver, outer[:, left])
     else:
@@ -82,7 +90,8 @@ def _by_arcs(equations: Equations, solver: Solver, outer: Array) -> tuple[Array,
     anchor, start = _beginning(solver, outer)
 
     def sides(poses: Poses, unknowns: Array, share: Array) -> tuple[Array, Array]:
-        return equations(unknowns, (1.0 - share) * anchor[:, poses] + share * outer[:, poses])
+        begin, end = anchor[:, poses], outer[:, poses]
+        return equations(unknowns, (1.0 - share) * begin + share * end, end - begin)
 
     return arcs.follow(sides, start)
 

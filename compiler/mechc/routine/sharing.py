@@ -11,8 +11,8 @@ from functools import lru_cache
 from itertools import count
 from typing import assert_never
 
-from ..formula.derivative import jacobian
-from ..formula.evaluate import side
+from ..formula.derivative import along, jacobian
+from ..formula.evaluate import changes, side
 from ..formula.sharing import each_part
 from ..formula.tree import (
     Call,
@@ -30,7 +30,7 @@ from ..formula.walk import symbols
 from ..named import NamedTuple
 from . import angle_offsets
 from .common_factors import with_common_factors
-from .steps import Solve, Solver, Statement, Step
+from .steps import ByArcs, Solve, Solver, Statement, Step, names_in
 from .table import (
     Apply,
     Entry,
@@ -104,20 +104,42 @@ def solver(system: System) -> Solver:
     equations = angle_offsets.turned_alike(system.equations)
     rows = jacobian(equations, system.unknowns)
     entries = [entry for row in rows for entry in row]
-    steps, formulas = share([], [*equations, *entries], [*system.unknowns, *outer])
+    changed = changes(system) if system.by_arcs else {}
+    by_share = along(equations, {name: Symbol(change) for name, change in changed.items()})
+    taken = [*system.unknowns, *outer, *changed.values()]
+    shared, formulas = share([], [*equations, *entries, *by_share], taken)
     size = len(system.unknowns)
+    own = size + size * size
+    steps = [step for step in shared if isinstance(step, Step)]
+    corrected = _needed(steps, formulas[:own])
     return Solver(
         system.unknowns,
         outer,
         system.equations,
         system.start,
         tuple(system.anchor[i][1] for i in used),
-        system.by_arcs,
         side(system),
-        tuple(step for step in steps if isinstance(step, Step)),
+        corrected,
         formulas[:size],
         tuple(formulas[size * i : size * (i + 1)] for i in range(1, size + 1)),
+        ByArcs(
+            tuple((outer.index(name), change) for name, change in changed.items()),
+            tuple(step for step in steps if step not in corrected),
+            formulas[own:],
+        )
+        if system.by_arcs
+        else None,
     )
+
+
+def _needed(steps: Sequence[Step], formulas: Sequence[Formula]) -> tuple[Step, ...]:
+    """Return the steps that formulas rest on."""
+    names, kept = names_in(formulas), list[Step]()
+    for step in reversed(steps):
+        if step.name in names:
+            kept.append(step)
+            names |= names_in([step.formula])
+    return tuple(kept[::-1])
 
 
 def used_outer(system: System) -> tuple[int, ...]:

@@ -41,15 +41,32 @@ class Step:
 
 
 @frozen
+class ByArcs:
+    """What a branch is followed by its arc length with, besides a solver's own.
+
+    ``changes`` name by how much outer symbols change on the whole way, those at these places;
+    ``slopes`` are those of the residuals by the share of the way. They mention ``steps`` of their
+    own, too.
+    """
+
+    changes: tuple[tuple[int, str], ...]
+    steps: tuple[Step, ...]
+    slopes: tuple[Formula, ...]
+
+
+NO_ARCS = ByArcs((), (), ())
+
+
+@frozen
 class Solver:
     """A system in straight lines: what Newton's method needs at each correction.
 
     ``equations`` are for the reader. ``residuals`` have the values of their left sides, the rows
     of ``jacobian`` these sides' slopes by the unknowns, and ``steps`` are what all share;
     they mention unknowns, outer symbols and earlier steps only. ``anchor`` and ``start``
-    are the values of outer symbols and unknowns where the way begins, ``by_arcs`` how ends
-    are looked at, as those of a :class:`~mechc.formula.tree.System`; ``side`` is the Jacobian's
-    sign there. The method is that of :mod:`mechc.formula.newton`.
+    are the values of outer symbols and unknowns where the way begins, as those of a
+    :class:`~mechc.formula.tree.System`; ``side`` is the Jacobian's sign there. The method is that
+    of :mod:`mechc.formula.newton`, with ``by_arcs`` that of :mod:`mechc.formula.arcs` besides.
     """
 
     unknowns: tuple[str, ...]
@@ -57,11 +74,19 @@ class Solver:
     equations: tuple[Formula, ...]
     start: tuple[float | str, ...]
     anchor: tuple[float | None, ...]
-    by_arcs: bool
     side: int
     steps: tuple[Step, ...]
     residuals: tuple[Formula, ...]
     jacobian: tuple[tuple[Formula, ...], ...]
+    by_arcs: ByArcs | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the names in its formulas."""
+        arcs = self.by_arcs or NO_ARCS
+        changes = (name for _, name in arcs.changes)
+        steps = (step.name for step in (*self.steps, *arcs.steps))
+        return (*self.unknowns, *self.outer, *changes, *steps)
 
     @property
     def computed(self) -> tuple[Formula, ...]:

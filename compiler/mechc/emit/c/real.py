@@ -19,8 +19,8 @@ class Real(NamedTuple):
     ``bits`` is the unsigned type of the same width, ``top`` the place of the sign in it,
     ``infinity`` and ``size`` are the bits of infinity and of all but the sign. ``tiny`` and
     ``rounding`` are for this type what :data:`~mechc.formula.newton.TINY` and
-    :data:`~mechc.formula.newton.ROUNDING` are for ``double``; ``aside`` and ``least`` what
-    :data:`~mechc.formula.arcs.ASIDE` and :data:`~mechc.formula.arcs.LEAST` are.
+    :data:`~mechc.formula.newton.ROUNDING` are for ``double``, ``least`` what
+    :data:`~mechc.formula.arcs.LEAST` is.
     """
 
     name: str
@@ -30,7 +30,6 @@ class Real(NamedTuple):
     size: str
     tiny: float
     rounding: float
-    aside: float
     least: float
 
 
@@ -42,10 +41,9 @@ DOUBLE = Real(
     "0x7fffffffffffffffu",
     newton.TINY,
     newton.ROUNDING,
-    arcs.ASIDE,
     arcs.LEAST,
 )
-FLOAT = Real("float", "uint32_t", 31, "0x7f800000u", "0x7fffffffu", 3e-4, 1e-8, 2.0**-7, 2.0**-10)
+FLOAT = Real("float", "uint32_t", 31, "0x7f800000u", "0x7fffffffu", 3e-4, 1e-8, 2.0**-10)
 """A correction of 3e-4 leaves some 1e-7, which is ``float``'s rounding."""
 
 REALS = {real.name: real for real in (DOUBLE, FLOAT)}

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from ...formula import newton
 from ...formula.to_text import text
 from ...named import NamedTuple
+from ...routine import steps
 from ...routine.steps import Solve, Solver, Statement
 from ..names import Names, mangle
 from ..printer import Printer
@@ -74,7 +75,7 @@ def solvers_of(statements: Iterable[Statement]) -> list[Solver]:
 def solver_context(solver: Solver, name: str) -> SolverContext:
     """Return a system's function."""
     space = Names(RESERVED.besides(_OWN), {name})
-    names = mangle((*solver.unknowns, *solver.outer, *(step.name for step in solver.steps)), space)
+    names = mangle(solver.names, space)
     anchored = list(_anchored(solver))
     ends = {outer: space.claim(f"{names[outer]}_end") for outer, _ in anchored}
     given = [ends.get(outer, names[outer]) for outer in solver.outer]
@@ -102,21 +103,33 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         norm=" + ".join(changes),
         side=solver.side * left.turn or NEVER,
         shortest=f" && step >= {newton.SHORT!r}" if solver.by_arcs else "",
-        by_arcs=_by_arcs(solver, f"{name}_sides", given, [*fixed, *body], printer)
+        by_arcs=_by_arcs(solver, solver.by_arcs, f"{name}_sides", given, [*fixed, *body], printer)
         if solver.by_arcs
         else None,
     )
 
 
 def _by_arcs(
-    solver: Solver, name: str, given: Sequence[str], lines: Sequence[Line], printer: Printer
+    solver: Solver,
+    arcs: steps.ByArcs,
+    name: str,
+    given: Sequence[str],
+    lines: Sequence[Line],
+    printer: Printer,
 ) -> ByArcs:
     """Return the functions that follow a branch by its arc length."""
-    size = len(solver.unknowns)
-    slopes = [entry for row in solver.jacobian for entry in row]
+    size, names = len(solver.unknowns), printer.names
+    rows = zip(solver.jacobian, arcs.slopes, strict=True)
+    slopes = [entry for row, last in rows for entry in (*row, last)]
+    anchors = dict(_anchored(solver))
     return ByArcs(
         name=name,
-        lines=[*(Line(g, f"given[{i}]") for i, g in enumerate(given)), *lines],
+        lines=[
+            *(Line(g, f"given[{i}]") for i, g in enumerate(given)),
+            *lines,
+            *(Line(names[c], _gap(given[i], anchors[solver.outer[i]])) for i, c in arcs.changes),
+            *(Line(names[s.name], printer.print(s.formula)) for s in arcs.steps),
+        ],
         sides=[
             f"{to}[{i}] = {printer.print(f)};"
             for to, formulas in (("residual", solver.residuals), ("slope", slopes))
@@ -124,7 +137,7 @@ def _by_arcs(
         ],
         number=len(given),
         ends=f"{{{', '.join(given)}}}",
-        room=5 * (size + 1) + (size + 1) ** 2 + size + size**2,
+        room=5 * (size + 1) + (size + 1) ** 2,
     )
 
 

@@ -5,17 +5,20 @@ from collections.abc import Iterable, Mapping, Set
 from ...formula import newton
 from ...formula.to_text import text
 from ...named import NamedTuple
-from ...routine.steps import Solve, Solver, Statement
+from ...routine.steps import NO_ARCS, Solve, Solver, Statement
 from ..names import Names, mangle
 from ..render import Line
 from .printer import RESERVED, PythonPrinter
 
-_OWN = {"unknowns", "outer", "equations", "start", "anchor", "scales"}
+_OWN = {"unknowns", "outer", "changes", "equations", "rows", "start", "anchor", "scales"}
 """What the template calls its own."""
 
 
 class SolverContext(NamedTuple):
-    """One system; ``rows`` are the residuals and then the rows of the Jacobian."""
+    """One system; ``rows`` are the residuals and then the rows of the Jacobian.
+
+    With ``by_arcs`` the slopes by the share of the way rest on ``changes`` and lines of their own.
+    """
 
     name: str
     unknowns: list[str]
@@ -27,6 +30,8 @@ class SolverContext(NamedTuple):
     anchor: list[str]
     side: int
     by_arcs: bool
+    changes: list[Line]
+    by_share: list[str]
     scales: list[float]
 
 
@@ -38,8 +43,8 @@ def solver_names(statements: Iterable[Statement]) -> dict[Solver, str]:
 
 def solver_context(solver: Solver, name: str) -> SolverContext:
     """Return a system's function."""
-    steps = (step.name for step in solver.steps)
-    names = mangle((*solver.unknowns, *solver.outer, *steps), Names(RESERVED.besides(_OWN)))
+    names = mangle(solver.names, Names(RESERVED.besides(_OWN)))
+    arcs = solver.by_arcs or NO_ARCS
     printer = PythonPrinter(names)
     anchored = zip(solver.outer, solver.anchor, strict=True)
     return SolverContext(
@@ -52,7 +57,12 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         start=[names[s] if isinstance(s, str) else repr(s) for s in solver.start],
         anchor=[names[outer] if a is None else repr(a) for outer, a in anchored],
         side=solver.side,
-        by_arcs=solver.by_arcs,
+        by_arcs=solver.by_arcs is not None,
+        changes=[
+            *(Line(names[change], f"changes[{i}]") for i, change in arcs.changes),
+            *(Line(names[s.name], printer.print(s.formula)) for s in arcs.steps),
+        ],
+        by_share=[printer.print(f) for f in arcs.slopes],
         scales=[newton.scale(s) for s in solver.start],
     )
 
