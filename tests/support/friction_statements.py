@@ -18,6 +18,7 @@ from mechc.model.result import Result
 from mechc.model.targets import SIGNS, Efficiency, WithFriction
 from mechc.model.values import defaults, independent
 from mechc.routine.evaluate import evaluate, status
+from mechc.routine.steps import Function
 from mechc.study.analysis import Analysis
 from statements import evaluate as value_of
 from statements import poses, with_rest
@@ -78,10 +79,16 @@ class Ratios:
         inputs = [i for f in self.parts for i in f.inputs]
         self.defaults = {i.name: 1.0 if i.default is None else i.default for i in inputs}
 
+    def without(self, name: str, places: Array) -> Array:
+        """Return k."""
+        return self._value(self.parts[0], name, places)
+
+    def _value(self, of: Function, name: str, places: Array) -> Array:
+        return np.broadcast_to(evaluate(of, {**self.defaults, name: places}), places.shape)
+
     def along(self, name: str, places: Array) -> tuple[Array, Array]:
         """Return k, and the ratio with friction as a part of it; NaN at a dead centre."""
-        values: Mapping[str, float | Array] = {**self.defaults, name: places}
-        k, real = (np.broadcast_to(evaluate(f, values), places.shape) for f in self.parts)
+        k, real = (self._value(f, name, places) for f in self.parts)
         with np.errstate(all="ignore"):
             share = real / k
             largest = np.fmax(np.fmax(np.abs(k), np.abs(real)), np.abs(share))
@@ -139,7 +146,7 @@ def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[s
 
 def bent(ratios: Ratios, name: str, places: Array) -> Array:
     """Return places that lie closely where k bends most."""
-    k, _ = ratios.along(name, places)
+    k = ratios.without(name, places)
     with np.errstate(all="ignore"):
         bends = np.abs(np.diff(k, 2)) / np.abs(k[1:-1])
     most = np.argsort(np.where(np.isfinite(bends), bends, 0.0))[-BENDS:]

@@ -33,6 +33,9 @@ SECONDS = 120
 FRESH = 10
 """Mechanisms after which a worker begins anew: formulas that are kept take memory."""
 
+OFTEN = 100
+"""Mechanisms after which it is said how many there were."""
+
 MOST = 5
 """Statements of one kind that are told of a mechanism."""
 
@@ -68,7 +71,8 @@ def outcome(kind: str, seed: int, seconds: float = SECONDS) -> Outcome | None:
     description = made(kind, seed)
     if description is None:
         return None
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        # a C compiler that is out of time may still write there
         return looked_at(kind, Hunted(description, seed, Path(folder)), seconds)
 
 
@@ -175,6 +179,8 @@ def main() -> int:
                 seen.append(one)
                 for line in one.lines():
                     print(line, flush=True)
+            if len(seen) % OFTEN == 0:
+                print(f"... {len(seen)} mechanisms", file=sys.stderr, flush=True)
     print(*summary(seen), sep="\n")
     return int(any(one.refuted for one in seen))
 

@@ -184,6 +184,7 @@ def jumps(seen: Curve) -> Iterator[str]:
                 yield f"k jumps at {place}"
 
 
+@np.errstate(invalid="ignore")
 def between(seen: Curve, i: int) -> float:
     """Return the place in a cell about which k differs most."""
     low, high = seen.places[i : i + 2]

@@ -5,7 +5,7 @@ order that :mod:`.quotient` fixes and has no tricks of its own.
 """
 
 from collections.abc import Callable, Mapping
-from functools import partial, reduce
+from functools import lru_cache, partial, reduce
 from typing import TypeAlias, assert_never
 
 import numpy as np
@@ -22,6 +22,9 @@ from .steps import NOTHING, Function, Guard, Pose, Solve, Solver, Statement
 Value: TypeAlias = float | Array
 OnArrays = Callable[..., Value]
 """A function of values that broadcast together, in the order of its inputs."""
+
+_quotient_of = lru_cache(maxsize=4096)(quotient_of)
+"""Products that are computed again and again, as iteration does, are taken apart once."""
 
 
 def _condition(name: str, left: Array, right: Array) -> Array:
@@ -211,7 +214,7 @@ def compute(formula: Formula, scope: Mapping[str, Array]) -> Array:
 
 
 def _product(formula: Product, scope: Mapping[str, Array]) -> Array:
-    negative, above, below = quotient_of(formula)
+    negative, above, below = _quotient_of(formula)
     result = _multiplied(above, scope)
     if below:
         result = np.divide(result, _multiplied(below, scope))
