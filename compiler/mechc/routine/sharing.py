@@ -104,7 +104,8 @@ def solver(system: System) -> Solver:
     equations = angle_offsets.turned_alike(system.equations)
     rows = jacobian(equations, system.unknowns)
     entries = [entry for row in rows for entry in row]
-    changed = changes(system) if system.by_arcs else {}
+    moved = changes(system) if system.by_arcs else {}
+    changed = {name: change for name, change in moved.items() if name in outer}
     by_share = along(equations, {name: Symbol(change) for name, change in changed.items()})
     taken = [*system.unknowns, *outer, *changed.values()]
     shared, formulas = share([], [*equations, *entries, *by_share], taken)
