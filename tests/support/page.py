@@ -62,9 +62,8 @@ class Page:
     def _holds(self, result: Analysis) -> bool:
         """Tell whether a result has a value here, by the case that is printed."""
         conditions = (*result.holds, *result.guards)
-        return math.isfinite(self.code[result.name]) and all(
-            holds(c, self.code) for c in conditions
-        )
+        has_value = math.isfinite(self.code[result.name]) and not result.undetermined
+        return has_value and all(holds(c, self.code) for c in conditions)
 
     def equations(self) -> Iterator[tuple[str, ...]]:
         """Yield what stands between the equals signs of each equation."""

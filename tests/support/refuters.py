@@ -117,7 +117,8 @@ def page(found: Hunted) -> Iterator[str]:
     read = Page(found.compilation)
     yield from read.wrong()
     (document,) = LATEX.emit(found.compilation, Options("page"))
-    units = PrintedUnits(document.text, read.spelled)
+    known = {name: value for name, value in read.spelled.items() if name not in read.open}
+    units = PrintedUnits(document.text, known)
     yield from units.contradictions()
     yield from units.unread
     yield from displaced(document.text)

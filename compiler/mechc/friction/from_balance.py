@@ -115,11 +115,12 @@ def _with_default(
     """Return a result with its value at the default pose; warn where the drive jams there.
 
     It ``grips`` where nothing but ropes has friction. Where a coefficient has no value nothing is
-    said of that.
+    said of that. Where the result without friction is 0/0 no slip has a direction, and this one
+    has no value either.
     """
+    if ideal.undetermined:
+        return with_default(result, Size(None, undetermined=True))
     size = numbers.of(result)
-    if isinstance(find.target, Efficiency) and ideal.undetermined:
-        size = Size(None, undetermined=True)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
         report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips))
         size = Size(None)
