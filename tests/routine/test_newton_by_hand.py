@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 
 from mechc.formula import newton
+from mechc.formula.to_text import text
+from mechc.formula.tree import Symbol, System, negative, number, product, total
 from mechc.routine.newton import eliminate, follow
+from mechc.routine.sharing import solver
 from mechc.routine.steps import Solver
 
 SOLVER = Solver(("x",), ("p",), (), (-1.0,), (1.0,), -1, (), (), ())
@@ -41,3 +44,14 @@ def test_elimination_gives_the_sign_of_the_determinant():
     right = np.array([[4.0], [5.0]])
     assert list(eliminate(matrix, right)) == [-1.0]
     assert right[:, 0] == pytest.approx([1.0, 2.0])
+
+
+def test_what_changes_on_the_way_need_not_stand_in_the_equations():
+    """As with a friction of zero, of which no share is in them."""
+    x, t = Symbol("x"), Symbol("t")
+    zero = total([product([(x, 2)]), negative(product([(t, 1), (x, 1)])), number(-1)])
+    system = System(("x",), (zero,), (("t", 0.0), ("left", 1.0)), (1.0,), by_arcs=True)
+    made = solver(system)
+    assert made.outer == ("t",)
+    assert made.by_arcs.changes == ((0, "t_change"),)
+    assert text(made.by_arcs.slopes[0]) == "-t_change*x"
