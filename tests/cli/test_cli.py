@@ -85,6 +85,16 @@ def test_emit_overrides_the_suffix(run: Mechc, tmp_path: Path) -> None:
     assert "def k(" in (tmp_path / "k.txt").read_text()
 
 
+@pytest.mark.parametrize(
+    "line", ["compile clamp.mech --emit latex -o", "compile clamp.mech -o", "report clamp.mech -o"]
+)
+def test_no_text_is_written_to_what_is_to_be_a_page(run: Mechc, tmp_path: Path, line: str) -> None:
+    status, _, err = run(*line.split(), "k.PDF")
+    assert status == 2
+    assert "'k.PDF' would hold no .PDF: write LaTeX to 'k.tex'" in err
+    assert not (tmp_path / "k.PDF").exists()
+
+
 def test_fragment_and_language(run: Mechc) -> None:
     out = run("compile", "clamp.mech", "--emit", "latex", "--fragment", "--lang", "uk").out
     assert r"\documentclass" not in out

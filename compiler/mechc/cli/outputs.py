@@ -15,6 +15,9 @@ SPECIAL = pattern(r"(\\*)([ #:])")
 UNSPEAKABLE = pattern(r"[=;|*?\[\t-\r]|^~|\\$|\(.*\)$")
 """What has a meaning in rules that nothing takes from it."""
 
+PICTURES = (".pdf", ".png", ".svg", ".ps", ".eps", ".dvi", ".docx", ".html")
+"""Suffixes of what other programs make of LaTeX, or `mechc draw` of a mechanism."""
+
 
 class Output(NamedTuple):
     """One ``-o``: the target, and a file, a folder, or None for standard output."""
@@ -38,9 +41,19 @@ def _output(path: str, target: str | None) -> Output:
         return Output(target or _choose("standard output has no suffix"), None)
     if path.endswith("/") or Path(path).is_dir():
         return Output(target or _choose(f"the folder {path!r} has no suffix"), Path(path), True)
+    refuse_pictures(Path(path))
     suffix = Path(path).suffix
     by_suffix = target or registry.by_suffix(suffix)
     return Output(by_suffix or _choose(f"no format has the suffix {suffix!r}"), Path(path))
+
+
+def refuse_pictures(path: Path) -> None:
+    """Raise a usage error where a text would be written to what is to be a page or a picture."""
+    if path.suffix.lower() in PICTURES:
+        raise usage.UsageError(
+            f"{str(path)!r} would hold no {path.suffix}: write LaTeX to {path.with_suffix('.tex').name!r}"
+            " and set it with pdflatex, or draw the scheme with `mechc draw`"
+        )
 
 
 def _choose(reason: str) -> str:
