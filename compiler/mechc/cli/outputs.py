@@ -50,8 +50,9 @@ def _output(path: str, target: str | None) -> Output:
 def refuse_pictures(path: Path) -> None:
     """Raise a usage error where a text would be written to what is to be a page or a picture."""
     if path.suffix.lower() in PICTURES:
+        latex = path.with_suffix(".tex").name
         raise usage.UsageError(
-            f"{str(path)!r} would hold no {path.suffix}: write LaTeX to {path.with_suffix('.tex').name!r}"
+            f"{str(path)!r} would hold no {path.suffix}: write LaTeX to {latex!r}"
             " and set it with pdflatex, or draw the scheme with `mechc draw`"
         )
 
