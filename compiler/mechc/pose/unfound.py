@@ -4,7 +4,7 @@ First what hides the loop (pivots that have no place, guides that have no line),
 leaves too much open in it; a direction of its own is asked for only where no loop is there.
 """
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import open_loops as messages
@@ -44,7 +44,7 @@ def explained(
     # With a drive one missing pivot or vector opens every loop that it is in.
     for name, link in [*needed.items()][: 1 if mechanism.drive else None]:
         tail, head, _ = sought[name]
-        guided = next((s.point for s in _guides_without_line(mechanism, {tail, head})), "")
+        guided = _nearest_guide_without_line(mechanism, {tail, head})
         what, near = f"link {link.name}", _near(mechanism)
         yield plain.missing_direction(link.span, f"{tail}{head}", what, guided, near)
 
@@ -125,6 +125,20 @@ def _guides_without_line(mechanism: Mechanism, ends: Collection[str]) -> Iterato
     """Yield the sliders among some points whose guides have no line."""
     sliders = mechanism.each(Slider)
     return (s for s in sliders if s.point in ends and not s.through)
+
+
+def _nearest_guide_without_line(mechanism: Mechanism, ends: Set[str]) -> str:
+    """Return the slider without a line that the fewest links lead to from some points, '' for none.
+
+    With a line of its own a loop through it would give the direction between these.
+    """
+    reached, before = ends, frozenset[str]()
+    while reached > before:
+        if guided := next(_guides_without_line(mechanism, reached), None):
+            return guided.point
+        touching = (link.points for link in mechanism.links if not reached.isdisjoint(link.points))
+        before, reached = frozenset(reached), reached.union(*touching)
+    return ""
 
 
 def _near(mechanism: Mechanism) -> str:

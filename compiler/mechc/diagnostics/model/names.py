@@ -174,6 +174,11 @@ def unknown_point(span: Span, point: str, known: Collection[str], hint: str = ""
     return Message(span, f"point {point} stands on no link, pivot or slider", hint)
 
 
+def undeclared_link(name: str, links: Collection[str]) -> str:
+    """Return the hint at a point in the name of a link that nothing declares."""
+    return f"{offered(name, links, 'links')}; `link {name}` would declare one"
+
+
 def point_of_link(point: str, links: Collection[str]) -> str:
     """Return the hint at a point that is drawn and is on no link, '' where there are none."""
     link = max(links, key=len, default="")

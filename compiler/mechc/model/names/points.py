@@ -91,7 +91,8 @@ class Points:
 
     def link(self, name: ast.Name) -> Link | None:
         """Return the link that two or more of its points name; report none or several."""
-        points = None if self._is_strange(name) else self.known(name)
+        hint = messages.undeclared_link(name.text, self.links)
+        points = None if self._is_strange(name) else self.known(name, hint)
         if points is None:
             return None
         exact = self.bodies.get(frozenset(points))
