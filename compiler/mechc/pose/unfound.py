@@ -4,7 +4,7 @@ First what hides the loop (pivots that have no place, guides that have no line),
 leaves too much open in it; a direction of its own is asked for only where no loop is there.
 """
 
-from collections.abc import Collection, Iterator, Mapping, Sequence, Set
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import open_loops as messages
@@ -127,17 +127,17 @@ def _guides_without_line(mechanism: Mechanism, ends: Collection[str]) -> Iterato
     return (s for s in sliders if s.point in ends and not s.through)
 
 
-def _nearest_guide_without_line(mechanism: Mechanism, ends: Set[str]) -> str:
+def _nearest_guide_without_line(mechanism: Mechanism, ends: Collection[str]) -> str:
     """Return the slider without a line that the fewest links lead to from some points, '' for none.
 
     With a line of its own a loop through it would give the direction between these.
     """
-    reached, before = ends, frozenset[str]()
+    reached, before = frozenset(ends), frozenset[str]()
     while reached > before:
         if guided := next(_guides_without_line(mechanism, reached), None):
             return guided.point
         touching = (link.points for link in mechanism.links if not reached.isdisjoint(link.points))
-        before, reached = frozenset(reached), reached.union(*touching)
+        before, reached = reached, reached.union(*touching)
     return ""
 
 
