@@ -17,6 +17,7 @@ from mechc.model.locking import EfficiencyRange, Locking, LockingInterval, Locki
 from mechc.report.languages.en import LOCALE
 from mechc.source import Source
 from mechc.study.analysis import Analysis
+from mechc.study.states import Moving
 from paths import LIBRARY
 
 SAMPLED = LOCALE.sampled
@@ -919,6 +920,24 @@ find k = P/F
 def test_beside_a_place_at_which_a_slip_is_infinite_and_k_is_not_friction_is_looked_at():
     """At -90 degrees P is perpendicular to the path of B, and cos(alpha) cancels in k."""
     found = within(sampled(WINGED)["k_f"], "alpha")
-    assert any(
-        s == "locked" and a == pytest.approx(-91.53, abs=0.01) and b > -89 for s, a, b in found
-    )
+    before, beyond = ((a, b) for s, a, b in found if s == "locked" and -92 < a < b < -88)
+    assert before == pytest.approx((-91.53, -90), abs=0.01)
+    assert beyond == pytest.approx((-90, -88.867), abs=0.01)
+
+
+@pytest.mark.parametrize("unknown", [(0.1, 0.9), (0.3, 0.7), (0.5, 0.75)])
+def test_nothing_is_stated_of_values_at_which_nothing_is_found(monkeypatch, unknown):
+    """Between two values at which the crank jams the solver finds neither a balance nor a fold."""
+    text_ = SLIDER_CRANK.replace("diameter 12 mm", "diameter 90 mm")
+    low, high = stretches(text_, "k_f")[0].within
+    first, last = (low + part * (high - low) for part in unknown)
+    found = Moving._real
+
+    def real(moving: Moving, x: float) -> float | None:
+        return None if first < x < last else found(moving, x)
+
+    monkeypatch.setattr(Moving, "_real", real)
+    for stretch in stretches(text_, "k_f"):
+        assert stretch.sampled
+        begins, ends = stretch.within
+        assert not max(begins, first) + 1e-9 < min(ends, last) - 1e-9, (begins, ends)

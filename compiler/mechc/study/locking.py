@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from itertools import chain, groupby, pairwise, takewhile
+from itertools import chain, groupby, pairwise
 
 from ..algebra.from_formula import to_product
 from ..formula.evaluate import evaluate
@@ -136,42 +136,7 @@ class _Intervals:
             is_near = _are_near(grid, grid[end], grid[beside])
             if states[end] is None and is_near and self._is_beyond(grid[end]):
                 states[end] = states[beside]
-        self._fill_gaps(grid, states)
-        self._bridge(grid, states)
         return states
-
-    def _fill_gaps(self, grid: Sequence[float], states: list[State | None]) -> None:
-        """Give a value at which iteration gives up the state of one next to it, but for rounding.
-
-        Beside a dead centre iteration may fail for one number and succeed for the next.
-        """
-        near = NEARLY * (grid[-1] - grid[0]) if grid else 0.0
-        for i, j in chain(pairwise(range(len(grid))), pairwise(reversed(range(len(grid))))):
-            is_one = abs(grid[i] - grid[j]) <= near
-            if states[j] is None and is_one and self._is_one_motion(grid[i], grid[j]):
-                states[j] = states[i]
-
-    def _is_one_motion(self, *places: float) -> bool:
-        """Return whether there is no dead centre between values."""
-        return len({self.moving.driven(x) for x in places}) == 1
-
-    def _bridge(self, grid: Sequence[float], states: list[State | None]) -> None:
-        """Let what is unknown between two values at which the same motion locks or jams be so, too.
-
-        There iteration has neither found a balance nor shown that there is none. A single value
-        of which nothing is known, while it is next to it, is left out.
-        """
-        known = (i for i, state in enumerate(states) if state)
-        for i, j in pairwise(known):
-            if j > i + 1 and states[i] == states[j] != "free":
-                is_single = j == i + 2 and self._is_known_beside(grid, i)
-                if self._is_one_motion(*grid[i : j + 1]) and not is_single:
-                    states[i:j] = [states[i]] * (j - i)
-
-    def _is_known_beside(self, grid: Sequence[float], i: int) -> bool:
-        """Return whether the state at the i-th value is that of all up to the next."""
-        state, a, b = self.moving.at(grid[i]).state, *grid[i : i + 2]
-        return _are_near(grid, last(lambda x: self.moving.at(x).state == state, a, b, NEARLY), b)
 
     def _interval(
         self, grid: Sequence[float], first: int, last: int, state: State
@@ -199,31 +164,14 @@ class _Intervals:
             return self._bound(
                 dead_centre(self.moving, a, b), self.moving.ideal, (zeros, poles), is_pose
             )
-        state, x = here.state, self._last(here.state, a, self._next_known(grid, i, way))
+        state, x = here.state, self._last(here.state, a, b)
         if there.state is None and _are_near(grid, x, b):
             return Bound(b, left_out=True)
         return self._bound(x, self.printed, (zeros if state == "locked" else poles,))
 
-    def _next_known(self, grid: Sequence[float], i: int, way: int) -> float:
-        """Return the next value of the same motion whose state is another, else the next one."""
-        beyond = grid[i + way :: way] if way > 0 else grid[i - 1 :: -1]
-        driven, state = self.moving.driven(grid[i]), self.moving.at(grid[i]).state
-        same = takewhile(lambda x: self.moving.driven(x) == driven, beyond)
-        known = next((x for x in same if self.moving.at(x).state), grid[i + way])
-        return grid[i + way] if self.moving.at(known).state == state else known
-
     def _last(self, state: State | None, good: float, bad: float) -> float:
-        """Return the last value of a state before one of another.
-
-        What is unknown on the way has the state if that is found again behind it.
-        """
+        """Return the last value of a state before one of another, or of which nothing is known."""
         width = NEARLY if self.moving.is_slow else EXACT
-        if (other := self.moving.at(bad).state) is not None:
-            bad = last(
-                lambda x: self.moving.at(x).state != other, good, bad, width, self.moving.margin
-            )
-        if self.moving.at(bad).state == state:
-            return bad
         return last(
             lambda x: self.moving.at(x).state == state, good, bad, width, self.moving.margin
         )

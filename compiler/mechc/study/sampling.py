@@ -103,7 +103,7 @@ def _near(moving: Moving, step: float) -> Iterator[float]:
 
 
 def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float]:
-    """Yield the nearest value on each side for which friction is found, if not at the nearest.
+    """Yield the nearest value on each side for which friction is found.
 
     Iteration may give up where k is nearly infinite, and what stands there would not be seen.
     """
@@ -111,7 +111,7 @@ def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float
         near = NEAREST
         while near < 1 and not moving.at(centre + away * near).state:
             near *= FARTHER
-        if NEAREST < near < 1:
+        if near < 1:
             yield centre + away * near
 
 
