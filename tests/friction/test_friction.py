@@ -6,6 +6,7 @@ import pytest
 
 import mechc
 from mechc.formula.tree import Symbol
+from mechc.formula.walk import symbols
 from paths import LIBRARY
 from seed_friction import described, entries
 
@@ -386,3 +387,38 @@ find k = P/F
     result = mechc.loads(text).results["k_f"]
     assert result.holds
     assert Symbol("len_OK") not in [condition.left for condition in result.holds]
+
+
+STAY = """
+param s = 47 mm in 37 mm .. 57 mm
+pivot O at (0 mm, 0 mm)
+pivot P at (4 mm, 63 mm)
+telescope PA
+link OAE
+slot S in OA
+link ES
+PA = s
+OA = 70 mm
+OE = 70 mm
+angle AOE = 51 deg
+ES = 55 mm
+assembly OPA ccw
+assembly S back
+actuator M between P and A
+force F at S along 24 deg
+drive s
+friction pins 0.154 diameter 6 mm coulomb
+friction pin E 0.15 diameter 8 mm on ES
+friction contact S 0.055
+find k = M/F
+"""
+"""The stay ES stands in a slot of the link that it is pinned to: nothing slides there."""
+
+
+@pytest.mark.parametrize("name", ["k_f", "k_hold"])
+def test_a_joint_in_which_nothing_slides_adds_nothing(name):
+    """Its slip had the name of the turn that is zero as well, which has another dimension."""
+    result = mechc.loads(STAY).results[name]
+    names = {d.name for d in result.where} | symbols(result.formula)
+    assert not any("_E" in n or n.endswith("_S") for n in names if n.startswith(("Omega", "v_")))
+    assert "n_S_face" not in symbols(result.formula)

@@ -40,9 +40,10 @@ def first_order_case(
 ) -> Printed:
     """Return the same for the signs of a pose, and the forces and slips that it sums up.
 
-    Where it is longer than these, they keep their names in it.
+    Where it is longer than these, they keep their names in it. What is zero at the pose adds
+    nothing: a force and a slip that are would have one name, and another dimension each.
     """
-    parts = _powers(loaded, positive_at(signs))
+    parts = [p for p in _powers(loaded, positive_at(signs)) if p.force and p.slip]
     formula = _with(ideal.formula, parts, sense)
     if count_operations(formula) > LINE:
         return _in_names(ideal, parts, sense, signs)
@@ -185,13 +186,14 @@ def exact_case(
 ) -> Printed:
     """Return the same with a name for each slip, its sign that of a pose.
 
-    So has the load without friction, where it is long.
+    So has the load without friction, where it is long. A slip that is zero adds nothing.
     """
     labels, positive = radii(p.pair for p in loaded), positive_at(signs)
     parts = []
     for p in loaded:
-        slip = Symbol(signs.define(_slip_name(p.pair), positive(p.slip_of_one).formula()))
-        parts.append(Part(p.pair, named_factor(p.pair, labels, signs).formula(), slip, p.times))
+        if size := positive(p.slip_of_one):
+            slip = Symbol(signs.define(_slip_name(p.pair), size.formula()))
+            parts.append(Part(p.pair, named_factor(p.pair, labels, signs).formula(), slip, p.times))
     is_long = count_operations(ideal.formula) > SHORT
     without, known = (Symbol(ideal.name), (_called_so(ideal),)) if is_long else (ideal.formula, ())
     where = (*known, *signs.definitions, *sizes.definitions)
