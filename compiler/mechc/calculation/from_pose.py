@@ -17,7 +17,7 @@ from ..model.values import Chain, Values, compare, defaults, dependent
 from ..pose.pose import Definition, Pose
 from ..power.definitions import let_results
 from .calculation import Calculation, Check
-from .signs import doubtful
+from .signs import doubtful, negative_sizes
 from .taken import taken, with_values
 
 
@@ -25,7 +25,8 @@ def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
     """Return the results of a sheet with their values, those of the mechanisms that it uses first.
 
     E550 where a condition fails at the values of the sheet, E551 where a formula has no value
-    there, E564 where a result of a mechanism has none; W265 where a sign makes a condition hold.
+    there, E564 where a result of a mechanism has none; W265 where a sign makes a condition hold,
+    W290 where a size is negative.
     """
     pose = _with(pose, solved)
     mechanism = pose.mechanism
@@ -38,6 +39,8 @@ def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
     checks = tuple(_checked(condition, values) for condition in mechanism.requires)
     failed = _refuse_broken(checks, report)
     for doubt in doubtful(mechanism, checks):
+        report.add(doubt)
+    for doubt in negative_sizes(mechanism, values, len(report.source.text)):
         report.add(doubt)
     failed |= _refuse_without(pose, given, values, report)
     _refuse_undefined(mechanism, values, failed, report)

@@ -1,15 +1,17 @@
-"""Conditions that hold only because a force counts as negative: a rod in compression."""
+"""Signs that make no sense: conditions that hold as a rod is in compression, negative sizes."""
 
+import re
 from collections.abc import Iterable, Iterator
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import sheets as messages
 from ..formula.to_text import text
-from ..formula.tree import Formula
-from ..formula.walk import symbols
-from ..model.mechanism import Mechanism
+from ..formula.tree import Call, Formula
+from ..formula.walk import symbols, walk
+from ..model.mechanism import Let, Mechanism
+from ..model.values import Values
 from ..model.written import WrittenSides
-from ..units import FORCE, PRESSURE, TORQUE, in_unit, si_unit
+from ..units import FORCE, LENGTH, MASS, PRESSURE, TORQUE, in_unit, si_unit
 from .calculation import Check
 
 _SIGNED = (FORCE, PRESSURE, TORQUE)
@@ -66,3 +68,55 @@ def _doubt(check: Check, value: float, force: str) -> Diagnostic:
     written = condition.written or WrittenSides(condition.left, condition.right)
     side = written.left if is_left else written.right
     return messages.bound_on_a_negative(condition.span, text(side), in_unit(value, unit, 6), force)
+
+
+# ----------------------------------------------------------------------- negative sizes
+
+_SIZES = (LENGTH, LENGTH.scaled(2), MASS)
+
+_COORDINATE = re.compile(r"[dD]?[xyz](\d*|_.*)")
+"""The names of what has a sign by custom: coordinates, and how far they move."""
+
+
+def negative_sizes(mechanism: Mechanism, values: Values, own: int) -> Iterator[Diagnostic]:
+    """Yield a warning on each length, area or mass below zero that the first ``own`` signs give.
+
+    None of coordinates and projections, of what is made of a length with a sign, and where a
+    condition names it: there signs were thought of. Neither of what follows from one that is said.
+    """
+    bounded = frozenset[str]().union(*(symbols(r.left, r.right) for r in mechanism.requires))
+    lets, said = {let.name: let for let in mechanism.lets}, set[str]()
+    for let in mechanism.lets:
+        value = values.get(let.name, 0.0)
+        if not value < 0 or let.dimension not in _SIZES or let.span.start >= own:
+            continue
+        made_of = _made_of(let, lets)
+        if made_of & (said | bounded) or _has_sign(let, made_of, lets, values):
+            continue
+        said.add(let.name)
+        unit = let.unit or si_unit(let.dimension)
+        yield messages.negative_size(let.span, let.name, in_unit(value, unit, 6))
+
+
+def _made_of(let: Let, lets: dict[str, Let]) -> set[str]:
+    """Return the names that a formula rests on, through others, its own among them."""
+    found, waiting = {let.name}, [let.name]
+    while waiting:
+        name = waiting.pop()
+        new = symbols(lets[name].value) - found if name in lets else frozenset()
+        found |= new
+        waiting.extend(new)
+    return found
+
+
+def _has_sign(let: Let, made_of: set[str], lets: dict[str, Let], values: Values) -> bool:
+    """Return whether a size may well be negative, by its name or by what it is made of."""
+    formulas = [lets[name].value for name in made_of if name in lets]
+    is_projection = any(
+        isinstance(p, Call) and p.function in _WAVES for f in formulas for p in walk(f)
+    )
+    signed = (name for name in made_of - lets.keys() if values.get(name, 0.0) < 0)
+    return is_projection or any(signed) or any(map(_COORDINATE.fullmatch, made_of))
+
+
+_WAVES = ("sin", "cos", "tan", "cot", "sec", "csc")

@@ -1,4 +1,4 @@
-"""Messages about calculation sheets (E21x, E55x, E704, W265)."""
+"""Messages about calculation sheets (E21x, E55x, E704, W265, W290)."""
 
 from ..source import Span
 from .diagnostic import Message, coded
@@ -120,6 +120,26 @@ def bound_on_a_negative(span: Span, side: str, value: str, force: str) -> Messag
     said = f"{side} is {value}, which is below any positive bound: {force} counts with its sign"
     hint = f"for its size write abs({side}); with both signs bound it from below, too"
     return Message(span, said, hint)
+
+
+@coded("W290")
+def negative_size(span: Span, name: str, value: str) -> Message:
+    """A length, an area or a mass of a calculation sheet is negative at the values given.
+
+    Its square is positive all the same, and a bound from above holds: nothing else would show
+    that the values do not fit one another::
+
+        param D = 40 mm
+        param t = 25 mm
+        let d = D - 2*t in mm                      # -10 mm
+        let A = pi*d^2/4 in mm^2                   # 78.5398 mm^2
+        require d > 0 mm                           # says what is meant
+
+    Of coordinates (`x_A`), projections, and what is made of a negative length nothing is said,
+    and of a size that a condition names.
+    """
+    hint = f"look at what it is made of, or state its bound: require {name} > ..."
+    return Message(span, f"{name} is {value}, below zero", hint)
 
 
 @coded("E704")

@@ -4,12 +4,14 @@ A let that uses parameters only, and that the description itself uses, is a depe
 parameter by another word; it is handed on as one.
 """
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import Literal
 
 from ...diagnostics import uses as uses_messages
 from ...diagnostics.model import names
 from ...diagnostics.model import sheets as messages
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import substitute, symbols, walk
 from ...named import NamedTuple
@@ -121,8 +123,17 @@ def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
     dimension = _asked_for(statement, found, scope)
     scope.define(name, dimension, plain, posed, _solved(found.formula, scope))
     note_unitless(name, found, scope)
+    _note_value(name, found.formula, scope)
     unit = statement.unit.text if statement.unit else ""
     return Let(name, found.formula, dimension, statement.span, unit, statement.label)
+
+
+def _note_value(name: str, formula: Formula, scope: Scope) -> None:
+    """Keep the value of a let of parameters alone: a length must be positive, whatever gives it."""
+    if symbols(formula) <= scope.values.keys():
+        value = evaluate(formula, scope.values)
+        if math.isfinite(value):
+            scope.values[name] = scope.sizes[name] = value
 
 
 def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Require]:
