@@ -168,6 +168,7 @@ def main() -> int:
     parser.add_argument("--kinds", default=",".join(KINDS), help="some of them, commas between")
     asked = parser.parse_args()
     os.environ["MECHC_CACHE"] = ""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # one in the background ignores it
     seeds = range(asked.first, asked.first + asked.count)
     chosen = asked.kinds.split(",")
     kinds = [chosen[seed % len(chosen)] for seed in seeds]
