@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechc.formula.tree import Call, Power, Product, Symbol, negative, number
+from mechc.formula.tree import Call, Constant, Power, Product, Symbol, negative, number
 from mechc.frozen import replace
 from mechc.report.latex.display import LINE, Line, display
 from mechc.report.latex.notation import name, notation, points, spellings
@@ -211,3 +211,9 @@ def test_a_made_up_name_has_one_meaning_in_a_document() -> None:
     assert r"\frac{aZ_1}{Z_2}" in first
     assert r"\frac{cZ_3}{Z_1}" in other
     assert ("Z_3&=" in other, "Z_1&=" in other) == (True, False)
+
+
+def test_a_number_below_zero_stands_in_brackets_behind_a_function() -> None:
+    below = Constant("-0.5", number(-1))
+    assert latex(Call("sign", (below,)), EN) == r"\operatorname{sgn}(-0.5)"
+    assert latex(Call("sin", (Symbol("alpha"),)), EN) == r"\sin\alpha"

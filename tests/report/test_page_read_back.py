@@ -6,6 +6,7 @@ import pytest
 
 from force_mechanisms import given
 from force_samples import pushing
+from friction_mechanisms import closed
 from good_mechanisms import ALL, compiled
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
@@ -41,6 +42,11 @@ def wrong(text: str) -> list[str]:
 
 def test_a_long_load_with_friction_is_not_given_by_coefficients_without():
     assert wrong(SPREAD) == []
+
+
+def test_an_efficiency_of_either_side_that_drives_is_not_said_to_be_that_of_one():
+    """k is negative here, and k/k_f = 1.03 was said to be the efficiency, 0.97."""
+    assert wrong(closed(99100574)) == []
 
 
 @pytest.mark.parametrize("name", QUICK)

@@ -290,7 +290,9 @@ _WORD_BELOW = pattern(r"\\(mathrm|text)\{[^{}]*\}\}$")
 
 def _is_bare(argument: Formula, angle: bool) -> bool:
     match argument:
-        case Symbol() | Pi():
+        case Symbol(name):
+            return not name.startswith("-")
+        case Pi():
             return True
         case Number(value):
             return value >= 0

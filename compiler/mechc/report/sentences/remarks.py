@@ -118,7 +118,8 @@ def _capital(words: str) -> str:
 def ratio(result: Analysis) -> Formula | None:
     """Return the ratio that was asked for, ``P/F`` or ``V_D/V_A``; None for anything else.
 
-    None as well where the formula of the result is the ratio.
+    None as well where the formula of the result is the ratio, and of an efficiency whose
+    formula holds for either side that drives, with the sign of k: it is k/k_f or k_f/k.
     """
     match result.target:
         case LoadRatio(above, below):
@@ -127,7 +128,7 @@ def ratio(result: Analysis) -> Formula | None:
             return quotient(Symbol(above.name), Symbol(below.name))
         case Efficiency():
             share = _share(result)
-            return None if share == result.formula else share
+            return None if share == result.formula or _has_sign(result.formula) else share
         case _:
             return None
 
@@ -141,6 +142,10 @@ def _share(result: Analysis) -> Formula:
     share = quotient(ideal, real) if below else quotient(real, ideal)
     is_held = isinstance(result.formula, Call) and result.formula.function == "max"
     return Call("max", (share, ZERO)) if is_held else share
+
+
+def _has_sign(formula: Formula) -> bool:
+    return any(isinstance(part, Call) and part.function == "sign" for part in walk(formula))
 
 
 def asked(result: Analysis) -> Formula:
