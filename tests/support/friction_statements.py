@@ -14,17 +14,16 @@ from mechc.driver import Compilation
 from mechc.formula.walk import symbols
 from mechc.model.locking import USUAL, EfficiencyRange, LockingInterval, LockingIntervals
 from mechc.model.mechanism import Mechanism
-from mechc.model.result import Result
 from mechc.model.targets import SIGNS, Efficiency, WithFriction
 from mechc.model.values import defaults, independent
 from mechc.routine.evaluate import evaluate, status
-from mechc.routine.steps import Function
+from mechc.routine.steps import Function, Solve
 from mechc.study.analysis import Analysis
 from statements import evaluate as value_of
 from statements import poses, with_rest
 
 DENSE = 2001
-"""Places along a range."""
+"""Places along a range; fewer where friction is iterated and many parameters have one."""
 
 BESIDE = (1e-3, 1e-4, 3e-5)
 """How far from what is said to be an end is looked, too, as parts of the range."""
@@ -68,7 +67,7 @@ Array = np.ndarray
 class Ratios:
     """A ratio without friction and the same with it, as code gives them along a parameter."""
 
-    def __init__(self, compilation: Compilation, result: Result) -> None:
+    def __init__(self, compilation: Compilation, result: Analysis) -> None:
         functions = {f.name: f for f in compilation.routine.functions}
         named = {r.target: r.name for r in compilation.solution.results}
         target = result.target
@@ -78,6 +77,9 @@ class Ratios:
         self.parts = functions[named[target.of]], functions[real]
         inputs = [i for f in self.parts for i in f.inputs]
         self.defaults = {i.name: 1.0 if i.default is None else i.default for i in inputs}
+        is_iterated = any(isinstance(step, Solve) for f in self.parts for step in f.steps)
+        along = result.locking.reaches if result.locking else result.efficiency_ranges
+        self.dense = DENSE // max(1, len(along) // 4) if is_iterated else DENSE
 
     def without(self, name: str, places: Array) -> Array:
         """Return k."""
@@ -124,14 +126,14 @@ def refuted(compilation: Compilation) -> Iterator[str]:
             yield from printed(compilation, result)
 
 
-def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[str]:
+def stuck(ratios: Ratios, result: Analysis, reach: LockingIntervals) -> Iterator[str]:
     """Yield where something moves that is said to be stuck, or the other way round."""
     assert reach.range is not None
     low, high = reach.range
     parts = [(s.within, s.state) for s in reach.stretches if s.within]
     ends = [end for within, _ in parts for end in within]
     near = [e + way * d * (high - low) for e in ends for d in BESIDE for way in (1, -1)]
-    even = np.linspace(low, high, DENSE + 2)[1:-1] + ASIDE * (high - low)
+    even = np.linspace(low, high, ratios.dense + 2)[1:-1] + ASIDE * (high - low)
     places = np.unique([*even, *near, *bent(ratios, reach.parameter, even)])
     places = places[(places > low) & (places < high)]
     for x, k, share in zip(places, *ratios.along(reach.parameter, places), strict=True):
@@ -153,7 +155,7 @@ def bent(ratios: Ratios, name: str, places: Array) -> Array:
     return np.concatenate([np.linspace(*places[[i, i + 2]], WITHIN_BENDS) for i in most])
 
 
-def as_given(ratios: Ratios, result: Result) -> Iterator[str]:
+def as_given(ratios: Ratios, result: Analysis) -> Iterator[str]:
     """Yield the state at the values given, where it is not what code has."""
     assert result.locking is not None
     state = STATES.get(int(ratios.states({})))
@@ -177,7 +179,7 @@ def who_drives(ratios: Ratios, result: Analysis) -> Iterator[str]:
 
 
 def throughout(
-    ratios: Ratios, result: Result, reach: LockingIntervals, stretch: LockingInterval
+    ratios: Ratios, result: Analysis, reach: LockingIntervals, stretch: LockingInterval
 ) -> Iterator[str]:
     """Yield where code has another state within a stretch, outside the range or in it."""
     ends = reach.range or (math.nan, math.nan)
@@ -223,10 +225,10 @@ def _holds(result: Analysis, known: Mapping[str, float]) -> bool:
     )
 
 
-def run(ratios: Ratios, result: Result, efficiency: EfficiencyRange) -> Iterator[str]:
+def run(ratios: Ratios, result: Analysis, efficiency: EfficiencyRange) -> Iterator[str]:
     """Yield what an efficiency comes to beyond what it is said to run through."""
     width = efficiency.range[1] - efficiency.range[0]
-    places = np.linspace(*efficiency.range, DENSE)[1:-1] + ASIDE * width
+    places = np.linspace(*efficiency.range, ratios.dense)[1:-1] + ASIDE * width
     k, share = ratios.along(efficiency.parameter, places)
     driven = ratios.sense * k < 0
     with np.errstate(all="ignore"):
