@@ -28,6 +28,7 @@ Every target and the interpreter do the same, point by point.
 
 import math
 from collections.abc import Callable, Sequence
+from operator import mul
 from typing import Literal
 
 from ..named import NamedTuple
@@ -177,4 +178,4 @@ class Arcs(NamedTuple):
 
 
 def _dot(one: Sequence[float], other: Sequence[float]) -> float:
-    return sum(a * b for a, b in zip(one, other, strict=True))
+    return sum(map(mul, one, other))

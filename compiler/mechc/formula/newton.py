@@ -18,6 +18,7 @@ Every target and the interpreter do the same, correction by correction.
 
 import math
 from collections.abc import Callable, Sequence
+from operator import mul, truediv
 from typing import Literal
 
 from ..named import NamedTuple
@@ -212,7 +213,8 @@ def _longest(anchor: Sequence[float], outer: Sequence[float]) -> float:
 
 
 def _norm(correction: Sequence[float], scales: Sequence[float]) -> float:
-    return math.sqrt(sum((c / s) * (c / s) for c, s in zip(correction, scales, strict=True)))
+    parts = [*map(truediv, correction, scales)]
+    return math.sqrt(sum(map(mul, parts, parts)))
 
 
 def _shrinks(size: float, last: float) -> bool:
