@@ -67,7 +67,7 @@ STRAY = 0.5
 TINY, ROUNDING = 1e-11, 1e-17
 """A correction behind which no other is needed, and one that is expected to be below rounding."""
 
-NEAR = 1e-4
+NEAR = 1e-2
 """The same on the way, against the first that may be: a point need be exact against its arc alone.
 
 What such a correction leaves is its square, as an arc is bent by less than its length.
