@@ -434,22 +434,40 @@ def test_fmt_of_a_folder_names_what_changes_and_leaves_out_what_is_hidden(
     assert run("fmt", "all") == (0, "", "")
 
 
+@pytest.fixture
+def short_library(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The library with every eighth of its mechanisms: results are computed to be listed."""
+    names = sorted(library())[::8]
+    monkeypatch.setattr("mechc.cli.list.library", lambda: {n: library()[n] for n in names})
+    return names
+
+
 def test_list(run: Mechc) -> None:
     heading, *rows = run("list").out.splitlines()
     assert heading.split() == ["NAME", "TITLE"]
     assert len(rows) > 20
     assert not [row for row in rows if "…" in row]
-    assert run("list", "--long").out.split()[:4] == ["NAME", "TITLE", "SOURCE", "RESULT"]
     records = [json.loads(line) for line in run("list", "--json").out.splitlines()]
     assert [r["name"] for r in records] == [row.split()[0] for row in rows]
     assert not [r for r in records if r["k"].startswith("(E")]
 
 
+def test_list_with_results(run: Mechc, short_library: list[str]) -> None:
+    heading, *rows = run("list", "--long").out.splitlines()
+    assert heading.split() == ["NAME", "TITLE", "SOURCE", "RESULT"]
+    assert [row.split()[0] for row in rows] == short_library
+
+
 @pytest.mark.parametrize("language", ["uk", "ru"])
-def test_list_in_a_language(run: Mechc, language: str) -> None:
+def test_titles_in_a_language(run: Mechc, language: str) -> None:
     _, *rows = run("list", "--lang", language).out.splitlines()
     assert [row.split()[0] for row in rows] == sorted(library())
     assert not [row for row in rows if not re.search("[а-яіїєґ]", row)]
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_list_in_a_language(run: Mechc, short_library: list[str], language: str) -> None:
+    _, *rows = run("list", "--lang", language).out.splitlines()
     records = map(json.loads, run("list", "--json", "--lang", language).out.splitlines())
     assert [(r["name"], r["title"]) for r in records] == [tuple(r.split(None, 1)) for r in rows]
 
@@ -496,8 +514,8 @@ def test_help_lists_every_command(run: Mechc) -> None:
     assert all(f"  {name} " in out for name in COMMANDS)
 
 
-def test_library_can_be_written_in_both_notations(run: Mechc) -> None:
-    for name in library():
+def test_of_the_library_can_be_written_in_both_notations(run: Mechc) -> None:
+    for name in sorted(library())[::3]:
         for notation in ("mech", "yaml"):
             status, out, err = run("fmt", "--to", notation, name)
             assert (status, err) == (0, ""), name

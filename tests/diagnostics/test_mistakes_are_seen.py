@@ -95,7 +95,7 @@ KINDS = (
     ("oscillating_cylinder", "drive s", "drive r", "W250"),
     ("crank_rocker", "drive phi from 0 deg to 360 deg", "drive d", "W250"),
     # friction
-    ("karpenko_fig9_with_friction", "f     = 0.1 ", "f     = 10 ", "W251"),
+    ("karpenko_fig9_with_friction", "f     = 0.1 ", "f     = 2 ", "W251"),
     ("karpenko_fig9_with_friction", "d     = 20 mm", "d     = 200 mm", "W257"),
     # bodies and joints
     ("crank_rocker", "at (d, 0 mm)", "at (0 mm, 0 mm)", "W252"),

@@ -41,24 +41,25 @@ def precompiled(language: str, folder: Path) -> str:
     return "headers.h"
 
 
-BETWEEN = ("c11", "c++")
-"""Standards between C99 and C++20, which every run compiles."""
+slow = pytest.mark.slow
 
 
-def each_standard() -> list[object]:
-    slow = pytest.mark.slow
-    return [pytest.param(n, marks=slow) if n in BETWEEN else n for n in COMPILERS]
-
-
-@pytest.mark.parametrize("language", each_standard())
-@pytest.mark.parametrize("single", [False, True], ids=["pair", "single"])
+@pytest.mark.parametrize(
+    ("language", "single"),
+    [
+        ("c99", False),
+        ("c++20", True),
+        *(pytest.param(n, single, marks=slow) for n, single in (("c11", True), ("c++", False))),
+    ],
+)
 def test_everything_compiles_without_a_warning(language: str, single: bool, tmp_path: Path) -> None:
     command = COMPILERS[language]
     if shutil.which(command[0]) is None:
         pytest.skip(f"no {command[0]}")
-    for name in (*SAMPLES, *LIBRARY):
+    names = (*SAMPLES, *(LIBRARY[::3] if language == "c++20" else LIBRARY))
+    for name in names:
         write(TARGET.emit(solved(name), Options(name, single=single)), tmp_path)
-    sources = [f"{name}.c" for name in (*SAMPLES, *LIBRARY)]
+    sources = [f"{name}.c" for name in names]
     if language.startswith("c++"):
         command = [*command, "-include", precompiled(language, tmp_path)]
     done = subprocess.run([*command, *sources], cwd=tmp_path, capture_output=True, text=True)

@@ -69,7 +69,9 @@ def by_small_steps(triad: Triad, phi: float, steps: int = 2000) -> list[float] |
     return list(found)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize(
+    "seed", [0, 1, *(pytest.param(n, marks=pytest.mark.slow) for n in range(2, 6))]
+)
 def test_a_triad_keeps_its_branch(seed: int) -> None:
     made = triad(seed)
     for turn in (-0.9, 0.05, 0.7):

@@ -83,9 +83,10 @@ def test_a_formula_of_both_motions_takes_each_at_its_own_forces():
     assert found["r"] == pytest.approx(found["k_f"] / found["k_hold"], rel=1e-14)
 
 
-TONGS = {
-    f.name: f for f in mechc.load("karpenko_fig2_with_friction")._compilation.routine.functions
-}
+@pytest.fixture(scope="module")
+def tongs():
+    compilation = mechc.load("karpenko_fig2_with_friction")._compilation
+    return {f.name: f for f in compilation.routine.functions}
 
 
 @pytest.mark.parametrize(
@@ -100,14 +101,14 @@ TONGS = {
         (90.5, "k_hold", -0.283583631, 0),
     ],
 )
-def test_beside_a_dead_centre_a_status_states_what_is_stuck(alpha, name, value, state):
+def test_beside_a_dead_centre_a_status_states_what_is_stuck(tongs, alpha, name, value, state):
     """The values are those of free bodies, followed in from no friction."""
-    function = TONGS[name]
+    function = tongs[name]
     values = {i.name: i.default for i in function.inputs} | {"alpha": math.radians(alpha)}
     found = evaluate(function, values)
     assert found == pytest.approx(math.nan if value is None else value, rel=1e-8, nan_ok=True)
-    assert status(function, TONGS["k"], values) == state
-    eta = evaluate(TONGS["eta_k"], values)
+    assert status(function, tongs["k"], values) == state
+    eta = evaluate(tongs["eta_k"], values)
     assert math.isnan(eta) or 0 <= eta < 1
 
 

@@ -84,7 +84,11 @@ def test_a_guide_square_to_a_link_takes_no_friction_from_the_pivot():
     assert np.all(mechanism.evaluate(t2=angles)["k_f"] > 0)
     angles = np.radians([69.3, 69.8])
     assert np.all(mechanism.evaluate(t2=angles)["k_f"] < 0)
-    assert list(refuted(mechanism._compilation)) == []
+
+
+@pytest.mark.slow
+def test_what_is_said_where_a_guide_is_square_to_a_link_is_true():
+    assert list(refuted(loads(SQUARE)._compilation)) == []
 
 
 NOTHING_OVER_NOTHING = """\
@@ -143,9 +147,9 @@ def hold_at_the_values_given(compilation: Compilation) -> int:
 
 
 def test_chains_with_right_angles():
-    tried = list(squared_chains(range(95000000, 95000008)))
-    assert len(tried) > 3
-    assert sum(hold_at_the_values_given(c) for _, c in tried) > 12
+    tried = list(squared_chains(range(95000000, 95000004)))
+    assert len(tried) > 1
+    assert sum(hold_at_the_values_given(c) for _, c in tried) > 6
     for seed, compilation in tried[:1]:
         assert list(refuted(compilation)) == [], seed
 

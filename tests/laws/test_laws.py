@@ -13,7 +13,7 @@ from mechc.formula.walk import symbols
 
 SEEDS = st.integers(0, 10**6)
 
-law = settings(max_examples=12, deadline=None, derandomize=True, database=None)
+law = settings(max_examples=8, deadline=None, derandomize=True, database=None)
 
 
 def solve(text):

@@ -145,6 +145,7 @@ def nearby(tree: ast.File, values: dict[str, float]) -> dict[str, float]:
 
 
 @cache
+@cache
 def pinned() -> tuple[str, ...]:
     """Return the mechanisms of pins, guides and links at a given pose."""
     trees = {name: tree_of(source_of(name)) for name in NAMES}

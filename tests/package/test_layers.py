@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 from paths import PACKAGE
+from sources import tree_of
 
 BASE = [
     "later",
@@ -62,11 +63,6 @@ LATE = {
 @cache
 def modules() -> list[Path]:
     return sorted(PACKAGE.rglob("*.py"))
-
-
-@cache
-def tree_of(path: Path) -> ast.Module:
-    return ast.parse(path.read_text(encoding="utf-8"))
 
 
 def name_of(path: Path) -> str:

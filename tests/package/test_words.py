@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterator
 
 from paths import PACKAGE, TESTS
+from sources import tree_of
 
 SAID_BEFORE = {
     "rub": "friction", "rubs": "friction", "rubbing": "with friction", "knee": "toggle",
@@ -42,7 +43,7 @@ def test_no_name_has_a_private_word() -> None:
     found = {
         f"{path.name}: {name} (say {SAID_BEFORE[word]})"
         for path in FILES
-        for name in names(ast.parse(path.read_text(encoding="utf-8")))
+        for name in names(tree_of(path))
         for word in parts(name)
         if word in SAID_BEFORE
     }
@@ -57,6 +58,6 @@ def docstrings(tree: ast.AST) -> Iterator[str]:
 
 def test_docstrings_say_what_comes_back() -> None:
     """A first line that begins with "Return what" is a riddle."""
-    trees = ((path, ast.parse(path.read_text(encoding="utf-8"))) for path in FILES)
+    trees = ((path, tree_of(path)) for path in FILES)
     begun = ((path, text) for path, tree in trees for text in docstrings(tree))
     assert [path.name for path, text in begun if text.startswith("Return what ")] == []

@@ -1,6 +1,7 @@
 """What code and its docstrings say of friction: the printed case, not the signs it takes."""
 
 import re
+from functools import cache
 
 import pytest
 
@@ -34,9 +35,10 @@ PINS = "param f_p = 0.1\nparam d_p = 12 mm\nfriction pins f_p diameter d_p\nfind
 ROCKER = (
     (LIBRARY / "crank_rocker.mech").read_text("utf-8").replace("at B along", "at B on AB along")
 )
-ITERATED = f"{ROCKER}\n{PINS}\n"
+ITERATED = f"{ROCKER}\n{PINS}\nlet twice = 2*k_f\n"
 
 
+@cache
 def iterated() -> "mechc.Mechanism":
     return mechc.loads(ITERATED, "crank.mech")
 
@@ -49,9 +51,7 @@ def test_a_docstring_shows_the_structure_of_what_is_iterated():
 
 
 def test_so_does_that_of_a_formula_which_rests_on_it():
-    shown = docstring(
-        mechc.loads(f"{ITERATED}let twice = 2*k_f\n", "c.mech").emit("python"), "twice"
-    )
+    shown = docstring(iterated().emit("python"), "twice")
     assert "twice = 2*k_f" in shown
     assert "n = |r + D*n|" in shown
     assert " solve" not in shown
@@ -239,7 +239,7 @@ find k = Q/W
 
 
 def test_a_force_with_friction_is_stated_once_under_a_heading_of_its_own():
-    compilation = compile_source(Source("crank.mech", ITERATED))
+    compilation = iterated()._compilation
     shown = render(compilation.derivation, compilation.mechanism)
     stated = shown.partition("Force at A on AB, with friction")[2]
     assert "This holds while" not in stated
@@ -262,7 +262,7 @@ def test_what_is_long_multiplied_out_keeps_the_names_of_its_parts():
 
 
 def test_check_states_the_parts_of_a_force_once():
-    lines = list(report(compile_source(Source("crank.mech", ITERATED)), verbose=False))
+    lines = list(report(iterated()._compilation, verbose=False))
     assert "  R_A_on_AB_f = hypot(R_A_on_AB_x_f, R_A_on_AB_y_f)" in lines
     forces = lines[next(i for i, line in enumerate(lines) if "R_A_on_AB_x_f =" in line) :]
     assert sum("press the joints" in line for line in forces) == 1

@@ -35,9 +35,12 @@ def test_units_and_numbers_of_a_page_agree(path):
     assert list(displaced(tex)) == []
 
 
+TRANSLATED = [(path, LANGUAGES[1 + i // 2 % 2]) for i, path in enumerate(FILES) if i % 2 == 0]
+"""Every second file, by turns in the one language and the other."""
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-@pytest.mark.parametrize("language", LANGUAGES[1:])
+@pytest.mark.parametrize(("path", "language"), TRANSLATED, ids=lambda p: getattr(p, "stem", p))
 def test_units_and_numbers_of_a_translated_page_agree(path, language):
     assert wrong(printed(path, language)) == []
 

@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 from force_trains import train
-from mechc.driver import Compilation, complete
+from mechc.driver import Compilation
 from mechc.source import Source
 from mechc.statics.friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 
@@ -36,10 +36,10 @@ def agree(pairs, found):
         assert friction == pytest.approx(pair.factor * math.hypot(*sides), rel=1e-8, abs=1e-8)
 
 
-@pytest.mark.parametrize(("size", "largest", "least"), [(0.3, 0.5, 50), (1, 2, 10), (3, 5, 5)])
+@pytest.mark.parametrize(("size", "largest", "least"), [(0.3, 0.5, 16), (1, 2, 3), (3, 5, 1)])
 def test_frictions_follow_from_the_forces_that_they_make(size, largest, least):
     number = 0
-    for seed in range(60):
+    for seed in range(20):
         pairs = drawn(seed, size, largest)
         found = friction_sizes(pairs)
         if found is not None:
@@ -76,7 +76,8 @@ def test_a_second_balance_is_found():
 @pytest.mark.parametrize("seed", [7, 51])
 def test_huge_frictions_accuse_nobody(seed):
     text = train(seed).with_friction(Random(seed)).replace("param q = 1", "param q = 30")
-    compilation = complete(Compilation(Source("train.mech", text)))
+    compilation = Compilation(Source("train.mech", text))
+    _ = compilation.verdict
     assert not {"E601", "E602"} & {d.code for d in compilation.report.diagnostics}
 
 

@@ -140,6 +140,7 @@ find k = P/F
 """Forces that grow without end before all of the friction is there: no load balances."""
 
 
+@pytest.mark.slow
 def test_what_sticks_is_stated_where_it_takes_many_corrections():
     made = made_of(FAR_OFF)
     for degrees, state in ((-0.85, "locked"), (36.8, "jammed"), (54.2, "jammed")):

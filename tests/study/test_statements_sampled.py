@@ -68,7 +68,7 @@ def hold(seeds, equal=False):
 
 
 def test_nothing_that_is_said_is_refuted_and_no_zero_is_left_out():
-    assert hold(range(40)) > 30
+    assert hold(range(20)) > 14
 
 
 def test_a_sum_of_which_it_is_not_known_what_it_shares_is_stated_all_the_same():
@@ -109,7 +109,7 @@ def test_a_pole_that_a_sum_hides_for_the_lengths_given_is_stated_with_the_sum(se
 
 
 def test_lengths_that_are_equal_by_chance_make_no_false_zeros():
-    assert hold(range(1000, 1020), equal=True) > 15
+    assert hold(range(1000, 1010), equal=True) > 7
 
 
 @pytest.mark.slow
@@ -128,7 +128,7 @@ def closed_hold(seeds):
 
 
 def test_what_is_said_of_closed_mechanisms_holds_along_the_drive():
-    closed_hold(range(20))
+    closed_hold(range(12))
 
 
 def test_nothing_is_said_of_k_where_a_length_that_loops_find_is_infinite():

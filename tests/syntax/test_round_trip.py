@@ -15,7 +15,7 @@ from strategies import files
 
 # Shrinking a whole file takes minutes: the failing one is printed as it was drawn.
 some = settings(
-    max_examples=60,
+    max_examples=30,
     deadline=None,
     derandomize=True,
     database=None,
