@@ -178,4 +178,5 @@ class Arcs(NamedTuple):
 
 
 def _dot(one: Sequence[float], other: Sequence[float]) -> float:
-    return sum(map(mul, one, other))
+    found: float = sum(map(mul, one, other))
+    return found
