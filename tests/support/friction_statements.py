@@ -79,7 +79,9 @@ class Ratios:
         self.defaults = {i.name: 1.0 if i.default is None else i.default for i in inputs}
         is_iterated = any(isinstance(step, Solve) for f in self.parts for step in f.steps)
         along = result.locking.reaches if result.locking else result.efficiency_ranges
-        self.dense = DENSE // max(1, len(along) // 4) if is_iterated else DENSE
+        stretches = sum(len(r.stretches) for r in result.locking.reaches) if result.locking else 0
+        many = max(1, len(along) // 4, stretches // 8) if is_iterated else 1
+        self.dense, self.outside = DENSE // many, OUTSIDE // many
 
     def without(self, name: str, places: Array) -> Array:
         """Return k."""
@@ -185,7 +187,7 @@ def throughout(
     ends = reach.range or (math.nan, math.nan)
     low = stretch.low.x if stretch.low else ends[0]
     high = stretch.high.x if stretch.high else ends[1]
-    places = low + (high - low) * (np.linspace(NEAR, 1 - NEAR, OUTSIDE) + ASIDE)
+    places = low + (high - low) * (np.linspace(NEAR, 1 - NEAR, ratios.outside) + ASIDE)
     for x, code in zip(places, ratios.states({reach.parameter: places}), strict=True):
         if STATES.get(int(code), stretch.state) != stretch.state:
             yield f"{result.name} at {reach.parameter} = {x!r}: {stretch.state}, is {code}"
