@@ -16,7 +16,7 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Formula, Implicit
 from mechc.formula.walk import constants, substitute, symbols, walk
 from mechc.model.mechanism import Mechanism
-from mechc.model.values import bounds, defaults, dependent, independent
+from mechc.model.values import bounds, defaults, dependent, independent, range_of
 from mechc.study.analysis import Analysis, Break, Vanishing
 
 Values = Mapping[str, float]
@@ -155,7 +155,7 @@ def within(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str
     """Yield conditions that are met within the ranges, and are said not to be."""
     for limit in (v for v in (*result.zeros, *result.poles) if v.outside):
         for name in symbols(limit.factor) & free(mechanism, pose).keys():
-            low, high = bounds(mechanism.parameter(name))
+            low, high = range_of(name, mechanism) or bounds(mechanism.parameter(name))
 
             def factor(at: float, name: str = name, limit: Vanishing = limit) -> float:
                 return evaluate(limit.factor, {**pose, name: at})
