@@ -307,7 +307,9 @@ def not_a_name(span: Span, text: str, expected: str) -> Message:
     params: {a2: 40 mm}      # right
     """
     meant = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_")
-    hint = f"write {meant}" if meant[:1].isalpha() else "begin with a letter, as in a2"
+    foreign = "write it in Latin letters, as in clamp_2"
+    begin = "begin with a letter, as in a2" if text.isascii() else foreign
+    hint = f"write {meant}" if meant[:1].isalpha() else begin
     return Message(span, f"found '{text}', expected {expected}", hint)
 
 

@@ -68,14 +68,17 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
 
 
 def _remark_on_conditions(pose: Pose, closed: Closed, report: Report) -> None:
-    """Remark on conditions on what was found that the default pose breaks."""
+    """Remark on conditions that the default pose breaks, those that were remarked on left out.
+
+    What a sheet gives is held against its conditions where it is calculated.
+    """
     default = default_pose(pose.mechanism, pose.closing)
     given = {p.name for p in pose.mechanism.parameters} - closed.found
     lets = {let.name for let in pose.mechanism.lets}
     for condition in pose.mechanism.requires:
-        is_given = symbols(condition.left) | symbols(condition.right) <= given
-        if not is_given and not holds(condition, default):
-            report.add(failures.broken(condition, default, report.source, lets))
+        is_of_sheet = not pose.mechanism.links and symbols(condition.left, condition.right) <= given
+        if not is_of_sheet and not holds(condition, default):
+            report.add_first(failures.broken(condition, default, report.source, lets))
 
 
 def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> None:

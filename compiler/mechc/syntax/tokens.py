@@ -15,7 +15,16 @@ from . import limits, unit_words
 from .fault import Fault
 from .grammar import lexed
 from .lalr import Token, span_of
-from .vocabulary import CHOICE, DIAMETER, RANGE, split_quantity
+from .vocabulary import (
+    CHOICE,
+    DIAMETER,
+    FIT,
+    FIT_OF_A_HOLE,
+    IN_A_UNIT,
+    OF_A_PIN,
+    RANGE,
+    split_quantity,
+)
 
 if TYPE_CHECKING:
     from . import strange as characters
@@ -177,9 +186,11 @@ def check_unit(number: Token, behind: Token, first: Token) -> None:
             return  # the number has its unit, so that this is no other
         hint = f"did you mean {meant!r}?" if meant else RANGE if unit == "in" else ""
         hint = CHOICE if behind == "if" else hint
-        hint = DIAMETER if (first, behind) == ("friction", "radius") else hint
+        hint = DIAMETER if first == "friction" and behind in OF_A_PIN else hint
+        hint = FIT if FIT_OF_A_HOLE.fullmatch(behind) else hint
         if unit and behind in UNITS:
             hint = f"a compound unit has no spaces, as in {unit}*{behind}"
+            hint = IN_A_UNIT if unit == "in" else hint
         raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain, hint))
     if unit and behind.type == "CIRCUMFLEX" and span_of(number).end == span_of(behind).start:
         span = Span(span_of(number).end - len(unit), span_of(behind).end)

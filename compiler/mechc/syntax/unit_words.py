@@ -28,8 +28,12 @@ SPELLED: dict[str, str] = {
     "inlbf": "lbf*in", "lbfin": "lbf*in", "lbsft": "lbf*ft", "fps": "ft/s", "ips": "in/s",
     "mm2": "mm^2", "cm2": "cm^2", "m2": "m^2", "mm3": "mm^3", "cm3": "cm^3", "m3": "m^3",
     "sqin": "in^2", "cc": "cm^3",
+    "kh": "kN", "mh": "MN", "dah": "daN", "hm": "N*m", "khm": "kN*m", "hmm": "N*mm",
 }  # fmt: skip
-"""What people write for a unit, in small letters and the singular."""
+"""What people write for a unit, in small letters and the singular.
+
+A Latin H stands for the newton of Cyrillic letters, where these were put into Latin by eye.
+"""
 
 
 def unit_meant(word: str) -> str:

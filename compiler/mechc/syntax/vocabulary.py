@@ -64,6 +64,28 @@ RANGE = "a range has two dots: in LOW .. HIGH"
 
 DIAMETER = "of a pin the diameter is given: friction pins 0.1 diameter 10 mm"
 
+OF_A_PIN = ("radius", "r", "R", "d", "D", "dia", "diam")
+"""What people write behind the coefficient of a pin, in place of ``diameter``."""
+
+FIT = "a fit is no part of a value: its deviations are a tolerance, 10 mm +- 0.01 mm"
+
+FIT_OF_A_HOLE = pattern(r"(?:[A-HJ-NP-Z]|[a-hj-np-z]|JS|js)\d{1,2}")
+"""A fit of ISO 286 behind a number, as in ``10H7``."""
+
+
+def reads_as_value(text: str) -> bool:
+    """Return whether a text is a number with a unit, or a number.
+
+    >>> reads_as_value("200 mm"), reads_as_value("lever 2"), reads_as_value("")
+    (True, False, False)
+    """
+    return _VALUE.fullmatch(text) is not None
+
+
+_VALUE = pattern(r"\s*\d+(?:[.,]\d+)?\s*(?:[a-zµ]?m|in|ft)?\s*")
+
+IN_A_UNIT = "`in` gives the unit of a `let` line; in YAML it is a key: {value: …, unit: mm^2}"
+
 CHOICE = "a choice is written with 'when', as in 1.1 when v < 1 m/s else 1.3"
 """What is said where ``if`` follows a number."""
 

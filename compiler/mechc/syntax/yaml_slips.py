@@ -41,6 +41,7 @@ MEANT: Final[Mapping[str, Collection[str]]] = {
     **dict.fromkeys(("ua", "ukrainian"), ("uk",)),
     **dict.fromkeys(("stiffness", "k", "c"), ("rate",)),
     "name": ("mechanism",),
+    "file": ("name",),
     "label": ("title",),
     "description": ("title", "label"),
 }
@@ -53,6 +54,7 @@ SAID: Final[Mapping[str, str]] = {
     "from": "a range has two dots: {phi: 10 deg .. 80 deg}",
     "size": "a load has its value by a let: let: {F: 20 N}",
     "file": "rows stand in the description: rows: [[1, 0.388], [0.9, 0.400]]",
+    "tolerance": "a tolerance stands behind the value: 40 mm +- 0.1 mm",
     "unit": "a unit stands behind its number: {value: 200 mm}",
     "value": "a load has its value by a let: let: {F: 20 N}",
 }

@@ -121,13 +121,16 @@ def weight_in_mass(span: Span, digits: str) -> Message:
 
 
 @coded("W280")
-def tolerance_of_all(span: Span) -> Message:
-    """The tolerance of an expected figure is as large as the figure, so that it tests little.
+def tolerance_of_all(span: Span, parameter: str = "") -> Message:
+    """A tolerance is as large as what it is of: of an expected figure it tests little.
 
+    param a = 40 mm +- 60 mm   # warned of
     expect k = 0.353 +- 1      # warned of: zero agrees, too
     expect k = 0.353 +- 1e-3   # right
     """
     message = "the tolerance is as large as the figure, so that zero agrees with it"
+    if parameter:
+        message = f"the tolerance of '{parameter}' is as large as its value: it may come to zero"
     return Message(span, message, "is a digit or a unit too many?")
 
 

@@ -228,6 +228,20 @@ def keeps_its_arrow(span: Span, name: str, pressing: str) -> Message:
     )
 
 
+@coded("W291")
+def label_is_value(span: Span, link: str, label: str) -> Message:
+    """What a link is called reads as a length: the text of a link gives it none.
+
+    links: {OB: 200 mm}         # warned of: the link is called so
+    geometry: {OB: 200 mm}      # right
+
+    link OB "200 mm"            # warned of
+    OB = 200 mm                 # right
+    """
+    message = f"link {link} is called '{label}', which reads as a value"
+    return Message(span, message, f"its length stands in a line of its own: {link} = {label}")
+
+
 @coded("W201")
 def unused_parameter(span: Span, name: str, is_vector: bool = False) -> Message:
     """A parameter is declared and nothing uses it.

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from itertools import chain
 
 from ...diagnostics import Report
-from ...diagnostics.model import doubts, quantities
+from ...diagnostics.model import doubtful_sizes, doubts, quantities
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
@@ -13,7 +13,7 @@ from ...frozen import replace
 from ...syntax import ast
 from ...syntax.settings import parse
 from ...syntax.vocabulary import points_of
-from ...units import DIMENSIONS, MASS, NUMBER, STIFFNESS, UNITS, Dimension
+from ...units import ANGLE, DIMENSIONS, LENGTH, MASS, NUMBER, STIFFNESS, UNITS, Dimension
 from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
 from ..names.points import Points
@@ -98,7 +98,25 @@ def _tolerance(parameter: Parameter, statement: ast.Param, scope: Scope) -> Form
         place = statement.tolerance.span
         scope.report.add(quantities.tolerance_of_dependent(place, parameter.name))
         return None
-    return read_tolerance(statement.tolerance, parameter.dimension, f"of '{parameter.name}'", scope)
+    found = read_tolerance(
+        statement.tolerance, parameter.dimension, f"of '{parameter.name}'", scope
+    )
+    if found and parameter.value and _is_of_all(found, parameter.value, parameter, scope.sheet):
+        place = statement.tolerance.span
+        scope.report.add(doubtful_sizes.tolerance_of_all(place, parameter.name))
+    return found
+
+
+def _is_of_all(tolerance: Formula, given: Formula, parameter: Parameter, is_sheet: bool) -> bool:
+    """Return whether a tolerance takes a value to zero that has a sign: an angle has none.
+
+    Of the lengths of a mechanism it is said where a vector has them (W246).
+    """
+    if symbols(given) or (parameter.dimension == LENGTH and not is_sheet):
+        return False
+    value, size = (evaluate(f, {}) for f in (given, tolerance))
+    low, high = (evaluate(e, {}) for e in parameter.range) if parameter.range else (-1.0, 1.0)
+    return 0 < abs(value) <= size and (parameter.dimension != ANGLE or low * high > 0)
 
 
 def _range(statement: ast.Param, scope: Scope) -> Ends | None:

@@ -4,10 +4,11 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from ...diagnostics import drawn as drawn_words
+from ...diagnostics.model import doubts, names
 from ...diagnostics.model import joints as messages
-from ...diagnostics.model import names
 from ...source import Span
 from ...syntax import ast
+from ...syntax.vocabulary import reads_as_value
 from ...units import LENGTH, UNITS
 from ..constants import last_digit, leaves
 from ..formulas.directions import read_direction, read_place, value_of
@@ -45,6 +46,8 @@ def declare_points(file: ast.File, points: Points) -> None:
                 _add_rope([name.text, *(point.text for point, _ in falls)], points)
             case ast.Link(points=name, label=label):
                 _add_link(name, label, points)
+                if reads_as_value(label):
+                    points.report.add(doubts.label_is_value(statement.span, name.text, label))
     _check_joints(file, points)
     for arc in points.arcs.values():
         points.known(arc.about)
