@@ -10,6 +10,8 @@ from friction_mechanisms import closed
 from good_mechanisms import ALL, compiled
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
+from mechc.emit.latex.to_latex import TARGET as LATEX
+from mechc.emit.target import Options
 from mechc.source import Source
 from page import Page
 
@@ -47,6 +49,35 @@ def test_a_long_load_with_friction_is_not_given_by_coefficients_without():
 def test_an_efficiency_of_either_side_that_drives_is_not_said_to_be_that_of_one():
     """k is negative here, and k/k_f = 1.03 was said to be the efficiency, 0.97."""
     assert wrong(closed(99100574)) == []
+
+
+PERPENDICULAR = """
+param t1 = 0 deg in -50 deg .. 60 deg
+param t2 = 210 deg in 130 deg .. 300 deg
+param t3 = 285 deg in 200 deg .. 350 deg
+pivot O
+slider A along 15 deg
+link AB
+link OBC
+AB = 74.3 mm @ t1
+OB = 53.5 mm @ t2
+OC = 75.5 mm @ t3
+force P at A along 15 deg
+force F at C along 285 deg
+friction pins 0.156 diameter 13.5 mm
+friction slider A 0.160
+find k = P/F
+"""
+
+
+def test_the_sign_of_a_force_that_friction_alone_makes_is_put_into_no_formula():
+    """F points at O: without friction AB bears nothing, and sgn 0 gave -0.0377, not -0.0432."""
+    compilation = Compilation(Source("page.mech", PERPENDICULAR))
+    assert list(Page(compilation).wrong()) == []
+    (document,) = LATEX.emit(compilation, Options("page"))
+    numbers = document.text.partition("Numerical values")[2]
+    assert r"k_{\mathrm{hold}}&=-0.0432368" in numbers
+    assert r"\operatorname{sgn}" not in numbers
 
 
 @pytest.mark.parametrize("name", QUICK)

@@ -1,7 +1,7 @@
 """The values of a report's formulas at the default pose, with the numbers put in."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding
@@ -19,6 +19,9 @@ from .note import NoteLine
 from .put_in import Quantity, has_units, in_numbers, usual_unit, values_of, without_rounding
 from .sections import Outline, Section
 from .sentences.remarks import asked
+
+_ALIKE = {"rel_tol": 1e-6, "abs_tol": 1e-12}
+"""What a printed formula may be off its value by rounding, next to a zero or a pole, too."""
 
 NOTHING = 1e-40
 """What is smaller is what iteration leaves of a zero, in SI."""
@@ -39,13 +42,15 @@ class Evaluated(NamedTuple):
 def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     """Yield the definitions and results of a report that have a value, in its order."""
     given = _given(whole, mechanism)
-    for name, formula in _definitions(whole):
+    turned = [section for section in whole.results if not _is_as_printed(section, given)]
+    for name, formula in _definitions(whole, turned):
         yield from _of_definition(name, formula, given)
     usual = usual_length(mechanism)
     shown, early = _named(whole, mechanism), _own_met_early(whole)
     for section in whole.results:
         for name, formula in _accounted(section, shown):
-            yield from _of_definition(name, formula, given)
+            if section not in turned:
+                yield from _of_definition(name, formula, given)
         for result in (r for r in section.results if r.name not in early):
             if line := section.lines.get(result.name):
                 yield from _of_line(line)
@@ -54,7 +59,8 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
                 forces = _iterated(result, mechanism, given)
                 yield from (Evaluated(Symbol(n), None, q, False) for n, q in forces.items())
                 given |= forces
-                yield from _of_result(result, given, unit)
+                numbers = {} if section in turned else given
+                yield from _of_result(result, numbers, unit)
                 given |= _value(result, unit)
 
 
@@ -88,12 +94,31 @@ def has_atan2(whole: Outline) -> bool:
     return any(isinstance(part, Call) and part.function == "atan2" for part in found)
 
 
-def _definitions(whole: Outline) -> Iterator[Definition]:
+def _definitions(whole: Outline, without: Sequence[Section] = ()) -> Iterator[Definition]:
     for section in whole.position:
         yield from section.where
     yield from (Definition(ratio.name, ratio.formula) for ratio in whole.ratios)
     for result in whole.results:
-        yield from result.where
+        if result not in without:
+            yield from result.where
+
+
+def _is_as_printed(section: Section, given: Mapping[str, Quantity]) -> bool:
+    """Return whether results with friction are what their printed formulas come to.
+
+    Where a force is zero without friction, friction gives it a sign that no formula has: the
+    value is then that of the coupled equations, or of the sign that lets all forces balance.
+    """
+    values = values_of(given)
+    for result in section.results:
+        if not isinstance(result.target, WithFriction) or result.default is None:
+            continue
+        known = completed(values, ((n, f) for n, f in result.where if n not in values))
+        if symbols(result.formula) <= known.keys():
+            found = evaluate(result.formula, known)
+            if math.isfinite(found) and not math.isclose(found, result.default, **_ALIKE):
+                return False
+    return True
 
 
 def _named(whole: Outline, mechanism: Mechanism) -> set[str]:
