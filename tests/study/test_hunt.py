@@ -2,6 +2,7 @@
 
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -55,6 +56,16 @@ def test_a_falsehood_is_found(tmp_path, changes, said):
     found = with_result(hunted(tmp_path, wider if "zeros" in changes else RISING), **changes)
     refuted = looked_at("toggle", found).refuted
     assert any(one.startswith(said) for one in refuted), refuted
+
+
+def test_an_order_of_lines_that_changes_a_result_is_found(tmp_path):
+    found = hunted(tmp_path)
+    assert list(REFUTERS["order"](found)) == []
+    (k,) = found.compilation.solution.results
+    off = SimpleNamespace(results=(replace(k, default=2 * k.default),))
+    found.compilation.__dict__["solution"] = off
+    (said,) = REFUTERS["order"](found)
+    assert said.startswith("k is 1.4558")
 
 
 def test_a_code_that_is_off_is_found(tmp_path, monkeypatch):

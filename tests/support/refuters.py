@@ -5,6 +5,8 @@ Each yields what is false, in words; nothing where all holds, or where it does n
 
 import shutil
 from collections.abc import Callable, Iterator
+from math import isclose
+from random import Random
 
 import branchings
 import conclusions
@@ -17,9 +19,11 @@ import stroke_curves
 import stroke_statements
 from homogeneous import uneven
 from hunted import Hunted
+from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.target import Options
 from mechc.model.targets import LoadRatio, SpeedRatio
+from mechc.source import Source
 from mechc.syntax import ast
 from page import Page
 from printed_units import PrintedUnits, displaced
@@ -27,6 +31,9 @@ from run_targets import assert_close, built, by_c_in_batch, by_c_singly, by_inte
 
 BEYOND = (ast.Actuator, ast.Spring, ast.Drawn, ast.Use, ast.Table, ast.Sizes)
 """What the reference of given poses does not read."""
+
+TURNED = 1e-6
+"""What results may differ by where sums are rounded in another order."""
 
 
 def free_bodies(found: Hunted) -> Iterator[str]:
@@ -95,6 +102,33 @@ def lengths(found: Hunted) -> Iterator[str]:
     return uneven(found.compilation)
 
 
+def order(found: Hunted) -> Iterator[str]:
+    """Results by default, where the same lines stand in another order.
+
+    Of several drives the first one moves, so that theirs is none of words alone.
+    """
+    drives = [s for s in found.tree.statements if isinstance(s, ast.Drive)]
+    if len(drives) > 1:
+        return
+    lines = [line for line in found.text.strip().splitlines() if line.strip()]
+    head = [line for line in lines if line.startswith(("mechanism", "mechc"))]
+    rest = [line for line in lines if line not in head]
+    Random(f"order {found.seed}").shuffle(rest)
+    text = "\n".join([*head, *rest])
+    other = Compilation(Source("other.mech", text, folder=found.folder)).solution
+    values = {r.name: r.default for r in other.results}
+    for result in found.compilation.solution.results:
+        here, there = result.default, values.get(result.name)
+        if not _is_same(here, there):
+            yield f"{result.name} is {here}, in another order of lines {there}"
+
+
+def _is_same(here: float | None, there: float | None) -> bool:
+    if here is None or there is None:
+        return here is there
+    return isclose(here, there, rel_tol=TURNED, abs_tol=TURNED)
+
+
 def code(found: Hunted) -> Iterator[str]:
     """Emitted Python and C, which must give what the interpreter gives."""
     made, routine = found.compilation, found.compilation.routine
@@ -128,6 +162,6 @@ REFUTERS: dict[str, Callable[[Hunted], Iterator[str]]] = {
     one.__name__.replace("_", " "): one
     for one in (
         free_bodies, limits, left_out, causes, friction, ranges, stroke, branches,
-        motion, lengths, code, page,
+        motion, lengths, order, code, page,
     )
 }  # fmt: skip
