@@ -79,7 +79,7 @@ def test_loops_stay_closed_along_the_stroke(name):
         assert 0 < max(moved) < 1e-4 * here.size, "the other closure"
 
 
-@pytest.mark.parametrize("seed", range(0, 120, 3))
+@pytest.mark.parametrize("seed", range(0, 120, 6))
 def test_mechanisms_grown_at_random(seed):
     compilation = Compilation(Source("grown.mech", Grown(seed).text()))
     try:

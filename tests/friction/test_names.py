@@ -70,8 +70,8 @@ def test_a_name_has_one_formula_in_the_library(name):
 
 @pytest.mark.parametrize("ratio", [True, False])
 def test_a_name_has_one_formula_in_random_mechanisms(ratio):
-    made = [with_friction(seed, sample) for seed, sample in samples(range(8), ratio, 1)]
-    assert sum(m is not None for m in made) > 3
+    made = [with_friction(seed, sample) for seed, sample in samples(range(4), ratio, 1)]
+    assert sum(m is not None for m in made) > 1
     for each in made:
         if each is not None:
             assert_names_mean_one_thing(each.compilation)

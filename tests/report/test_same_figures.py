@@ -63,8 +63,8 @@ def test_all_outputs_have_the_same_figures(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", sorted(ALL.keys() - set(QUICK)))
-def test_all_outputs_of_every_mechanism_have_the_same_figures(name: str) -> None:
+@pytest.mark.parametrize("name", sorted(ALL.keys() - set(QUICK))[::2])
+def test_all_outputs_of_every_second_mechanism_have_the_same_figures(name: str) -> None:
     assert differ(name) == set()
 
 

@@ -45,7 +45,7 @@ def by_lark():
 
 
 def all_lines():
-    texts = [path.read_text("utf-8") for path in sorted(data("library").glob("*.mech"))]
+    texts = [path.read_text("utf-8") for path in sorted(data("library").glob("*.mech"))[::4]]
     for text in [WHOLE_MECH, *(construct[0] for construct in CONSTRUCTS), *texts]:
         yield from (line.tokens for line in lines(tokens(text)) if line.tokens)
 
