@@ -154,7 +154,7 @@ def test_a_long_power_equation_is_broken() -> None:
 
 @pytest.mark.parametrize("name", ["toggle_clamp", "scissor_table", "jansen_leg", "triad_closed"])
 def test_a_name_made_up_for_a_sum_is_defined_once(name: str) -> None:
-    text = mechc.load(name).emit("latex")
+    text = mechc.load(name).emit("latex").split(r"\section*{Numerical values}")[0]
     made = re.findall(r"([YZ]_\d|[YZ]_\{\d+\})&?=", text)
     assert made
     assert len(made) == len(set(made))

@@ -27,30 +27,41 @@ NOTHING = 1e-40
 """What is smaller is what iteration leaves of a zero, in SI."""
 
 
+class Known(NamedTuple):
+    """The quantities that formulas mention, and the unit of lengths that none is given for."""
+
+    quantities: Mapping[str, Quantity]
+    lengths: str
+
+
 class Evaluated(NamedTuple):
     """A name, its formula in numbers, and its value; no ``numbers`` where nobody would put them in.
 
-    The numbers of a ratio stand without their unit where all have the same.
+    The numbers of a ratio stand without their unit where all have the same. What has a ``formula``
+    beside it can have its numbers put in part by part, from what is ``known``.
     """
 
     left: Formula
     numbers: Formula | None
     value: Quantity
     angle: bool
+    formula: Formula | None = None
+    known: Known | None = None
 
 
 def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     """Yield the definitions and results of a report that have a value, in its order."""
     given = _given(whole, mechanism)
     turned = [section for section in whole.results if not _is_as_printed(section, given)]
-    for name, formula in _definitions(whole, turned):
-        yield from _of_definition(name, formula, given)
     usual = usual_length(mechanism)
+    known = Known(given, usual)
+    for name, formula in _definitions(whole, turned):
+        yield from _of_definition(name, formula, known)
     shown, early = _named(whole, mechanism), _own_met_early(whole)
     for section in whole.results:
         for name, formula in _accounted(section, shown):
             if section not in turned:
-                yield from _of_definition(name, formula, given)
+                yield from _of_definition(name, formula, known)
         for result in (r for r in section.results if r.name not in early):
             if line := section.lines.get(result.name):
                 yield from _of_line(line)
@@ -59,7 +70,7 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
                 forces = _iterated(result, mechanism, given)
                 yield from (Evaluated(Symbol(n), None, q, False) for n, q in forces.items())
                 given |= forces
-                numbers = {} if section in turned else given
+                numbers = Known({}, usual) if section in turned else known
                 yield from _of_result(result, numbers, unit)
                 given |= _value(result, unit)
 
@@ -152,14 +163,12 @@ def _accounted(section: Section, shown: set[str]) -> Iterator[Definition]:
         yield from reversed(needed)
 
 
-def _of_definition(
-    name: str, formula: Formula, given: Mapping[str, Quantity]
-) -> Iterator[Evaluated]:
+def _of_definition(name: str, formula: Formula, known: Known) -> Iterator[Evaluated]:
     """Yield the value of a definition, if it has one."""
-    if name in given:
-        value = without_rounding(given[name])
-        numbers = in_numbers(formula, given, value.unit in ("", "deg"))
-        yield Evaluated(Symbol(name), numbers, value, value.unit == "deg")
+    if name in known.quantities:
+        value = without_rounding(known.quantities[name])
+        numbers = in_numbers(formula, known.quantities, value.unit in ("", "deg"))
+        yield Evaluated(Symbol(name), numbers, value, value.unit == "deg", formula, known)
 
 
 def _value(result: Analysis, unit: str) -> dict[str, Quantity]:
@@ -194,12 +203,13 @@ def _measured_by(result: Analysis, mechanism: Mechanism) -> Dimension:
             return NUMBER
 
 
-def _of_result(result: Analysis, given: Mapping[str, Quantity], unit: str) -> Iterator[Evaluated]:
+def _of_result(result: Analysis, known: Known, unit: str) -> Iterator[Evaluated]:
     if result.default is None or not math.isfinite(result.default) or not symbols(result.formula):
         return
     bare = result.dimension in (ANGLE, NUMBER)
-    numbers = in_numbers(result.formula, given, bare)
-    yield Evaluated(asked(result), numbers, Quantity(result.default, unit), unit == "deg")
+    numbers = in_numbers(result.formula, known.quantities, bare)
+    value = Quantity(result.default, unit)
+    yield Evaluated(asked(result), numbers, value, unit == "deg", result.formula, known)
 
 
 def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
@@ -223,7 +233,7 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     values |= {p.name: evaluate(p.value, {}) for p in constants if p.value}
     for definition in where:
         if definition.name not in units:
-            unit = _found_unit(definition, usual, angles, values, units)
+            unit = found_unit(definition, usual, angles, values, units)
             units |= {} if unit is None else {definition.name: unit}
             angles |= {definition.name} if unit == "deg" else set()
     known = {name: value for name, value in values.items() if math.isfinite(value)}
@@ -247,7 +257,7 @@ def _unit(parameter: Parameter) -> str:
     return "deg" if parameter.dimension == ANGLE else parameter.unit or si_unit(parameter.dimension)
 
 
-def _found_unit(
+def found_unit(
     definition: Definition,
     usual: str,
     angles: Iterable[str],

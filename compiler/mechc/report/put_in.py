@@ -28,7 +28,17 @@ from ..model.mechanism import Mechanism
 from ..model.written import WrittenTable
 from ..named import NamedTuple
 from ..syntax.vocabulary import split_quantity
-from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, in_unit, si_unit, size_of
+from ..units import (
+    ANGLE,
+    DIMENSIONS,
+    LENGTH,
+    NUMBER,
+    UNITS,
+    Dimension,
+    in_unit,
+    si_unit,
+    size_of,
+)
 from .dimensions import is_homogeneous, is_solved, names_in, with_symbols
 
 DIGITS = 6
@@ -39,6 +49,9 @@ LONGEST = 60
 
 FINEST = 9
 """Decimals of an angle in degrees, beyond which there is nothing but rounding."""
+
+
+_AREA, _VOLUME = DIMENSIONS["area"], DIMENSIONS["volume"]
 
 
 class Quantity(NamedTuple):
@@ -53,10 +66,16 @@ class Quantity(NamedTuple):
 
 
 def usual_unit(dimension: Dimension, lengths: str) -> str:
-    """Return the unit of a value that none is given for, ``lengths`` for one of these."""
+    """Return the unit of a value that none is given for, ``lengths`` for one of these.
+
+    >>> usual_unit(LENGTH, "mm"), usual_unit(LENGTH.over(LENGTH).over(LENGTH), "mm")
+    ('mm', '1/m')
+    """
     if dimension == ANGLE:
         return "deg"
-    return lengths if dimension == LENGTH else si_unit(dimension)
+    powers = {LENGTH: lengths, _AREA: f"{lengths}^2", _VOLUME: f"{lengths}^3"}
+    unit = powers.get(dimension, "")
+    return unit if unit in UNITS else si_unit(dimension)
 
 
 def values_of(given: Mapping[str, Quantity]) -> dict[str, float]:

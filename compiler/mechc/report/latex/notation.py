@@ -79,6 +79,11 @@ class MadeNames:
         of_points = {part.letter for point in points for part in split_points(point)}
         self._letter = next((x for x in LETTERS if x not in of_points), LETTERS[0])
 
+    @property
+    def sums(self) -> Mapping[Formula, Symbol]:
+        """Return the names made up so far, by the formulas that they stand for."""
+        return self._names
+
     def known(self, formula: Formula) -> Symbol | None:
         """Return the name that a formula has got, if any."""
         return self._names.get(formula)

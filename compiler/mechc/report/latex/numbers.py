@@ -6,6 +6,7 @@ from math import isfinite
 from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula
 from ...study.analysis import Analysis
+from ..by_parts import by_parts
 from ..evaluated import Evaluated
 from ..languages.locale import Locale
 from ..sentences.remarks import asked
@@ -19,9 +20,19 @@ LONGEST_DERIVATIVE = 45
 
 
 def values(found: Iterable[Evaluated], locale: Locale, style: Notation) -> str:
-    """Return formulas with the numbers put in, below each other."""
-    lines = [_line(item, locale, style) for item in found]
+    """Return formulas with the numbers put in, below each other.
+
+    Where they are too long for a line, the sums that have names on the page come first.
+    """
+    split = by_parts(found, style.made.sums, lambda item: bool(_parts(item, style)))
+    lines = [_line(item, locale, style) for item in split]
     return aligned(lines) if lines else ""
+
+
+def _parts(item: Evaluated, style: Notation) -> list[Box]:
+    """Return the numbers of a formula as the lines that they take; none where they fit on none."""
+    left = box(item.left, style)
+    return broken(Line(left, item.numbers, item.angle), style) if item.numbers else []
 
 
 def in_line(item: Evaluated, locale: Locale, style: Notation) -> str:
@@ -36,7 +47,7 @@ def _line(item: Evaluated, locale: Locale, style: Notation) -> tuple[str, float]
     With it comes its width.
     """
     left, value = box(item.left, style), in_unit(item.value.value, item.value.unit, locale, style)
-    parts = broken(Line(left, item.numbers, item.angle), style) if item.numbers else []
+    parts = _parts(item, style)
     if not parts:
         return f"{left.tex}&={value}", left.width + plain(value).width + 1.2
     width = left.width + parts[-1].width + plain(value).width + 2.4

@@ -103,7 +103,7 @@ def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
     found = tuple(values)
     if found:
         yield from ("", spell.locale.numbers, f"     {spell.locale.at_default}:")
-    for left, numbers, value, angle in found:
+    for left, numbers, value, angle, *_ in found:
         sides = [spell.relation((left,), (), False)]
         sides += [spell.relation((numbers,), (), angle)] if numbers else []
         sides.append(spell.quantity(value))

@@ -1,0 +1,52 @@
+"""Numbers put into a formula too long for a line: the sums named on the page have theirs."""
+
+import re
+
+import mechc
+from mechc.formula.evaluate import evaluate
+from mechc.formula.tree import Symbol, product, total
+from mechc.report.by_parts import by_parts
+from mechc.report.evaluated import Evaluated, Known
+from mechc.report.put_in import Quantity
+
+A, B, Z = map(Symbol, ("a", "b", "Z_1"))
+SUM = total([A, B])
+KNOWN = Known({"a": Quantity(0.04, "mm"), "b": Quantity(0.03, "mm")}, "mm")
+
+
+VOLUME = product([(A, 1), (SUM, 2)])
+
+
+def item(name: str) -> Evaluated:
+    value = Quantity(evaluate(VOLUME, {"a": 0.04, "b": 0.03}), "m^3")
+    return Evaluated(Symbol(name), None, value, False, VOLUME, KNOWN)
+
+
+def numbers_fit(found):
+    return found.numbers is not None
+
+
+def test_a_named_sum_has_its_value_once_and_before_what_rests_on_it():
+    found = list(by_parts([item("R"), item("S")], {SUM: Z}, numbers_fit))
+    assert [each.left.name for each in found] == ["Z_1", "R", "S"]
+    assert found[0].value.text(6) == "70 mm"
+    assert all(each.numbers is not None for each in found)
+
+
+def test_a_formula_without_named_sums_comes_as_it_is():
+    alone = item("R")
+    assert list(by_parts([alone], {}, numbers_fit)) == [alone]
+
+
+def test_what_does_not_fit_with_names_either_has_no_values_of_sums_before_it():
+    alone = item("R")
+    assert list(by_parts([alone], {SUM: Z}, lambda _: False)) == [alone]
+
+
+def test_sums_named_on_a_page_have_their_numbers_there() -> None:
+    page = mechc.load("examples/gripper/linkage.mech").emit("latex")
+    numbers = page.split(r"\section*{Numerical values}")[1]
+    values = dict(re.findall(r"(Z_\d)&=([\d.]+\\,\\text\{mm\}\^2)", numbers))
+    assert len(values) == 2
+    for value in values.values():  # S_KA = Z_2/(a² − ρ²)
+        assert rf"=\frac{{{value}}}" in numbers
