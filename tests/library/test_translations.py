@@ -1,4 +1,4 @@
-"""Everything that the library says in its own words is there in Ukrainian and Russian."""
+"""Everything that library and examples say in their own words is there in Ukrainian and Russian."""
 
 import re
 
@@ -9,9 +9,14 @@ from mechc.files import read as text_of
 from mechc.formula.names import GREEK
 from mechc.syntax import ast
 from mechc.syntax.notation import read
-from paths import LIBRARY
+from paths import LIBRARY, ROOT
 
-FILES = sorted([*LIBRARY.glob("*.mech"), *LIBRARY.glob("*.yaml"), *LIBRARY.glob("sheets/*.mech")])
+FILES = sorted(
+    path
+    for folder, pattern in ((LIBRARY, "*"), (LIBRARY, "sheets/*"), (ROOT / "examples", "**/*"))
+    for path in folder.glob(pattern)
+    if path.suffix in (".mech", ".yaml")
+)
 STANDARD = re.compile(r"ISO \d+|(Norton|Walsh)[^;=]*|[a-z]|[A-Z]{2}")
 """What is the same in every language: a standard, a book by its author, a letter, a line."""
 

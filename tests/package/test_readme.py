@@ -34,14 +34,20 @@ def test_the_description_is_the_example() -> None:
 
 
 def test_the_drawn_description_is_the_example() -> None:
-    assert blocks("mech")[0] == (ROOT / "examples" / "gripper.mech").read_text(encoding="utf-8")
+    """The example has its texts in other languages behind it."""
+    example = (ROOT / "examples" / "gripper.mech").read_text(encoding="utf-8")
+    shown, others = example.split("\ntranslate ", 1)
+    assert blocks("mech")[0] == shown
+    assert all(line.startswith("translate ") for line in others.splitlines()[1:])
 
 
 @pytest.mark.parametrize("text", blocks("mech"))
 def test_descriptions_compile(text: str) -> None:
     """One that uses another is an example, which stands beside that."""
     files = (ROOT / "examples").rglob("*.mech")
-    example = next((path for path in files if path.read_text("utf-8") == text), None)
+    example = next(
+        (f for f in files if f.read_text("utf-8").split("\ntranslate ")[0] == text), None
+    )
     found = mechc.load(example) if example else mechc.loads(text, "README.mech")
     assert found.warnings == []
 
