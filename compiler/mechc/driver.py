@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from .plot.from_routine import Watch
     from .plot.plot import Plot
     from .plot.query import Query
-    from .report.derivation.steps import Derivation
+    from .report.steps import Derivation
     from .statics.diagram import Diagram
     from .study.stroke.from_balance import Watch as Drives
     from .study.stroke.stroke import Stroke

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from .calculation.calculation import Calculation
     from .equilibrium.equilibrium import Equilibrium
     from .pose.motion import Motion
-    from .report.derivation.steps import Derivation
+    from .report.steps import Derivation
     from .routine.steps import Routine
     from .study.analysis import Analysis
 
@@ -278,7 +278,7 @@ class Pipeline:
     def derivation(self) -> "Derivation":
         """The derivation in steps, as on paper; a sheet has none, its results alone."""
         if self.calculation:
-            from .report.derivation.steps import calculated
+            from .report.steps import calculated
 
             return calculated(self.results)
         from .report.derivation.from_solution import derive

@@ -7,7 +7,7 @@ from .driver import Compilation, checked
 from .emit.latex import notebook
 from .formula.to_text import text
 from .frozen import contents, field, frozen
-from .report.derivation.steps import Derivation
+from .report.steps import Derivation
 from .report.text.stroke import to_html
 from .study.analysis import Analysis
 from .study.stroke.stroke import Stroke

@@ -17,10 +17,10 @@ from mechc.pose.loops.rated import given_rates, moved_by
 from mechc.pose.loops.rates import loop_rates, rate
 from mechc.pose.loops.redundant import closure_of
 from mechc.pose.loops.triangle import along, common_turn, heron, principal
-from mechc.pose.loops.vector_graph import Edge, chained, known_span, loop_name, mentioned
 from mechc.pose.pose import Arm, Definition, Limit, gathered, reverse, turned_by
 from mechc.pose.rates import Rates
 from mechc.pose.samples import is_behind
+from mechc.pose.vector_graph import Edge, chained, known_span, loop_name, mentioned
 from small_poses import HERE, VALUES, arm, at, number_of, size
 
 A, B, R, L = (VALUES[n] for n in "abrl")

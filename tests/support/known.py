@@ -5,7 +5,7 @@ from typing import NamedTuple
 from mechc.figure.figure import Figure
 from mechc.model.mechanism import Mechanism
 from mechc.pose.motion import Motion
-from mechc.report.derivation.steps import Derivation
+from mechc.report.steps import Derivation
 from mechc.routine.steps import Routine
 from mechc.statics.diagram import Diagram
 from mechc.statics.verdict import Verdict

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..plot.plot import Plot
     from ..plot.query import Query
     from ..pose.motion import Motion
-    from ..report.derivation.steps import Derivation
+    from ..report.steps import Derivation
     from ..routine.steps import Routine
     from ..statics.diagram import Diagram
     from ..study.stroke.stroke import Stroke

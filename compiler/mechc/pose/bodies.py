@@ -22,8 +22,8 @@ from ..model.mechanism import (
 )
 from .closure import Condition, across
 from .directions import Directions
-from .loops.vector_graph import chained
 from .pose import Arm, PointContact, Vector
+from .vector_graph import chained
 from .vectors import Missing, Vectors
 
 Find = Callable[[Direction, str, str], Angle]

@@ -14,10 +14,10 @@ from ..model.mechanism import Drawn, Mechanism, Pivot
 from ..model.values import Chain, defaults, dependent
 from ..source import Span
 from ..units import in_unit
-from .loops.vector_graph import mentioned
 from .pose import Pose, evaluate_vector
 from .samples import Values
 from .tolerances import DRAWN_GAP, SAME_PLACE
+from .vector_graph import mentioned
 from .vectors import Vectors
 
 Place = tuple[float, float]

@@ -11,10 +11,10 @@ from ..diagnostics import pose as messages
 from ..diagnostics import power as power_words
 from ..model.mechanism import ForcePair, Mechanism
 from ..named import NamedTuple
-from .loops.vector_graph import mentioned
 from .pose import Arm, Definition, Vector, evaluate_vector
 from .samples import is_behind, poses_nearby
 from .terms import Terms
+from .vector_graph import mentioned
 from .vectors import Vectors
 
 QUARTER = Angle.constant(90)

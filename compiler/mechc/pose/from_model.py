@@ -22,13 +22,13 @@ from .idle import contradictions, remarks
 from .loops.closed import Closed
 from .loops.closing import close
 from .loops.guide_lines import with_lines
-from .loops.vector_graph import chained, mentioned
 from .pose import Pose
 from .pruning import pruned
 from .queries import with_directions
 from .samples import default_pose, poses_nearby
 from .terms import Terms
 from .unfound import explained, unfound_angles
+from .vector_graph import chained, mentioned
 from .vectors import Missing, Vectors
 from .wheels import misfits, radii
 

@@ -5,8 +5,8 @@ from collections.abc import Collection, Iterator
 
 from ..model.mechanism import Link
 from ..syntax.vocabulary import points_of
-from .loops.vector_graph import mentioned
 from .pose import Pose, Vector, gathered, measured_by, reverse
+from .vector_graph import mentioned
 from .vectors import start_of
 
 

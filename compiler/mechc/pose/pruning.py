@@ -7,8 +7,8 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism
-from .loops.vector_graph import mentioned, names_in
 from .pose import Pose
+from .vector_graph import mentioned, names_in
 
 
 def pruned(pose: Pose) -> Pose:

@@ -14,7 +14,7 @@ from ..model.values import bounds
 from ..source import Span
 from ..units import ANGLE, LENGTH, in_unit
 from .loops.closed import Open
-from .loops.vector_graph import Names, mentioned
+from .vector_graph import Names, mentioned
 from .vectors import Vectors
 
 Sought = Mapping[str, tuple[str, str, Span]]

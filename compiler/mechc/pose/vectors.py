@@ -11,9 +11,9 @@ from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Pivot, Slider,
 from ..named import NamedTuple
 from ..source import Span
 from .directions import Directions
-from .loops.vector_graph import Edge
 from .pose import Arm, Vector, components, gathered, measured_by, reverse, turned_by
 from .terms import Terms
+from .vector_graph import Edge
 
 ORIGIN = ""
 """The name of the plane's origin among the points that vectors join."""

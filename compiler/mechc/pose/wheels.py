@@ -20,10 +20,10 @@ from ..model.mechanism import (
 )
 from ..named import NamedTuple
 from ..source import Span
-from .loops.vector_graph import mentioned
 from .pose import Pose, evaluate_vector
 from .samples import Values
 from .tolerances import CENTRE_GAP
+from .vector_graph import mentioned
 from .vectors import Vectors
 
 

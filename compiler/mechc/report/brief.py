@@ -6,11 +6,11 @@ from ..formula.operations import count_operations
 from ..formula.tree import Formula, Sum, Symbol, product
 from ..model.mechanism import LoadRatio, Mechanism
 from ..model.values import is_constant
-from .derivation.steps import Derivation, Equation
 from .evaluated import Evaluated
 from .sections import Outline
 from .sentences.remarks import asked
 from .sentences.wording import Sides, lines
+from .steps import Derivation, Equation
 
 LONG = 24
 """A ratio of more operations than this is not written out a second time."""

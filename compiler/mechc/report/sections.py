@@ -18,9 +18,9 @@ from ..named import NamedTuple
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, given_loads, letters
 from .derivation.friction import exact_name
-from .derivation.steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
 from .note import NoteLine, own_lines
 from .sentences.remarks import own_conditions, reaction
+from .steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
 
 LONG = 24
 """The size of a force that takes more operations is given by the components."""

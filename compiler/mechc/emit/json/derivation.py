@@ -3,7 +3,7 @@
 from typing import get_args
 
 from ...formula.to_text import text
-from ...report.derivation.steps import (
+from ...report.steps import (
     Derivation,
     Equation,
     Explanation,

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from ...drawing.drawing import Drawing
 from ...drawing.letters import in_letters
 from ...frozen import frozen
-from ...report.derivation.steps import unexplained
 from ...report.languages import registry
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
@@ -16,6 +15,7 @@ from ...report.latex.document_style import style_of
 from ...report.latex.notation import Notation, notation, translated
 from ...report.latex.results import section_block, width
 from ...report.sections import Section, outline
+from ...report.steps import unexplained
 from ..render import Nothing, render
 from ..target import Compiled
 from ..tikz.picture import tikzpicture

@@ -5,13 +5,13 @@ from collections.abc import Iterable, Iterator
 
 from ...model.statements import is_sheet
 from ...patterns import pattern
-from ...report.derivation.steps import calculated
 from ...report.languages import registry
 from ...report.latex.document_style import style_of
 from ...report.latex.notation import Notation, notation
 from ...report.latex.results import section_block
 from ...report.latex.text import plain
 from ...report.sections import outline
+from ...report.steps import calculated
 from ...study.analysis import Analysis
 from ..render import render
 from ..target import Compiled, Options

@@ -12,7 +12,6 @@ from ...model.statements import is_sheet
 from ...model.values import is_constant
 from ...report.brief import at_length, needed, relations, short
 from ...report.definitions import given_loads
-from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.evaluated import constants_shown, evaluated, has_atan2, hides_units
 from ...report.languages import registry
 from ...report.languages.locale import Locale
@@ -47,6 +46,7 @@ from ...report.sentences.wording import (
     position_sentences,
     sentences,
 )
+from ...report.steps import Derivation, LastStep, Step
 from ..render import render
 from ..target import Compiled, Emitted, Options
 from .blocks import (

@@ -11,8 +11,8 @@ from ...source import Span
 from ..pose import Limit
 from ..samples import Values
 from ..tolerances import SAME_ANGLE, SAME_DIRECTION, SAME_PLACE
+from ..vector_graph import Cycle, Names
 from .guide_lines import GuideLine
-from .vector_graph import Cycle, Names
 
 
 class Loops(Protocol):

@@ -24,6 +24,7 @@ from ...model.values import Chain, dependent
 from ...units import LENGTH
 from ..directions import Directions
 from ..pose import ClosedLoop, Definition, Limit
+from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
 from ..vectors import Vectors
 from .branches import branches
 from .choosing import Choice
@@ -36,7 +37,6 @@ from .groups import closures, left_open, remaining_blocks
 from .recognition import recognised, unwound
 from .redundant import check_fit
 from .state import State
-from .vector_graph import Cycle, Names, loop_name, mentioned, points_around
 
 
 def closed(state: State, directions: Directions, vectors: Vectors, report: Report) -> Closed:

@@ -10,13 +10,13 @@ from ...model.mechanism import Assembly
 from ...named import NamedTuple
 from ..samples import Values
 from ..tolerances import FLAT_TRIANGLE
+from ..vector_graph import loop_name
 from .assembly_hints import AssemblyHints, Loops, group_span, is_ahead
 from .drawn import nearest
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .reach import reach_of
 from .state import State
-from .vector_graph import loop_name
 
 Corner = tuple[float, float]
 

@@ -12,11 +12,11 @@ from ...model.mechanism import Mechanism, Parameter
 from ...units import ANGLE, LENGTH
 from ..directions import Directions
 from ..terms import Terms
+from ..vector_graph import Edge, Names, VectorGraph, mentioned
 from ..vectors import Vectors
 from . import by_groups, state
 from .closed import NOTHING, Closed
 from .guide_lines import GuideLine, guide_lines
-from .vector_graph import Edge, Names, VectorGraph, mentioned
 
 
 def close(

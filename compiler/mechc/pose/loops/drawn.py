@@ -8,9 +8,9 @@ from ...algebra.product import Product
 from ..drawn import Place, places_of
 from ..samples import Values
 from ..tolerances import EQUALLY_NEAR
+from ..vector_graph import Edge
 from .groups import Block
 from .state import State
-from .vector_graph import Edge
 
 
 def nearest(

@@ -21,10 +21,10 @@ from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula, negative, product, total
 from ...frozen import replace
 from ..pose import Arm, Definition, Limit, gathered
+from ..vector_graph import loop_name, mentioned
 from .dyad_sides import HALF_TURN, Sides
 from .dyads import Closure, Dyad, Loop, Reaching, Turning
 from .triangle import along, heron, principal
-from .vector_graph import loop_name, mentioned
 
 QUARTER = Angle.constant(90)
 

@@ -9,9 +9,9 @@ from ...algebra.trigonometry import cosine
 from ...formula.tree import Call, Formula
 from ..pose import Arm, Definition, Vector, components, gathered
 from ..samples import Values, is_behind
+from ..vector_graph import Names, known_span, mentioned
 from .dyads import Loop
 from .triangle import common_turn, is_of_vector
-from .vector_graph import Names, known_span, mentioned
 
 HALF_TURN = Angle.constant(180)
 

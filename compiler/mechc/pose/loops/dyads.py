@@ -11,8 +11,8 @@ from ...formula.tree import Call
 from ...frozen import frozen
 from ...named import NamedTuple
 from ..pose import Definition, Limit, LoopKind, Vector, gathered
+from ..vector_graph import Cycle, Edge, Names, mentioned
 from .triangle import principal
-from .vector_graph import Cycle, Edge, Names, mentioned
 
 
 class Closure(NamedTuple):

@@ -19,10 +19,10 @@ from ...named import NamedTuple
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
 from ..samples import Values
 from ..tolerances import SAME_CLOSURE, SOLVED_GAP
+from ..vector_graph import Cycle, mentioned
 from .closed import Open
 from .dyads import Closure
 from .state import State
-from .vector_graph import Cycle, mentioned
 
 STARTS = 400
 """Random starts from which closures are looked for."""

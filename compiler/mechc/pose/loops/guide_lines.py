@@ -24,7 +24,7 @@ from ...named import NamedTuple
 from ...source import Span
 from ..directions import Directions
 from ..pose import Arm
-from .vector_graph import Edge
+from ..vector_graph import Edge
 
 
 class GuideLine(NamedTuple):

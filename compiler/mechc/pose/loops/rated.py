@@ -12,9 +12,9 @@ from ...formula.derivative import derivative as slope
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import substitute, symbols
 from ..pose import Definition, Vector
+from ..vector_graph import mentioned
 from .rates import loop_rates
 from .triangle import is_of_vector
-from .vector_graph import mentioned
 
 
 def given_rates(definitions: Iterable[Definition], drive: str) -> dict[str, Product]:

@@ -14,7 +14,7 @@ from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
 from ..pose import Arm, Vector, components, gathered
-from .vector_graph import mentioned
+from ..vector_graph import mentioned
 
 Rates = Mapping[str, Product]
 """The derivative by the drive of every name that moves with it."""

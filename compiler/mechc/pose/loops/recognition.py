@@ -12,9 +12,9 @@ from ...formula.walk import symbols
 from ..pose import Arm, Definition
 from ..samples import Values
 from ..tolerances import SAME_ANGLE
+from ..vector_graph import Names
 from .dyads import Closure
 from .state import State
-from .vector_graph import Names
 
 
 def unwound(closure: Closure, state: State) -> Closure:

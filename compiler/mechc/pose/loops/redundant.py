@@ -9,11 +9,11 @@ from ...diagnostics import pose as messages
 from ...formula.tree import Call
 from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
 from ..tolerances import LOOP_GAP
+from ..vector_graph import Cycle, loop_name, mentioned, points_around
 from .dyads import Closure
 from .recognition import recognised
 from .state import State
 from .triangle import common_turn, principal
-from .vector_graph import Cycle, loop_name, mentioned, points_around
 
 
 def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:

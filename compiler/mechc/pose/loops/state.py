@@ -12,10 +12,10 @@ from ...units import LENGTH
 from ..pose import ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vector, turned_by
 from ..samples import Values, poses_nearby
 from ..terms import Terms
+from ..vector_graph import Edge, Names, VectorGraph
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .rated import Rated, given_rates
-from .vector_graph import Edge, Names, VectorGraph
 
 MANY = 3
 """The angles that a direction is the sum of, from which on it keeps its name."""

@@ -16,11 +16,11 @@ from ...power.balance import Solved
 from ...power.definitions import intermediates
 from ...study.analysis import Analysis
 from ..sentences.wording import positive_first
+from ..steps import Derivation, Equation, Explanation, Paragraph, SentenceKind
 from .forces import of_forces
 from .friction import of_friction
 from .notation import direction_formula
 from .position import position_steps
-from .steps import Derivation, Equation, Explanation, Paragraph, SentenceKind
 
 Places = tuple[str, ...]
 

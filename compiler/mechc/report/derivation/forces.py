@@ -16,8 +16,8 @@ from ...pose.pose import Pose, Vector
 from ...power.balance import Release, Solved, Term
 from ...power.definitions import resting_on
 from ..sentences.wording import positive_first
+from ..steps import Equation, Explanation, Paragraph, SentenceKind
 from .notation import direction_formula
-from .steps import Equation, Explanation, Paragraph, SentenceKind
 
 HALF_TURN = Angle.constant(180)
 

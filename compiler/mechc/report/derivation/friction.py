@@ -21,7 +21,7 @@ from ...model.targets import Sense, whole
 from ...power.balance import Solved
 from ...study.analysis import Analysis
 from ..sentences.wording import geometry_first, positive_first
-from .steps import Equation, Explanation, Paragraph, SentenceKind
+from ..steps import Equation, Explanation, Paragraph, SentenceKind
 
 _LINES: Mapping[str, SentenceKind] = {
     "crossed": SentenceKind.CROSSED,

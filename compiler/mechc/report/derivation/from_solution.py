@@ -15,6 +15,7 @@ from ...kinematics.plan import Plan
 from ...pose.directions import constants_of
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
+from ..steps import Derivation, Equation, LastStep
 from . import equilibrium
 from .forces import of_forces
 from .friction import of_friction
@@ -22,7 +23,6 @@ from .last_step import last_steps
 from .position import position_steps
 from .power_terms import power_equations, power_terms, speeds_along
 from .speed_steps import SpeedSteps
-from .steps import Derivation, Equation, LastStep
 
 if TYPE_CHECKING:
     from ...equilibrium.equilibrium import Equilibrium

@@ -13,7 +13,7 @@ from ...formula.tree import Formula, Sum, Symbol, negative, number, product, quo
 from ...formula.walk import symbols
 from ...model.mechanism import LoadRatio, SpeedRatio
 from ..sentences.wording import is_speed, positive_first
-from .steps import Derivation, Equation, LastStep, PowerTerm, SpeedChain, Step
+from ..steps import Derivation, Equation, LastStep, PowerTerm, SpeedChain, Step
 
 Owners = Mapping[str, tuple[str, Product]]
 """The load that each is tied to, itself where it is free, and the factor."""

@@ -9,7 +9,7 @@ from ...formula.typesetting import HALF
 from ...formula.walk import reached, symbols, walk
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop
-from .steps import Derivation, PositionKind, PositionStep
+from ..steps import Derivation, PositionKind, PositionStep
 
 
 def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]:

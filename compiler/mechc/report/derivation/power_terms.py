@@ -11,10 +11,10 @@ from ...model.mechanism import Force, ForcePair, Torque
 from ...named import NamedTuple
 from ...power.balance import Term
 from ..sentences.wording import positive_first
+from ..steps import Equation, PowerTerm, Rule, Step
 from .notation import linear, times
 from .rules import rule_of_component
 from .speed_steps import SpeedSteps, acting_on
-from .steps import Equation, PowerTerm, Rule, Step
 
 
 class AlongLoad(NamedTuple):

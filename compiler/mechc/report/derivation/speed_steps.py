@@ -9,9 +9,9 @@ from ...kinematics.plan import Block, Plan
 from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque
 from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
+from ..steps import Equation, NamedRatio, Rule, Step
 from .notation import Named, Names, Notation, linear, times
 from .rules import involved, pole_of, rule_of
-from .steps import Equation, NamedRatio, Rule, Step
 
 
 def acting_on(load: Force | ForcePair, graph: Graph) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from ...named import NamedTuple
-from ..derivation.steps import PositionKind
+from ..steps import PositionKind
 
 
 class Locale(NamedTuple):

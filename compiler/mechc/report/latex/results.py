@@ -14,10 +14,10 @@ from ...statics.verdict import Verdict
 from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..definitions import Solved, grouped
-from ..derivation.steps import Equation, Paragraph
 from ..languages.locale import Locale
 from ..sections import Section
 from ..sentences.remarks import asked, heading, headings, is_nameless, ratio, remarks, said
+from ..steps import Equation, Paragraph
 from .display import LINE, Line, balance, display, vanishing
 from .notation import Notation, name, points, relation_sign
 from .note import alone

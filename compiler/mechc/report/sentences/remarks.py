@@ -21,8 +21,8 @@ from ...model.mechanism import (
 )
 from ...model.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
-from ..derivation.steps import Paragraph
 from ..languages.locale import Locale
+from ..steps import Paragraph
 from . import extents
 from .forces import force_words
 from .limits import limits

@@ -20,8 +20,8 @@ from ...formula.tree import (
     total,
 )
 from ...formula.walk import children, rebuild, symbols
-from ..derivation.steps import Equation, PositionStep, Step
 from ..languages.locale import Locale
+from ..steps import Equation, PositionStep, Step
 from .speller import Speller
 
 Kind = TypeVar("Kind", bound=str)

@@ -13,11 +13,11 @@ from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit, si_unit
 from ..brief import needed, relations, short
 from ..definitions import Solved, given_loads, grouped
-from ..derivation.steps import Derivation, LastStep
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, direction_function, lines, position_sentences, sentences
+from ..steps import Derivation, LastStep
 from . import note
 from .printer import print_name, print_quantity
 from .speller import DEEP, SHOWN, WIDTH, Speller, speller

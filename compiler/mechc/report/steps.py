@@ -10,13 +10,13 @@ from enum import StrEnum
 from types import MappingProxyType
 from typing import Literal
 
-from ...formula.tree import Formula
-from ...frozen import frozen, replace
-from ...model.result import Definition
-from ...named import NamedTuple
-from ...pose.pose import LoopKind
-from ...study.analysis import Analysis
-from ...units import Dimension
+from ..formula.tree import Formula
+from ..frozen import frozen, replace
+from ..model.result import Definition
+from ..named import NamedTuple
+from ..pose.pose import LoopKind
+from ..study.analysis import Analysis
+from ..units import Dimension
 
 
 class Rule(StrEnum):

@@ -9,12 +9,12 @@ from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from itertools import combinations
 
-from ...algebra.angle import Angle
-from ...algebra.product import Product, Sum
-from ...formula.walk import symbols
-from ...named import NamedTuple
-from ...source import Span
-from ..pose import Arm, Vector, evaluate_vector, reverse
+from ..algebra.angle import Angle
+from ..algebra.product import Product, Sum
+from ..formula.walk import symbols
+from ..named import NamedTuple
+from ..source import Span
+from .pose import Arm, Vector, evaluate_vector, reverse
 
 Names = frozenset[str]
 
