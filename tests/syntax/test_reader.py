@@ -8,10 +8,10 @@ from lark import Lark, Transformer
 from lark import Token as LarkToken
 
 from mechc.data import data
-from mechc.syntax import grammar, make_tables, tables
-from mechc.syntax.lalr import END, Parser, Reading, Token
-from mechc.syntax.lines import lines
-from mechc.syntax.tokens import tokens
+from mechc.syntax.parser import grammar, make_tables, tables
+from mechc.syntax.parser.lalr import END, Parser, Reading, Token
+from mechc.syntax.parser.lines import lines
+from mechc.syntax.parser.tokens import tokens
 from notations import CONSTRUCTS, WHOLE_MECH
 
 

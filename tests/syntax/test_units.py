@@ -8,10 +8,10 @@ from mechc.diagnostics import Report
 from mechc.source import Source
 from mechc.syntax import ast
 from mechc.syntax.notation import read
+from mechc.syntax.parser.unit_words import SPELLED
 from mechc.syntax.settings import params, parse
 from mechc.syntax.to_dsl import to_dsl
 from mechc.syntax.to_yaml import to_yaml
-from mechc.syntax.unit_words import SPELLED
 from mechc.units import (
     COMPOUNDS,
     FORCE,

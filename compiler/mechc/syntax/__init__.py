@@ -10,5 +10,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"moved", "slips", "unit_words", "usual_slips"}
+    SELDOM = {"moved"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -5,11 +5,11 @@ from ..frozen import replace
 from ..source import Source
 from . import ast
 from .fault import Fault, check_characters, check_length, note
-from .lalr import span_of
-from .lines import Line, lines
 from .once import check_once
-from .parse import parse as parse_line
-from .tokens import tokens
+from .parser.lalr import span_of
+from .parser.lines import Line, lines
+from .parser.parse import parse as parse_line
+from .parser.tokens import tokens
 
 
 def parse(source: Source, report: Report) -> ast.File:

@@ -12,16 +12,17 @@ from typing import Any
 from ..diagnostics import Report, syntax_yaml
 from ..frozen import replace
 from ..source import Source, Span
-from . import ast, yaml_slips
+from . import ast
 from .fault import Fault, check_length, note
-from .layout import BESIDE, BY_NAME
 from .once import check_once
-from .sections import Section, Shape
-from .yaml_comments import comments, texts_cut_short, with_comments
-from .yaml_entries import several, statements
-from .yaml_nodes import Listing, Mapping, Node, Scalar, compose
-from .yaml_scalars import described
-from .yaml_values import values
+from .yaml import slips
+from .yaml.comments import comments, texts_cut_short, with_comments
+from .yaml.entries import several, statements
+from .yaml.layout import BESIDE, BY_NAME
+from .yaml.nodes import Listing, Mapping, Node, Scalar, compose
+from .yaml.scalars import described
+from .yaml.sections import Section, Shape
+from .yaml.values import values
 
 Item = tuple[Scalar | None, Node]
 
@@ -57,7 +58,7 @@ def read_root(root: Node, report: Report) -> Iterator[ast.Statement]:
             yield from read_section(BY_NAME[name.text], name, value, root, report)
         elif name.text not in BESIDE:
             allowed = [*BY_NAME, *BESIDE]
-            hint = yaml_slips.of_section(name.text, allowed)
+            hint = slips.of_section(name.text, allowed)
             place = "the description"
             note(syntax_yaml.unknown_key(name.span, name.text, place, allowed, hint), report)
         elif not {key.text for key, _ in root.entries}.intersection(BESIDE[name.text]):
@@ -112,8 +113,8 @@ def items(section: Section, name: Scalar, value: Node, report: Report) -> Iterat
         case ((Shape.LISTED | Shape.EITHER), Scalar()):
             yield None, value
         case _:
-            hint = yaml_slips.of_shape(value.text) if isinstance(value, Scalar) else ""
-            hint = hint or yaml_slips.written(section.name)
+            hint = slips.of_shape(value.text) if isinstance(value, Scalar) else ""
+            hint = hint or slips.written(section.name)
             expected = expected_shape(section)
             note(syntax_yaml.wrong_shape(value.span, described(value), expected, hint), report)
 

@@ -9,7 +9,7 @@ from ..diagnostics import Diagnostic, Report, syntax
 from ..patterns import pattern
 from ..source import Source, Span
 from . import ast
-from .grammar import statement_words
+from .parser.grammar import statement_words
 
 YAML_SUFFIXES = frozenset({".yaml", ".yml", ".json"})
 """JSON is YAML too."""

@@ -9,8 +9,8 @@ from typing import Any
 
 from ..data import data
 from ..units import DIMENSIONS
-from .layout import BESIDE, SECTIONS
-from .sections import Entry, Key, Kind, Section, Shape
+from .yaml.layout import BESIDE, SECTIONS
+from .yaml.sections import Entry, Key, Kind, Section, Shape
 
 Schema = dict[str, Any]
 

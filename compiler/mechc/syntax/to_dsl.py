@@ -220,7 +220,7 @@ def written(field: str, value: Any) -> str:
 
 
 def quoted(value: str) -> str:
-    r"""Return a text in quotes; :func:`mechc.syntax.builders.unquoted` takes them off again.
+    r"""Return a text in quotes; :func:`mechc.syntax.parser.builders.unquoted` takes them off again.
 
     >>> quoted('a "b"')
     '"a \\"b\\""'

@@ -9,11 +9,11 @@ from itertools import groupby
 from typing import Any
 
 from . import ast, text
-from .layout import ORDER, SECTIONS
-from .sections import Entry, Key, Kind, Section, Shape
 from .to_dsl import commented, given
-from .yaml_text import scalar
-from .yaml_text import text as text_scalar
+from .yaml.layout import ORDER, SECTIONS
+from .yaml.sections import Entry, Key, Kind, Section, Shape
+from .yaml.text import scalar
+from .yaml.text import text as text_scalar
 
 Statements = Sequence[ast.Statement]
 

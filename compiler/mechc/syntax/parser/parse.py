@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 
-from ..diagnostics import Diagnostic, syntax
-from ..source import Span
+from ...diagnostics import Diagnostic, syntax
+from ...source import Span
+from ..fault import Fault
+from ..vocabulary import points_of
 from . import slips
-from .fault import Fault
 from .grammar import Start, keywords, reading, spelling, statement_words, with_names
 from .lalr import END, Refused, Token, span_of
 from .tokens import check
-from .vocabulary import points_of
 from .written import example
 
 NAMING = frozenset(

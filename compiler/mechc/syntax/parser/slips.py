@@ -2,22 +2,13 @@
 
 from collections.abc import Sequence
 
-from ..diagnostics import near_miss
-from ..units import UNITS
+from ...diagnostics import near_miss
+from ...units import UNITS
+from ..vocabulary import CHOICE, DIAMETER, FUNCTIONS, LANGUAGES, NAME, RANGE, TWINS, split_quantity
 from .grammar import keywords, spelling
 from .lalr import Token, span_of
 from .lines import OPERAND_ENDS
 from .usual_slips import ASKED, CHOICES, COORDINATES, SCALARS, STATED
-from .vocabulary import (
-    CHOICE,
-    DIAMETER,
-    FUNCTIONS,
-    LANGUAGES,
-    NAME,
-    RANGE,
-    TWINS,
-    split_quantity,
-)
 from .written import WRITTEN, example, whole_example, words_behind
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})

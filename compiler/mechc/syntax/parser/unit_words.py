@@ -2,12 +2,12 @@
 
 from typing import TYPE_CHECKING
 
-from ..units import UNITS
+from ...units import UNITS
 
 if TYPE_CHECKING:
     import difflib
 else:
-    from ..later import Later
+    from ...later import Later
 
     difflib = Later("difflib")
 

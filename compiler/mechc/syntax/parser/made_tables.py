@@ -1,8 +1,8 @@
-"""The parser's tables, made by ``mechc.syntax.make_tables``."""
+"""The parser's tables, made by ``mechc.syntax.parser.make_tables``."""
 
 from .lalr import Rule, Tables
 
-MADE_FROM = 1763948757
+MADE_FROM = 3906664003
 TABLES = Tables(
 terminals=[
 ('NAME', "[A-Za-z][A-Za-z0-9_']*(\\.([A-Z][0-9]*'*)+(_[xy])?(?![A-Za-z0-9_']))?"),

@@ -9,9 +9,10 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from . import ast, builders, expressions
+from .. import ast
+from ..vocabulary import GROUND
+from . import builders, expressions
 from .lalr import NOWHERE, Token, span_of
-from .vocabulary import GROUND
 
 Made = Callable[..., object]
 Measure = tuple[ast.Expr, ast.Expr | None]

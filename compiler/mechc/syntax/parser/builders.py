@@ -5,9 +5,9 @@ Their span, comments and remark come from the reader of the line.
 
 from typing import Any, Literal, cast
 
-from ..diagnostics import syntax
-from . import ast
-from .fault import Fault
+from ...diagnostics import syntax
+from .. import ast
+from ..fault import Fault
 from .lalr import NOWHERE, Token, span_of
 
 Ends = tuple[ast.Expr, ast.Expr]

@@ -8,14 +8,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from ..diagnostics import Diagnostic, syntax, syntax_limits
-from ..source import Span
-from ..units import UNITS
-from . import limits, unit_words
-from .fault import Fault
-from .grammar import lexed
-from .lalr import Token, span_of
-from .vocabulary import (
+from ...diagnostics import Diagnostic, syntax, syntax_limits
+from ...source import Span
+from ...units import UNITS
+from .. import limits
+from ..fault import Fault
+from ..vocabulary import (
     CHOICE,
     DIAMETER,
     FIT,
@@ -25,13 +23,16 @@ from .vocabulary import (
     RANGE,
     split_quantity,
 )
+from . import unit_words
+from .grammar import lexed
+from .lalr import Token, span_of
 
 if TYPE_CHECKING:
     from . import strange as characters
 else:
-    from ..later import Later
+    from ...later import Later
 
-    characters = Later("mechc.syntax.strange")
+    characters = Later("mechc.syntax.parser.strange")
 
 Sweep = Callable[[int], int]
 

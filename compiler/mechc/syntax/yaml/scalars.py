@@ -2,15 +2,15 @@
 
 from typing import Any
 
-from ..diagnostics import Diagnostic, syntax, syntax_yaml
-from ..source import Source, Span
-from . import parse as parser
-from .fault import Fault
-from .grammar import Start
-from .lalr import span_of
-from .tokens import tokens
-from .yaml_nodes import Listing, Node, Scalar
-from .yaml_nodes import Mapping as Table
+from ...diagnostics import Diagnostic, syntax, syntax_yaml
+from ...source import Source, Span
+from ..fault import Fault
+from ..parser import parse as parser
+from ..parser.grammar import Start
+from ..parser.lalr import span_of
+from ..parser.tokens import tokens
+from .nodes import Listing, Node, Scalar
+from .nodes import Mapping as Table
 
 ESCAPES = {"x": 4, "u": 6, "U": 10}
 """Length of the numeric escapes of double-quoted scalars."""

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
-from ..named import NamedTuple
-from ..source import Span
+from ...named import NamedTuple
+from ...source import Span
 
 END = "$END"
 """The type of the token behind the last one."""

@@ -3,7 +3,8 @@
 Adding a construct to YAML is adding an entry here, and nowhere else.
 """
 
-from . import ast
+from .. import ast
+from ..vocabulary import LANGUAGES
 from .layout_keys import (
     AT_POINT,
     BETWEEN,
@@ -30,7 +31,6 @@ from .sections import (
     optional,
     plain,
 )
-from .vocabulary import LANGUAGES
 
 SECTIONS: tuple[Section, ...] = (
     one("mechc", "version of the language", ast.Version, plain(Kind.VERSION, "number")),

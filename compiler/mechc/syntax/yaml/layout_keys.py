@@ -1,6 +1,6 @@
 """Keys that several entries of the YAML layout have, and the entries of friction."""
 
-from . import ast
+from .. import ast
 from .sections import Entry, Key, Kind, key, optional, word
 
 NAMED = key("name", Kind.NAME)

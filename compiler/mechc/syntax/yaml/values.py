@@ -3,16 +3,18 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ..diagnostics import syntax, syntax_yaml
-from ..source import Source, Span
-from . import ast, expressions, usual_slips, yaml_slips
-from .fault import Fault
-from .grammar import keywords
+from ...diagnostics import syntax, syntax_yaml
+from ...source import Source, Span
+from .. import ast
+from ..fault import Fault
+from ..parser import expressions, usual_slips
+from ..parser.grammar import keywords
+from ..vocabulary import NAME
+from . import slips
+from .nodes import Listing, Node, Scalar
+from .nodes import Mapping as Table
+from .scalars import described, one_of, parsed, scalar_of
 from .sections import Key, Kind
-from .vocabulary import NAME
-from .yaml_nodes import Listing, Node, Scalar
-from .yaml_nodes import Mapping as Table
-from .yaml_scalars import described, one_of, parsed, scalar_of
 
 Fields = tuple[Any, ...]
 
@@ -54,7 +56,7 @@ def polar(node: Table, entries: Mapping[str, tuple[Scalar, Node]], source: Sourc
     for name, (key, _) in entries.items():
         if name not in ("length", "angle"):
             allowed = ["length", "angle"]
-            hint = yaml_slips.of_key(name, allowed)
+            hint = slips.of_key(name, allowed)
             raise Fault(syntax_yaml.unknown_key(key.span, name, "a vector", allowed, hint))
     if not entries:
         raise Fault(syntax_yaml.missing_key(node.span, ["length", "angle"], "the vector"))

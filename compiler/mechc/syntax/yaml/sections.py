@@ -7,8 +7,8 @@ mapping form has.
 
 from enum import Enum, auto
 
-from ..named import NamedTuple
-from . import ast
+from ...named import NamedTuple
+from .. import ast
 
 
 class Kind(Enum):

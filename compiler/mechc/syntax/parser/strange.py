@@ -3,8 +3,8 @@
 import unicodedata
 from collections.abc import Mapping, Sequence
 
+from ..vocabulary import split_quantity
 from .lalr import Token, span_of
-from .vocabulary import split_quantity
 
 QUOTES = "a text stands in plain double quotes"
 

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 
 import yaml
 
-from ..diagnostics import Diagnostic, MechcError, Report, syntax_limits, syntax_yaml
-from ..frozen import frozen
-from ..named import NamedTuple
-from ..source import Span
-from . import limits, yaml_slips
-from .fault import check_characters, note
+from ...diagnostics import Diagnostic, MechcError, Report, syntax_limits, syntax_yaml
+from ...frozen import frozen
+from ...named import NamedTuple
+from ...source import Span
+from .. import limits
+from ..fault import check_characters, note
+from . import slips
 
 
 @frozen
@@ -109,7 +110,7 @@ def events(report: Report) -> Iterator[yaml.Event]:
 
 def not_yaml(at: int, problem: str, text: str, opened: int | None = None) -> Diagnostic:
     """Return the error about text that is no YAML, with a hint for the known habits."""
-    slip = yaml_slips.of_text(text, at, problem, opened)
+    slip = slips.of_text(text, at, problem, opened)
     span = Span(slip.at, min(slip.at + 1, len(text)) if text else slip.at)
     return syntax_yaml.not_yaml(span, problem, slip.hint)
 

@@ -4,9 +4,9 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from typing import Final
 
-from ..named import NamedTuple
-from ..patterns import pattern
-from .vocabulary import POINTS
+from ...named import NamedTuple
+from ...patterns import pattern
+from ..vocabulary import POINTS
 
 GLUED: Final = pattern(
     r"^\s*(?:- )?([A-Za-z][\w']*):([^\s/:'\"][^:\n]*?)\s*(?:\n[^\n]*)?\Z", re.MULTILINE

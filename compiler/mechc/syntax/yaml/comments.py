@@ -6,12 +6,12 @@ of a section, stands above the next statement; what is left stands at the end.
 
 from collections.abc import Iterator, Sequence
 
-from ..frozen import replace
-from ..named import NamedTuple
-from ..patterns import pattern
-from ..source import Source, Span
-from . import ast
-from .yaml_nodes import Listing, Mapping, Node, Scalar
+from ...frozen import replace
+from ...named import NamedTuple
+from ...patterns import pattern
+from ...source import Source, Span
+from .. import ast
+from .nodes import Listing, Mapping, Node, Scalar
 
 CUT = pattern(r"[ \t]+(#\w[^\n]*)")
 

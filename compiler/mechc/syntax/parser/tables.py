@@ -9,7 +9,7 @@ from importlib import import_module
 from typing import Literal, cast, get_args
 from zlib import crc32
 
-from ..data import data
+from ...data import data
 from .lalr import Tables
 
 Start = Literal[

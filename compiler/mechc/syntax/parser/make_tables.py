@@ -1,4 +1,7 @@
-"""The parser's tables, made by Lark: ``python -m mechc.syntax.make_tables`` ships them anew."""
+"""The parser's tables, made by Lark.
+
+``python -m mechc.syntax.parser.make_tables`` ships them anew.
+"""
 
 import re
 from collections.abc import Iterator
@@ -14,7 +17,7 @@ from .tables import STARTS, checksum, grammar
 
 MADE = Path(__file__).with_name("made_tables.py")
 
-HEAD = '''"""The parser's tables, made by ``mechc.syntax.make_tables``."""
+HEAD = '''"""The parser's tables, made by ``mechc.syntax.parser.make_tables``."""
 
 from .lalr import Rule, Tables
 '''

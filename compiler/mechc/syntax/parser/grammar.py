@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
+from ..vocabulary import LANGUAGES
 from .lalr import Parser, Reading, Token, span_of
 from .tables import Start, tables
 from .tree import rules
-from .vocabulary import LANGUAGES
 
 __all__ = [
     "Reading",

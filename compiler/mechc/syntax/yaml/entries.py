@@ -3,16 +3,17 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from ..diagnostics import Diagnostic, syntax, syntax_yaml
-from ..frozen import fields
-from ..source import Source, Span
-from . import ast, yaml_slips
-from .fault import Fault
+from ...diagnostics import Diagnostic, syntax, syntax_yaml
+from ...frozen import fields
+from ...source import Source, Span
+from .. import ast
+from ..fault import Fault
+from ..vocabulary import points_of
+from . import slips
+from .nodes import Listing, Mapping, Node, Scalar
+from .scalars import described
 from .sections import Entry, Key, Kind, Section, Shape
-from .vocabulary import points_of
-from .yaml_nodes import Listing, Mapping, Node, Scalar
-from .yaml_scalars import described
-from .yaml_values import values
+from .values import values
 
 Pair = tuple[Scalar, Node]
 Chosen = tuple[Entry, list[Pair] | None]
@@ -58,9 +59,9 @@ def table(value: Node, where: str, section: Section) -> Mapping:
         return value
     keys = [key.name for entry in section.entries for key in entry.keys]
     expected = f"a mapping with keys of {', '.join(keys)}"
-    if section.name in yaml_slips.WRITTEN:
+    if section.name in slips.WRITTEN:
         expected = "a mapping"
-    hint = yaml_slips.written(section.name)
+    hint = slips.written(section.name)
     raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected, hint))
 
 
@@ -83,7 +84,7 @@ def by_keys(section: Section, value: Mapping, where: str) -> list[Chosen]:
 
 def unknown_key(name: Scalar, where: str, allowed: Iterable[str]) -> Diagnostic:
     """Return the error about a key that an entry does not have."""
-    hint = yaml_slips.of_key(name.text, allowed)
+    hint = slips.of_key(name.text, allowed)
     return syntax_yaml.unknown_key(name.span, name.text, f"'{where}'", allowed, hint)
 
 

@@ -7,14 +7,13 @@ node and no tree is walked afterwards.
 from fractions import Fraction
 from typing import Any
 
-from ..diagnostics import syntax, syntax_limits
-from ..frozen import replace
-from ..source import Span
-from ..units import UNITS
-from . import ast, limits, text, unit_words
-from .fault import Fault
-from .lalr import Token, span_of
-from .vocabulary import (
+from ...diagnostics import syntax, syntax_limits
+from ...frozen import replace
+from ...source import Span
+from ...units import UNITS
+from .. import ast, limits, text
+from ..fault import Fault
+from ..vocabulary import (
     CONSTANTS,
     FUNCTIONS,
     TWINS,
@@ -24,6 +23,8 @@ from .vocabulary import (
     points_of,
     split_quantity,
 )
+from . import unit_words
+from .lalr import Token, span_of
 
 Signed = tuple[int, ast.Expr]
 
