@@ -10,20 +10,20 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from compiled_ratios import Ratio
 from mechc.driver import Compilation
 from mechc.formula.walk import symbols
 from mechc.model.locking import USUAL, EfficiencyRange, LockingInterval, LockingIntervals
 from mechc.model.mechanism import Mechanism
 from mechc.model.targets import SIGNS, Efficiency, WithFriction
 from mechc.model.values import defaults, independent
-from mechc.routine.evaluate import evaluate, status
-from mechc.routine.steps import Function, Solve
+from mechc.routine.evaluate import evaluate
 from mechc.study.analysis import Analysis
 from statements import evaluate as value_of
 from statements import poses, with_rest
 
 DENSE = 2001
-"""Places along a range; fewer where friction is iterated and many parameters have one."""
+"""Places along a range."""
 
 BESIDE = (1e-3, 1e-4, 3e-5)
 """How far from what is said to be an end is looked, too, as parts of the range."""
@@ -68,27 +68,21 @@ class Ratios:
     """A ratio without friction and the same with it, as code gives them along a parameter."""
 
     def __init__(self, compilation: Compilation, result: Analysis) -> None:
-        functions = {f.name: f for f in compilation.routine.functions}
         named = {r.target: r.name for r in compilation.solution.results}
         target = result.target
         assert isinstance(target, WithFriction | Efficiency)
         self.sense = SIGNS[target.sense]
         real = named[WithFriction(target.of, target.sense)]
-        self.parts = functions[named[target.of]], functions[real]
-        inputs = [i for f in self.parts for i in f.inputs]
+        self.parts = Ratio(compilation, named[target.of]), Ratio(compilation, real)
+        inputs = [i for part in self.parts for i in part.function.inputs]
         self.defaults = {i.name: 1.0 if i.default is None else i.default for i in inputs}
-        is_iterated = any(isinstance(step, Solve) for f in self.parts for step in f.steps)
-        along = result.locking.reaches if result.locking else result.efficiency_ranges
-        stretches = sum(len(r.stretches) for r in result.locking.reaches) if result.locking else 0
-        many = max(1, len(along) // 4, stretches // 8) if is_iterated else 1
-        self.dense, self.outside = DENSE // many, OUTSIDE // many
 
     def without(self, name: str, places: Array) -> Array:
         """Return k."""
         return self._value(self.parts[0], name, places)
 
-    def _value(self, of: Function, name: str, places: Array) -> Array:
-        return np.broadcast_to(evaluate(of, {**self.defaults, name: places}), places.shape)
+    def _value(self, of: Ratio, name: str, places: Array) -> Array:
+        return np.broadcast_to(of.values({**self.defaults, name: places}), places.shape)
 
     def along(self, name: str, places: Array) -> tuple[Array, Array]:
         """Return k, and the ratio with friction as a part of it; NaN at a dead centre."""
@@ -102,7 +96,7 @@ class Ratios:
     def states(self, values: Mapping[str, float | Array]) -> Array:
         """Return the statuses in code, with the other parameters at their values."""
         ideal, real = self.parts
-        return np.asarray(status(real, ideal, {**self.defaults, **values}))
+        return real.states(ideal.function, {**self.defaults, **values})
 
 
 def refuted(compilation: Compilation) -> Iterator[str]:
@@ -135,7 +129,7 @@ def stuck(ratios: Ratios, result: Analysis, reach: LockingIntervals) -> Iterator
     parts = [(s.within, s.state) for s in reach.stretches if s.within]
     ends = [end for within, _ in parts for end in within]
     near = [e + way * d * (high - low) for e in ends for d in BESIDE for way in (1, -1)]
-    even = np.linspace(low, high, ratios.dense + 2)[1:-1] + ASIDE * (high - low)
+    even = np.linspace(low, high, DENSE + 2)[1:-1] + ASIDE * (high - low)
     places = np.unique([*even, *near, *bent(ratios, reach.parameter, even)])
     places = places[(places > low) & (places < high)]
     for x, k, share in zip(places, *ratios.along(reach.parameter, places), strict=True):
@@ -187,7 +181,7 @@ def throughout(
     ends = reach.range or (math.nan, math.nan)
     low = stretch.low.x if stretch.low else ends[0]
     high = stretch.high.x if stretch.high else ends[1]
-    places = low + (high - low) * (np.linspace(NEAR, 1 - NEAR, ratios.outside) + ASIDE)
+    places = low + (high - low) * (np.linspace(NEAR, 1 - NEAR, OUTSIDE) + ASIDE)
     for x, code in zip(places, ratios.states({reach.parameter: places}), strict=True):
         if STATES.get(int(code), stretch.state) != stretch.state:
             yield f"{result.name} at {reach.parameter} = {x!r}: {stretch.state}, is {code}"
@@ -230,7 +224,7 @@ def _holds(result: Analysis, known: Mapping[str, float]) -> bool:
 def run(ratios: Ratios, result: Analysis, efficiency: EfficiencyRange) -> Iterator[str]:
     """Yield what an efficiency comes to beyond what it is said to run through."""
     width = efficiency.range[1] - efficiency.range[0]
-    places = np.linspace(*efficiency.range, ratios.dense)[1:-1] + ASIDE * width
+    places = np.linspace(*efficiency.range, DENSE)[1:-1] + ASIDE * width
     k, share = ratios.along(efficiency.parameter, places)
     driven = ratios.sense * k < 0
     with np.errstate(all="ignore"):

@@ -3,10 +3,11 @@
 Each yields what is false, in words; nothing where all holds, or where it does not apply.
 """
 
-import shutil
 from collections.abc import Callable, Iterator
 from math import isclose
 from random import Random
+
+import numpy as np
 
 import branchings
 import conclusions
@@ -17,17 +18,28 @@ import reference_strokes
 import statements
 import stroke_curves
 import stroke_statements
+from compiled_ratios import in_c, library
 from homogeneous import uneven
 from hunted import Hunted
 from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.target import Options
-from mechc.model.targets import LoadRatio, SpeedRatio
+from mechc.model.targets import LoadRatio, SpeedRatio, WithFriction
+from mechc.routine.evaluate import status
 from mechc.source import Source
 from mechc.syntax import ast
 from page import Page
 from printed_units import PrintedUnits, displaced
-from run_targets import assert_close, built, by_c_in_batch, by_c_singly, by_interpreter, by_python
+from run_targets import (
+    COMPILER,
+    POSES,
+    assert_close,
+    by_c_in_batch,
+    by_c_singly,
+    by_interpreter,
+    by_python,
+)
+from run_targets import poses as drawn
 
 BEYOND = (ast.Actuator, ast.Spring, ast.Drawn, ast.Use, ast.Table, ast.Sizes)
 """What the reference of given poses does not read."""
@@ -134,11 +146,27 @@ def code(found: Hunted) -> Iterator[str]:
     made, routine = found.compilation, found.compilation.routine
     expected = by_interpreter(made)
     assert_close(by_python(made), expected, 0, routine)
-    if shutil.which("gcc"):
-        library = built(made, found.folder)
-        assert_close(by_c_singly(made, library), expected, 64, routine)
-        assert_close(by_c_in_batch(made, library), expected, 64, routine)
-    yield from ()
+    if COMPILER:
+        compiled = library(made)
+        assert_close(by_c_singly(made, compiled), expected, 64, routine)
+        assert_close(by_c_in_batch(made, compiled), expected, 64, routine)
+        yield from statuses(made)
+
+
+def statuses(made: Compilation) -> Iterator[str]:
+    """Statuses in compiled C, on which more rests that is said of friction."""
+    functions = {f.name: f for f in made.routine.functions}
+    named = {r.target: r.name for r in made.results}
+    call = in_c(made)
+    for target, name in named.items():
+        if call is None or not isinstance(target, WithFriction) or not functions[name].status:
+            continue
+        real, ideal = functions[name], functions[named[target.of]]
+        values = {**drawn(ideal), **drawn(real)}
+        found = call(f"{name}_status_n", [i.name for i in real.status.inputs], np.intc, values)
+        expected = np.broadcast_to(status(real, ideal, values), POSES)
+        if not np.array_equal(np.broadcast_to(found, POSES), expected):
+            yield f"the status of {name} is {found.tolist()} in C, {expected.tolist()} expected"
 
 
 def page(found: Hunted) -> Iterator[str]:
