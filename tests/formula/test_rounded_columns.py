@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from mechc.formula.rounded_columns import Column, RoundedColumns
+from mechc.formula.rounded_columns import RoundedColumn, RoundedColumns
 from mechc.formula.rounding import EPS, Rounding
 from mechc.formula.tree import Call, Formula, Number, Power, Product, Sum, Symbol, System, implicit
 
@@ -49,7 +49,7 @@ FORMULAS: dict[str, Formula] = {
 
 def columns(places: list[tuple[float, float]]) -> RoundedColumns:
     given = {
-        name: Column([p[i] for p in places], [EPS * abs(p[i]) for p in places])
+        name: RoundedColumn([p[i] for p in places], [EPS * abs(p[i]) for p in places])
         for i, name in enumerate("xy")
     }
     return RoundedColumns(given, len(places))

@@ -38,7 +38,7 @@ NOTHING, ONE = Rounded(math.nan, 0.0), Rounded(1.0, 0.0)
 NO_VALUE = (ZeroDivisionError, ValueError, OverflowError)
 
 
-class Column(NamedTuple):
+class RoundedColumn(NamedTuple):
     """The values of one quantity at all poses, and what rounding may have made of each at most."""
 
     values: Sequence[float]
@@ -53,7 +53,7 @@ class Column(NamedTuple):
 Pairs = tuple[Sequence[float], Sequence[float]]
 """Values, and their errors."""
 
-Whole = Callable[[Sequence[Column]], Pairs]
+Whole = Callable[[Sequence[RoundedColumn]], Pairs]
 """Makes values and errors of columns; raises where a value is not defined at each pose."""
 
 
@@ -69,18 +69,18 @@ class RoundedColumns:
     """Formulas at many poses; what several share is found once.
 
     >>> from .tree import product
-    >>> x = RoundedColumns({"x": Column([2.0, 0.0], [0.0, 0.0])}, 2)
+    >>> x = RoundedColumns({"x": RoundedColumn([2.0, 0.0], [0.0, 0.0])}, 2)
     >>> inverse = x.of(product([(Symbol("x"), -1)]))
     >>> inverse.at(0).value, inverse.at(1)
     (0.5, None)
     """
 
-    def __init__(self, given: Mapping[str, Column], rows: int) -> None:
+    def __init__(self, given: Mapping[str, RoundedColumn], rows: int) -> None:
         """Take what has a name, each as a column of so many rows."""
         self._named, self._rows = dict(given), rows
-        self._known: dict[int, tuple[Formula, Column]] = {}
-        self._constants: dict[Rounded, Column] = {}
-        self._made: dict[tuple[object, ...], tuple[Sequence[Column], Column]] = {}
+        self._known: dict[int, tuple[Formula, RoundedColumn]] = {}
+        self._constants: dict[Rounded, RoundedColumn] = {}
+        self._made: dict[tuple[object, ...], tuple[Sequence[RoundedColumn], RoundedColumn]] = {}
         self._solved: dict[tuple[int, ...], tuple[System, list[tuple[float, ...]]]] = {}
 
     @property
@@ -100,7 +100,7 @@ class RoundedColumns:
                 inner._named[name] = inner.of(formula)
         return inner
 
-    def of(self, formula: Formula) -> Column:
+    def of(self, formula: Formula) -> RoundedColumn:
         """Return a formula's column."""
         if isinstance(formula, Symbol) and not isinstance(formula, Constant):
             return self._named[formula.name]
@@ -109,7 +109,7 @@ class RoundedColumns:
             known = self._known[id(formula)] = formula, self._column(formula)
         return known[1]
 
-    def _column(self, formula: Formula) -> Column:
+    def _column(self, formula: Formula) -> RoundedColumn:
         match formula:
             case Number(value):
                 number = value.numerator / value.denominator
@@ -134,20 +134,20 @@ class RoundedColumns:
             case _:
                 return self.of(formula)
 
-    def _constant(self, number: Rounded) -> Column:
+    def _constant(self, number: Rounded) -> RoundedColumn:
         if number not in self._constants:
             columns = [number.value] * self._rows, [number.error] * self._rows
-            self._constants[number] = Column(*columns)
+            self._constants[number] = RoundedColumn(*columns)
         return self._constants[number]
 
-    def _made_of(self, operation: Operation, columns: Sequence[Column]) -> Column:
+    def _made_of(self, operation: Operation, columns: Sequence[RoundedColumn]) -> RoundedColumn:
         """Return the column that an operation makes of others; each is made once."""
         key = operation.name, *map(id, columns)
         if key not in self._made:
             self._made[key] = columns, _carried_out(operation, columns)
         return self._made[key][1]
 
-    def _call(self, function: str, columns: Sequence[Column]) -> Column:
+    def _call(self, function: str, columns: Sequence[RoundedColumn]) -> RoundedColumn:
         if function in BY_SINES:
             above, below = (
                 self._call(f, columns) if f else self._constant(ONE) for f in BY_SINES[function]
@@ -155,16 +155,16 @@ class RoundedColumns:
             return self._made_of(PRODUCT, [above, self._made_of(_to_the(-1.0, 0.0), [below])])
         return self._made_of(_function(function), columns)
 
-    def _unknown(self, formula: Implicit) -> Column:
+    def _unknown(self, formula: Implicit) -> RoundedColumn:
         columns = [*map(self.of, formula.arguments)]
         key = id(formula.system), *map(id, columns)
         if key not in self._solved:
             self._solved[key] = formula.system, _solutions(formula.system, columns, self._rows)
         found = [unknowns[formula.index] for unknowns in self._solved[key][1]]
-        return Column(found, [SOLVED * max(1.0, abs(number)) for number in found])
+        return RoundedColumn(found, [SOLVED * max(1.0, abs(number)) for number in found])
 
 
-def _carried_out(operation: Operation, columns: Sequence[Column]) -> Column:
+def _carried_out(operation: Operation, columns: Sequence[RoundedColumn]) -> RoundedColumn:
     """Return an operation on whole columns; pose by pose where it is not defined in all."""
     if operation.whole is None:
         return _pose_by_pose(operation, columns)
@@ -173,14 +173,14 @@ def _carried_out(operation: Operation, columns: Sequence[Column]) -> Column:
     except NO_VALUE:
         return _pose_by_pose(operation, columns)
     if all(map(math.isfinite, values)):
-        return Column(values, errors)
-    return Column([v if math.isfinite(v) else math.nan for v in values], errors)
+        return RoundedColumn(values, errors)
+    return RoundedColumn([v if math.isfinite(v) else math.nan for v in values], errors)
 
 
-def _pose_by_pose(operation: Operation, columns: Sequence[Column]) -> Column:
+def _pose_by_pose(operation: Operation, columns: Sequence[RoundedColumn]) -> RoundedColumn:
     parts = [[*map(Rounded, column.values, column.errors)] for column in columns]
     found = [_at_one(operation, at_one) for at_one in zip(*parts, strict=True)]
-    return Column([f.value for f in found], [f.error for f in found])
+    return RoundedColumn([f.value for f in found], [f.error for f in found])
 
 
 def _at_one(operation: Operation, parts: Sequence[Rounded]) -> Rounded:
@@ -196,13 +196,13 @@ def _at_one(operation: Operation, parts: Sequence[Rounded]) -> Rounded:
 # ------------------------------------------------------------------------- operations
 
 
-def _sum(columns: Sequence[Column]) -> Pairs:
+def _sum(columns: Sequence[RoundedColumn]) -> Pairs:
     values = [*map(math.fsum, zip(*(c.values for c in columns), strict=True))]
     errors = map(math.fsum, zip(*(c.errors for c in columns), strict=True))
     return values, [e + EPS * abs(v) for e, v in zip(errors, values, strict=True)]
 
 
-def _product(columns: Sequence[Column]) -> Pairs:
+def _product(columns: Sequence[RoundedColumn]) -> Pairs:
     values, errors = columns[0]
     errors = [e + EPS * abs(v) for v, e in zip(values, errors, strict=True)]
     for column in columns[1:]:
@@ -215,7 +215,7 @@ def _product(columns: Sequence[Column]) -> Pairs:
     return values, errors
 
 
-def _powers(columns: Sequence[Column], exponent: Rounded) -> Pairs:
+def _powers(columns: Sequence[RoundedColumn], exponent: Rounded) -> Pairs:
     """Return powers of what is not zero, but for rounding."""
     (bases, errors), (power, lost) = columns[0], exponent
     is_whole = power.is_integer()
@@ -231,7 +231,7 @@ def _powers(columns: Sequence[Column], exponent: Rounded) -> Pairs:
     return values, moved
 
 
-def _moved(function: Callable[[float], float], columns: Sequence[Column]) -> Pairs:
+def _moved(function: Callable[[float], float], columns: Sequence[RoundedColumn]) -> Pairs:
     """Return a function of one column, and how far it moves where that does."""
     sizes, errors = columns[0]
     values = [*map(function, sizes)]
@@ -269,7 +269,9 @@ POWER = Operation("^", None, lambda pair: powered(*pair))
 CHOICES = {"choose": _chosen, "next": _next}
 
 
-def _solutions(system: System, columns: Sequence[Column], rows: int) -> list[tuple[float, ...]]:
+def _solutions(
+    system: System, columns: Sequence[RoundedColumn], rows: int
+) -> list[tuple[float, ...]]:
     """Return the unknowns of a system at all poses, found once for all of them."""
     unknown = (math.nan,) * len(system.unknowns)
     places = zip(*(c.values for c in columns), strict=True) if columns else [()] * rows

@@ -5,42 +5,25 @@ in mechc, whatever was written: nothing may be emitted then.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import partial
+from collections.abc import Iterable, Iterator
 from itertools import islice
-from typing import assert_never
 
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics import statics as messages
-from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding
-from ..formula.tree import ONE, Formula
-from ..formula.walk import substitute, symbols
-from ..model.mechanism import (
-    Axial,
-    Efficiency,
-    ForceAtJoint,
-    LoadForm,
-    LoadRatio,
-    Mechanism,
-    Normal,
-    Reaction,
-    Require,
-    SpeedRatio,
-    WithFriction,
-)
-from ..model.result import Definition, Result
+from ..model.result import Result
 from ..model.values import defaults
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..source import Span
 from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
-from . import counted, friction, joint_forces, speeds, surfaces
-from .answers import Answer, load_coefficient, load_ratio
+from . import counted, surfaces
+from .answers import Answer
 from .balanced import Balanced
 from .closure import worst_gap
 from .contacts import pulling, slack
 from .poses import Replay, Values, broken_at_default, candidates, free_values, varies
+from .questions import Question, questions
 from .tolerances import SMALLEST
 from .verdict import (
     NEAR_SINGULAR,
@@ -72,20 +55,6 @@ class RefereeDisagrees(MechcError):
         self.verdict = verdict
 
 
-class Question(NamedTuple):
-    """What virtual power answers with a formula, and how statics is asked for the same.
-
-    With friction several forces may balance; then it is asked for ``others``.
-    """
-
-    name: str
-    formula: Formula
-    where: tuple[Definition, ...]
-    ask: Callable[[Balanced], Answer]
-    guards: tuple[Require, ...] = ()
-    others: Callable[[Balanced], Iterable[Answer]] = lambda at: ()
-
-
 class CrossChecked(NamedTuple):
     """The trials of one question, and why other poses were passed over."""
 
@@ -112,7 +81,7 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     trials: list[Trial] = []
     remarks: list[Untried] = []
     part = most_of_what_is_left()
-    for question in _questions(results, pose.mechanism):
+    for question in questions(results, pose.mechanism):
         found, troubles = _cross_check(question, iter(balanced), wanted, part)
         trials.extend(found)
         if one := next((trial for trial in found if trial.is_one_of_several), None):
@@ -141,105 +110,6 @@ def _count_pins(at: Balanced, report: Report) -> None:
     at_pins = ((p.on, p.actions) for p in surfaces.pairs_of(at) if p.kind == "pin")
     for pin in counted.uncounted(at, at_pins):
         report.add(messages.friction_not_counted(at.pose.mechanism.span, pin))
-
-
-def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Question]:
-    given = {load.name for load in mechanism.loads if load.tie is not None}
-    given |= {let.name for let in mechanism.lets}
-    for result in results:
-        name, formula, where = result.name, result.formula, result.where
-        match target := result.target:
-            case LoadRatio(above, below):
-                yield Question(name, formula, where, partial(load_ratio, above=above, below=below))
-            case LoadForm(load):
-                yield from _coefficients(result, load, given)
-            case Reaction(part="direction"):
-                pass  # it follows from the components, which are checked
-            case Reaction() | Axial() | Normal():
-                yield from _forces(result, target, mechanism)
-            case WithFriction(Reaction(part="direction")):
-                pass  # it follows from the components, which are checked
-            case WithFriction(order="exact") if mechanism.friction.efficiency is None:
-                yield _with_friction(result, target, mechanism)
-            case WithFriction() | Efficiency():
-                pass  # an approximation, and quotients of what is checked
-            case SpeedRatio():
-                yield Question(name, formula, where, partial(speeds.speed_ratio, target=target))
-            case None:
-                pass
-            case _:
-                assert_never(target)
-
-
-def _coefficients(result: Result, load: str, given: set[str]) -> Iterator[Question]:
-    coefficients = result.coefficients or {}
-    known = given | coefficients.keys()
-    for other, formula in coefficients.items():
-        ask = partial(load_coefficient, load=load, other=other, known=known)
-        yield Question(f"{result.name}/{other}", formula, result.where, ask)
-
-
-def _forces(result: Result, target: ForceAtJoint, mechanism: Mechanism) -> Iterator[Question]:
-    """Ask for a force at a joint under one given load after another.
-
-    The size of a force is checked where one load makes it; under several it follows from
-    the components.
-    """
-    coefficients = result.coefficients or _single(result, mechanism)
-    for load, formula in coefficients.items():
-        ask = partial(
-            joint_forces.joint_force, target=target, given=load, known=coefficients.keys()
-        )
-        yield Question(f"{result.name}/{load}", formula, result.where, ask)
-
-
-def _with_friction(result: Result, target: WithFriction, mechanism: Mechanism) -> Question:
-    """Ask for a load or force with friction where every other load is 1 or what is known."""
-    known = {d.name: d.formula for d in result.where}
-    asked = _asked(target, mechanism)
-    free = [load.name for load in mechanism.loads if load.tie is None or load.name in known]
-    if isinstance(target.of, LoadRatio):
-        free = [target.of.below]
-    sizes = (Definition(n, ONE) for n in free if n != asked and n not in known)
-    where = (*sizes, *result.where)
-
-    def loaded(at: Balanced) -> tuple[str, Mapping[str, float]]:
-        driving = asked or _left(mechanism, at)
-        others = [n for n in free if n != driving]
-        return driving, {n: evaluate(known.get(n, ONE), at.values) for n in others}
-
-    def ask(at: Balanced) -> Answer:
-        return friction.with_friction(at, target, *loaded(at))
-
-    def others(at: Balanced) -> Iterator[Answer]:
-        return friction.others_with_friction(at, target, *loaded(at))
-
-    return Question(result.name, result.formula, where, ask, result.guards, others)
-
-
-def _asked(target: WithFriction, mechanism: Mechanism) -> str:
-    """Return the load asked for, which follows from the others; '' for none."""
-    asked = [target.of, *(find.target for find in mechanism.finds)]
-    for one in asked:
-        if isinstance(one, LoadRatio):
-            return one.above
-        if isinstance(one, LoadForm):
-            return one.load
-    return ""
-
-
-def _left(mechanism: Mechanism, at: Balanced) -> str:
-    """Return the load that has no size and that the joints alone do not balance."""
-    valued = {let.name for let in mechanism.lets}
-    free = (k.name for k in mechanism.loads if k.tie is None and k.name not in valued)
-    last = len(at.system.unknowns)
-    return next((n for n in free if at.eliminated((n,), None)[0].determined(last)), "")
-
-
-def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
-    """Return the size of a force per unit of its load; nothing where several make it."""
-    loads = symbols(result.formula) & {load.name for load in mechanism.loads}
-    return {n: substitute(result.formula, {n: ONE}) for n in loads} if len(loads) == 1 else {}
 
 
 def _cross_check(

@@ -5,7 +5,7 @@ from itertools import groupby
 from typing import assert_never
 
 from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, product, total
-from ...formula.walk import substitute, symbols, walk
+from ...formula.walk import symbols, walk
 from ...friction.solution import Solution, SolvedWithFriction, Step
 from ...frozen import replace
 from ...model.mechanism import (
@@ -22,6 +22,7 @@ from ...power.balance import Solved
 from ...study.analysis import Analysis
 from ..sentences.wording import geometry_first, positive_first
 from ..steps import Equation, Explanation, Paragraph, SentenceKind
+from .earlier import EarlierSteps, driving, renamed
 
 _LINES: Mapping[str, SentenceKind] = {
     "crossed": SentenceKind.CROSSED,
@@ -30,9 +31,6 @@ _LINES: Mapping[str, SentenceKind] = {
     "single": SentenceKind.SINGLE,
     "face": SentenceKind.FACE,
 }
-
-_ONCE = {*_LINES, "iterated"}
-"""Steps that are the same for all results."""
 
 _AT_PINS = ("crossed", "outer", "parallel", "single")
 
@@ -57,7 +55,7 @@ def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Exp
     ``results`` are these in the form in which they are shown.
     """
     mechanism = solution.plan.graph.pose.mechanism
-    earlier = _Shown(mechanism.friction.parameters)
+    earlier = EarlierSteps(mechanism.friction.parameters)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is None or not solved or not solved[0].steps:
@@ -69,13 +67,13 @@ def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Exp
         if solved[0].steps[0].kind == "iterated" and not _are_iterated(names, results):
             yield Explanation(names, ())
             continue
-        steps = earlier.with_one_meaning(solved[0].steps, place, names[0])
+        steps = earlier.enter_forces(solved[0].steps, place, names[0])
         steps = [_with_result(step, place, names[0]) for step in steps]
         paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place)]
         first = solved[0].result
-        if steps[0].kind == "iterated" and _driving(place):
+        if steps[0].kind == "iterated" and driving(place):
             shown = next(r for r in results if r.name == names[0])
-            paragraphs += earlier.once(_powers(place, [d.name for d in shown.where]))
+            paragraphs += earlier.enter_sentences(_powers(place, [d.name for d in shown.where]))
         yield Explanation(names, (*_opening(place, first, steps, mechanism, earlier), *paragraphs))
 
 
@@ -104,86 +102,12 @@ def exact_name(result: Result, results: Iterable[Result]) -> str:
     return next((r.name for r in results if r.target == exact and r.formula == result.formula), "")
 
 
-class _Shown:
-    """The names and lines of earlier results, so that nothing is stated twice."""
-
-    def __init__(self, turns: Iterable[str]) -> None:
-        self.turns = set(turns)
-        """Names of angles by which friction turns a force, those of friction itself."""
-        self._known: dict[str, Formula] = {}
-        self._lines: set[tuple[str, str]] = set()
-        self._found: dict[str, Formula] = {}
-        self._said: set[SentenceKind] = set()
-
-    def with_one_meaning(
-        self, steps: Sequence[Step], asked: WithFriction, result: str
-    ) -> Sequence[Step]:
-        """Return steps with another name for a force that is not that of an earlier result.
-
-        The force in a rod is another one while the drive moves than while it just holds.
-        """
-        found = {left.name: right for left, right in _forces(steps) if left != _driving(asked)}
-        others = self._others(found)
-        endings = ("_hold" if asked.sense == "releasing" else "_f", f"_{result}")
-        ending = next(
-            e for e in endings if all(self._found.get(n + e, found[n]) == found[n] for n in others)
-        )
-        names = {name: Symbol(name + ending) for name in others}
-        self._found |= {names.get(n, Symbol(n)).name: formula for n, formula in found.items()}
-        return [_renamed(step, names) for step in steps] if names else steps
-
-    def _others(self, found: Mapping[str, Formula]) -> set[str]:
-        """Return the names that mean something else already, and those that rest on them."""
-        others = {n for n, formula in found.items() if self._found.get(n, formula) != formula}
-        for _ in found:
-            others |= {n for n, f in found.items() if n in self._found and symbols(f) & others}
-        return others
-
-    def new(self, step: Step) -> list[Equation] | None:
-        """Return the definitions of a step that are new; None for a line that was shown before."""
-        changed: set[str] = set()
-        for name, formula in step.defined:
-            if isinstance(formula, Call) and formula.function in ("asin", "atan"):
-                self.turns.add(name)
-            if self._known.get(name) != formula or changed & symbols(formula):
-                changed.add(name)
-                self._known[name] = formula
-        line = (step.kind, step.body)
-        if step.kind in _ONCE and line in self._lines and not changed:
-            return None
-        self._lines.add(line)
-        return [Equation(Symbol(d.name), d.formula) for d in step.defined if d.name in changed]
-
-    def once(self, paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
-        """Yield the paragraphs whose sentence was not said before."""
-        for paragraph in paragraphs:
-            if paragraph.sentence not in self._said:
-                self._said.add(paragraph.sentence)
-                yield paragraph
-
-
-def _forces(steps: Iterable[Step]) -> Iterator[tuple[Symbol, Formula]]:
-    """Yield the unknowns that steps solve for, and what they are."""
-    for step in steps:
-        named = {definition.name for definition in step.defined}
-        for left, right in step.equations:
-            if isinstance(left, Symbol) and left.name not in named and right != ZERO:
-                yield left, right
-
-
 def _with_result(step: Step, asked: WithFriction, result: str) -> Step:
     """Return a step that gives a load itself, under the name that it has with friction."""
-    drive = _driving(asked)
+    drive = driving(asked)
     if step.kind != "straight" or drive is None or not isinstance(asked.of, LoadForm):
         return step
-    return _renamed(step, {drive.name: Symbol(result)})
-
-
-def _renamed(step: Step, names: Mapping[str, Formula]) -> Step:
-    """Return a step with other names in its formulas."""
-    equations = ((substitute(a, names), substitute(b, names)) for a, b in step.equations)
-    defined = (d._replace(formula=substitute(d.formula, names)) for d in step.defined)
-    return replace(step, equations=tuple(equations), defined=tuple(defined))
+    return renamed(step, {drive.name: Symbol(result)})
 
 
 # ------------------------------------------------------------------------------- opening
@@ -202,20 +126,20 @@ def _opening(
     result: FrictionResult,
     steps: Sequence[Step],
     mechanism: Mechanism,
-    earlier: _Shown,
+    earlier: EarlierSteps,
 ) -> Iterator[Paragraph]:
     """Say which way friction acts, how, and what forces are measured by."""
     kind = steps[0].kind
     if kind == "efficiency":
         return
-    drive = _driving(target)
+    drive = driving(target)
     if drive is not None and kind != "first order":
         way = _WAYS[target.sense, bool(result.driven)]
         yield Paragraph(way, formulas={"drive": drive})
     if kind not in ("first order", "straight", "iterated"):
-        yield from earlier.once(_how(steps, mechanism))
+        yield from earlier.enter_sentences(_how(steps, mechanism))
     elif any(isinstance(joint, RopeFriction) for joint in mechanism.friction.joints):
-        yield from earlier.once([_ROPES])
+        yield from earlier.enter_sentences([_ROPES])
     if isinstance(target.of, LoadRatio):
         yield _unit(target.of, steps, result.name)
 
@@ -260,16 +184,16 @@ def _sentence_along(step: Step) -> SentenceKind:
 # ----------------------------------------------------------------------------- paragraphs
 
 
-def _paragraphs(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Paragraph]:
+def _paragraphs(step: Step, earlier: EarlierSteps, asked: WithFriction) -> Iterator[Paragraph]:
     """Yield the paragraphs of a step; the load that is asked for is left to the result."""
-    new = earlier.new(step)
+    new = earlier.enter(step)
     if new is None:
         if step.kind == "iterated":
             yield Paragraph(SentenceKind.ITERATED_AGAIN, formulas=_ITERATED)
         return
     sides = ([geometry_first(side, earlier.turns) for side in pair] for pair in step.equations)
     equations = [Equation(_ordered(left), right) for left, right in sides]
-    found = [e for e in equations if e.left != _driving(asked)] or equations
+    found = [e for e in equations if e.left != driving(asked)] or equations
     match step.kind:
         case "crossed" | "outer" | "parallel" | "single":
             names = {"link": (step.body,)}
@@ -306,12 +230,14 @@ def _powers(asked: WithFriction, names: Sequence[str]) -> Iterator[Paragraph]:
 
 
 def _first_order(
-    equations: Sequence[Equation], asked: WithFriction, earlier: _Shown
+    equations: Sequence[Equation], asked: WithFriction, earlier: EarlierSteps
 ) -> Iterator[Paragraph]:
     """Yield how the frictions of first order add up, and what their slips are."""
     less = asked.sense == "releasing"
     sentence = SentenceKind.FIRST_ORDER_LESS if less else SentenceKind.FIRST_ORDER
-    slips = earlier.once(_slips(e.left.name for e in equations if isinstance(e.left, Symbol)))
+    slips = earlier.enter_sentences(
+        _slips(e.left.name for e in equations if isinstance(e.left, Symbol))
+    )
     paragraphs = (Paragraph(sentence, formulas={"force": Symbol("r")}), *slips)
     yield from paragraphs[:-1]
     yield replace(paragraphs[-1], equations=tuple(equations))
@@ -351,17 +277,6 @@ def _mentioned(equation: Equation) -> set[Formula]:
 def _is_root(formula: Formula) -> bool:
     """Return whether something is, or is defined by, the root of a quadratic equation."""
     return any(isinstance(part, Call) and part.function == "sqrt" for part in walk(formula))
-
-
-def _driving(asked: WithFriction) -> Symbol | None:
-    """Return the load that a result is of."""
-    match asked.of:
-        case LoadRatio(above, _):
-            return Symbol(above)
-        case LoadForm(load):
-            return Symbol(load)
-        case _:
-            return None
 
 
 def _ordered(side: Formula) -> Formula:

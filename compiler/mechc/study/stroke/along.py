@@ -9,7 +9,7 @@ from ...algebra.product import Product
 from ...formula.continuation import continued
 from ...formula.evaluate import status
 from ...formula.roots import Function
-from ...formula.rounded_columns import Column, RoundedColumns
+from ...formula.rounded_columns import RoundedColumn, RoundedColumns
 from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.straight_line import in_order
 from ...formula.tree import Formula, Implicit
@@ -100,10 +100,10 @@ class Along:
         """Return the same at several values of the drive at once."""
         rows = len(drives)
         given = {
-            name: Column([value] * rows, [EPS * abs(value)] * rows)
+            name: RoundedColumn([value] * rows, [EPS * abs(value)] * rows)
             for name, value in self._given.items()
         }
-        given[self._drive] = Column(drives, [self._near] * rows)
+        given[self._drive] = RoundedColumn(drives, [self._near] * rows)
         named = RoundedColumns(given, rows).with_definitions(self._chain.definitions)
         return named.with_definitions(self._inner.definitions)
 

@@ -1,0 +1,102 @@
+"""Steps of friction stated for earlier results: a name has one meaning, a line stands once."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from ...formula.tree import ZERO, Call, Formula, Symbol
+from ...formula.walk import substitute, symbols
+from ...friction.solution import Step
+from ...frozen import replace
+from ...model.mechanism import (
+    LoadForm,
+    LoadRatio,
+    WithFriction,
+)
+from ..steps import Equation, Paragraph, SentenceKind
+
+_ONCE = {"crossed", "outer", "parallel", "single", "face", "iterated"}
+"""Steps that are the same for all results."""
+
+
+class EarlierSteps:
+    """The names and lines of the steps entered so far, so that nothing is stated twice."""
+
+    def __init__(self, turns: Iterable[str]) -> None:
+        self.turns = set(turns)
+        """Names of angles by which friction turns a force, those of friction itself."""
+        self._known: dict[str, Formula] = {}
+        self._lines: set[tuple[str, str]] = set()
+        self._found: dict[str, Formula] = {}
+        self._sentences: set[SentenceKind] = set()
+
+    def enter_forces(
+        self, steps: Sequence[Step], asked: WithFriction, result: str
+    ) -> Sequence[Step]:
+        """Enter the forces of a result; return its steps, with a new name for each that differs.
+
+        The force in a rod is another one while the drive moves than while it just holds.
+        """
+        found = {left.name: right for left, right in _forces(steps) if left != driving(asked)}
+        others = self._others(found)
+        endings = ("_hold" if asked.sense == "releasing" else "_f", f"_{result}")
+        ending = next(
+            e for e in endings if all(self._found.get(n + e, found[n]) == found[n] for n in others)
+        )
+        names = {name: Symbol(name + ending) for name in others}
+        self._found |= {names.get(n, Symbol(n)).name: formula for n, formula in found.items()}
+        return [renamed(step, names) for step in steps] if names else steps
+
+    def _others(self, found: Mapping[str, Formula]) -> set[str]:
+        """Return the names that mean something else already, and those that rest on them."""
+        others = {n for n, formula in found.items() if self._found.get(n, formula) != formula}
+        for _ in found:
+            others |= {n for n, f in found.items() if n in self._found and symbols(f) & others}
+        return others
+
+    def enter(self, step: Step) -> list[Equation] | None:
+        """Enter a step; return its definitions that are new, None for a line shown before."""
+        changed: set[str] = set()
+        for name, formula in step.defined:
+            if isinstance(formula, Call) and formula.function in ("asin", "atan"):
+                self.turns.add(name)
+            if self._known.get(name) != formula or changed & symbols(formula):
+                changed.add(name)
+                self._known[name] = formula
+        line = (step.kind, step.body)
+        if step.kind in _ONCE and line in self._lines and not changed:
+            return None
+        self._lines.add(line)
+        return [Equation(Symbol(d.name), d.formula) for d in step.defined if d.name in changed]
+
+    def enter_sentences(self, paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
+        """Enter paragraphs; yield those whose sentence no earlier one had."""
+        for paragraph in paragraphs:
+            if paragraph.sentence not in self._sentences:
+                self._sentences.add(paragraph.sentence)
+                yield paragraph
+
+
+def _forces(steps: Iterable[Step]) -> Iterator[tuple[Symbol, Formula]]:
+    """Yield the unknowns that steps solve for, and what they are."""
+    for step in steps:
+        named = {definition.name for definition in step.defined}
+        for left, right in step.equations:
+            if isinstance(left, Symbol) and left.name not in named and right != ZERO:
+                yield left, right
+
+
+def renamed(step: Step, names: Mapping[str, Formula]) -> Step:
+    """Return a step with other names in its formulas."""
+    equations = ((substitute(a, names), substitute(b, names)) for a, b in step.equations)
+    defined = (d._replace(formula=substitute(d.formula, names)) for d in step.defined)
+    return replace(step, equations=tuple(equations), defined=tuple(defined))
+
+
+def driving(asked: WithFriction) -> Symbol | None:
+    """Return the load that a result is of."""
+    match asked.of:
+        case LoadRatio(above, _):
+            return Symbol(above)
+        case LoadForm(load):
+            return Symbol(load)
+        case _:
+            return None
