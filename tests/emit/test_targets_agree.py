@@ -21,6 +21,11 @@ from run_targets import (
     poses,
 )
 
+HALF_OF_THEM = [
+    *(*SAMPLES, *LIBRARY[::2]),
+    *(pytest.param(name, marks=pytest.mark.slow) for name in LIBRARY[1::2]),
+]
+
 
 @pytest.mark.parametrize("sample", [*SAMPLES, *LIBRARY])
 def test_python_is_the_interpreter(sample: str) -> None:
@@ -29,7 +34,7 @@ def test_python_is_the_interpreter(sample: str) -> None:
 
 
 @pytest.mark.skipif(COMPILER is None, reason="no C compiler")
-@pytest.mark.parametrize("sample", [*SAMPLES, *LIBRARY])
+@pytest.mark.parametrize("sample", HALF_OF_THEM)
 def test_c_agrees_for_one_pose_and_for_many(sample: str, tmp_path: Path) -> None:
     found = solved(sample)
     expected, made = by_interpreter(found), built(found, tmp_path)
@@ -37,7 +42,7 @@ def test_c_agrees_for_one_pose_and_for_many(sample: str, tmp_path: Path) -> None
     assert_close(by_c_in_batch(found, made), expected, 16, found.routine)
 
 
-@pytest.mark.parametrize("sample", [*SAMPLES, *LIBRARY])
+@pytest.mark.parametrize("sample", HALF_OF_THEM)
 def test_sympy_agrees(sample: str) -> None:
     found = solved(sample)
     for function in found.routine.functions:

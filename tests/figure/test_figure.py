@@ -7,7 +7,7 @@ from typing import get_args
 import pytest
 
 import mechc
-from good_mechanisms import ALL, CLOSED, compiled, tree_of
+from good_mechanisms import ALL, CLOSED, begun, tree_of
 from good_mechanisms import PARTS as PLACES
 from grown import Grown
 from mechc.diagnostics import MechcError
@@ -47,7 +47,7 @@ def cross(a, b):
 
 @every_mechanism
 def test_all_lengths_and_directions_are_as_written(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     reference = Assembled(tree_of(name), dict(figure.values), figure.points)
     size = max(1.0, figure.size)
     assert max(map(abs, reference.equations(reference.x)), default=0) < 1e-9 * size
@@ -55,7 +55,7 @@ def test_all_lengths_and_directions_are_as_written(name):
 
 @every_mechanism
 def test_what_has_only_a_direction_is_not_turned_round(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     reference = Assembled(tree_of(name), dict(figure.values), figure.points)
     for s in every(tree_of(name), ast.Vector):
         if isinstance(s.value, ast.Polar) and s.value.length is None:
@@ -67,14 +67,14 @@ def test_what_has_only_a_direction_is_not_turned_round(name):
 
 @pytest.mark.parametrize("name", CLOSED)
 def test_loops_stay_closed_along_the_stroke(name):
-    drive = compiled(name).mechanism.drive
+    drive = begun(name).mechanism.drive
     low, high = (evaluate(end, {}) for end in (drive.low, drive.high))
     for part in PLACES:
         place = low + (high - low) * part
-        here = compiled(name).drawn({drive.parameter: place})
+        here = begun(name).drawn({drive.parameter: place})
         reference = Assembled(tree_of(name), dict(here.values), here.points)
         assert max(map(abs, reference.equations(reference.x))) < 1e-9
-        nearby = compiled(name).drawn({drive.parameter: place + 1e-7})
+        nearby = begun(name).drawn({drive.parameter: place + 1e-7})
         moved = (math.dist(here.points[p], nearby.points[p]) for p in here.points)
         assert 0 < max(moved) < 1e-4 * here.size, "the other closure"
 
@@ -95,7 +95,7 @@ def test_mechanisms_grown_at_random(seed):
 
 @pytest.mark.parametrize("name", MIRRORED)
 def test_twins_are_mirror_images(name):
-    figure, sharing = compiled(name).figure, compiled(name).mechanism.mirror.sharing
+    figure, sharing = begun(name).figure, begun(name).mechanism.mirror.sharing
     at, along = figure.mirror.at, figure.mirror.along
     own = [p for p in figure.points if f"{p}'" in figure.points]
     assert own
@@ -110,7 +110,7 @@ def test_twins_are_mirror_images(name):
 
 @pytest.mark.parametrize("name", MIRRORED)
 def test_what_is_off_the_line_has_a_twin(name):
-    figure, mechanism = compiled(name).figure, compiled(name).mechanism
+    figure, mechanism = begun(name).figure, begun(name).mechanism
     shared = set(mechanism.mirror.sharing)
     alone = [k for k in mechanism.links if not shared.issuperset(k.points)]
     assert len(parts(figure, drawn.Link)) == len(mechanism.links) + len(alone)
@@ -119,7 +119,7 @@ def test_what_is_off_the_line_has_a_twin(name):
 
 
 def test_twins_turn_the_other_way():
-    figure = compiled("mirror_beam_torque").figure
+    figure = begun("mirror_beam_torque").figure
     by_link = {t.link: t for t in parts(figure, drawn.Torque)}
     assert {f"{link}'" for link in by_link if not link.endswith("'")} <= by_link.keys()
     for link, torque in by_link.items():
@@ -132,7 +132,7 @@ def test_twins_turn_the_other_way():
 
 @every_mechanism
 def test_pins_are_on_their_lines(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     at, size = figure.points, figure.size
     lines = [(s.guide, at[s.point], s.along) for s in parts(figure, drawn.Slider)]
     lines += [(s.guide, at[s.through], s.along) for s in parts(figure, drawn.Slider) if s.through]
@@ -148,7 +148,7 @@ def test_pins_are_on_their_lines(name):
 
 @every_mechanism
 def test_racks_touch_their_gears(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     for rack in parts(figure, drawn.Rack):
         centre = figure.points[rack.pivot]
         # The wheel is on the left of the rack's direction where the radius is positive.
@@ -157,7 +157,7 @@ def test_racks_touch_their_gears(name):
 
 @every_mechanism
 def test_pitch_circles_touch(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     for pair in parts(figure, drawn.Gears):
         first, second = figure.points[pair.first], figure.points[pair.second]
         radii = pair.first_radius, pair.second_radius
@@ -173,7 +173,7 @@ def test_pitch_circles_touch(name):
 
 
 def test_belts_are_tangent_and_cross_where_they_are_to():
-    figure = compiled("belts_open_crossed").figure
+    figure = begun("belts_open_crossed").figure
     plain, crossed = parts(figure, drawn.Belt)
     for belt in plain, crossed:
         for run in belt.runs:
@@ -203,7 +203,7 @@ def test_a_belt_has_no_runs_where_its_wheels_overlap():
 
 @every_mechanism
 def test_forces_point_as_written(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     reference = Assembled(tree_of(name), dict(figure.values), figure.points)
     drawn_forces = {(f.name, f.point): f for f in parts(figure, drawn.Force)}
     for force in every(tree_of(name), ast.Force):
@@ -216,7 +216,7 @@ def test_forces_point_as_written(name):
 
 @every_mechanism
 def test_a_free_wedge_is_on_the_side_from_which_it_pushes(name):
-    figure, pose = compiled(name).figure, compiled(name).pose
+    figure, pose = begun(name).figure, begun(name).pose
     slides = {s.name: s for s in parts(figure, drawn.Slide)}
     for contact in parts(figure, drawn.Contact):
         if contact.body in slides and not any(pose.frames[contact.body.rstrip("'")].values()):
@@ -311,14 +311,14 @@ def test_what_nothing_connects_is_side_by_side():
 
 
 def test_open_lengths_close_the_loop_and_are_positive():
-    figure = compiled("quaternary_platform").figure
+    figure = begun("quaternary_platform").figure
     assert figure.chosen == ("len_P1A", "len_P2B", "len_DC")
     assert all(figure.values[name] > 0 for name in figure.chosen)
 
 
 @every_mechanism
 def test_chosen_lengths_are_positive(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     assert all(figure.values[n] > 0 for n in figure.chosen if n.startswith("len_"))
 
 
@@ -384,7 +384,7 @@ def test_what_joins_a_point_and_its_twin_is_there_once():
 
 
 def test_every_kind_of_part_appears():
-    found = {type(part) for name in ALL for part in compiled(name).figure.parts}
+    found = {type(part) for name in ALL for part in begun(name).figure.parts}
     found |= {type(part) for part in figure_of(SPRUNG).parts}
     assert found == set(get_args(drawn.Part))
     assert set(PARTS) == set(get_args(drawn.Part))
@@ -399,14 +399,14 @@ def test_no_joint_of_the_model_is_forgotten():
     not_drawn |= {kinds.Assembly}
     found = set()
     for name in ALL:
-        mechanism = compiled(name).mechanism
+        mechanism = begun(name).mechanism
         found |= {type(part) for part in (*mechanism.bodies, *joints_shown(mechanism))}
     assert found == known - not_drawn
 
 
 @every_mechanism
 def test_parts_name_points_that_have_a_place(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     for part in figure.parts:
         for field in ("point", "first", "second", "tail", "head", "vertex", "pivot"):
             assert getattr(part, field, "") in {"", *figure.points}
@@ -418,7 +418,7 @@ def test_parts_name_points_that_have_a_place(name):
 
 @every_mechanism
 def test_outlines_go_counter_clockwise(name):
-    figure = compiled(name).figure
+    figure = begun(name).figure
     for link in parts(figure, drawn.Link):
         corners = [figure.points[p] for p in link.outline]
         for i in range(len(corners) if len(corners) > 2 else 0):
@@ -427,13 +427,13 @@ def test_outlines_go_counter_clockwise(name):
 
 
 def test_measures_are_named_by_parameters():
-    figure = compiled("crank_rocker").figure
+    figure = begun("crank_rocker").figure
     lengths = {(d.tail, d.head): (d.text, d.value) for d in parts(figure, drawn.Dimension)}
     assert lengths["O1", "A"] == ("a", pytest.approx(0.04))
     assert lengths["O2", "B"] == ("c", pytest.approx(0.08))
     angles = {(a.vertex, a.text): a for a in parts(figure, drawn.AngleMark)}
     assert angles["O1", "phi"].sweep == pytest.approx(math.radians(60))
-    clamp = compiled("karpenko_fig9_packet_clamp").figure
+    clamp = begun("karpenko_fig9_packet_clamp").figure
     beta = next(a for a in parts(clamp, drawn.AngleMark) if a.text == "beta")
     assert (beta.start, beta.sweep) == pytest.approx((-math.pi / 2, math.radians(-7)))
 
@@ -448,7 +448,7 @@ def test_a_length_between_varying_intensities_is_a_length():
 
 
 def test_it_is_in_the_document():
-    (file,) = TARGET.emit(compiled("crank_rocker"), Options("x"))
+    (file,) = TARGET.emit(begun("crank_rocker"), Options("x"))
     document = json.loads(file.text)["figure"]
     assert document["points"]["O2"] == [0.1, 0.0]
     assert {"part": "pivot", "point": "O1", "ground": [0.0, -1.0]} in document["parts"]

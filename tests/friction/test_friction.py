@@ -1,6 +1,7 @@
 """Friction inside k: the seeds' references, limits, laws."""
 
 import math
+from functools import cache
 
 import pytest
 
@@ -13,10 +14,15 @@ from seed_friction import described, entries
 CASES = sorted(entries("friction.json"))
 
 
+@cache
+def loaded(case):
+    return mechc.loads(described(case), case)
+
+
 @pytest.mark.parametrize("case", CASES)
 def test_seeds(case):
     expected = entries("friction.json")[case]
-    found = mechc.loads(described(case), case).evaluate()
+    found = loaded(case).evaluate()
     names = ("k_ideal", "k_real", "k_first_order", "k_holding", "eta")
     for name, key in zip(("k", "k_f", "k_f1", "k_hold", "eta_k"), names, strict=True):
         assert found[name] == pytest.approx(expected[key], rel=1e-10), name
@@ -24,7 +30,7 @@ def test_seeds(case):
 
 @pytest.mark.parametrize("case", CASES)
 def test_vanishing_friction_gives_the_ideal_ratio(case):
-    found = mechc.loads(described(case, shrunk=1e-9), case).evaluate()
+    found = loaded(case).evaluate(shrunk=1e-9)
     for name in ("k_f", "k_f1", "k_hold"):
         assert found[name] == pytest.approx(found["k"], rel=1e-7)
 
@@ -34,14 +40,14 @@ def test_the_first_order_errs_by_second_order(case):
     """A quarter of the friction leaves a sixteenth of the error."""
     errors = []
     for shrunk in (0.2, 0.05):
-        found = mechc.loads(described(case, shrunk), case).evaluate()
+        found = loaded(case).evaluate(shrunk=shrunk)
         errors.append(found["k_f"] - found["k_f1"])
     assert errors[0] / errors[1] == pytest.approx(16, rel=0.05)
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_both_motions_straddle_the_ideal_ratio(case):
-    found = mechc.loads(described(case), case).evaluate()
+    found = loaded(case).evaluate()
     assert found["k_hold"] < found["k"] < found["k_f"]
     assert 0 < found["eta_k"] < 1
 

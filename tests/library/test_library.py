@@ -10,9 +10,6 @@ import reference_kinematics
 from generators import scissor
 from good_mechanisms import compiled
 from mechc.diagnostics import Report
-from mechc.driver import emit
-from mechc.emit import registry
-from mechc.emit.target import Options
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from mechc.syntax import ast
@@ -23,7 +20,6 @@ from paths import LIBRARY
 
 PATHS = sorted(p for p in LIBRARY.iterdir() if p.suffix in {".mech", ".yaml"})
 NAMES = [p.stem for p in PATHS]
-TARGETS = ("python", "c", "latex", "json")
 
 REMARKED = {"roberval_balance": {"W401"}, "claw_with_friction": {"W206"}}
 """Warnings that a mechanism has by its nature."""
@@ -37,11 +33,13 @@ BEYOND_PINS = (
 """What the reference by singular values does not read; test_closed and test_joints see to it."""
 
 
+@cache
 def source_of(name: str) -> Source:
     path = next(p for p in PATHS if p.stem == name)
     return Source(path.name, path.read_text(encoding="utf-8"))
 
 
+@cache
 def tree_of(source: Source) -> ast.File:
     report = Report(source)
     tree = read(source, report)
@@ -145,7 +143,6 @@ def nearby(tree: ast.File, values: dict[str, float]) -> dict[str, float]:
 
 
 @cache
-@cache
 def pinned() -> tuple[str, ...]:
     """Return the mechanisms of pins, guides and links at a given pose."""
     trees = {name: tree_of(source_of(name)) for name in NAMES}
@@ -178,19 +175,3 @@ def test_unknown_lengths_do_not_matter_to_the_reference(name: str) -> None:
     tree = tree_of(source_of(name))
     one, two = (reference_kinematics.results(tree, seed=seed) for seed in (1, 2))
     assert one == pytest.approx(two, rel=1e-9)
-
-
-@every_mechanism
-@pytest.mark.parametrize("target", TARGETS)
-def test_every_target_is_emitted(name: str, target: str) -> None:
-    files = emit(compiled(name), registry.load(target), Options(name))
-    assert all(file.text.strip() for file in files)
-    assert any(file.name.startswith(name) for file in files)
-
-
-@every_mechanism
-def test_emitted_python_runs_by_itself(name: str) -> None:
-    module, *_ = emit(compiled(name), registry.load("python"), Options(name))
-    space: dict[str, object] = {"__name__": name}
-    exec(compile(module.text, module.name, "exec"), space)
-    assert all(callable(space[f.name]) for f in compiled(name).routine.functions)

@@ -26,8 +26,9 @@ def compiled(name: str) -> Compilation:
     return complete(begun(name))
 
 
+@cache
 def tree_of(name: str) -> ast.File:
-    return read(compiled(name).source, Report(compiled(name).source))
+    return read(begun(name).source, Report(begun(name).source))
 
 
 CLOSED = (

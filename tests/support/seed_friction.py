@@ -14,7 +14,7 @@ def entries(name: str) -> dict[str, dict[str, Any]]:
     return {e["id"]: e for e in json.loads((SEEDS / name).read_text("utf-8"))}
 
 
-def described(identifier: str, shrunk: float = 1.0) -> str:
+def described(identifier: str) -> str:
     """Return a friction case as a description, every friction ``shrunk`` times as large."""
     case = entries("friction.json")[identifier]
     geometry = entries("geometries.json")[case["geometry"]]
@@ -24,7 +24,7 @@ def described(identifier: str, shrunk: float = 1.0) -> str:
     if geometry["mirror"]:
         axis = 90 if geometry["mirror"].startswith("x") else 0
         shared += [p for p in geometry["ground"] if abs(at[p][0 if axis else 1]) < 1e-12]
-    lines = [f"pivot {p}" for p in geometry["ground"]]
+    lines = ["param shrunk = 1", *(f"pivot {p}" for p in geometry["ground"])]
     lines += [
         f"slider {p} along {math.atan2(*map(float, d[::-1]))!r} rad" for p, d in geometry["sliders"]
     ]
@@ -41,9 +41,9 @@ def described(identifier: str, shrunk: float = 1.0) -> str:
         lines.append(f"mirror across {axis} deg sharing {' '.join(dict.fromkeys(shared))}")
     for point, radius in case["friction_circle_radius"].items():
         if any(point in _points("".join(body)) for body in geometry["bodies"]):
-            lines.append(f"friction pin {point} 0.1 diameter {20 * radius * shrunk!r} m")
+            lines.append(f"friction pin {point} 0.1 diameter shrunk*({20 * radius!r} m)")
     for point, factor in case["slider_factor"].items():
-        lines.append(f"friction slider {point} {factor * shrunk!r}")
+        lines.append(f"friction slider {point} shrunk*{factor!r}")
     return "\n".join([*lines, "find k = P / F"])
 
 
