@@ -56,9 +56,10 @@ def test_systems_compile_without_a_warning(compiler, level, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_the_library_compiles_without_a_warning(compiler, tmp_path):
-    compile_all([*SAMPLES, *LIBRARY], compiler, LEVELS[compiler], tmp_path)
+@pytest.mark.parametrize(("part", "compiler"), enumerate(COMPILERS))
+def test_the_library_compiles_without_a_warning(part, compiler, tmp_path):
+    """Of each language, one compiler sees one half of the library, and one the other."""
+    compile_all([*SAMPLES, *LIBRARY[part % 2 :: 2]], compiler, LEVELS[compiler], tmp_path)
 
 
 TWO_BRANCHES = """
@@ -136,7 +137,7 @@ def test_huge_angles_are_right_in_loops(name, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no C compiler")
-@pytest.mark.parametrize("part", range(6))
+@pytest.mark.parametrize("part", range(3))
 def test_huge_angles_are_right_in_loops_of_the_library(part, tmp_path):
     for name in LIBRARY[part::6]:
         (tmp_path / name).mkdir()

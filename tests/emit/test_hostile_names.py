@@ -3,6 +3,7 @@
 import ast
 import ctypes
 import json
+import runpy
 import shutil
 import subprocess
 import sys
@@ -95,7 +96,7 @@ RESULTS = "M_E M_PI INFINITY NAN I y0 gamma errno n i start numpy np pose main k
 def test_c_and_python_stand_a_hostile_result_and_load(name, tmp_path):
     text = toggle(drive=name, result=f"{name}_x", load="mechc_sin", names=NAMES[:6])
     (tmp_path / "m.py").write_text(mechc.loads(text).emit("python"), encoding="utf-8")
-    subprocess.run([sys.executable, "m.py"], cwd=tmp_path, check=True, capture_output=True)
+    runpy.run_path(str(tmp_path / "m.py"), run_name="__main__")
     if shutil.which("gcc"):
         compiles(text, "gcc", tmp_path)
 

@@ -1,6 +1,7 @@
 """The interpreter, the emitted Python, the compiled C and sympy agree."""
 
 import math
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from routine_samples import LIBRARY, SAMPLES, solved
 from run_targets import (
     COMPILER,
     ULP,
+    Outputs,
     assert_close,
     built,
     by_c_in_batch,
@@ -27,17 +29,22 @@ HALF_OF_THEM = [
 ]
 
 
+@cache
+def interpreted(sample: str) -> Outputs:
+    return by_interpreter(solved(sample))
+
+
 @pytest.mark.parametrize("sample", [*SAMPLES, *LIBRARY])
 def test_python_is_the_interpreter(sample: str) -> None:
     found = solved(sample)
-    assert_close(by_python(found), by_interpreter(found), 0, found.routine)
+    assert_close(by_python(found), interpreted(sample), 0, found.routine)
 
 
 @pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 @pytest.mark.parametrize("sample", HALF_OF_THEM)
 def test_c_agrees_for_one_pose_and_for_many(sample: str, tmp_path: Path) -> None:
     found = solved(sample)
-    expected, made = by_interpreter(found), built(found, tmp_path)
+    expected, made = interpreted(sample), built(found, tmp_path)
     assert_close(by_c_singly(found, made), expected, 16, found.routine)
     assert_close(by_c_in_batch(found, made), expected, 16, found.routine)
 
@@ -65,7 +72,7 @@ def by_sympy(function: Function, values: dict[str, float]) -> float:
 
 def test_a_difference_would_be_seen() -> None:
     found = solved("clamp")
-    expected = by_interpreter(found)
+    expected = interpreted("clamp")
     off = {name: values * (1 + 256 * ULP) for name, values in expected.items()}
     with pytest.raises(AssertionError):
         assert_close(off, expected, 16, found.routine)

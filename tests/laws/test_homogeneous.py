@@ -55,7 +55,7 @@ def test_formulas_of_mechanisms_on_a_grid_balance():
 
 @pytest.mark.slow
 def test_formulas_of_many_mechanisms_on_a_grid_balance():
-    assert hold(map(on_grid, range(1000, 1200))) > 100
+    assert hold(map(on_grid, range(1000, 1100))) > 50
 
 
 @pytest.mark.slow

@@ -269,12 +269,12 @@ def test_a_change_of_words_changes_nothing_of_closed_loops():
 @pytest.mark.slow
 @pytest.mark.parametrize("first", [11])
 def test_a_change_of_words_changes_nothing_of_many(first):
-    assert hold(given(range(first, first + 3), 1)) >= 2
+    assert hold(given(range(first, first + 2), 1)) >= 2
 
 
 @pytest.mark.slow
 def test_a_change_of_words_changes_nothing_of_many_closed_loops():
-    assert hold(closed(range(8, 30))) >= 24
+    assert hold(closed(range(8, 18))) >= 10
 
 
 TOGGLE = """

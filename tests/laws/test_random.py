@@ -44,7 +44,7 @@ def test_random_mechanisms_through_the_front_of_the_library():
 
 @pytest.mark.slow
 def test_hundreds_of_random_mechanisms():
-    compiler_against_velocities(range(100, 600))
+    compiler_against_velocities(range(100, 350))
 
 
 @pytest.mark.slow

@@ -3,6 +3,7 @@
 import ctypes
 import shutil
 from collections.abc import Callable, Sequence
+from functools import cache
 from itertools import cycle
 from pathlib import Path
 from types import SimpleNamespace
@@ -11,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechc.driver import compile_source
+from mechc.driver import Compilation, compile_source
 from mechc.files import read
 from run_targets import built
 from sheet_digits import BALANCES, NEAR_ZERO, POINTS, SHEETS, by_python, most, within
@@ -28,12 +29,17 @@ EACH = pytest.mark.parametrize(
 )
 
 
+@cache
+def compiled(name: str) -> Compilation:
+    return compile_source(read(SHEETS[name]))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "compiler"), [*zip(SHEETS, cycle(COMPILERS), strict=False)])
 def test_c_is_within_a_few_units_of_python(name: str, compiler: str, tmp_path: Path) -> None:
     if shutil.which(compiler) is None:
         pytest.skip(f"no {compiler}")
-    found = compile_source(read(SHEETS[name]))
+    found = compiled(name)
     in_c, drawn, (calls, _) = built(found, tmp_path, compiler), within(found), by_python(found)
     compared, forces = 0, np.ones(POINTS)
     for function, single, call in zip(found.routine.functions, in_c.singles, calls, strict=True):
@@ -51,7 +57,7 @@ def test_c_is_within_a_few_units_of_python(name: str, compiler: str, tmp_path: P
 @EACH
 def test_a_last_digit_of_a_sine_costs_a_few(name: str) -> None:
     """Whatever the machine: its functions may be the same in C and in NumPy."""
-    found = compile_source(read(SHEETS[name]))
+    found = compiled(name)
     numpy = SimpleNamespace(**{**vars(np), **{f: shaken(getattr(np, f)) for f in INEXACT}})
     drawn, forces = within(found), np.ones(POINTS)
     calls = zip(by_python(found)[0], by_python(found, numpy)[0], strict=True)
@@ -66,7 +72,7 @@ def test_a_last_digit_of_a_sine_costs_a_few(name: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SHEETS)
 def test_c_and_python_have_one_status_beyond_the_ranges(name: str, tmp_path: Path) -> None:
-    found = compile_source(read(SHEETS[name]))
+    found = compiled(name)
     in_c, drawn, (calls, status) = built(found, tmp_path), within(found, 0.05), by_python(found)
     for function, single, call in zip(found.routine.functions, in_c.singles, calls, strict=True):
         values = [drawn[i.name] for i in function.inputs]

@@ -2,6 +2,7 @@
 
 import pytest
 
+from good_mechanisms import begun
 from mechc.driver import compile_source
 from mechc.files import find, library, read
 from mechc.formula.evaluate import evaluate
@@ -164,7 +165,7 @@ CASES = [name for name, path in library().items() if "\nfriction " in path.read_
 @pytest.mark.parametrize("case", CASES)
 def test_what_is_stated_of_friction_is_true(case):
     """Every equation holds at the default pose, with what the equations before it define."""
-    compilation = compile_source(read(find(case)))
+    compilation = begun(case)
     values = default_values(compilation.plan)
     values = {load.name: 1.0 for load in compilation.mechanism.loads} | values
     results = {r.name: r for r in compilation.results}
@@ -193,7 +194,7 @@ def test_what_is_stated_of_friction_is_true(case):
 
 @pytest.mark.parametrize("case", CASES)
 def test_no_sign_function_is_printed(case):
-    compilation = compile_source(read(find(case)))
+    compilation = begun(case)
     shown = render(compilation.derivation, compilation.mechanism)
     assert "sign(" not in shown
     assert "sigma" not in shown

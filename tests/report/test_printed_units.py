@@ -28,7 +28,9 @@ def wrong(tex: str) -> list[str]:
     return [*page.contradictions(), *page.unread]
 
 
-@pytest.mark.parametrize("path", [chosen(path) for path in FILES])
+@pytest.mark.parametrize(
+    "path", [chosen(p) for i, p in enumerate(FILES) if i % 2 or p.stem in QUICK]
+)
 def test_units_and_numbers_of_a_page_agree(path):
     tex = printed(path)
     assert wrong(tex) == []
@@ -36,7 +38,7 @@ def test_units_and_numbers_of_a_page_agree(path):
 
 
 TRANSLATED = [(path, LANGUAGES[1 + i // 2 % 2]) for i, path in enumerate(FILES) if i % 2 == 0]
-"""Every second file, by turns in the one language and the other."""
+"""The files whose English page is not read, by turns in the one language and the other."""
 
 
 @pytest.mark.slow

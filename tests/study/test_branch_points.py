@@ -107,14 +107,14 @@ def four_bar_of(both: int) -> Flat:
 
 @pytest.mark.slow
 def test_many_loops_that_lie_flat():
-    assert hold((folding(seed), None) for seed in range(24, 244)) == (220, 220)
+    assert hold((folding(seed), None) for seed in range(24, 124)) == (100, 100)
 
 
 @pytest.mark.slow
 def test_many_toggles_that_fold():
-    strokes, tried = hold(joined(range(95001000, 95001200)))
-    assert strokes > 150
-    assert tried > 5
+    strokes, tried = hold(joined(range(95001000, 95001100)))
+    assert strokes > 75
+    assert tried > 2
 
 
 def test_beside_a_branch_point_rounding_makes_no_extrema():

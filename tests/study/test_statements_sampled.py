@@ -114,7 +114,7 @@ def test_lengths_that_are_equal_by_chance_make_no_false_zeros():
 
 @pytest.mark.slow
 def test_nothing_that_is_said_of_hundreds_of_chains_is_refuted():
-    assert hold(range(2000, 2080)) > 60
+    assert hold(range(2000, 2040)) > 30
 
 
 def closed_hold(seeds):
@@ -159,7 +159,7 @@ def test_slopes_go_by_the_angles_of_a_side_that_turns_round_where_it_passes_zero
 
 @pytest.mark.slow
 def test_what_is_said_of_hundreds_of_closed_mechanisms_holds():
-    closed_hold(range(1000, 1080))
+    closed_hold(range(1000, 1040))
 
 
 def test_k_is_not_said_to_rise_across_a_pole():
