@@ -63,9 +63,9 @@ def test_check_breaks_lines_at_the_width_of_a_terminal() -> None:
 
 
 def test_it_says_which_load_drives_against_friction(capsys):
-    """The load above the line drives: of k = F/P it is F, which may not be what was meant."""
+    """The load above the line drives, or as here that below it, as the motion is releasing."""
     assert main(["check", "fedoriv_fig2b_with_friction"]) == 0
     lines = capsys.readouterr().out.splitlines()
     at = next(i for i, line in enumerate(lines) if line.startswith("  i_f = "))
     after = list(takewhile(lambda line: line.startswith("    "), lines[at + 1 :]))
-    assert "    With friction, W is back-driven." in after
+    assert "    With friction, Q drives." in after

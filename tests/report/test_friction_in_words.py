@@ -407,6 +407,23 @@ def test_headings_say_who_drives_where_a_ratio_is_negative(language, drives, hel
     assert opening not in " ".join(before.split())
 
 
+@pytest.mark.parametrize(
+    ("language", "heading", "opening"),
+    [
+        ("en", "With friction, P drives (n_f)", "P drives, and the motion is against"),
+        ("uk", "прямий хід (рушійна сила P) (n_f)", "Рушійна сила — P, рух"),
+        ("ru", "прямой ход (движущая сила P) (n_f)", "Движущая сила — P, движение"),
+    ],
+)
+def test_of_a_ratio_whose_lower_load_drives_that_is_named(language, heading, opening):
+    """A gripper's N/P with ``motion releasing``: nobody says of the jaw that it is back-driven."""
+    found = compile_source(read(find("d45_06_double_wedge_with_friction")))
+    shown = render(found.derivation, found.mechanism, language=language, unicode=False)
+    assert heading in shown
+    assert opening in " ".join(shown.split())
+    assert "back-driven" not in shown
+
+
 @pytest.mark.parametrize(("phi", "driven"), [("120 deg", False), ("240 deg", True)])
 def test_json_says_whether_a_load_is_driven(phi, driven):
     import json

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+import mechc
 from mechc.algebra.angle import Angle
 from mechc.algebra.intervals import Interval
 from mechc.algebra.product import ONE, Product
@@ -256,3 +257,17 @@ def test_a_transmission_angle_between_links_is_that_of_the_triangle(turn):
     link = Transmission("B", Angle.of("psi") + Angle.constant(40 if turn > 0 else -40), "AB", "CB")
     assert math.degrees(link.at(values)) == pytest.approx(110)
     assert math.degrees(link._replace(onto="").at(values)) == pytest.approx(70)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("karpenko_fig9_packet_clamp", ()),  # no bore of the cylinder
+        ("karpenko_fig7_single_lever", ()),
+        ("planetary_gear", ("m", "phi")),
+        ("roberval_balance", ("h", "x", "y", "phi")),
+    ],
+)
+def test_independence_is_concluded_of_what_the_geometry_is_given_by(name, expected):
+    """A pressure, or the bore that it acts on, is in no formula of k: nobody looks for it there."""
+    assert mechc.load(name).results["k"].independent == expected

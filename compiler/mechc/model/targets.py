@@ -132,3 +132,23 @@ def whole(target: Target) -> Target:
             return replace(target, part="size")
         case _:
             return target
+
+
+HOLDING = "_hold"
+"""What the name of a result ends in at which the load above the line just holds."""
+
+
+def drives_from_below(target: Target | None, name: str, driven: bool | None) -> bool:
+    """Return whether the load below the line drives, as ``motion releasing`` of ``N/P`` means.
+
+    Of ``k_hold`` it does as well, but there the load above the line is what is looked at.
+
+    >>> n_f = WithFriction(LoadRatio("N", "P"), "releasing")
+    >>> drives_from_below(n_f, "n_f", True), drives_from_below(n_f, "n_hold", True)
+    (True, False)
+    """
+    match target:
+        case WithFriction(LoadRatio(), "releasing", "exact"):
+            return bool(driven) and not name.endswith(HOLDING)
+        case _:
+            return False

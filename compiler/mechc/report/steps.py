@@ -159,6 +159,8 @@ class SentenceKind(StrEnum):
     """Friction while the drive moves against its force."""
     RELEASING_HELD_BACK = "releasing, held back"
     """The same, where the loads drive and the drive holds them back."""
+    RELEASING_BY_LOAD = "releasing, by the load"
+    """The same, where the load below the line is named as what drives."""
     PIN_FRICTION = "pin friction"
     """Friction in a pin is a couple."""
     GUIDE_FRICTION = "guide friction"

@@ -18,6 +18,7 @@ from ..formula.walk import substitute, symbols
 from ..friction.solution import Solution, SolvedWithFriction
 from ..frozen import replace
 from ..model.boxes import range_box
+from ..model.geometric import in_geometry
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
 from ..model.result import Definition, Result
 from ..model.values import usual_length
@@ -214,13 +215,16 @@ def _proportional(value: Product, result: Result) -> Mapping[str, int]:
 
 
 def _independent(result: Result, mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the parameters that a result does not depend on, but for those of friction alone."""
+    """Return the parameters of the geometry that a result does not depend on.
+
+    Of others, a pressure or a mass, nobody expects that it does.
+    """
     used = {s for f in (result.formula, *(d.formula for d in result.where)) for s in symbols(f)}
     used |= {
         s for p in mechanism.parameters if p.name in used and p.value for s in symbols(p.value)
     }
-    used |= mechanism.friction.parameters
-    return tuple(p.name for p in mechanism.parameters if p.name not in used and not p.dependent)
+    others = in_geometry(mechanism) - used - mechanism.friction.parameters
+    return tuple(p.name for p in mechanism.parameters if p.name in others and not p.dependent)
 
 
 def _swaps(formula: Formula, mechanism: Mechanism, names: list[str]) -> tuple[tuple[str, str], ...]:

@@ -23,6 +23,7 @@ from ..names.forms import COORDINATES, Form, form_of, form_of_pose
 from ..names.scope import Entry, Scope
 from ..repeated import PRIME
 from ..statements import every, only
+from ..targets import HOLDING
 from .reactions import read_reaction
 
 
@@ -55,7 +56,7 @@ FRICTIONS = (
     ast.RopeFriction,
 )
 
-SUFFIXES = ("_f", "_f1", "_hold")
+SUFFIXES = ("_f", "_f1", HOLDING)
 """What the names of results with friction end in."""
 
 
@@ -104,7 +105,7 @@ def _with_friction(find: Find, sense: Sense, has_friction: bool, scope: Scope) -
     elif has_friction:
         more.append((f"{find.name}_f1", WithFriction(of, sense, "first"), dimension))
         if sense == "tightening":
-            more.append((f"{find.name}_hold", WithFriction(of, "releasing"), dimension))
+            more.append((f"{find.name}{HOLDING}", WithFriction(of, "releasing"), dimension))
         more.append((f"eta_{find.name}", Efficiency(of, sense), NUMBER))
     for name, target, measure in more:
         if scope.enter(name, Entry("result", find.span, measure)):

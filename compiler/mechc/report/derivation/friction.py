@@ -17,7 +17,7 @@ from ...model.mechanism import (
     tension_share,
 )
 from ...model.result import FrictionResult, Result
-from ...model.targets import Sense, whole
+from ...model.targets import Sense, drives_from_below, whole
 from ...power.balance import Solved
 from ...study.analysis import Analysis
 from ..sentences.wording import geometry_first, positive_first
@@ -134,14 +134,22 @@ def _opening(
         return
     drive = driving(target)
     if drive is not None and kind != "first order":
-        way = _WAYS[target.sense, bool(result.driven)]
-        yield Paragraph(way, formulas={"drive": drive})
+        yield _way(target, result, drive)
     if kind not in ("first order", "straight", "iterated"):
         yield from earlier.enter_sentences(_how(steps, mechanism))
     elif any(isinstance(joint, RopeFriction) for joint in mechanism.friction.joints):
         yield from earlier.enter_sentences([_ROPES])
     if isinstance(target.of, LoadRatio):
         yield _unit(target.of, steps, result.name)
+
+
+def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragraph:
+    """Say which way the mechanism moves, and which load drives it."""
+    formulas = {"drive": drive}
+    if isinstance(target.of, LoadRatio) and drives_from_below(target, result.name, result.driven):
+        formulas["load"] = Symbol(target.of.below)
+        return Paragraph(SentenceKind.RELEASING_BY_LOAD, formulas=formulas)
+    return Paragraph(_WAYS[target.sense, bool(result.driven)], formulas=formulas)
 
 
 def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:

@@ -19,6 +19,7 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
+from ...model.targets import drives_from_below
 from ...model.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
 from ..languages.locale import Locale
@@ -42,8 +43,9 @@ def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
         place: spell.relation((f,), (), place == "direction")
         for place, f in paragraph.formulas.items()
     }
-    loads = [f.name for f in paragraph.formulas.values() if isinstance(f, Symbol)]
-    words = {"of_drive": LoadWords(loads, spell.couples)}
+    loads = {place: f.name for place, f in paragraph.formulas.items() if isinstance(f, Symbol)}
+    each = {f"of_{place}": LoadWords([load], spell.couples) for place, load in loads.items()}
+    words = {"of_drive": LoadWords([*loads.values()], spell.couples), **each}
     held = " " + locale.held.format(loads=names["held"]) if "held" in names else ""
     sentence = locale.sentences[paragraph.sentence]
     return sentence.format_map({**names, **formulas, **words, "held": held})
@@ -81,11 +83,15 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
             return locale.speed_ratio
         case Reaction() | Normal() | Axial():
             return _capital(force_words(result.target, locale, spell))
+        case WithFriction(LoadRatio(_, load)) if drives_from_below(
+            result.target, result.name, result.driven
+        ):
+            return _said_of("drives", load, locale, spell)
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             ways = {None: sense, True: "driven", False: "drives"}
-            said = locale.with_friction["first" if order == "first" else ways[result.driven]]
-            of_drive = LoadWords([drive], spell.couples)
-            return said.format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
+            return _said_of(
+                "first" if order == "first" else ways[result.driven], drive, locale, spell
+            )
         case WithFriction(force):
             assert not isinstance(force, LoadRatio | LoadForm)  # both stand above
             said = locale.at_joints["with friction"]
@@ -96,6 +102,11 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
             return ""
         case _:
             assert_never(result.target)
+
+
+def _said_of(way: str, drive: str, locale: Locale, spell: Speller) -> str:
+    of_drive = LoadWords([drive], spell.couples)
+    return locale.with_friction[way].format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
 
 
 def headings(firsts: Iterable[Analysis], locale: Locale, spell: Speller) -> list[str]:
