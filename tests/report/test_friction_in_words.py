@@ -470,3 +470,26 @@ def test_what_textbooks_assume_of_joints_is_said_of_joints(name, is_said):
     shown = " ".join(render(compilation.derivation, compilation.mechanism).split())
     assert "η_k runs from" in shown
     assert ("oiled joints" in shown) == ("between 0.9 and 0.95" in shown) == is_said
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        (
+            "band_brake",
+            [
+                "S_O_rope = P*l/a",
+                "M_f = S_O_rope*v_O_rope*(exp(3*pi*mu/2) - 1)",
+                "S_O_rope_hold*exp(3*pi*mu/2) = P*l/a",
+                "M_hold = -S_O_rope_hold*v_O_rope*(exp(3*pi*mu/2) - 1)",
+            ],
+        ),
+        ("cable_over_drum", ["S_B_rope = 1", "P = 1 + S_B_rope*v_B_rope*(exp(pi*mu/2) - 1)"]),
+    ],
+)
+def test_friction_of_a_rope_is_the_difference_of_its_tensions(name, lines):
+    """As a textbook has it, T₁ = T₂·e^(μθ) and M = (T₁ - T₂)·D/2: no mean that counts as normal."""
+    text = headings(read(find(name)), "en")
+    shown = "".join(text.split())
+    assert all("".join(line.split()) in shown for line in lines)
+    assert "The mean of" not in text.split("to first order")[0]

@@ -5,6 +5,7 @@ n = s·(ideal + Σ D·n) is a linear system, and the driving load a quotient of 
 """
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from ..algebra.determinant import determinant, with_column
 from ..algebra.product import ONE, ZERO, Product
@@ -14,7 +15,7 @@ from .closed_form import Condition, power
 from .free_bodies import EquationsCoupled
 from .pairs import LoadedPair
 from .signs import Signs
-from .solution import Step
+from .solution import Kind, Step
 
 MOST = 3
 """More pairs than this make a formula that nobody reads."""
@@ -88,28 +89,48 @@ class LinearSolver:
     def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> Step:
         """Return the forces that press, the slips, and what frictions add to the driving load."""
         balances = [self._balance(*pair) for pair in zip(self._loaded, sides, strict=True)]
+        sizes = [canonical(size / _mean(p)) for p, size in zip(self._loaded, sizes, strict=True)]
         found = zip(map(_size, self._loaded), (size.formula() for size in sizes), strict=True)
         equations = dict.fromkeys((*balances, *found))
         equations |= {
             (_slip(p), (self._slip(p) * p.slip_of_one).formula()): None for p in self._loaded
         }
         powers = (
-            power(self._sense * p.times, p.pair.factor.formula(), _size(p), _slip(p))
+            power(self._sense * p.times, _factor(p).formula(), _size(p), _slip(p))
             for p in self._loaded
         )
         whole = total([self._ideal.formula(), *powers])
-        return Step("straight", equations=(*equations, (Symbol(self._driving), whole)))
+        kind: Kind = "ropes" if all(p.pair.tensions for p in self._loaded) else "straight"
+        return Step(kind, equations=(*equations, (Symbol(self._driving), whole)))
 
     def _balance(self, loaded: LoadedPair, side: Product) -> tuple[Formula, Formula]:
         """Return a pressing force less what frictions change in it, and the ideal one."""
         (component,) = loaded.components
-        shares = ((self._share(component.by, p.pair.name, side), _size(p)) for p in self._loaded)
-        changes = (product([(share.formula(), 1), (n, 1)]) for share, n in shares if share)
-        return total([_size(loaded), *changes]), (component.ideal * side).formula()
+        shares = ((self._share(component.by, p.pair.name, side), p) for p in self._loaded)
+        if loaded.pair.tensions:
+            parts = ((add((ONE, share)) if p is loaded else share, p) for share, p in shares)
+            terms = [(canonical(part * _mean(p)), p) for part, p in parts]
+        else:
+            terms = [(ONE, loaded), *((share * _mean(p), p) for share, p in shares)]
+        of_each = (product([(part.formula(), 1), (_size(p), 1)]) for part, p in terms if part)
+        return total(of_each), (component.ideal * side).formula()
 
 
 def _size(loaded: LoadedPair) -> Formula:
-    return Symbol(f"n_{loaded.pair.name}")
+    """Return the name of what presses; of a rope that of its smaller tension."""
+    return Symbol(f"{'S' if loaded.pair.tensions else 'n'}_{loaded.pair.name}")
+
+
+def _mean(loaded: LoadedPair) -> Product:
+    """Return what presses for a unit of what is named: of a rope the mean of both tensions."""
+    ratio = loaded.pair.tensions
+    return add((ONE, ratio)).scaled(Fraction(1, 2)) if ratio else ONE
+
+
+def _factor(loaded: LoadedPair) -> Product:
+    """Return the friction for a unit of what is named: of a rope the difference of tensions."""
+    ratio = loaded.pair.tensions
+    return add((ratio, -ONE)) if ratio else loaded.pair.factor
 
 
 def _slip(loaded: LoadedPair) -> Formula:

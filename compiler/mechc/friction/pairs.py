@@ -49,7 +49,8 @@ class FrictionPair(NamedTuple):
     or a number, against a sliding speed. ``name`` differs from those of the others: ``O``, ``BAB``,
     ``A_guide``. The mechanism has ``number`` of them: one in each half or branch. Frictions
     ``besides`` press it by themselves, each by so much of it, and not through the joint alone.
-    Where there is a ``thrust``, that is the force, whatever the joint passes on.
+    Where there is a ``thrust``, that is the force, whatever the joint passes on. Of a rope
+    ``tensions`` are to each other, one on either side of a pulley.
     """
 
     name: str
@@ -59,6 +60,7 @@ class FrictionPair(NamedTuple):
     number: Fraction = Fraction(1)
     besides: tuple[tuple[str, Product], ...] = ()
     thrust: Formula | None = None
+    tensions: Product | None = None
 
     def speeds(self, plan: Plan) -> Speeds:
         """Return the slip per unit of each drive."""
@@ -131,11 +133,12 @@ def _of(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
             joint, slip = JointRef("thrust", point, link), _at_radius(link, to_product(radius))
             pair = FrictionPair(f"{point}_collar", joint, to_product(factor), slip)
             yield pair._replace(thrust=thrust)
-        case RopeFriction(id, point, factor=factor):
+        case RopeFriction(id, point, factor=factor, tensions=ratio):
             joint = JointRef("mesh", pose.mechanism.joint(id).points[0], id)
             slip = _along_rope(given, pose)
             pair = FrictionPair(f"{point}_rope", joint, to_product(factor), slip)
-            yield pair._replace(besides=tuple(_along_the_way(given, pose)))
+            besides = tuple(_along_the_way(given, pose))
+            yield pair._replace(besides=besides, tensions=to_product(ratio))
         case FaceFriction(point, factor):
             yield _face(point, factor, pose)
         case _:

@@ -21,6 +21,7 @@ Kind = Literal[
     "slider",
     "pin",
     "straight",
+    "ropes",
     "efficiency",
     "first order",
     "iterated",

@@ -130,7 +130,12 @@ class RopeFriction:
 
         They are to each other as e^(μθ) to 1.
         """
-        return tension_share(Call("exp", (product([(self.coefficient, 1), (self.wrap, 1)]),)))
+        return tension_share(self.tensions)
+
+    @property
+    def tensions(self) -> Formula:
+        """Return the larger tension over the smaller one, e^(μθ)."""
+        return Call("exp", (product([(self.coefficient, 1), (self.wrap, 1)]),))
 
 
 def coulomb(coefficient: Formula) -> Formula:

@@ -42,10 +42,10 @@ _ITERATED = {
     "whole": Call("abs", (total([Symbol("r"), _CHANGES]),)),
 }
 _RATIO = Call("exp", (product([(Symbol("mu"), 1), (Symbol("theta"), 1)]),))
-_ROPES = Paragraph(
-    SentenceKind.ROPE_FRICTION,
-    formulas={"ratio": _RATIO, "part": tension_share(_RATIO), "angle": Symbol("theta")},
-)
+_ROPE: Mapping[str, Formula] = {"ratio": _RATIO, "angle": Symbol("theta")}
+_TENSIONS = Paragraph(SentenceKind.ROPE_FRICTION, formulas=_ROPE)
+_SMALLER = Paragraph(SentenceKind.ROPE_SMALLER, formulas={"force": Symbol("S")})
+_MEAN = Paragraph(SentenceKind.ROPE_MEAN, formulas={"part": tension_share(_RATIO)})
 _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 
 
@@ -105,7 +105,11 @@ def exact_name(result: Result, results: Iterable[Result]) -> str:
 def _with_result(step: Step, asked: WithFriction, result: str) -> Step:
     """Return a step that gives a load itself, under the name that it has with friction."""
     drive = driving(asked)
-    if step.kind != "straight" or drive is None or not isinstance(asked.of, LoadForm):
+    if (
+        step.kind not in ("straight", "ropes")
+        or drive is None
+        or not isinstance(asked.of, LoadForm)
+    ):
         return step
     return renamed(step, {drive.name: Symbol(result)})
 
@@ -135,10 +139,11 @@ def _opening(
     drive = driving(target)
     if drive is not None and kind != "first order":
         yield _way(target, result, drive)
-    if kind not in ("first order", "straight", "iterated"):
+    if kind not in ("first order", "straight", "ropes", "iterated"):
         yield from earlier.enter_sentences(_how(steps, mechanism))
     elif any(isinstance(joint, RopeFriction) for joint in mechanism.friction.joints):
-        yield from earlier.enter_sentences([_ROPES])
+        is_mean = kind in ("first order", "iterated")
+        yield from earlier.enter_sentences([_TENSIONS, _MEAN if is_mean else _SMALLER])
     if isinstance(target.of, LoadRatio):
         yield _unit(target.of, steps, result.name)
 
@@ -220,6 +225,8 @@ def _paragraphs(step: Step, earlier: EarlierSteps, asked: WithFriction) -> Itera
             yield Paragraph(SentenceKind.PIN_OF_RODS, (*found, *new), {"point": (step.body,)})
         case "straight":
             yield Paragraph(SentenceKind.STRAIGHT, (*new, *equations), formulas=_STRAIGHT)
+        case "ropes":
+            yield Paragraph(SentenceKind.ROPES, (*new, *equations), formulas=_STRAIGHT)
         case "efficiency":
             yield Paragraph(SentenceKind.EFFICIENT, tuple(equations))
         case "first order":

@@ -73,8 +73,13 @@ ENGLISH = {
     "velocity, and the radius of the friction circle that of the coefficient.",
     "slip of face": "On a sliding surface {speed} is the sliding velocity.",
     "rope friction": "Where a rope slides around a pulley, the tension on one side is {ratio} "
-    "times that on the other, {angle} being the angle of wrap. Their mean counts as the normal "
-    "force, with the coefficient {part}.",
+    "times that on the other, {angle} being the angle of wrap (Euler, Eytelwein).",
+    "rope, smaller tension": "{force} is the smaller of the two, which the equilibrium of the "
+    "bodies gives; their difference is the friction on the pulley.",
+    "rope, mean": "The mean of both tensions counts as the normal force, with the coefficient "
+    "{part}.",
+    "ropes": "The power of friction is the difference of the tensions times the sliding velocity "
+    "{speed}, per unit of the drive’s velocity:",
     "straight": "Each friction force is its coefficient times the normal force {force}, which "
     "itself depends on the friction forces. Its power is this times the sliding velocity {speed}, "
     "per unit of the drive’s velocity:",
@@ -161,8 +166,12 @@ UKRAINIAN = {
     "{turn}, а замість коефіцієнта тертя — радіус круга тертя.",
     "slip of face": "На поверхні ковзання {speed} — швидкість ковзання.",
     "rope friction": "Де гнучка ланка ковзає по шківу, один її натяг у {ratio} разів більший за "
-    "інший (формула Ейлера, {angle} — кут охоплення). За нормальну силу беремо їхнє середнє, її "
-    "коефіцієнт тертя — {part}.",
+    "інший (формула Ейлера, {angle} — кут охоплення).",
+    "rope, smaller tension": "{force} — менший із двох натягів, його дають умови рівноваги; "
+    "сила тертя на шківі дорівнює їхній різниці.",
+    "rope, mean": "За нормальну силу беремо середнє обох натягів, її коефіцієнт тертя — {part}.",
+    "ropes": "Потужність тертя — добуток різниці натягів на швидкість ковзання {speed}, "
+    "віднесену до швидкості привода:",
     "straight": "Кожна сила тертя дорівнює коефіцієнту тертя, помноженому на нормальну силу "
     "{force}, яка сама залежить від сил тертя. Потужність сили тертя — її добуток на швидкість "
     "ковзання {speed}, віднесену до швидкості привода:",
@@ -253,8 +262,13 @@ RUSSIAN = {
     "{turn}, а вместо коэффициента трения — радиус круга трения.",
     "slip of face": "На поверхности скольжения {speed} — скорость скольжения.",
     "rope friction": "Где гибкое звено скользит по шкиву, одно его натяжение в {ratio} раз "
-    "больше другого (формула Эйлера, {angle} — угол обхвата). За нормальную силу берём их "
-    "среднее, её коэффициент трения — {part}.",
+    "больше другого (формула Эйлера, {angle} — угол обхвата).",
+    "rope, smaller tension": "{force} — меньшее из двух натяжений, его дают условия равновесия; "
+    "сила трения на шкиве равна их разности.",
+    "rope, mean": "За нормальную силу берём среднее обоих натяжений, её коэффициент трения — "
+    "{part}.",
+    "ropes": "Мощность трения — произведение разности натяжений на скорость скольжения {speed}, "
+    "отнесённую к скорости привода:",
     "straight": "Каждая сила трения равна коэффициенту трения, умноженному на нормальную силу "
     "{force}, которая сама зависит от сил трения. Мощность силы трения — её произведение на "
     "скорость скольжения {speed}, отнесённую к скорости привода:",
