@@ -136,10 +136,30 @@ def test_reports_state_the_arm_and_which_wheel_stands_still(
     language: str, arm: str, still: str
 ) -> None:
     report = mechc.loads(train(), "train.mech").emit("latex", language=language).lower()
-    assert (report.count(arm), report.count(still)) == (1, 1)
+    given = report.split(r"\section*")[1]
+    assert (given.count(arm), given.count(still)) == (1, 1)
+
+
+@pytest.mark.parametrize(
+    ("language", "author"), [("en", "Willis"), ("uk", "Вілліса"), ("ru", "Виллиса")]
+)
+def test_speeds_are_related_as_willis_has_them(language: str, author: str) -> None:
+    """Relative to the arm, with teeth for radii; the planet and the arm turn oppositely."""
+    report = mechc.load("planetary_gear").emit("latex", language=language)
+    assert r"z_S(\omega_{OS}-\omega_{OA})&=z_P(\omega_{AP}+\omega_{OA})" in report
+    assert r"z_R\omega_{OA}&=z_P(\omega_{AP}+\omega_{OA})" in report
+    assert report.count(author) == 1
 
 
 def test_reports_do_not_take_a_planet_for_the_ring() -> None:
     report = mechc.loads(train(), "train.mech").emit("latex")
     assert report.count("mesh, one inside the other") == 1
     assert "The relations for $OS$, $AB$ and $OA$ are solved together" in report
+
+
+def test_what_is_solved_together_has_its_reasons() -> None:
+    derivation = mechc.load("double_butterfly").derivation
+    (step,) = (s for s in derivation.steps if s.rule == "together")
+    assert step.reasons == tuple(
+        ("projection", ends) for ends in (("B", "D"), ("E", "G"), ("C", "F"))
+    )

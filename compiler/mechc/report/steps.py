@@ -109,13 +109,15 @@ class Step:
     rack, for PARTING the two points; for TOGETHER the links involved; for COMPONENT and its
     kinds the point and the load last, ``V_A_P`` being the speed of A along P, the pivot, or the
     link and its other point, first; for HELD the coordinates.
-    ``relations`` is what the rule says; ``results`` the same solved for the new speeds.
+    ``relations`` is what the rule says; ``results`` the same solved for the new speeds. Of
+    TOGETHER ``reasons`` are the rules behind the relations, each with what it is applied to.
     """
 
     rule: Rule
     subject: tuple[str, ...]
     relations: tuple[Equation, ...]
     results: tuple[Equation, ...]
+    reasons: tuple[tuple[Rule, tuple[str, ...]], ...] = ()
 
 
 @frozen

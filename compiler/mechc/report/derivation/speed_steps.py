@@ -10,6 +10,7 @@ from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque
 from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
 from ..steps import Equation, NamedRatio, Rule, Step
+from .epicyclic import seen_from_arm
 from .notation import Named, Names, Notation, linear, times
 from .rules import involved, pole_of, rule_of
 
@@ -125,6 +126,7 @@ class SpeedSteps:
         self._names[unknown] = local.get(unknown) or self._notation.of_itself(unknown)
         names = {**self._names, **local}
         said, solved = self._written(relation.form, unknown, names)
+        said = seen_from_arm(relation, self._graph, names) or said
         results = [solved]
         others = {names[u] for u in relation.form if u != unknown}
         if ratio := self._ratios.of(unknown):
@@ -149,10 +151,15 @@ class SpeedSteps:
     def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
         for unknown in unknowns:
             self._names[unknown] = self._notation.of_itself(unknown)
-        equations = tuple(Equation(linear(r.form, self._names), ZERO) for r in relations)
+        equations = tuple(
+            seen_from_arm(r, self._graph, self._names)
+            or Equation(linear(r.form, self._names), ZERO)
+            for r in relations
+        )
         results = tuple(e for u in unknowns for e in self._ratios.of(u) or (self._solved(u),))
         links = tuple(dict.fromkeys(n for r in relations for n in involved(r, self._graph)))
-        return Step(Rule.TOGETHER, links, equations, results)
+        reasons = tuple(dict.fromkeys(rule_of(r, self._graph) for r in relations))
+        return Step(Rule.TOGETHER, links, equations, results, reasons)
 
     def _solved(self, unknown: int) -> Equation:
         return Equation(self._names[unknown].symbol, self._by_drives(unknown))

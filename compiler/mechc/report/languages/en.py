@@ -150,7 +150,7 @@ LOCALE = Locale(
         " speeds at the pitch point.",
         "belt": "The belt between {all} runs with both rims: their speeds are equal.",
         "on_arm": "Seen from the link {first}, which carries the centres {rest}, the rims of both "
-        "wheels have equal speeds.",
+        "wheels have equal speeds (Willis).",
         "rack": "The rack {rest} moves with the pitch circle of the gear on {first}.",
         "screw": "The screw moves {rest} by its lead in each turn.",
         "rope": "The rope through {all} keeps its length: what its falls gain and lose adds "

@@ -1,6 +1,6 @@
 """A derivation put into words, whatever the language and whoever prints."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from itertools import groupby
 from typing import TypeVar
 
@@ -29,11 +29,15 @@ Kind = TypeVar("Kind", bound=str)
 
 
 def sentences(steps: Iterable[Step], locale: Locale, spell: Callable[[str], str]) -> Iterator[str]:
-    """Yield the rule of each step in words; ``spell`` writes a name of the drawing."""
-    listed = [*steps]
-    templates = _in_full_once([step.rule for step in listed], locale.rules, locale.again)
-    for step, template in zip(listed, templates, strict=True):
-        yield _sentence(step, template, locale, spell)
+    """Yield the rule of each step in words; ``spell`` writes a name of the drawing.
+
+    What is solved together has the rules of all its relations.
+    """
+    listed = [[*step.reasons, (step.rule, step.subject)] for step in steps]
+    kinds = [rule for rules in listed for rule, _ in rules]
+    templates = iter(_in_full_once(kinds, locale.rules, locale.again))
+    for rules in listed:
+        yield " ".join(_sentence(subject, next(templates), locale, spell) for _, subject in rules)
 
 
 def _in_full_once(
@@ -46,12 +50,14 @@ def _in_full_once(
         known.add(kind)
 
 
-def _sentence(step: Step, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
+def _sentence(
+    subject: Sequence[str], template: str, locale: Locale, spell: Callable[[str], str]
+) -> str:
     """Return the sentence of a step; rules name what they are applied to by its place among all.
 
     ``joined`` are points as one name, ``OAB``; what stands first and is a link has that already.
     """
-    first, *others = step.subject or ("",)
+    first, *others = subject or ("",)
     others = others or [first]
     is_link = len(first.rstrip("'0123456789")) > 1
     return template.format(
@@ -60,8 +66,8 @@ def _sentence(step: Step, template: str, locale: Locale, spell: Callable[[str], 
         last=spell(others[-1]),
         point=spell(others[-2] if len(others) > 1 else first),
         rest=enumeration(map(spell, others), locale),
-        all=enumeration(map(spell, step.subject), locale),
-        joined=spell(first if is_link else "".join(step.subject)),
+        all=enumeration(map(spell, subject), locale),
+        joined=spell(first if is_link else "".join(subject)),
     )
 
 
