@@ -122,7 +122,7 @@ def _size(loaded: LoadedPair) -> Formula:
 
 
 def _mean(loaded: LoadedPair) -> Product:
-    """Return what presses for a unit of what is named: of a rope the mean of both tensions."""
+    """Return the force that presses for a unit of the named one: of a rope the mean tension."""
     ratio = loaded.pair.tensions
     return add((ONE, ratio)).scaled(Fraction(1, 2)) if ratio else ONE
 
