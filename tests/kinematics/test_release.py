@@ -85,7 +85,7 @@ def test_a_wheel_off_its_mesh_turns_alone_at_the_speed_of_its_rim():
 
 
 def test_a_pin_out_of_its_slot_parts_across_it():
-    found = released(slotted(), JointRef("touch", "A"), at(90, theta=1), "T")
+    found = released(slotted(), JointRef("contact", "A"), at(90, theta=1), "T")
     assert ratio(found, "A", at(90, theta=1)) == pytest.approx(1)
 
 
@@ -122,7 +122,7 @@ def test_pivots_of_wheels_and_screws_are_unclear_but_not_of_racks():
 
 
 def test_what_a_joint_holds():
-    assert members(slotted(), JointRef("touch", "A")) == ("A", "Q", "B")
+    assert members(slotted(), JointRef("contact", "A")) == ("A", "Q", "B")
     assert members(on_pivots(wheels()), JointRef("mesh", "O", wheels().id)) == (*"OQ", *"OA", *"QB")
     assert members(lever(), JointRef("pin", "A", "OAB")) == ("O", "A", "B")
     assert members(lever(), JointRef("ground", "O")) == ("O",)

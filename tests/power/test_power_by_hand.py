@@ -188,7 +188,7 @@ def test_a_guide_bears_the_load_times_the_tangent():
 
 def test_a_slot_bears_the_couple_over_its_lever():
     """The pin is pushed across the slot by T over the slot's length."""
-    along = forces(slotted(), "touch", "A", driving="M")
+    along = forces(slotted(), "contact", "A", driving="M")
     assert along(at(90, theta=1)) == {"T": pytest.approx(1 / L)}
 
 
@@ -234,9 +234,9 @@ def test_the_size_of_a_force_is_its_two_parts_by_pythagoras():
 
 def test_guides_slots_and_pins_are_found_by_what_is_asked():
     pose = slotted()
-    assert holding("A", pose) == JointRef("touch", "A")
+    assert holding("A", pose) == JointRef("contact", "A")
     assert holding("K", driven_slider(wheels())) == JointRef("ground", "K")
-    assert joint_of(Normal("A"), pose) == JointRef("touch", "A")
+    assert joint_of(Normal("A"), pose) == JointRef("contact", "A")
     assert joint_of(Reaction("A", "OA", "x"), pose) == JointRef("pin", "A", "OA")
     assert line_of(Normal("A"), pose) == (Arm(ONE, at(90, theta=1)),)
     assert line_of(Normal("K"), driven_slider(wheels())) == (Arm(ONE, at(180)),)

@@ -30,7 +30,7 @@ def force_between(target: Target | None, cut: Cut, pose: Pose) -> str:
             subjects = [("rod", link)]
         case Normal(point):
             bodies = [body.name for body in pose.mechanism.bodies]
-            subjects = [("guide", point), *(("touch", point, body) for body in bodies)]
+            subjects = [("guide", point), *(("contact", point, body) for body in bodies)]
         case _:
             return ""
     found = [f.names[place] for f in cut.forces if (f.kind, *f.subject[:2]) in subjects]

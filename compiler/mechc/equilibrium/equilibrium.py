@@ -14,7 +14,7 @@ from ..frozen import frozen
 from ..model.targets import ForceAtJoint, Target
 from ..named import NamedTuple
 
-Kind = Literal["rod", "pivot", "pin", "guide", "touch", "rim", "rack", "thread", "rope", "couple"]
+Kind = Literal["rod", "pivot", "pin", "guide", "contact", "rim", "rack", "thread", "rope", "couple"]
 """What passes a force on. A ``couple`` is that of a link in a slot that turns with it."""
 
 Terms = Mapping[str, Product]
@@ -26,7 +26,7 @@ class JointForce(NamedTuple):
 
     ``subject`` are names of the drawing: of a rod its link; of a pivot the body that it acts on
     and the point, of a pin also the arm that its components are along and across, '' where they
-    are those along x and y; of a guide the point, of a touch the pin and the body that pushes it;
+    are those along x and y; of a guide the point, of a contact the pin and the body that pushes it;
     of a rim the centres of the wheels, of a rack the wheel's and its point; of a thread the screw
     and the nut; of a couple the link in the slot and the body that has it. A pin's and a pivot's
     act on the body, a couple on the link in the slot, others on the point: along the guide, across

@@ -142,7 +142,7 @@ def _contact(contact: PointContact, name: str, cut: Cutting) -> Exerted:
     at = (*cut.pose.frames[body][contact.tail], *contact.reach)
     often = cut.repeats(cut.points(body), both)
     return _exerted(
-        JointForce("touch", (name,), (contact.point, body)),
+        JointForce("contact", (name,), (contact.point, body)),
         _on_pin(name, contact.point, contact.normal, both, cut),
         [(body, _at(name, contact.normal, at, Product(-often)))],
     )

@@ -28,7 +28,7 @@ class Notes:
     def rod(self, rod: Link, sense: Product, resistances: Sequence[Product], turn: Product) -> None:
         """Note the line of a rod's force."""
         senses = {exact_sign(r.coefficient) for r in resistances}
-        kind: StepKind = "crossed" if len(senses) == 1 else "outer"
+        kind: StepKind = "internal" if len(senses) == 1 else "external"
         if len(resistances) == 1:
             kind = "single"
         elif not turn:

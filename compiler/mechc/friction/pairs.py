@@ -166,7 +166,7 @@ def _face(point: str, factor: Formula, pose: Pose) -> FrictionPair:
         joint, slip = JointRef("pin", arc.centre, rod.name), _turning(rod.name, arc.link)
         return FrictionPair(f"{point}_face", joint, to_product(radius), slip)
     contact = contact_at(pose, point)
-    slip, joint = _sliding(contact), JointRef("touch", point)
+    slip, joint = _sliding(contact), JointRef("contact", point)
     return FrictionPair(f"{point}_face", joint, to_product(factor), slip)
 
 

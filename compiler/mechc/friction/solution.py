@@ -12,8 +12,8 @@ from ..model.result import Definition, FrictionResult, Result
 from ..power.balance import Balance, Solved
 
 Kind = Literal[
-    "crossed",
-    "outer",
+    "internal",
+    "external",
     "parallel",
     "single",
     "face",

@@ -50,7 +50,7 @@ def _is_loaded_otherwise(bodies: Bodies, point: str) -> bool:
 
 def of_face(bodies: Bodies, contact: PointContact) -> Surface | None:
     """Return the friction of a pin on the body under it, with the ideal force on the pin."""
-    found = bodies.loaded.get(JointRef("touch", contact.point))
+    found = bodies.loaded.get(JointRef("contact", contact.point))
     if found is None:
         return None
     (component,) = found.components

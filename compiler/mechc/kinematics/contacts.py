@@ -35,7 +35,7 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
             case Slot(guided=guided) if guided:
                 yield _turning_together(joint, spins)
             case Pivot() | Slider() | Slot() | Contact():
-                pass  # carriers of points; slots and contacts are touches
+                pass  # carriers of points; slots and contacts are relations of their own
             case _:
                 assert_never(joint)
 

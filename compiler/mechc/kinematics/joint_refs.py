@@ -22,14 +22,14 @@ from ..pose.pose import PointContact, Pose
 
 
 class JointRef(NamedTuple):
-    """What is released at a point: ``pin`` of a link, ``ground``, guide of a ``slide``, ``touch``.
+    """What is released: ``pin`` of a link, ``ground``, guide of a ``slide``, ``contact``, ``mesh``.
 
     ``of`` is the name of the link or slide. A ``mesh`` is that of wheels, a rack, a thread or a
     rope: it has the joint's first point, and ``of`` is the joint's id. The ``thrust`` of a link
     along the axis of its pivot is given, so that it is never released.
     """
 
-    kind: Literal["pin", "ground", "slide", "touch", "mesh", "thrust"]
+    kind: Literal["pin", "ground", "slide", "contact", "mesh", "thrust"]
     point: str
     of: str = ""
 
@@ -85,7 +85,7 @@ def unclear(mechanism: Mechanism) -> frozenset[str]:
 
 def members(pose: Pose, joint: JointRef) -> tuple[str, ...]:
     """Return the points of all that a joint holds; it is shared by halves where they all are."""
-    if joint.kind == "touch":
+    if joint.kind == "contact":
         return (joint.point, *pose.frames[contact_at(pose, joint.point).body])
     if joint.kind == "mesh":
         mesh = pose.mechanism.joint(joint.of)

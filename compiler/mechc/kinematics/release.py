@@ -5,7 +5,7 @@ With the driving loads held still, what is left has one freedom, and the balance
 it gives that force alone, as short as k itself.
 
 A joint is a *pin* of a link on what it meets there, a point on the *ground* (a pivot, a
-guide), the guide of a *slide*, a *touch* (slot, contact), or a *mesh* (wheels, rack, screw).
+guide), the guide of a *slide*, a *contact* (slot, contact), or a *mesh* (wheels, rack, screw).
 Released along a direction, it keeps everything else: a pin does not part across it, a pivot
 moves along it only.
 """
@@ -125,7 +125,7 @@ def _released(pose: Pose, joint: JointRef, along: Angle) -> Released:
             return _without_slide(pose, joint, along)
         case "mesh":
             return _without_mesh(pose, joint)
-        case "touch":
+        case "contact":
             return _without_contact(pose, joint.point)
         case "thrust":
             raise AssertionError("a thrust is given")

@@ -50,7 +50,7 @@ def in_ratios(
     ``taken`` it has none.
     """
     ratios = _Ratios(plan, values, taken)
-    speeds = _followed(plan, ratios.named)
+    speeds = _followed(plan, ratios.name)
     return _like(plan, speeds, ratios.found)
 
 
@@ -121,13 +121,13 @@ class _Ratios:
         self._unknowns, self._values, self._taken = plan.graph.unknowns, dict(values), taken
         self.found: dict[int, Binding] = {}
 
-    def named(self, unknown: int, speeds: Speeds) -> Speeds:
-        """Return a speed under its name, a projection and what is no ratio of its own as it is."""
+    def name(self, unknown: int, speeds: Speeds) -> Speeds:
+        """Name a speed and return it by that; a projection and a plain one remain as they are."""
         what, (speed,) = self._unknowns[unknown], speeds
         if what.kind is Kind.COMPONENT or all(map(_is_plain, speed.factors)):
             return speeds
         name = self._free(f"i_{what.of}")
-        sense = self._noted(name, speed)
+        sense = self._note(name, speed)
         ratio = Bound(name, speed.scaled(sense))
         self.found[unknown] = Binding(name, ratio.definition)
         return (Product(sense, {ratio: 1}),)
@@ -137,8 +137,8 @@ class _Ratios:
             name = another(name)
         return name
 
-    def _noted(self, name: str, speed: Product) -> int:
-        """Return the sign of a speed at the values, +1 where it has none, and note its size."""
+    def _note(self, name: str, speed: Product) -> int:
+        """Note the size of a speed at the values; return its sign, +1 where it has none."""
         try:
             value = speed.evaluate(self._values)
         except (KeyError, ZeroDivisionError):

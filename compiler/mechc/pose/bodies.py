@@ -91,7 +91,7 @@ def _line(
 
 
 def _reach(tail: str, point: str, line: Angle, vectors: Vectors) -> Vector:
-    """Return the vector to a pin: given, or along the line, of a length left open."""
+    """Return the vector to a pin: given, or along the line, its length noted as left open."""
     given = vectors.reach(tail, point)
     if given:
         return given

@@ -92,7 +92,7 @@ def _ropes(mechanism: Mechanism) -> frozenset[str]:
 def holding(point: str, pose: Pose) -> JointRef:
     """Return the joint that presses on a point across a line: a slot, a contact, a guide."""
     if any(contact.point == point for contact in pose.contacts):
-        return JointRef("touch", point)
+        return JointRef("contact", point)
     return guiding(point, pose)
 
 

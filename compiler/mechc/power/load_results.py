@@ -34,7 +34,7 @@ def load_ratio(problem: Problem, find: Find, asked: LoadRatio) -> Solved | None:
     if lower not in equations.columns:
         return _ratio(problem, find, asked, ZERO)
     value = canonical(factor * equations.solve(upper, unknown, lower))
-    shown = problem.reading.of(value, lambda e: factor * e.solve(upper, unknown, lower))
+    shown = problem.reading.read(value, lambda e: factor * e.solve(upper, unknown, lower))
     return _ratio(problem, find, asked, value, shown)
 
 

@@ -135,7 +135,7 @@ def directions(pose: Pose, joint: JointRef) -> tuple[Angle, ...]:
     """
     shared = pose.mechanism.is_on_the_line(members(pose, joint))
     match joint.kind:
-        case "touch":
+        case "contact":
             return (contact_at(pose, joint.point).normal,)
         case "mesh":
             return (Angle(),)

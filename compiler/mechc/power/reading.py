@@ -37,9 +37,10 @@ class Reading:
             return self._ratios
         return self._standing if self._is_closed and not self._plan.bindings else self._plan
 
-    def of(self, value: Product, solved: Callable[[Equations], Product]) -> Product:
-        """Return a ratio as it is read; ``solved`` gives it by power equations.
+    def read(self, value: Product, solved: Callable[[Equations], Product]) -> Product:
+        """Return a ratio as it is read, and note the plan that it rests on.
 
+        ``solved`` gives it by power equations.
         In the free angles of an open pose k has one form, however the mechanism is written
         down, unless that is too long to be read.
         """

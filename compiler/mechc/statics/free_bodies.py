@@ -64,13 +64,13 @@ class _Sums:
         self.bodies: dict[str, int] = {}
 
     def pin(self, point: str) -> int:
-        """Return the number of the pin's first row."""
+        """Return the number of the pin's first row; its rows are added when first asked for."""
         if point not in self.pins:
             self.pins[point] = self._more(2)
         return self.pins[point]
 
     def body(self, name: str) -> int:
-        """Return the number of the body's first row."""
+        """Return the number of the body's first row; its rows are added when first asked for."""
         if name not in self.bodies:
             self.bodies[name] = self._more(3)
         return self.bodies[name]

@@ -13,7 +13,7 @@ from ...model.mechanism import (
 )
 from ..steps import Equation, Paragraph, SentenceKind
 
-_ONCE = {"crossed", "outer", "parallel", "single", "face", "iterated"}
+_ONCE = {"internal", "external", "parallel", "single", "face", "iterated"}
 """Steps that are the same for all results."""
 
 

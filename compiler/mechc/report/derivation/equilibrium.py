@@ -30,7 +30,7 @@ _FORCES: Mapping[str, tuple[SentenceKind, Places]] = {
     "pin": (SentenceKind.FORCE_AT_PIN, ("link", "point")),
     "crank": (SentenceKind.FORCE_ALONG_ARM, ("link", "point", "arm")),
     "guide": (SentenceKind.FORCE_OF_GUIDE, ("point",)),
-    "touch": (SentenceKind.FORCE_OF_TOUCH, ("point", "link")),
+    "contact": (SentenceKind.FORCE_OF_TOUCH, ("point", "link")),
     "rim": (SentenceKind.FORCE_OF_RIM, ("first", "rest")),
     "rack": (SentenceKind.FORCE_OF_RACK, ("pivot", "point")),
     "thread": (SentenceKind.FORCE_OF_THREAD, ("link", "point")),

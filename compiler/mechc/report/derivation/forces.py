@@ -24,7 +24,7 @@ HALF_TURN = Angle.constant(180)
 _BONDS = {
     "pin": SentenceKind.PIN,
     "slide": SentenceKind.GUIDE,
-    "touch": SentenceKind.TOUCH,
+    "contact": SentenceKind.TOUCH,
     "mesh": SentenceKind.ROPE_RELEASED,
 }
 
@@ -184,7 +184,7 @@ class _Writer:
         return SentenceKind.PIVOT if fixed else SentenceKind.GUIDE
 
     def _parting_of(self, release: Release) -> Symbol:
-        relative = release.kind in ("pin", "touch", "mesh")
+        relative = release.kind in ("pin", "contact", "mesh")
         return Symbol(self._parting if relative else f"V_{release.point}")
 
     def _component(self, release: Release) -> tuple[Symbol, int]:

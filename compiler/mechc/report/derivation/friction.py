@@ -25,14 +25,14 @@ from ..steps import Equation, Explanation, Paragraph, SentenceKind
 from .earlier import EarlierSteps, driving, renamed
 
 _LINES: Mapping[str, SentenceKind] = {
-    "crossed": SentenceKind.CROSSED,
-    "outer": SentenceKind.OUTER,
+    "internal": SentenceKind.INTERNAL_TANGENT,
+    "external": SentenceKind.EXTERNAL_TANGENT,
     "parallel": SentenceKind.PARALLEL,
     "single": SentenceKind.SINGLE,
     "face": SentenceKind.FACE,
 }
 
-_AT_PINS = ("crossed", "outer", "parallel", "single")
+_AT_PINS = ("internal", "external", "parallel", "single")
 
 _CHANGES = product([(Symbol("D"), 1), (Symbol("n"), 1)])
 _ITERATED = {
@@ -208,7 +208,7 @@ def _paragraphs(step: Step, earlier: EarlierSteps, asked: WithFriction) -> Itera
     equations = [Equation(_ordered(left), right) for left, right in sides]
     found = [e for e in equations if e.left != driving(asked)] or equations
     match step.kind:
-        case "crossed" | "outer" | "parallel" | "single":
+        case "internal" | "external" | "parallel" | "single":
             names = {"link": (step.body,)}
             rod = SentenceKind.IN_COMPRESSION if step.sense > 0 else SentenceKind.IN_TENSION
             yield Paragraph(rod, names=names)

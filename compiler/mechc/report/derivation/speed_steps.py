@@ -70,7 +70,7 @@ class SpeedSteps:
     @property
     def ratios(self) -> Sequence[NamedRatio]:
         """Return the ratios of speeds that the steps so far have given a name."""
-        return self._ratios.found
+        return self._ratios.shown
 
     def names_at(self, form: Form, *points: str) -> Names:
         """Return the names of a form's unknowns, by the speed of one of the points if it is met."""
@@ -129,7 +129,7 @@ class SpeedSteps:
         said = seen_from_arm(relation, self._graph, names) or said
         results = [solved]
         others = {names[u] for u in relation.form if u != unknown}
-        if ratio := self._ratios.of(unknown):
+        if ratio := self._ratios.show(unknown):
             results += ratio
         elif len(others) > 1 and others != {self._names[d] for d in self.plan.drives}:
             results.append(self._solved(unknown))
@@ -156,7 +156,7 @@ class SpeedSteps:
             or Equation(linear(r.form, self._names), ZERO)
             for r in relations
         )
-        results = tuple(e for u in unknowns for e in self._ratios.of(u) or (self._solved(u),))
+        results = tuple(e for u in unknowns for e in self._ratios.show(u) or (self._solved(u),))
         links = tuple(dict.fromkeys(n for r in relations for n in involved(r, self._graph)))
         reasons = tuple(dict.fromkeys(rule_of(r, self._graph) for r in relations))
         return Step(Rule.TOGETHER, links, equations, results, reasons)
@@ -223,21 +223,21 @@ class SpeedSteps:
 
 
 class Ratios:
-    """The ratios with a name in the plan that formulas are read off; ``found`` are those shown."""
+    """The named ratios of the plan that formulas are read off; ``shown`` are those in steps."""
 
     def __init__(self, read: Plan, notation: Notation) -> None:
         self._read, self._notation = read, notation
-        self.found: list[NamedRatio] = []
+        self.shown: list[NamedRatio] = []
 
-    def of(self, unknown: int) -> tuple[Equation, ...]:
-        """Return the equations of an unknown's ratio to the drive, where it has a name."""
+    def show(self, unknown: int) -> tuple[Equation, ...]:
+        """Show an unknown's ratio to the drive, where it has a name; return its equations."""
         ratio = self._read.ratios.get(unknown)
         if ratio is None:
             return ()
         above, below = unknown, self._read.drives[0]
         dimension = self._rate(above).over(self._rate(below))
         found = NamedRatio(ratio.name, ratio.value.formula(), dimension)
-        self.found.append(found)
+        self.shown.append(found)
         speeds = (self._notation.of_itself(u).symbol for u in (above, below))
         name = Symbol(found.name)
         return Equation(name, quotient(*speeds)), Equation(name, found.formula)
