@@ -11,6 +11,7 @@ from ...named import NamedTuple
 from ...patterns import pattern
 from ...source import Source, Span
 from .. import ast
+from ..vocabulary import LANGUAGES
 from .nodes import Listing, Mapping, Node, Scalar
 
 CUT = pattern(r"[ \t]+(#\w[^\n]*)")
@@ -59,7 +60,7 @@ def scalar_spans(node: Node) -> Iterator[tuple[int, int]]:
                 yield from scalar_spans(value)
 
 
-TEXTS = frozenset({"title", "source", "label", "about", "text", "en", "uk", "ru"})
+TEXTS = frozenset({"title", "source", "label", "about", "text", *LANGUAGES})
 """Keys whose values people write in their own words."""
 
 
