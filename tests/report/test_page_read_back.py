@@ -80,6 +80,14 @@ def test_the_sign_of_a_force_that_friction_alone_makes_is_put_into_no_formula():
     assert r"\operatorname{sgn}" not in numbers
 
 
+def test_a_formula_that_does_not_hold_at_the_values_given_is_said_not_to():
+    """Next to them it does."""
+    compilation = Compilation(Source("page.mech", PERPENDICULAR))
+    assert [r.name for r in compilation.results if r.fails_here] == ["k_hold"]
+    beside = Compilation(Source("page.mech", PERPENDICULAR.replace("285 deg in", "284 deg in")))
+    assert not any(r.fails_here for r in beside.results)
+
+
 @pytest.mark.parametrize("name", QUICK)
 def test_a_report_says_what_code_computes(name: str):
     assert list(Page(compiled(name)).wrong()) == []

@@ -152,7 +152,8 @@ class Analysis(Result):
     of a ratio with friction where nothing moves, ``driven`` of it whether the other loads drive
     the motion at the default pose (None where that is not known), ``efficiency_ranges`` of an
     efficiency what it runs through, ``extents`` of a ratio what it comes to along the stroke, in a
-    report.
+    report. Where it ``fails_here`` the formula does not hold at the default pose, and the value
+    there is another form's.
     """
 
     zeros: tuple[Vanishing, ...] = ()
@@ -171,6 +172,7 @@ class Analysis(Result):
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
     driven: bool | None = None
+    fails_here: bool = False
     efficiency_ranges: tuple[EfficiencyRange, ...] = ()
     extents: tuple[Extent, ...] = ()
 

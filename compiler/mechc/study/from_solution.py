@@ -31,6 +31,7 @@ from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
+from .printed import fails_here
 from .ranges import with_range
 from .tolerances import SAME_RATIO
 from .trends import trend
@@ -85,7 +86,8 @@ def _concluded(
     balance, values = solution.balance, numbers.values
     if isinstance(item, SolvedWithFriction) or item.value is None:
         with within_part(part):
-            return _with_friction(item.result, balance, study)
+            found = _with_friction(item.result, balance, study)
+            return replace(found, fails_here=fails_here(found, values))
     pose = balance.plan.graph.pose
     where = resting_on(balance.plan, item.value.formula(), [item.value])
     result = replace(

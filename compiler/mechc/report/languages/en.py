@@ -274,6 +274,8 @@ LOCALE = Locale(
     unusual="it is nowhere between 0.9 and 0.95",
     why_usual="An efficiency of 0.9 to 0.95 is what textbooks assume of oiled joints.",
     sampled="These bounds are found by sampling and refined, not proved.",
+    fails_here="At the values given this formula does not hold: with friction a force has another "
+    "sense there than it assumes. The value follows from the equilibrium of all links together.",
     extents={
         "whole": "For {span}, the rest at the values given, {parts} (found by sampling "
         "and refined).",

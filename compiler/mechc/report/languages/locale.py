@@ -129,6 +129,7 @@ class Locale(NamedTuple):
     unusual: str
     why_usual: str
     sampled: str
+    fails_here: str
     extents: Mapping[str, str]
     derivatives: str
     slope: str

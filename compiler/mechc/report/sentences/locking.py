@@ -32,7 +32,12 @@ HALF_CIRCLE = 180 / 3.141592653589793
 
 
 def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterator[str]:
-    """Yield where nothing moves, what an efficiency runs through, and whether that is proved."""
+    """Yield where nothing moves, what an efficiency runs through, and whether that is proved.
+
+    Before that, whether the formula holds at the values given.
+    """
+    if result.fails_here:
+        yield locale.fails_here
     if result.locking:
         yield from _locking(result.locking, locale, spell)
     for efficiency in result.efficiency_ranges:
