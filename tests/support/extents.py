@@ -18,8 +18,12 @@ BESIDE = 1e-6
 """How far from a zero or a pole it is looked at, as a part of the range."""
 
 
-ROUNDED = 1e-12
-"""How far inside of its place an extremum is looked for, too, as a part of the range."""
+ROUNDED = (1e-12, 1e-10)
+"""How far inside of its place an extremum is looked for, too, as parts of the range.
+
+A loop that is solved by iteration has no value any more so near its end: there two solutions are
+no farther apart than the root of that.
+"""
 
 
 def along(compilation: Compilation) -> Iterator[str]:
@@ -73,8 +77,8 @@ def _not_there(extent: Extent, curve: Samples, usual: float) -> Iterator[str]:
     middle = (extent.range[0] + extent.range[1]) / 2
     for extreme in filter(None, (extent.least, extent.greatest)):
         # the end of a closure is rounded: the last place may have no value any more
-        inwards = extreme.x + ROUNDED * (middle - extreme.x)
-        found = list(curve([extreme.x, inwards]))
+        inwards = [extreme.x + part * (middle - extreme.x) for part in ROUNDED]
+        found = list(curve([extreme.x, *inwards]))
         if not any(abs(value - extreme.value) <= 1e-6 * usual for value in found):
             yield f"{found[0]} at {extreme.x}, not {extreme.value}"
     far = BESIDE * (extent.range[1] - extent.range[0])
