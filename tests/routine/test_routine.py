@@ -2,22 +2,24 @@
 
 import math
 from collections.abc import Iterable
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from mechc.emit.python.printer import PythonPrinter
 from mechc.formula.evaluate import evaluate as value_of
 from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
-from mechc.formula.tree import Call, Formula, Power, degrees, number, product, total
+from mechc.formula.tree import Call, Formula, Power, Product, degrees, number, product, total
 from mechc.formula.walk import walk
 from mechc.frozen import replace
 from mechc.model.mechanism import Mechanism, Require
 from mechc.model.result import Definition, Result
 from mechc.routine.check import broken_promises
-from mechc.routine.evaluate import evaluate
+from mechc.routine.evaluate import compute, evaluate
 from mechc.routine.from_results import program
 from mechc.routine.sharing import share
 from mechc.routine.steps import Function, Step
@@ -234,3 +236,13 @@ def test_the_pose_has_no_part_in_friction() -> None:
     assert pose is not None
     assert pose.outputs == ("beta",)
     assert [item.name for item in pose.inputs] == ["l_A", "l", "phi"]
+
+
+def test_a_product_within_a_product_is_computed_as_it_is_printed():
+    """1/(300*(a*b)) was printed without the inner parentheses, and rounded otherwise."""
+    inner = Power(Product((s("a"), s("b"))), number(-1))
+    formula = Product((number(Fraction(1, 300)), inner))
+    printed = PythonPrinter({"a": "a", "b": "b"}).print(formula)
+    values = np.random.default_rng(0).uniform(0.1, 1, (100, 2))
+    for a, b in values:
+        assert compute(formula, {"a": a, "b": b}) == eval(printed, {"a": a, "b": b})

@@ -29,7 +29,7 @@ def quotient_of(formula: Product) -> Quotient:
     >>> quotient_of(Product((Number(Fraction(-2, 3)), Number(Fraction(1, 2)))))
     Quotient(negative=True, above=(), below=(Number(value=Fraction(3, 1)),))
     """
-    coefficient, above, below = split_fraction(formula)
+    coefficient, above, below = _apart(formula)
     size = abs(coefficient)
     if is_decimal(size) and size.denominator % 5 == 0:
         return Quotient(coefficient < 0, (Number(size), *above), tuple(below))
@@ -38,6 +38,25 @@ def quotient_of(formula: Product) -> Quotient:
         (*_unless_one(size.numerator), *above),
         (*_unless_one(size.denominator), *below),
     )
+
+
+def _apart(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
+    """Return coefficient, numerator and denominator, products in them taken apart as well.
+
+    They have no parentheses where they are printed: 1/(300·(a·b)) is computed as 1/(300·a·b).
+    """
+    coefficient, *sides = split_fraction(formula)
+    parts: tuple[list[Formula], list[Formula]] = [], []
+    for factors, (same, other) in zip(sides, (parts, parts[::-1]), strict=True):
+        for factor in factors:
+            if not isinstance(factor, Product):
+                same.append(factor)
+                continue
+            inner, above, below = _apart(factor)
+            coefficient *= inner if same is parts[0] else 1 / inner
+            same.extend(above)
+            other.extend(below)
+    return coefficient, *parts
 
 
 def is_decimal(value: Fraction) -> bool:
