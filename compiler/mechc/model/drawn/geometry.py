@@ -22,6 +22,7 @@ from .checks import faults
 from .closing import closing
 from .driving import fault_of, is_outside, with_driven
 from .sketch import Sketch
+from .unused_places import unplaced_pivot, without_effect
 
 
 def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
@@ -58,6 +59,8 @@ def _with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
         mechanism = with_driven(mechanism, drive, drive.ends, sketch.unit)
     is_given = _is_given(mechanism, sketch)
     drawn = closing(mechanism, sketch, report) if is_given else as_drawn(mechanism, sketch)
+    for point in without_effect(mechanism, drawn):
+        report.add(messages.place_unused(point.span, point.point, unplaced_pivot(mechanism)))
     parameters = (*drawn.parameters, *sketch.parameters.values())
     given = {p.name for p in mechanism.parameters if p.value}
     return replace(drawn, parameters=_in_range(parameters, given, drive, report))
