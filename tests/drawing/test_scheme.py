@@ -40,6 +40,7 @@ from mechc.model.values import range_of
 from mechc.report.languages.pictured import EN
 from mechc.source import Source
 from readable_drawings import assert_readable, lettering, places
+from sources import in_halves
 
 every_mechanism = pytest.mark.parametrize("name", ALL)
 
@@ -53,7 +54,7 @@ def drawn(name, **values):
 # ------------------------------------------------------------- where labels are
 
 
-@every_mechanism
+@pytest.mark.parametrize("name", in_halves(ALL))
 def test_no_label_is_on_a_line_or_touches_another(name):
     assert_readable(begun(name).scheme)
 
@@ -114,7 +115,7 @@ def test_arrows_point_as_the_forces_do():
     assert force[0].x > force[1].x, "to the right: the head's tip before its feet"
 
 
-@every_mechanism
+@pytest.mark.parametrize("name", in_halves(ALL))
 def test_no_velocity_is_drawn_along_a_load(name):
     moving = begun(name).velocities
     if not moving:

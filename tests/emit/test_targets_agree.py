@@ -22,11 +22,9 @@ from run_targets import (
     by_python,
     poses,
 )
+from sources import in_halves
 
-HALF_OF_THEM = [
-    *(*SAMPLES, *LIBRARY[::2]),
-    *(pytest.param(name, marks=pytest.mark.slow) for name in LIBRARY[1::2]),
-]
+EACH = [*SAMPLES, *in_halves(LIBRARY)]
 
 
 @cache
@@ -41,7 +39,7 @@ def test_python_is_the_interpreter(sample: str) -> None:
 
 
 @pytest.mark.skipif(COMPILER is None, reason="no C compiler")
-@pytest.mark.parametrize("sample", HALF_OF_THEM)
+@pytest.mark.parametrize("sample", EACH)
 def test_c_agrees_for_one_pose_and_for_many(sample: str, tmp_path: Path) -> None:
     found = solved(sample)
     expected, made = interpreted(sample), built(found, tmp_path)
@@ -49,7 +47,7 @@ def test_c_agrees_for_one_pose_and_for_many(sample: str, tmp_path: Path) -> None
     assert_close(by_c_in_batch(found, made), expected, 16, found.routine)
 
 
-@pytest.mark.parametrize("sample", HALF_OF_THEM)
+@pytest.mark.parametrize("sample", EACH)
 def test_sympy_agrees(sample: str) -> None:
     found = solved(sample)
     for function in found.routine.functions:

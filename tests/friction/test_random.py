@@ -43,6 +43,7 @@ from run_targets import (
     by_interpreter,
     by_python,
 )
+from sources import in_halves
 
 ENOUGH = 1e-10
 """What a load with friction may be off, as a part of itself."""
@@ -103,7 +104,7 @@ def trains(seeds: range) -> Iterator[tuple[int, Sample]]:
             yield seed, sample
 
 
-@pytest.mark.parametrize("ratio", [True, False])
+@pytest.mark.parametrize("ratio", in_halves([True, False]))
 def test_free_bodies_with_friction_balance(ratio):
     tally = against_free_bodies(samples(range(5), ratio, 1), 3)
     assert len(tally.errors) > 25

@@ -258,18 +258,14 @@ def hold(found: Iterator[tuple[int, str]]) -> int:
     return compared
 
 
-def test_a_change_of_words_changes_nothing():
-    assert hold(given(range(5, 6), 1)) == 5
-
-
 def test_a_change_of_words_changes_nothing_of_closed_loops():
     assert hold(closed(range(6, 7))) >= 2
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("first", [11])
-def test_a_change_of_words_changes_nothing_of_many(first):
-    assert hold(given(range(first, first + 2), 1)) >= 2
+@pytest.mark.parametrize("seed", [5, 11])
+def test_a_change_of_words_changes_nothing_of_given_poses(seed):
+    assert hold(given(range(seed, seed + 1), 1)) == 5
 
 
 @pytest.mark.slow

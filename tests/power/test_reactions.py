@@ -19,6 +19,7 @@ from force_samples import (
 from mechc.formula.evaluate import evaluate
 from mechc.model.mechanism import ForcePair
 from reference_forces import Forces
+from sources import in_halves
 
 ENOUGH = 1e-9
 """What a force may be off, as a part of the largest one in the mechanism."""
@@ -116,7 +117,7 @@ PLAIN = [
 ][:12]
 
 
-@pytest.fixture(params=PLAIN, scope="module")
+@pytest.fixture(params=in_halves(PLAIN), scope="module")
 def plain(request):
     (case,) = list(samples(range(request.param, request.param + 1))) or [None]
     if case is None:

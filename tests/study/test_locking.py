@@ -19,6 +19,7 @@ from mechc.source import Source
 from mechc.study.analysis import Analysis
 from mechc.study.states import Moving
 from paths import LIBRARY
+from sources import in_halves
 
 SAMPLED = LOCALE.sampled
 
@@ -754,7 +755,7 @@ def assert_run(mechanism: SolvedMechanism, result: Analysis, efficiency: Efficie
         )
 
 
-@pytest.mark.parametrize("name", [*WITH_FRICTION, *OWN])
+@pytest.mark.parametrize("name", in_halves([*WITH_FRICTION, *OWN]))
 def test_what_is_stated_is_true_of_code(name):
     mechanism = mechc.loads(OWN[name]) if name in OWN else mechc.load(f"{name}_with_friction")
     for result in mechanism.results.values():

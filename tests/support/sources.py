@@ -1,11 +1,21 @@
-"""The sources of the package and of its tests, each read once."""
+"""The sources of the package and of its tests, each read once, and sweeps in two halves."""
 
 import ast
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
+from typing import Any
+
+import pytest
 
 
 @cache
 def tree_of(path: Path) -> ast.Module:
     """Return the syntax tree of a source."""
     return ast.parse(path.read_text(encoding="utf-8"))
+
+
+def in_halves(items: Iterable[Any]) -> list[Any]:
+    """Return what a sweep goes over: every second one at once, the others where slow tests run."""
+    each = enumerate(items)
+    return [item if i % 2 == 0 else pytest.param(item, marks=pytest.mark.slow) for i, item in each]

@@ -12,6 +12,7 @@ from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.to_dsl import to_dsl
 from mechc.syntax.to_yaml import to_yaml
+from sources import in_halves
 from strategies import files
 
 HOSTILE = {
@@ -86,7 +87,7 @@ SECONDS = 30
 """Of the processor: one or two are enough, and time that grows as the square takes minutes."""
 
 
-@pytest.mark.parametrize("name", HOSTILE)
+@pytest.mark.parametrize("name", in_halves(HOSTILE))
 def test_hostile_text_is_read_or_refused_before_long(name):
     begun = time.process_time()
     errors = attempt(name, HOSTILE[name])
