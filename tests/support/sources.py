@@ -16,6 +16,6 @@ def tree_of(path: Path) -> ast.Module:
 
 
 def in_halves(items: Iterable[Any]) -> list[Any]:
-    """Return what a sweep goes over: every second one at once, the others where slow tests run."""
+    """Return the items of a sweep, every second one of them for the slow tests alone."""
     each = enumerate(items)
     return [item if i % 2 == 0 else pytest.param(item, marks=pytest.mark.slow) for i, item in each]
