@@ -3,8 +3,9 @@
 import pytest
 
 from mechc.drawing.arrange import WIDE, below_each_other, in_rows
-from mechc.drawing.drawing import Drawing
+from mechc.drawing.drawing import SYMBOL, Arc, Drawing
 from mechc.drawing.panels import kept
+from mechc.drawing.parted import parted
 from mechc.pose.places import Plane
 
 
@@ -31,3 +32,23 @@ def test_a_line_is_drawn_by_the_places_that_another_would_miss():
     bent = [Plane(0, 0), Plane(1, 0.001), Plane(2, 0), Plane(2, 1), Plane(2, 2)]
     assert list(kept(bent)) == [0, 2, 4]
     assert list(kept(bent[:2])) == [0, 1]
+
+
+def ring(height: float) -> Arc:
+    return Arc(Plane(0, height), 4.0, SYMBOL)
+
+
+def test_a_drawing_that_is_too_high_is_cut_where_nothing_stands():
+    """Rings at 50, 41 and 9, and two that overlap at 24 and 28: cut at 35 and at 16.5."""
+    heights = [50, 41, 28, 24, 9]
+    whole = Drawing("", "", tuple(map(ring, heights)), (), Plane(-4, 0), Plane(4, 54))
+    parts = parted(whole, 20.0)
+    assert [[s.centre.y for s in part.shapes] for part in parts] == [[50, 41], [28, 24], [9]]
+    assert [part.high.y for part in parts] == [54, 34.5, 16.5]
+    assert [part.low.y for part in parts] == [34.5, 16.5, 0]
+    assert parted(whole, 54.0) == (whole,)
+
+
+def test_a_row_that_is_too_high_by_itself_stays_whole():
+    whole = Drawing("", "", (ring(20), ring(9)), (), Plane(-4, 0), Plane(4, 24))
+    assert [len(part.shapes) for part in parted(whole, 5.0)] == [1, 1]

@@ -98,3 +98,21 @@ def test_a_condition_of_a_used_sheet_is_called_after_it(tmp_path):
     text = mechc.load(path).emit("latex")
     assert "\ncylinder: $" in text
     assert "(cylinder): $0" not in text
+
+
+def test_free_bodies_of_many_links_are_legible():
+    """Ten links and pins go on over two pages, in letters of nine points and more."""
+    text = page("jansen_leg")
+    assert r"\small Free bodies (continued)" in text
+    scales = [float(s) for s in re.findall(r"\\scalebox\{([\d.]+)\}", text)]
+    assert min(scales) > 0.8
+
+
+def test_the_line_above_a_table_is_on_its_page():
+    """A center environment lets a page end between the two."""
+    text = page("jansen_leg")
+    above = text[: text.rindex(r"\begin{tabular}")].splitlines()
+    assert above[-2:] == [
+        r"\medskip\noindent Results along the stroke:",
+        r"\par\nobreak\medskip{\centering",
+    ]

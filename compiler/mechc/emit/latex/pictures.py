@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 from ...diagnostics import MechcError
 from ...drawing.drawing import Drawing
 from ...drawing.letters import in_letters
+from ...drawing.parted import parted
 from ...model.mechanism import Reported
 from ...plot.plot import Column, Plot
 from ...plot.query import ROWS, Query, rows, usual
@@ -106,9 +107,16 @@ def _drawn(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[st
 
 
 def _afloat(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[str]:
-    """Yield a drawing, if there is one, where the text beside it leaves no page half empty."""
-    if drawing is not None:
-        yield from _floating(_picture(in_letters(drawing, letters(locale))), caption)
+    """Yield a drawing, if there is one, where the text beside it leaves no page half empty.
+
+    One that a page holds only where it is made small goes on in another picture.
+    """
+    if drawing is None:
+        return
+    scale = min(1.0, WIDE / (drawing.high.x - drawing.low.x))
+    for number, part in enumerate(parted(drawing, HIGH / scale)):
+        said = locale.pictures["continued"].format(caption=caption) if number else caption
+        yield from _floating(_picture(in_letters(part, letters(locale))), said)
 
 
 def _plotted(plot: Plot, locale: Locale, style: Notation) -> Iterator[str]:

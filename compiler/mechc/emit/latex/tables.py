@@ -22,8 +22,8 @@ ABREAST = 6
 
 
 def tabular(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
-    """Yield a table of numbers in the middle of the page."""
-    yield r"\begin{center}"
+    """Yield a table of numbers in the middle of the page, on that of the line above it."""
+    yield r"\par\nobreak\medskip{\centering"
     yield rf"\begin{{tabular}}{{@{{}}{'r' * len(heads)}@{{}}}}"
     yield r"\toprule"
     yield f"{' & '.join(heads)} \\\\"
@@ -31,8 +31,7 @@ def tabular(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str
     for row in rows:
         yield f"{' & '.join(row)} \\\\"
     yield r"\bottomrule"
-    yield r"\end{tabular}"
-    yield r"\end{center}"
+    yield r"\end{tabular}\par}\medskip"
 
 
 def head(written: str, unit: str, locale: Locale) -> str:
@@ -99,7 +98,7 @@ def along_stroke(stroke: Stroke, locale: Locale, style: Notation) -> Iterator[st
     drive = stroke.unit or usual_unit(stroke.dimension)
     places = numbers([row.drive / size_of(drive) for row in stroke.rows], style)
     if shown:
-        yield rf"\medskip\noindent {locale.pictures['stroke']}:\par\nopagebreak"
+        yield rf"\medskip\noindent {locale.pictures['stroke']}:"
     for part in _parts(varying):
         columns = [_column(i, stroke, locale, style) for i in part]
         first = [head(name(stroke.drive, style), drive, locale), *places]
