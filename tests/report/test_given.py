@@ -102,3 +102,12 @@ def test_a_stroke_that_is_not_the_range_of_its_parameter_is_given():
     assert r"Ведуча координата — $\varphi$, від $100^\circ$ до $260^\circ$." in page
     assert "The drive is φ, from 100° to 260°." in render(found.derivation, found.mechanism)
     assert "Ведуча координата" not in mechc.load("jansen_leg").emit("latex", language="uk")
+
+
+def test_radians_that_were_written_have_degrees_beside_them():
+    """Formulas put degrees in: 1.2 rad is met as 68.7549°, and what follows is in degrees."""
+    found = compiled("claw_closed")
+    text, page = render(found.derivation, found.mechanism), mechc.load("claw_closed").emit("latex")
+    assert "φ = 1.2 rad (68.7549°), range 1 rad … 2 rad" in text
+    assert r"$1.2\,\text{rad}\ (68.7549^\circ)$" in page
+    assert "γ = arcsin(sin 79.4982°) = 79.4982°" in text

@@ -101,8 +101,11 @@ class _Units:
     ) -> str:
         """Return the first unit of a dimension: of a line, of what it mentions, of the text.
 
-        What stands in the user's own text comes before what is mentioned of others.
+        What stands in the user's own text comes before what is mentioned of others. An angle is
+        in degrees unless its line has another unit: formulas around it have degrees.
         """
+        if dimension == ANGLE:
+            return next((u for u in line if _measures(u, dimension)), "deg")
         names = sorted(rests_on)
         near = [self._known.get(n, "") for n in names if self._text_of.get(n, 0) == text]
         far = [self._known.get(n, "") for n in names if self._text_of.get(n, 0) != text]

@@ -110,7 +110,9 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
         shown = parameter.written or Written(parameter.value)
         said = _asked(shown, shown.formula, signs, parameter.name in signs.angles)
     else:
-        said = print_quantity(in_unit(evaluate(parameter.value, {}), unit, SHOWN), signs)
+        size = evaluate(parameter.value, {})
+        said = print_quantity(in_unit(size, unit, SHOWN), signs)
+        said += f" ({print_quantity(in_unit(size, 'deg', SHOWN), signs)})" * (unit == "rad")
     if parameter.range:
         ends = (in_unit(evaluate(end, {}), unit, SHOWN) for end in parameter.range)
         between = " … " if signs.fancy else " .. "
