@@ -56,7 +56,7 @@ def _span(each: Shape | Label) -> Span:
 
 
 def _between(drawing: Drawing, low: float, high: float) -> Drawing:
-    """Return what stands between two heights, as wide as the whole."""
+    """Return the part of a drawing between two heights, as wide as the whole."""
 
     def is_inside(each: Shape | Label) -> bool:
         bottom, top = _span(each)
