@@ -2,12 +2,14 @@
 
 import re
 from collections.abc import Callable
+from fractions import Fraction
 
 import pytest
 
 from mechc.driver import compile_source
 from mechc.files import find, read
 from mechc.formula.to_text import text
+from mechc.formula.tree import Constant, Symbol, number, product
 from mechc.report.sentences.wording import as_ratio
 from mechc.report.text.derivation import render
 from mechc.report.text.printer import ASCII, UNICODE, print_formula
@@ -45,6 +47,12 @@ def test_clamp_golden(unicode: bool, golden: Callable[[str, str], None]) -> None
 def test_formula_on_one_line(source: str, unicode: str, ascii_: str) -> None:
     assert print_formula(formula(source), UNICODE) == unicode
     assert print_formula(formula(source), ASCII) == ascii_
+
+
+def test_a_literal_d_is_no_differential() -> None:
+    """A pin's diameter that is a number has the name d: ρ = d·f/2, not df/2."""
+    found = product([(Constant("d", number(Fraction(3, 250))), 1), (Symbol("f"), 1)])
+    assert print_formula(found, UNICODE) == "d · f"
 
 
 def test_lines_keep_to_the_width_and_break_outside_functions() -> None:

@@ -7,7 +7,11 @@ import pytest
 
 import mechc
 from good_mechanisms import OF_LIBRARY, compiled
+from mechc.formula.tree import Call, Symbol, product
 from mechc.plot.query import rows
+from mechc.report.latex.display import Line, display
+from mechc.report.latex.notation import notation
+from mechc.report.latex.printer import box, row
 
 
 @cache
@@ -116,3 +120,23 @@ def test_the_line_above_a_table_is_on_its_page():
         r"\medskip\noindent Results along the stroke:",
         r"\par\nobreak\medskip{\centering",
     ]
+
+
+def test_lines_of_one_equation_are_on_one_page() -> None:
+    text = mechc.load("examples/gripper/linkage.mech").emit("latex")
+    continued = re.findall(r"\\\\(\*?)(?:\[2pt])?\n&\\quad", text)
+    assert continued
+    assert set(continued) == {"*"}
+
+
+def test_a_long_chain_of_ratios_has_a_line_of_its_own() -> None:
+    """What the product is equal to is on the next line whole, no factor of it behind a sign."""
+    style = notation("en")
+    long = product([(Call("sin", (Symbol(f"alpha_{i}"),)), 1) for i in range(8)])
+    chain = row(tuple(box(Symbol(f"V_{i}"), style) for i in range(20)))
+    line = Line(box(Symbol("i"), style), long, chain=chain)
+    shown = display((line,), style, "where")
+    assert r"\times" not in shown
+    assert len(re.findall(r"\\\*\[2pt]\n&\\quad\{\}=\\sin", shown)) == 1
+    short = line._replace(right=Symbol("k"), chain=box(Symbol("r"), style))
+    assert display((short,), style, "where") == "\\[\ni=r=k\n\\]"

@@ -99,11 +99,14 @@ def _without_place(mechanism: Mechanism, vectors: Vectors) -> Iterator[Diagnosti
         if pivot.point not in home and others.isdisjoint(home):
             point = pivot.point
             own = own_names.get(point, point)
-            yield messages.pivot_without_place(pivot.span, point, _beside(home), own)
+            yield messages.pivot_without_place(pivot.span, point, _beside(home, mechanism), own)
 
 
-def _beside(ground: Collection[str]) -> str:
-    return min((p for p in ground if p), default="")
+def _beside(ground: Collection[str], mechanism: Mechanism) -> str:
+    """Return the first of some places on the ground: a pivot, else a guide by its slider."""
+    guides = {s.through: f"the guide of {s.point}" for s in mechanism.each(Slider)}
+    pivots = [point for point in ground if point and point not in guides]
+    return min(pivots or [guides[p] for p in ground if p in guides], default="")
 
 
 def _without_line(mechanism: Mechanism) -> Iterator[Diagnostic]:
@@ -143,7 +146,7 @@ def _nearest_guide_without_line(mechanism: Mechanism, ends: Collection[str]) -> 
 
 def _near(mechanism: Mechanism) -> str:
     """Return a place for a line to go through."""
-    return _beside(mechanism.fixed) or "(0 mm, 0 mm)"
+    return min(filter(None, mechanism.fixed), default="(0 mm, 0 mm)")
 
 
 def _without_input(

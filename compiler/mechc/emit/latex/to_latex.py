@@ -289,8 +289,7 @@ def _last(steps: tuple[LastStep, ...], locale: Locale, style: Notation) -> str:
             ratio, links, product = step.chain
             between = (part for link in links for part in (plain(r"\cdot "), box(link, style)))
             _, *product_of_links = between
-            left = row((box(ratio, style), plain("="), *product_of_links))
-            lines.append(Line(left, product))
+            lines.append(Line(box(ratio, style), product, chain=row(tuple(product_of_links))))
         lines.append(Line(_chained((step.ratio.left,), style), step.ratio.right))
     return display(tuple(lines), style, locale.where) if lines else ""
 

@@ -150,11 +150,10 @@ def _opening(
 
 def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragraph:
     """Say which way the mechanism moves, and which load drives it."""
-    formulas = {"drive": drive}
     if isinstance(target.of, LoadRatio) and drives_from_below(target, result.name, result.driven):
-        formulas["load"] = Symbol(target.of.below)
-        return Paragraph(SentenceKind.RELEASING_BY_LOAD, formulas=formulas)
-    return Paragraph(_WAYS[target.sense, bool(result.driven)], formulas=formulas)
+        named = {"drive": Symbol(target.of.below), "load": drive}
+        return Paragraph(SentenceKind.RELEASING_BY_LOAD, formulas=named)
+    return Paragraph(_WAYS[target.sense, bool(result.driven)], formulas={"drive": drive})
 
 
 def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:

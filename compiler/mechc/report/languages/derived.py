@@ -30,7 +30,7 @@ ENGLISH = {
     "every joint.",
     "releasing, held back": "The motion is against the arrow of {drive}, which only just holds "
     "it back; friction opposes the sliding in every joint.",
-    "releasing, by the load": "{load} drives, and the motion is against the arrow of {drive}; "
+    "releasing, by the load": "{drive} drives, and the motion is against the arrow of {load}; "
     "friction opposes the sliding in every joint.",
     "pin friction": "The friction in a pin is a couple: the force on the pin times the radius "
     "{radius} of the friction circle.",
@@ -121,8 +121,8 @@ UKRAINIAN = {
     "ковзанню в кожному з’єднанні.",
     "releasing, held back": "Рух відбувається проти {of_drive:сили|моменту} {drive}, "
     "{of_drive:яка|який} його ледь стримує; тертя протидіє ковзанню в кожному з’єднанні.",
-    "releasing, by the load": "{of_load:Рушійна сила|Рушійний момент} — {load}, рух відбувається "
-    "проти {of_drive:сили|моменту} {drive}; тертя протидіє ковзанню в кожному з’єднанні.",
+    "releasing, by the load": "{of_drive:Рушійна сила|Рушійний момент} — {drive}, рух відбувається "
+    "проти {of_load:сили|моменту|навантажень} {load}; тертя протидіє ковзанню в кожному з’єднанні.",
     "pin friction": "Тертя в шарнірі зводиться до пари, момент якої дорівнює реакції в шарнірі, "
     "помноженій на радіус {radius} круга тертя.",
     "guide friction": "Сила тертя в напрямній дорівнює коефіцієнту тертя, помноженому на "
@@ -216,9 +216,9 @@ RUSSIAN = {
     "releasing, held back": "Движение происходит против {of_drive:силы|момента} {drive}, "
     "{of_drive:которая|который} его едва сдерживает; трение противодействует скольжению в каждом "
     "соединении.",
-    "releasing, by the load": "{of_load:Движущая сила|Движущий момент} — {load}, движение "
-    "происходит против {of_drive:силы|момента} {drive}; трение противодействует скольжению в "
-    "каждом соединении.",
+    "releasing, by the load": "{of_drive:Движущая сила|Движущий момент} — {drive}, движение "
+    "происходит против {of_load:силы|момента|нагрузок} {load}; трение противодействует "
+    "скольжению в каждом соединении.",
     "pin friction": "Трение в шарнире сводится к паре, момент которой равен реакции в шарнире, "
     "умноженной на радиус {radius} круга трения.",
     "guide friction": "Сила трения в направляющей равна коэффициенту трения, умноженному на "

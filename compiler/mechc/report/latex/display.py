@@ -23,6 +23,9 @@ LINE = 38.0
 ABREAST = 40.0
 """Room for two equations in a line; widths are estimated rather too large than too small."""
 
+TOGETHER = 4
+"""An equation of no more lines than this stands on one page."""
+
 _INDENT = 2.0
 
 _GAP = 1.0
@@ -31,13 +34,15 @@ _GAP = 1.0
 class Line(NamedTuple):
     """One equation to display: its left side as it stands, its right side as a formula.
 
-    ``unit`` stands behind a right side that is a number.
+    ``unit`` stands behind a right side that is a number. What it is equal to on the way, a
+    ``chain``, has a line of its own where the right side does not fit behind it.
     """
 
     left: Box
     right: Formula
     angle: bool = False
     unit: str = ""
+    chain: Box | None = None
 
 
 class _Display:
@@ -60,8 +65,19 @@ class _Display:
 def display(lines: tuple[Line, ...], style: Notation, where: str, boxed: bool = False) -> str:
     """Return the equations as displays; ``where`` is the word before names made up here."""
     names = _Display(style, [line.right for line in lines])
-    rows = [(line.left, _fitted(line, style, names)) for line in lines]
+    rows = [_row(line, style, names) for line in lines]
     return _with_names(_environment(rows, boxed), names, style, where)
+
+
+def _row(line: Line, style: Notation, names: _Display) -> tuple[Box, list[Box]]:
+    """Return the sides of an equation, the right one as the lines that it takes."""
+    if line.chain is None:
+        return line.left, _fitted(line, style, names)
+    whole = row((line.left, plain("="), line.chain))
+    if whole.width + box(line.right, style, line.angle).width + _INDENT <= LINE:
+        return whole, _fitted(line._replace(left=whole), style, names)
+    first, *others = _fitted(line._replace(left=plain("")), style, names)
+    return line.left, [line.chain, row((plain("="), first)), *others]
 
 
 def vanishing(formula: Formula, style: Notation, where: str) -> str:
@@ -81,8 +97,13 @@ def balance(left: Formula, right: Formula, style: Notation, where: str) -> str:
 
 
 def _multline(parts: list[Box]) -> str:
-    text = "\\\\\n".join(part.tex for part in parts)
+    text = f"{_break(len(parts))}\n".join(part.tex for part in parts)
     return f"\\begin{{multline*}}\n{text}\n\\end{{multline*}}"
+
+
+def _break(lines: int) -> str:
+    """Return the end of a line of one equation, which a page parts where it is long alone."""
+    return r"\\*" if lines <= TOGETHER else r"\\"
 
 
 def _with_names(whole: str, names: _Display, style: Notation, where: str) -> str:
@@ -151,7 +172,8 @@ def _align(rows: Iterable[str]) -> str:
 
 def _aligned(left: Box, parts: list[Box]) -> str:
     first, *others = parts
-    continued = "".join(f"\\\\[2pt]\n&\\quad{{}}{part.tex}" for part in others)
+    down = _break(len(parts))
+    continued = "".join(f"{down}[2pt]\n&\\quad{{}}{part.tex}" for part in others)
     return f"{left.tex}&={first.tex}{continued}"
 
 

@@ -173,7 +173,8 @@ class _Terminal(Typesetter[str]):
         """Return factors side by side, letters close together and functions apart."""
         line = pieces[0]
         for (before, factor), piece in zip(pairwise(formulas), pieces[1:], strict=True):
-            close = _is_letter(before) and _is_letter(factor) and before != DIFFERENTIAL
+            is_read_apart = isinstance(before, Symbol) and before.name == DIFFERENTIAL
+            close = _is_letter(before) and _is_letter(factor) and not is_read_apart
             line += (self.signs.joint if close else self.signs.times) + piece
         return line
 
@@ -233,7 +234,7 @@ class _Terminal(Typesetter[str]):
         return self.signs.functions.get(function, usual)
 
 
-DIFFERENTIAL = Symbol("d")
+DIFFERENTIAL = "d"
 """A letter that makes another sign of the next one: ``d·f``, as ``df`` is a differential."""
 
 
