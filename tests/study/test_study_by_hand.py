@@ -23,6 +23,7 @@ from mechc.study.analysis import Acted, Break, DeadCentre
 from mechc.study.breaks import breaks
 from mechc.study.poses import complete, default_pose, random_poses
 from mechc.study.ratios import sizes
+from mechc.study.sampling import CHANGES, _jumps
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
@@ -187,6 +188,27 @@ def test_an_extremum_beside_a_pole_turns_before_it():
     found = Extremum("k", "minimum", 1.0, 2.0)
     assert turns_between(found, [2.0], Plain, Written(lambda v: (v - 1) ** 2 + 2))
     assert not turns_between(found, [2.0], Plain, Written(lambda v: 2.0))
+
+
+class Signed:
+    """What moves with signs that are given as functions."""
+
+    def __init__(self, *signs):
+        self._signs = signs
+
+    def signs(self, x):
+        return tuple(math.copysign(1, sign(x)) for sign in self._signs)
+
+
+def test_friction_is_looked_at_on_either_side_of_each_change_of_a_sign():
+    found = list(_jumps(Signed(lambda x: x - 0.3, lambda x: x - 0.7), 0.0, 1.0))
+    assert found == pytest.approx([0.3, 0.3, 0.7, 0.7], abs=1e-5)
+
+
+def test_signs_that_are_rounding_are_not_followed_without_end():
+    """The clamp with parallel levers was looked at in 2,000 places, 1,900 next to its end."""
+    noise = Signed(lambda x: x - 0.999, lambda x: math.sin(1e9 * x))
+    assert 2 < len(list(_jumps(noise, 0.0, 1.0))) <= 2 * 2 * CHANGES
 
 
 def test_the_sides_of_a_place_are_continued_to_it():
