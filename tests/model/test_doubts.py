@@ -1,7 +1,10 @@
 """Remarks on loads that stand for friction: which are made, and which are not."""
 
+from contextlib import suppress
+
 import pytest
 
+from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.source import Source
 
@@ -40,3 +43,55 @@ def test_without_friction_elsewhere_nothing_is_remarked_upon() -> None:
     compilation = Compilation(Source("lever.mech", text))
     assert compilation.mechanism
     assert "W206" not in [d.code for d in compilation.report.diagnostics]
+
+
+SHEET = "sheet pin\nparam d = 3\nparam F = 12 kN\nparam a = 5 mm\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        ("list sizes = 1,2,3", ""),
+        ("list sizes = 1, 2,3, 4", "W292"),
+        ("list sizes = 0,5 mm", "W292"),
+        ("list sizes = 5 mm,6 mm, 8 mm", ""),
+        ("let A = a^2/4 mm^2", "W293"),
+        ("let A = a^2/4 in mm^2", ""),
+        ("let n = F/(5 kN)", ""),
+        ("let n = 10 kN / 5 kN", ""),
+        ("let p = F/5 mm^2", ""),
+    ],
+)
+def test_numbers_and_units_that_belong_to_others_than_meant(line: str, code: str) -> None:
+    compilation = Compilation(Source("pin.mech", f"{SHEET}{line}\n"))
+    with suppress(MechcError):
+        assert compilation.mechanism
+    found = {d.code for d in compilation.report.diagnostics} & {"W292", "W293"}
+    assert found == ({code} if code else set())
+
+
+CRANK = """
+param phi = 40 deg
+slider C along x
+link OB
+link BC
+OB = 50 mm @ phi
+BC = 120 mm @ -20 deg
+torque M on OB
+force F at C along -x
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("lines", "warned"),
+    [
+        ("pivot O\nB at (30 mm, 40 mm)", True),
+        ("pivot O at (0 mm, 0 mm)\nB at (38.3 mm, 32.14 mm)", False),
+        ("pivot O", False),
+    ],
+)
+def test_a_place_beside_vectors_is_told_from_a_pivot_with_a_place(lines: str, warned: bool) -> None:
+    compilation = Compilation(Source("crank.mech", f"{CRANK}{lines}\n"))
+    assert compilation.results
+    assert ("W321" in {d.code for d in compilation.report.diagnostics}) == warned

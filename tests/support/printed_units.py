@@ -230,6 +230,7 @@ class PrintedUnits:
         self.read_relations = self.valued = 0
         self.tex = re.sub(r"\^(\d)", r"^{\1}", tex.replace("{,}", ".").replace(r";\ ", ","))
         self.unread: list[str] = []
+        self.rounded: dict[str, float] = {}
         self.current: dict[str, str] = {}
         starts = [0, *(m.start() for m in PART.finditer(self.tex)), len(self.tex)]
         self.scopes = [self.tex[a:b] for a, b in pairwise(starts)]
@@ -339,13 +340,16 @@ class PrintedUnits:
         if not known:
             return
         self.valued += len(known) > 1
-        first, value = known[0]
+        (first, value), own = known[0], self.slack(relation.parts[known[0][0]])
+        if first == 0 and isinstance(sides[0], Symbol):
+            own = self.rounded.get(sides[0].name, 0.0)
         for i, other in known[1:]:
-            slack = self.slack(relation.parts[first]) + self.slack(relation.parts[i])
+            slack = own + self.slack(relation.parts[i])
             if abs(other - value) > slack + 1e-9 * abs(value) + NOTHING:
                 yield f"{relation}: {value} and {other}"
         if isinstance(sides[0], Symbol):
             self.table.values[sides[0].name] = value
+            self.rounded[sides[0].name] = own
 
     def slack(self, tex: str) -> float:
         """Return how far rounding of the numbers printed may change a formula's value."""

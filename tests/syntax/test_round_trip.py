@@ -141,3 +141,9 @@ def test_a_description_may_be_called_by_a_word_of_the_language(word):
         assert tree.statements[0].name.text == word
         assert read(from_dsl, to_dsl(tree), "a.mech") == tree
         assert read(from_yaml, to_yaml(tree), "a.yaml") == tree
+
+
+def test_a_divisor_with_a_unit_keeps_its_brackets():
+    """Without them `F/5 kN` reads as if the result were in kN (W293)."""
+    printed = to_dsl(read(from_dsl, "sheet a\nparam F = 12 kN\nlet n = F/(5 kN)\n", "a.mech"))
+    assert "let n = F/(5 kN)" in printed

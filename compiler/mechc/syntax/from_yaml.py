@@ -78,7 +78,7 @@ def read_section(
                 for statement in statements(section, subject, one, span, report.source):
                     yield with_beside(statement, section, name, root, report.source)
             except Fault as fault:
-                note(fault.diagnostic, report)
+                note(slips.decimal_comma(fault.diagnostic, report.source), report)
 
 
 def with_beside(

@@ -72,13 +72,19 @@ def sum_text(terms: tuple[tuple[int, ast.Expr], ...]) -> str:
 def product_text(factors: tuple[tuple[int, ast.Expr], ...]) -> str:
     """Return ``a*b/c``; with spaces where ``5 N*m`` would be read as a unit."""
     (first_sign, first), *rest = factors
-    parts = ["1/" if first_sign < 0 else "", expression(first, Binds.POWER)]
+    parts = ["1/" if first_sign < 0 else "", factor_text(first, first_sign)]
     apart = any(ends_in_unit(part) for _, part in factors[:-1])
     for sign, factor in rest:
         operator = "/" if sign < 0 else "*"
         parts.append(f" {operator} " if apart else operator)
-        parts.append(expression(factor, Binds.POWER))
+        parts.append(factor_text(factor, sign))
     return "".join(parts)
+
+
+def factor_text(factor: ast.Expr, sign: int) -> str:
+    """Return a factor; ``F/(5 kN)`` says that the unit is that of the divisor."""
+    is_measured = isinstance(factor, ast.Number) and bool(factor.unit)
+    return expression(factor, Binds.ATOM if is_measured and sign < 0 else Binds.POWER)
 
 
 def ends_in_unit(node: ast.Expr) -> bool:

@@ -53,6 +53,18 @@ def not_in_order(span: Span, name: str, before: Span) -> Message:
     return Message(span, f"'{name}' is not in order here", "put it in order", related)
 
 
+@coded("W292")
+def decimal_comma(span: Span, whole: str, part: str) -> Message:
+    """Two sizes of a list stand like one number with a comma for its decimals.
+
+    list bores = 0,5 mm, 0,8 mm     # warned of: the sizes are 0, 5 mm, 0 and 8 mm
+    list bores = 0.5 mm, 0.8 mm     # right
+    list counts = 1, 2, 5, 6        # right, and counts = 1,2,5,6 as well
+    """
+    message = f"'{whole},{part}' are two sizes, {whole} and {part}"
+    return Message(span, message, f"decimals are written with a point: {whole}.{part}")
+
+
 @coded("W283")
 def range_without_value(span: Span, name: str, value: str, why: str, ranged: Span) -> Message:
     """The range of a parameter reaches to where a table, a list or a choice has no value.
@@ -100,6 +112,22 @@ def other_unit(span: Span, name: str, unit: str, found: Dimension, wanted: Dimen
     """
     message = f"'{name}' is asked for in {unit}, and its formula gives {described(found)}"
     return Message(span, message, lost_factor(found, wanted))
+
+
+@coded("W293")
+def unit_of_divisor(span: Span, name: str, divisor: str, unit: str, rest: str) -> Message:
+    """A unit at the end of a formula belongs to the number before it, which is divided by.
+
+    The result is then a plain number. The unit in which it is shown stands behind ``in``::
+
+        let A = pi*d^2/4 mm^2            # warned of: pi*d^2/(4 mm^2)
+        let A = pi*d^2/4 in mm^2         # an area
+        let n = F/(5 kN)                 # a number of 5 kN each, and no warning
+    """
+    message = f"the unit belongs to the divisor, {divisor}, so that '{name}' is a plain number"
+    return Message(
+        span, message, f"for a result in {unit} write `{rest} in {unit}`, else `/({divisor})`"
+    )
 
 
 @coded("W267")

@@ -60,6 +60,7 @@ def read_tables(file: ast.File, scope: Scope) -> Tables:
         if rows := _rows(table, scope):
             found.tables[table.name.text] = rows
     for listed in every(file, ast.Sizes):
+        _check_commas(listed.sizes, scope)
         if sizes := _alike([constant(s, scope, "a size of a list") for s in listed.sizes], scope):
             _check_order(sizes, listed.name.text, scope)
             _check_units(listed.sizes, sizes, f"size of list '{listed.name.text}'", scope)
@@ -98,6 +99,22 @@ def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:
     for before, after in pairwise(column):
         if not _value(before) < _value(after):
             scope.report.add(messages.not_in_order(after.span, name, before.span))
+            return
+
+
+def _check_commas(sizes: Sequence[ast.Expr], scope: Scope) -> None:
+    """Say that two numbers stand like one with a decimal comma, and others do not."""
+    text = scope.report.source.text
+    pairs = [
+        (one, next_, text[one.span.end : next_.span.start] == ",")
+        for one, next_ in pairwise(sizes)
+        if isinstance(one, ast.Number) and isinstance(next_, ast.Number)
+    ]
+    is_everywhere = all(is_tight for _, _, is_tight in pairs)
+    for whole, part, is_tight in pairs:
+        if is_tight and not whole.unit and (part.unit or not is_everywhere):
+            span = whole.span.to(part.span)
+            scope.report.add(messages.decimal_comma(span, whole.digits, part.digits))
             return
 
 

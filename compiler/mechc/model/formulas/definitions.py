@@ -17,7 +17,7 @@ from ...formula.walk import substitute, symbols, walk
 from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
-from ...units import UNITS, Dimension
+from ...units import NUMBER, UNITS, Dimension
 from ..constants import names_in_let_value
 from ..mechanism import Let, Parameter, Require, Subject
 from ..names.scope import FORMULA, Scope
@@ -121,11 +121,29 @@ def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
         return Let(name, found.formula, entry.dimension, statement.span)
     plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
     dimension = _asked_for(statement, found, scope)
+    _check_divisor(statement, found, scope)
     scope.define(name, dimension, plain, posed, _solved(found.formula, scope))
     note_unitless(name, found, scope)
     _note_value(name, found.formula, scope)
     unit = statement.unit.text if statement.unit else ""
     return Let(name, found.formula, dimension, statement.span, unit, statement.label)
+
+
+def _check_divisor(statement: ast.Let, found: Quantity, scope: Scope) -> None:
+    """Say of ``pi*d^2/4 mm^2`` that it is a plain number: the unit is that of what divides it."""
+    if statement.unit or found.dimension != NUMBER or not isinstance(statement.value, ast.Product):
+        return
+    *others, last = statement.value.factors
+    if any(isinstance(factor, ast.Number) and factor.unit for _, factor in others):
+        return
+    match last:
+        case (-1, ast.Number(digits=digits, unit=unit, span=span)) if unit:
+            before = scope.report.source.text[statement.value.span.start : span.start].rstrip()
+            if before.endswith("/"):  # and no bracket behind it
+                name, rest = statement.name.text, f"{before}{digits}"
+                scope.report.add(
+                    messages.unit_of_divisor(span, name, f"{digits} {unit}", unit, rest)
+                )
 
 
 def _note_value(name: str, formula: Formula, scope: Scope) -> None:

@@ -159,7 +159,7 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
     if start in ("let_value", "condition"):
         hint = slips.of_asking(line, position, allowed)
     if start != "statement":
-        hint = hint or slips.in_scalar(token, allowed)
+        hint = hint or slips.of_decimals(line, position) or slips.in_scalar(token, allowed)
     hint = hint or slips.hint_for(line, position, allowed)
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
 

@@ -47,7 +47,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         _of_comment(line, position, allowed)
         or _of_label(line, position)
         or _of_text(line, position)
-        or _of_decimals(line, position)
+        or of_decimals(line, position)
         or (line[0].type in FORMULAS and of_asking(line, position, allowed))
         or _of_bracket(line, position, allowed)
         or _of_list(token, line[0])
@@ -153,13 +153,14 @@ def _of_picking(line: Sequence[Token], position: int) -> str:
     return ASKED["next"].format(WRITTEN["let next"]) if picks else ""
 
 
-def _of_decimals(line: Sequence[Token], position: int) -> str:
+def of_decimals(line: Sequence[Token], position: int) -> str:
     """Return a hint at a comma that does not fit, where one stands in a number."""
     triples = zip(line, line[1:], line[2:], strict=False)
     parts = [triple[-1] for triple in triples if _is_decimal_comma(*triple)]
     if line[position] != "," or not parts:
         return ""
-    is_thousand = len(split_quantity(parts[0])[0]) == THOUSAND
+    whole = line[list(line).index(parts[0]) - 2]
+    is_thousand = len(split_quantity(parts[0])[0]) == THOUSAND and whole != "0"
     return f"decimals are written with a point{', thousands together: 3000' * is_thousand}"
 
 

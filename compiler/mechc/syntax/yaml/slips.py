@@ -4,8 +4,10 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from typing import Final
 
+from ...diagnostics import Diagnostic, syntax
 from ...named import NamedTuple
 from ...patterns import pattern
+from ...source import Source, Span
 from ..vocabulary import POINTS
 
 GLUED: Final = pattern(
@@ -18,6 +20,12 @@ ASSIGNED: Final = pattern(r"^\s*(?:- )?([A-Za-z][\w']*)\s*=\s*([^:\n#]*?)\s*(?:#
 
 ENTRY: Final = pattern(r"^( *)([A-Za-z][\w']*): +[^#\s]")
 """A line with a key and its value."""
+
+DECIMAL: Final = pattern(r"(?<![\w.])(\d+),(\d+)(?=\s*(?:[A-Za-z°\"@]|(?P<end>[\],}\n]|\Z)))")
+"""A number with a comma, in which YAML begins another entry: ``[0,5 mm]``; it may be the last."""
+
+SPLIT: Final = ("E108", "E118", "E124", "E125")
+"""The errors that come of a number in two parts."""
 
 MEANT: Final[Mapping[str, Collection[str]]] = {
     **dict.fromkeys(("result", "results", "output", "outputs", "asked"), ("find",)),
@@ -157,6 +165,25 @@ def _assigned(text: str, at: int) -> Slip | None:
 def _with_colon(text: str) -> str:
     slip = ASSIGNED.match(text)
     return f"in YAML a colon stands for '=': {slip[1]}: {slip[2]}" if slip else ""
+
+
+def decimal_comma(fault: Diagnostic, source: Source) -> Diagnostic:
+    """Return an error that a decimal comma caused as one about the comma, others as they are.
+
+    What follows the comma is an entry of its own, and has the error; a list of whole numbers,
+    ``[1,2,3]``, is written so, too.
+    """
+    if fault.code not in SPLIT or fault.span is None:
+        return fault
+    begun = source.text.rfind("\n", 0, fault.span.start) + 1
+    last = source.text.find("\n", fault.span.end)
+    for found in DECIMAL.finditer(source.text, begun, last if last > 0 else len(source.text)):
+        is_inside = fault.span.start <= found.start() < fault.span.end and not found["end"]
+        comma = found.end(1)
+        if is_inside or fault.span.start in (comma + 1, found.end()):
+            hint = f"decimals are written with a point: {found[1]}.{found[2]}"
+            return syntax.unexpected_text(Span(comma, comma + 1), "','", ["'.'"], hint)
+    return fault
 
 
 def of_shape(text: str) -> str:
