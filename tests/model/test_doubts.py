@@ -91,7 +91,7 @@ find k = M/F
         ("pivot O", False),
     ],
 )
-def test_a_place_beside_vectors_is_told_from_a_pivot_with_a_place(lines: str, warned: bool) -> None:
+def test_a_place_beside_vectors_rests_on_a_pivot_with_a_place(lines: str, warned: bool) -> None:
     compilation = Compilation(Source("crank.mech", f"{CRANK}{lines}\n"))
     assert compilation.results
     assert ("W321" in {d.code for d in compilation.report.diagnostics}) == warned

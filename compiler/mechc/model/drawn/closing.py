@@ -78,11 +78,15 @@ def _moved(
 
 
 def _through_places(mechanism: Mechanism, sketch: Sketch, placed: Collection[str]) -> Mechanism:
-    """Let guides that have no place pass through where their points are drawn, or ``placed``."""
+    """Let guides that have no place pass through where their points are drawn, or ``placed``.
+
+    Where arrows lead to a point from the ground its guide is but a direction, drawn or not.
+    """
     pivots, offsets, joints = list[Pivot](), list[Geometry](), list[Joint]()
+    shown = sketch.places.keys() - sketch.given
     for joint in (*mechanism.joints, *_guides_of_slides(mechanism, sketch)):
         is_open = isinstance(joint, Slider) and not joint.through and joint.point not in placed
-        if isinstance(joint, Slider) and is_open and joint.point in sketch.places:
+        if isinstance(joint, Slider) and is_open and joint.point in shown:
             name, span = f"{joint.point}_0", sketch.span(joint.point)
             place = sketch.places[joint.point]
             pivots.append(Pivot(name, span))

@@ -42,8 +42,8 @@ Components = tuple[Product, Product]
 class DrawnPoints:
     """Where points are drawn, and the vectors between them.
 
-    ``values`` are those of parameters, ``led`` the points that arrows lead to, and ``unit`` is
-    that of the drawing.
+    ``values`` are those of parameters, ``led`` the points that arrows lead to, ``given`` those
+    of them to which arrows lead from the ground, and ``unit`` is that of the drawing.
     """
 
     def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
@@ -54,11 +54,16 @@ class DrawnPoints:
         for entry in mechanism.geometry:
             if isinstance(entry, Offset) and not entry.tail:
                 self._place(entry.head, entry.x, entry.y, entry.span)
+        fixed = {name: (place.x, place.y) for name, place in self.places.items()}
         for drawn in mechanism.drawn:
             self._place(drawn.point, drawn.x, drawn.y, drawn.span)
         placed = {name: (place.x, place.y) for name, place in self.places.items()}
-        led = led_points(mechanism.geometry, placed, values) if mechanism.drawn else {}
+        led = led_points(mechanism.geometry, fixed, values) if mechanism.drawn else {}
+        exact = {name: way for name, (way, _) in led.items()}  # a drawn place has few digits
+        led |= led_points(mechanism.geometry, placed | exact, values) if mechanism.drawn else {}
+        led = {name: found for name, found in led.items() if name not in placed}
         self.led = frozenset(led)
+        self.given = frozenset(exact) - placed.keys()
         for point, ((x, y), span) in led.items():
             self._place(point, x, y, span)
 
