@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import mechc
+from paths import ROOT
 
 SHOWN = ("crank_rocker", "fedoriv_fig1_with_friction", "karpenko_fig9_packet_clamp", "cylinder")
 
@@ -117,3 +118,16 @@ def test_a_stroke_is_a_table() -> None:
     table = stroke.table()
     assert list(table)[:3] == ["phi", "k", "i"]
     assert table["k"] == [row.values[0] for row in stroke.rows]
+
+
+@pytest.mark.parametrize("friction", ["", "friction pins 0.1 diameter 12 mm\n"])
+def test_a_mechanism_with_forces_at_joints_shows_itself(friction: str) -> None:
+    """The direction of a force is that of its components, which stand above it, or put in."""
+    text = (ROOT / "examples" / "strength" / "clamp.mech").read_text("utf-8").split("let l")[0]
+    clamp = mechc.loads(text + friction)
+    shown = clamp._repr_latex_()
+    assert r"\varphi_{R_O}=\operatorname{atan2}(R_{O,y},R_{O,x})" in shown
+    alone = clamp.results["R_O_direction"]._repr_latex_()
+    assert r"\varphi_{R_O}=\operatorname{atan2}\left(F" in alone
+    assert "R_{O,y}" not in alone
+    assert len(clamp._repr_markdown_()) == len(shown.replace(r"\[", "$$").replace(r"\]", "$$"))

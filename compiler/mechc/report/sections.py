@@ -97,7 +97,7 @@ def _results(
         needed = (d for r in results for d in earlier.of(r, lines))
         fresh = [*rested, *needed]
         conditioned = earlier.conditioned(_conditioned_once(results))
-        brief = (in_short(r, results) for r in earlier.said_once(conditioned))
+        brief = (in_short(r, derivation.results) for r in earlier.said_once(conditioned))
         shown = tuple(_by_exact(r, derivation) for r in brief)
         weighs = any(d.name in known.usual for d in fresh)
         where = tuple(as_written(fresh, known))
@@ -225,12 +225,16 @@ def _by_exact(result: Analysis, derivation: Derivation) -> Analysis:
 
 
 def in_short(result: Analysis, results: Iterable[Analysis]) -> Analysis:
-    """Return a direction, or a long size, by the components of the force among the results."""
+    """Return a direction, or a long size, by the components of the force among the results.
+
+    Where these are not there, as in a notebook that shows one result, it is as it is.
+    """
+    sides = _components(result, results)
     match _part(result):
-        case "direction" if symbols(result.formula):
-            return replace(result, formula=Call("atan2", _components(result, results)[::-1]))
-        case "size" if count_operations(result.formula) > LONG:
-            return replace(result, formula=Call("hypot", _components(result, results)))
+        case "direction" if sides and symbols(result.formula):
+            return replace(result, formula=Call("atan2", sides[::-1]))
+        case "size" if sides and count_operations(result.formula) > LONG:
+            return replace(result, formula=Call("hypot", sides))
         case _:
             return result
 
@@ -241,9 +245,10 @@ def _part(result: Analysis) -> str:
 
 
 def _components(result: Analysis, results: Iterable[Analysis]) -> tuple[Formula, ...]:
+    """Return the names of the components of a force at a joint; none where one is missing."""
     force = whole(result.target) if result.target else None
     beside = {_part(r): Symbol(r.name) for r in results if r.target and whole(r.target) == force}
-    return beside["x"], beside["y"]
+    return (beside["x"], beside["y"]) if {"x", "y"} <= beside.keys() else ()
 
 
 def chosen(derivation: Derivation, mechanism: Mechanism) -> Derivation:
