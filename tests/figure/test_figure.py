@@ -18,7 +18,7 @@ from mechc.emit.target import Options
 from mechc.figure import figure as drawn
 from mechc.figure.joints import joints_shown
 from mechc.formula.evaluate import evaluate
-from mechc.model import parts as kinds
+from mechc.model.parts import linkage as kinds
 from mechc.source import Source
 from mechc.syntax import ast
 from mechc.syntax.vocabulary import points_of

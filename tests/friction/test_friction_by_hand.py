@@ -28,7 +28,8 @@ from mechc.friction.signs import AtAnyPose, AtOnePose, bare, is_root
 from mechc.friction.standing import without_standing
 from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
-from mechc.model.joint_friction import (
+from mechc.model.mechanism import LoadRatio, Mirror, Rope
+from mechc.model.parts.friction import (
     Friction,
     GuideFriction,
     PinFriction,
@@ -36,7 +37,6 @@ from mechc.model.joint_friction import (
     ThreadFriction,
     WheelFriction,
 )
-from mechc.model.mechanism import LoadRatio, Mirror, Rope
 from mechc.model.result import Definition, FrictionResult, Result
 from mechc.model.values import completed
 from mechc.power.balance import equations_of

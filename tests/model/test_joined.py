@@ -12,7 +12,7 @@ from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
 from mechc.driver import Compilation
 from mechc.formula.evaluate import evaluate
-from mechc.model.joint_friction import PinFriction
+from mechc.model.parts.friction import PinFriction
 from mechc.report.languages.registry import locale
 from mechc.report.latex.given import scheme
 from mechc.report.latex.notation import notation

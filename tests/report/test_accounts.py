@@ -8,7 +8,7 @@ from mechc.files import find, library, read
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Power, Product, Symbol
 from mechc.formula.walk import symbols
-from mechc.model.targets import Efficiency, WithFriction
+from mechc.model.parts.targets import Efficiency, WithFriction
 from mechc.power.numbers import default_values
 from mechc.report.derivation.forces import of_forces
 from mechc.report.steps import SentenceKind

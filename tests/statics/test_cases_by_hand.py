@@ -4,8 +4,8 @@ import pytest
 
 from mechc.formula.tree import ONE, Symbol
 from mechc.frozen import replace
-from mechc.model.joint_friction import Friction, PinFriction
 from mechc.model.mechanism import LoadForm, LoadRatio
+from mechc.model.parts.friction import Friction, PinFriction
 from mechc.model.result import Result
 from mechc.statics.cases import Case, cases
 from mechc.units import FORCE, NUMBER

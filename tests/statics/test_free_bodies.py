@@ -14,8 +14,8 @@ from mechc.driver import Compilation
 from mechc.emit.json.to_json import TARGET
 from mechc.emit.target import Options
 from mechc.formula.evaluate import evaluate
-from mechc.model.joint_friction import FaceFriction, GuideFriction, PinFriction
 from mechc.model.mechanism import LoadForm, LoadRatio, WithFriction
+from mechc.model.parts.friction import FaceFriction, GuideFriction, PinFriction
 from mechc.report.text.free_bodies import describe
 from mechc.source import Source
 

@@ -13,10 +13,10 @@ from mechc.api import SolvedMechanism
 from mechc.cli.main import main
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
-from mechc.model.locking import EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from mechc.report.languages.en import LOCALE
 from mechc.source import Source
 from mechc.study.analysis import Analysis
+from mechc.study.intervals import EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from mechc.study.states import Moving
 from paths import LIBRARY
 from sources import in_halves

@@ -8,7 +8,7 @@ from conclusions import refuted as followed
 from friction_statements import refuted as refuted_with_friction
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
-from mechc.model.targets import Efficiency, WithFriction
+from mechc.model.parts.targets import Efficiency, WithFriction
 from mechc.report.text.derivation import render
 from mechc.report.text.stroke import to_table
 from mechc.source import Source

@@ -12,7 +12,7 @@ import numpy as np
 import statements
 from mechc.formula.walk import symbols
 from mechc.model.mechanism import Force, Mechanism, Torque
-from mechc.model.targets import LoadRatio
+from mechc.model.parts.targets import LoadRatio
 from mechc.model.values import independent
 from mechc.study.analysis import Analysis, DeadCentre, Vanishing
 from mechc.syntax import ast

@@ -13,12 +13,12 @@ import numpy as np
 from compiled_ratios import Ratio
 from mechc.driver import Compilation
 from mechc.formula.walk import symbols
-from mechc.model.locking import USUAL, EfficiencyRange, LockingInterval, LockingIntervals
 from mechc.model.mechanism import Mechanism
-from mechc.model.targets import SIGNS, Efficiency, WithFriction
+from mechc.model.parts.targets import SIGNS, Efficiency, WithFriction
 from mechc.model.values import defaults, independent
 from mechc.routine.evaluate import evaluate
 from mechc.study.analysis import Analysis
+from mechc.study.intervals import USUAL, EfficiencyRange, LockingInterval, LockingIntervals
 from statements import evaluate as value_of
 from statements import poses, with_rest
 

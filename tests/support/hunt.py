@@ -24,7 +24,7 @@ from typing import NamedTuple
 from hunted import KINDS, Hunted, made
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.statics import BUGS
-from mechc.model.targets import WithFriction
+from mechc.model.parts.targets import WithFriction
 from refuters import REFUTERS
 
 SECONDS = 120

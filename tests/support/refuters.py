@@ -24,7 +24,7 @@ from hunted import Hunted
 from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.target import Options
-from mechc.model.targets import LoadRatio, SpeedRatio, WithFriction
+from mechc.model.parts.targets import LoadRatio, SpeedRatio, WithFriction
 from mechc.routine.evaluate import status
 from mechc.source import Source
 from mechc.syntax import ast

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 import numpy as np
 
 from mechc.driver import Compilation
-from mechc.model.targets import LoadRatio, SpeedRatio
+from mechc.model.parts.targets import LoadRatio, SpeedRatio
 from mechc.routine.evaluate import evaluate, pose
 from mechc.routine.steps import Function, Pose
 from mechc.study.stroke.run import SAMPLES

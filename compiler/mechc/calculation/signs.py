@@ -9,8 +9,8 @@ from ..formula.to_text import text
 from ..formula.tree import Call, Formula
 from ..formula.walk import symbols, walk
 from ..model.mechanism import Let, Mechanism
+from ..model.parts.written import WrittenSides
 from ..model.values import Values
-from ..model.written import WrittenSides
 from ..units import FORCE, LENGTH, MASS, PRESSURE, TORQUE, in_unit, si_unit
 from .calculation import Check
 

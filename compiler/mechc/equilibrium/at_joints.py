@@ -7,9 +7,9 @@ from ..algebra.product import ONE, Product
 from ..algebra.trigonometry import cosine
 from ..frozen import replace
 from ..kinematics.joint_refs import held_end
-from ..model.load_kinds import acts_at
 from ..model.mechanism import Axial, Mechanism, Normal, Reaction
-from ..model.targets import Target
+from ..model.parts.loads import acts_at
+from ..model.parts.targets import Target
 from ..pose.pose import Arm, Pose, Vector
 from .acts import QUARTER, Act, FreeBody, X, Y, part_along, summed, unit
 from .bodies import Cut

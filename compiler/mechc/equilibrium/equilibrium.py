@@ -11,7 +11,7 @@ from typing import Literal
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..frozen import frozen
-from ..model.targets import ForceAtJoint, Target
+from ..model.parts.targets import ForceAtJoint, Target
 from ..named import NamedTuple
 
 Kind = Literal["rod", "pivot", "pin", "guide", "contact", "rim", "rack", "thread", "rope", "couple"]

@@ -7,7 +7,7 @@ from typing import assert_never
 from ..frozen import fields, replace
 from ..model import mechanism as model
 from ..model.mechanism import Mechanism, Parameter
-from ..model.repeated import primed
+from ..model.parts.repeated import primed
 from ..model.values import Chain, bounds, completed, defaults, dependent, independent
 from ..pose.places import Plane
 from ..pose.pose import Pose

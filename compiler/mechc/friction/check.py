@@ -8,8 +8,8 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..model.mechanism import Efficiency, LoadRatio, Mechanism, Require, Target, WithFriction
+from ..model.parts.targets import SIGNS
 from ..model.result import Definition, FrictionResult, Result
-from ..model.targets import SIGNS
 from ..model.values import completed, holds, standing
 from ..power.check import undefined
 from ..power.numbers import default_values

@@ -16,8 +16,8 @@ from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box
 from ..model.mechanism import Mechanism, Require, Sense
+from ..model.parts.targets import SIGNS
 from ..model.result import Case, Definition, FrictionResult, Result
-from ..model.targets import SIGNS
 from ..power.numbers import default_values, value_of
 from ..source import Span
 from ..units import NUMBER

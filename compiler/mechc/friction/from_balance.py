@@ -9,7 +9,6 @@ from ..diagnostics import friction as messages
 from ..diagnostics import power as power_messages
 from ..formula.rounding import Size
 from ..frozen import replace
-from ..model.joint_friction import RopeFriction
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -20,9 +19,10 @@ from ..model.mechanism import (
     Reaction,
     WithFriction,
 )
+from ..model.parts.friction import RopeFriction
+from ..model.parts.targets import SIGNS
 from ..model.result import Result
 from ..model.results.conditions import refuse_failing
-from ..model.targets import SIGNS
 from ..power.balance import Balance, Solved
 from ..power.definitions import let_results, open_lengths
 from ..power.idle import warn_of_idle_loads

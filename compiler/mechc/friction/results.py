@@ -16,9 +16,9 @@ from ..model.mechanism import (
     Require,
     Sense,
 )
+from ..model.parts.targets import SIGNS
 from ..model.result import Case as PrintedCase
 from ..model.result import Definition, Drive, FrictionResult, Result
-from ..model.targets import SIGNS
 from ..power.definitions import bound_sums, intermediates, open_lengths
 from ..power.numbers import value_of
 from ..power.speeds import magnitude

@@ -13,8 +13,8 @@ from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
 from . import drawn, translations
-from .beyond_ranges import beyond_ranges
-from .doubts import doubts
+from .doubts.beyond_ranges import beyond_ranges
+from .doubts.remarks import doubts
 from .driven import checked
 from .forces.force_pairs import inside_telescopes, spring_name
 from .forces.friction import read_friction

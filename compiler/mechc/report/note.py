@@ -14,10 +14,10 @@ from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, S
 from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
 from ..model.mechanism import Let, Mechanism, Parameter
+from ..model.parts.written import WrittenTable
 from ..model.result import Result
 from ..model.unused import unused
 from ..model.values import Chain, defaults, dependent, usual_length
-from ..model.written import WrittenTable
 from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity

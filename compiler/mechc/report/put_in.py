@@ -25,7 +25,7 @@ from ..formula.tree import (
 from ..formula.typesetting import HALF
 from ..formula.walk import children, constants, rebuild, symbols
 from ..model.mechanism import Mechanism
-from ..model.written import WrittenTable
+from ..model.parts.written import WrittenTable
 from ..named import NamedTuple
 from ..syntax.vocabulary import split_quantity
 from ..units import (

@@ -12,8 +12,8 @@ from ..formula.tree import ZERO, Call, Formula, Implicit, Symbol, System
 from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter
+from ..model.parts.targets import Efficiency, LoadRatio, SpeedRatio, WithFriction, whole
 from ..model.result import Definition
-from ..model.targets import Efficiency, LoadRatio, SpeedRatio, WithFriction, whole
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, given_loads, letters

@@ -10,8 +10,8 @@ from collections.abc import Sequence, Set
 from ..formula.tree import Formula
 from ..frozen import replace
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
+from ..model.parts.targets import SIGNS
 from ..model.result import Drive, FrictionResult
-from ..model.targets import SIGNS
 from .functions import Asked, steps_to
 from .scope import Scope, rename
 from .sharing import Shared

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable
 
-from ..model.repeated import primed
+from ..model.parts.repeated import primed
 from ..pose.places import NOWHERE
 from .assembly import (
     GROUND,

@@ -13,7 +13,7 @@ from functools import partial
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
-from ..model.targets import SIGNS
+from ..model.parts.targets import SIGNS
 from ..named import NamedTuple
 from .answers import Answer
 from .balanced import Balanced, Row, Tie, gather, ties, with_loads

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from ..model.mechanism import Contact, Mechanism, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
-from ..model.repeated import primed
+from ..model.parts.repeated import primed
 from .acts import Bearing
 from .balanced import Tie, gather, ties, with_loads
 from .cases import Case

@@ -7,11 +7,11 @@ from typing import Literal
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import contents, frozen, replace
-from ..model.locking import EfficiencyRange, Locking, Range
 from ..model.mechanism import Require
 from ..model.result import Definition, FrictionResult, Result
 from ..named import NamedTuple
 from ..units import Dimension
+from .intervals import EfficiencyRange, Locking, Range
 from .tolerances import SAME_RATIO, SAME_TURN
 
 

@@ -11,10 +11,10 @@ from ..formula.solved import Solution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
-from ..model.locking import Bound, Locking, LockingInterval, LockingIntervals, Range, State
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
+from .intervals import Bound, Locking, LockingInterval, LockingIntervals, Range, State
 from .ranges import last, turns, unit_of, varying
 from .ratios import Study
 from .sampling import CELLS, before_dead_centre, dead_centre, looked_at, nearest

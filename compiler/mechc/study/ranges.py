@@ -6,11 +6,11 @@ from itertools import groupby
 
 from ..formula.roots import narrowed
 from ..formula.walk import symbols
-from ..model.locking import Range
 from ..model.mechanism import Mechanism
 from ..model.result import Result
 from ..model.values import own_unit, range_of, usual_length
 from ..units import ANGLE, LENGTH, in_unit, si_unit
+from .intervals import Range
 from .tolerances import EXACT, NEARLY
 
 

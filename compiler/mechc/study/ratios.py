@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from ..formula.walk import symbols
 from ..friction.solution import Solution
 from ..frozen import replace
-from ..model.joint_friction import GuideFriction, PinFriction
-from ..model.locking import USUAL, EfficiencyRange, Range
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense, WithFriction
+from ..model.parts.friction import GuideFriction, PinFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
+from .intervals import USUAL, EfficiencyRange, Range
 from .ranges import moved, spans, unit_of, varying
 from .sampling import looked_at
 from .states import Moving

@@ -19,11 +19,11 @@ from ..formula.newton import Status
 from ..formula.tree import ZERO, Call, Formula, Implicit, Power, Product, Symbol
 from ..formula.walk import symbols, walk
 from ..frozen import replace
-from ..model.locking import State
+from ..model.parts.targets import SIGNS, Sense
 from ..model.result import Definition, FrictionResult, Result
-from ..model.targets import SIGNS, Sense
 from ..model.values import Values
 from ..named import NamedTuple
+from .intervals import State
 from .sweep import VALUE, Sweep
 from .tolerances import NEGLIGIBLE
 

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from typing import get_args
 
-from ...model.locking import Bound, EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from ...model.mechanism import (
     Axial,
     Efficiency,
@@ -18,6 +17,7 @@ from ...model.mechanism import (
 )
 from ...model.result import Result
 from ...study.analysis import Analysis, Break, DeadCentre, Scope, Trend, Vanishing
+from ...study.intervals import Bound, EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from ...units import si_unit
 from ..describe import dimension_name
 from .formula import DEFINITION, FORMULA

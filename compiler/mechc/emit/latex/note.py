@@ -4,7 +4,7 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Sequence, Se
 from itertools import groupby
 
 from ...frozen import replace
-from ...model.written import WrittenTable
+from ...model.parts.written import WrittenTable
 from ...named import NamedTuple
 from ...report.checks import NoteCheck
 from ...report.languages.locale import Locale

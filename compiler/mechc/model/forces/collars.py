@@ -7,9 +7,9 @@ from ...formula.walk import symbols
 from ...syntax import ast
 from ...units import FORCE, LENGTH, NUMBER
 from ..formulas.expressions import Reader
-from ..joint_friction import PivotFriction
 from ..mechanism import Link, Mechanism
 from ..names.scope import DESCRIPTION, TIE, Scope
+from ..parts.friction import PivotFriction
 from .coefficients import checked, coefficient, positive_length, value_of
 from .loads import degree
 

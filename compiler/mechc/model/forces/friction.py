@@ -13,16 +13,6 @@ from ...source import Span
 from ...syntax import ast
 from ...units import LENGTH, NUMBER
 from ..formulas.expressions import Reader
-from ..joint_friction import (
-    CollarFriction,
-    FaceFriction,
-    Friction,
-    GuideFriction,
-    JointFriction,
-    ThreadFriction,
-    WheelFriction,
-)
-from ..load_kinds import acts_at
 from ..mechanism import (
     Force,
     Load,
@@ -34,6 +24,16 @@ from ..mechanism import (
     WheelPair,
 )
 from ..names.scope import DESCRIPTION, Scope
+from ..parts.friction import (
+    CollarFriction,
+    FaceFriction,
+    Friction,
+    GuideFriction,
+    JointFriction,
+    ThreadFriction,
+    WheelFriction,
+)
+from ..parts.loads import acts_at
 from ..statements import every, only
 from . import collars, pulleys
 from .coefficients import checked, coefficient, positive_length, value_of

@@ -10,10 +10,10 @@ from ...source import Span
 from ...syntax import ast
 from ...units import LENGTH
 from ..formulas.expressions import Reader
-from ..joint_friction import PinFriction, coulomb
 from ..linkage.carriers import Carriers, is_held
 from ..mechanism import Arrow, Link, Mechanism, Telescope
 from ..names.scope import DESCRIPTION, Scope
+from ..parts.friction import PinFriction, coulomb
 from .coefficients import coefficient, positive_length, value_of
 
 HALF = number(Fraction(1, 2))

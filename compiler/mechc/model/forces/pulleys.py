@@ -9,9 +9,9 @@ from ...frozen import replace
 from ...syntax import ast
 from ...units import ANGLE
 from ..formulas.expressions import Reader
-from ..joint_friction import RopeFriction
 from ..mechanism import Absolute, Direction, Mechanism, Rope
 from ..names.scope import DESCRIPTION, Scope
+from ..parts.friction import RopeFriction
 from .coefficients import coefficient, positive_length, value_of
 
 

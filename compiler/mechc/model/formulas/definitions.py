@@ -21,9 +21,9 @@ from ...units import NUMBER, UNITS, Dimension
 from ..constants import names_in_let_value
 from ..mechanism import Let, Parameter, Require, Subject
 from ..names.scope import FORMULA, Scope
+from ..parts.written import WrittenSides, expression
 from ..statements import every
 from ..values import ordered
-from ..written import WrittenSides, expression
 from .choices import note_between, read_let_value, read_tables
 from .expressions import Quantity, Reader
 from .parameters import constant, note_unitless, read_parameter

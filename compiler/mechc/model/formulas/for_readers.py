@@ -9,9 +9,9 @@ from ...frozen import replace
 from ...source import Source, Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH, UNITS, USUAL_UNITS, Dimension, si_unit
-from .. import written
 from ..constants import expressions_in, leaves
 from ..mechanism import Let, Mechanism, Parameter, Require, Taken
+from ..parts import written
 from ..statements import every
 
 Line = ast.Param | ast.Let

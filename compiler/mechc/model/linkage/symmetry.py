@@ -25,7 +25,7 @@ from ..mechanism import (
     Slider,
 )
 from ..names.scope import DESCRIPTION, Scope
-from ..repeated import primed
+from ..parts.repeated import primed
 from ..statements import every, only
 
 MOST_COPIES = 1000

@@ -21,9 +21,9 @@ from ..mechanism import (
 )
 from ..names.forms import COORDINATES, Form, form_of, form_of_pose
 from ..names.scope import Entry, Scope
-from ..repeated import PRIME
+from ..parts.repeated import PRIME
+from ..parts.targets import HOLDING
 from ..statements import every, only
-from ..targets import HOLDING
 from .reactions import read_reaction
 
 

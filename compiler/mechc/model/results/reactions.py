@@ -6,7 +6,6 @@ from ...diagnostics.model import lowering as lowering_messages
 from ...diagnostics.model import reactions as messages
 from ...syntax import ast
 from ...units import ANGLE, FORCE, Dimension
-from ..joint_friction import RopeFriction
 from ..mechanism import (
     Axial,
     Force,
@@ -21,6 +20,7 @@ from ..mechanism import (
 )
 from ..names.forms import Form
 from ..names.scope import Scope
+from ..parts.friction import RopeFriction
 
 Asked = tuple[str, Target, Dimension]
 """The end of a result's name, what it is and what it measures."""

@@ -4,8 +4,8 @@ from ...named import NamedTuple
 from ...patterns import pattern
 from ...source import Source, Span
 from ...syntax import ast
-from ..load_kinds import Load
 from ..mechanism import Mechanism, Parameter, Subassembly
+from ..parts.loads import Load
 from ..result import Solved
 from ..statements import every
 from . import put_in

@@ -10,10 +10,10 @@ from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
 from ...units import DIMENSIONS, Dimension
-from ..load_kinds import Load
 from ..mechanism import Efficiency, LoadRatio, Mechanism, WithFriction
+from ..parts.loads import Load
+from ..parts.targets import whole
 from ..result import Result, Solved
-from ..targets import whole
 
 
 class Row(NamedTuple):

@@ -6,8 +6,8 @@ from ...formula.tree import Constant, Formula, Implicit, Symbol
 from ...formula.walk import children, rebuild
 from ...frozen import on_demand, replace
 from ..mechanism import Parameter, Require
+from ..parts.targets import Efficiency, LoadForm, LoadRatio, Target, WithFriction
 from ..result import Case, ClosedLoop, Definition, Drive, FrictionResult, Result, Solved
-from ..targets import Efficiency, LoadForm, LoadRatio, Target, WithFriction
 
 Rename = Callable[[str], str]
 

@@ -10,7 +10,7 @@ from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...frozen import replace
 from ...model.mechanism import Reaction
-from ...model.targets import whole
+from ...model.parts.targets import whole
 from ...pose.pose import Pose
 from ...power.balance import Solved
 from ...power.definitions import intermediates

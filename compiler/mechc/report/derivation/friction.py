@@ -16,8 +16,8 @@ from ...model.mechanism import (
     WithFriction,
     tension_share,
 )
+from ...model.parts.targets import Sense, drives_from_below, whole
 from ...model.result import FrictionResult, Result
-from ...model.targets import Sense, drives_from_below, whole
 from ...power.balance import Solved
 from ...study.analysis import Analysis
 from ..sentences.wording import geometry_first, positive_first

@@ -23,8 +23,8 @@ from ...model.mechanism import (
     Torque,
     Turn,
 )
+from ...model.parts.written import Written
 from ...model.values import is_constant, own_stroke
-from ...model.written import Written
 from ...named import NamedTuple
 from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g

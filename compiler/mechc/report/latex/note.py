@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from ...formula.tree import Formula, Symbol
-from ...model.written import Written
+from ...model.parts.written import Written
 from ...units import ANGLE
 from ..languages.locale import Locale
 from ..note import NoteLine

@@ -3,8 +3,8 @@
 from collections.abc import Set
 
 from ...model.mechanism import Axial, Normal, Reaction
-from ...model.parts import rope_id
-from ...model.targets import ForceAtJoint
+from ...model.parts.linkage import rope_id
+from ...model.parts.targets import ForceAtJoint
 from ..languages.locale import Locale
 from .speller import Speller
 

@@ -5,7 +5,8 @@ from fractions import Fraction
 
 from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number, Symbol, degrees, number, total
-from ...model.locking import (
+from ...study.analysis import Analysis, Extent
+from ...study.intervals import (
     Bound,
     EfficiencyRange,
     Locking,
@@ -13,7 +14,6 @@ from ...model.locking import (
     LockingIntervals,
     Range,
 )
-from ...study.analysis import Analysis, Extent
 from ...units import behind, size_of
 from ..languages.locale import Locale
 from .speller import LoadWords, Speller

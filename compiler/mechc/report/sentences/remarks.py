@@ -19,8 +19,8 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
-from ...model.targets import drives_from_below
-from ...model.written import WrittenSides
+from ...model.parts.targets import drives_from_below
+from ...model.parts.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
 from ..languages.locale import Locale
 from ..steps import Paragraph

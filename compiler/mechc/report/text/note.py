@@ -9,9 +9,9 @@ from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
+from ...model.parts.written import Written, WrittenTable
 from ...model.result import Result
 from ...model.values import is_constant
-from ...model.written import Written, WrittenTable
 from ...named import NamedTuple
 from ...units import ANGLE, in_unit, si_unit
 from ..checks import NoteCheck

@@ -8,9 +8,9 @@ from textwrap import wrap
 
 from ...drawing.letters import Letters, lettered, of_unit
 from ...formula.to_text import text
-from ...model.locking import USUAL, EfficiencyRange
 from ...named import NamedTuple
 from ...study.analysis import DeadCentre
+from ...study.intervals import USUAL, EfficiencyRange
 from ...study.stroke.stroke import (
     Branch,
     Column,

@@ -6,9 +6,9 @@ from ...formula.tree import Implicit
 from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
-from ...model.locking import EfficiencyRange, LockingInterval
-from ...model.targets import Efficiency, WithFriction
+from ...model.parts.targets import Efficiency, WithFriction
 from ..analysis import Analysis
+from ..intervals import EfficiencyRange, LockingInterval
 from .stroke import Extremum, JammedInterval
 
 APART = 12

@@ -8,7 +8,7 @@ from ...formula.rounded_columns import RoundedColumn, RoundedColumns
 from ...formula.rounding import Rounding, Size, beyond_rounding, without_rounding, without_value
 from ...formula.walk import symbols
 from ...model.mechanism import Mechanism
-from ...model.targets import Efficiency, WithFriction
+from ...model.parts.targets import Efficiency, WithFriction
 from ...model.values import own_unit
 from ...units import ANGLE, LENGTH, Dimension
 from ..tolerances import STRAIGHT

@@ -5,10 +5,10 @@ from typing import Literal
 
 from ...formula.tree import Formula
 from ...frozen import frozen
-from ...model.locking import EfficiencyRange, State
 from ...named import NamedTuple
 from ...units import Dimension
 from ..analysis import Cause
+from ..intervals import EfficiencyRange, State
 
 OnTheWay = Literal["branch point", "jump", "far"]
 """What only a stroke meets."""

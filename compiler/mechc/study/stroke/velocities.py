@@ -14,7 +14,7 @@ from ...formula.tree import Symbol
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.mechanism import Arrow, Force, ForcePair, Load, Torque
-from ...model.repeated import primed
+from ...model.parts.repeated import primed
 from ...named import NamedTuple
 from ...power.balance import Balance, Term
 from ...units import FREQUENCY, VELOCITY, Dimension

@@ -8,9 +8,9 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import Literal, assert_never
 
-from ..formula.choices import CONDITIONS
-from ..formula.layout import short_decimal
-from ..formula.tree import (
+from ...formula.choices import CONDITIONS
+from ...formula.layout import short_decimal
+from ...formula.tree import (
     PI,
     Call,
     Constant,
@@ -22,12 +22,12 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.walk import constants, substitute, walk
-from ..frozen import frozen
-from ..syntax import ast
-from ..syntax.vocabulary import split_quantity
-from ..units import UNITS, behind
-from .constants import rational
+from ...formula.walk import constants, substitute, walk
+from ...frozen import frozen
+from ...syntax import ast
+from ...syntax.vocabulary import split_quantity
+from ...units import UNITS, behind
+from ..constants import rational
 
 
 @frozen

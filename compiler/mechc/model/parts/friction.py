@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import Literal
 
-from ..formula.tree import Call, Formula, number, product, total
-from ..formula.walk import symbols
-from ..frozen import frozen
-from ..source import Span
+from ...formula.tree import Call, Formula, number, product, total
+from ...formula.walk import symbols
+from ...frozen import frozen
+from ...source import Span
 from .targets import Sense
 
 

@@ -2,17 +2,17 @@
 
 from collections.abc import Iterator, Mapping
 
-from ..diagnostics import Diagnostic, Report
-from ..diagnostics.model import sheets as messages
-from ..formula.choices import CONDITIONS, SIGNS
-from ..formula.evaluate import evaluate
-from ..formula.tree import Call, Formula, Symbol
-from ..formula.walk import symbols, walk
-from ..source import Source
-from ..units import in_unit
-from .mechanism import Mechanism, Parameter, Require
-from .results import failures
-from .values import Chain, Values, bounds, defaults, dependent, holds
+from ...diagnostics import Diagnostic, Report
+from ...diagnostics.model import sheets as messages
+from ...formula.choices import CONDITIONS, SIGNS
+from ...formula.evaluate import evaluate
+from ...formula.tree import Call, Formula, Symbol
+from ...formula.walk import symbols, walk
+from ...source import Source
+from ...units import in_unit
+from ..mechanism import Mechanism, Parameter, Require
+from ..results import failures
+from ..values import Chain, Values, bounds, defaults, dependent, holds
 
 STEPS = 12
 """Parts of a range, at whose ends it is looked at."""

@@ -9,9 +9,9 @@ share are no joints of their own: the links' points say them.
 from collections.abc import Iterable
 from typing import Literal
 
-from ..formula.tree import Formula
-from ..frozen import frozen
-from ..source import Span
+from ...formula.tree import Formula
+from ...frozen import frozen
+from ...source import Span
 from .holding import OnePoint, OnGround, OnLink
 
 # ---------------------------------------------------------------------- directions

@@ -8,9 +8,9 @@ that states so.
 from collections.abc import Iterable
 from fractions import Fraction
 
-from ..frozen import frozen
-from ..source import Span
-from .parts import Direction
+from ...frozen import frozen
+from ...source import Span
+from .linkage import Direction
 
 
 @frozen

@@ -7,12 +7,12 @@ from collections.abc import Container, Mapping
 from fractions import Fraction
 from typing import Literal
 
-from ..formula.tree import Formula
-from ..formula.walk import symbols
-from ..frozen import frozen, replace
-from ..named import NamedTuple
-from ..source import Span
-from ..units import NUMBER, Dimension
+from ...formula.tree import Formula
+from ...formula.walk import symbols
+from ...frozen import frozen, replace
+from ...named import NamedTuple
+from ...source import Span
+from ...units import NUMBER, Dimension
 from .targets import Target
 from .written import Written, WrittenSides
 

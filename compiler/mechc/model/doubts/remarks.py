@@ -3,17 +3,15 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from ..diagnostics import Diagnostic
-from ..diagnostics.model import doubtful_sizes as sizes
-from ..diagnostics.model import doubts as messages
-from ..formula.evaluate import evaluate
-from ..formula.tree import Formula, Symbol
-from ..formula.walk import reached, symbols
-from ..source import Span
-from .doubtful_sizes import beyond_a_turn, vanishing_lengths
-from .entries import body_through
-from .far_lengths import far_off
-from .mechanism import (
+from ...diagnostics import Diagnostic
+from ...diagnostics.model import doubtful_sizes as sizes
+from ...diagnostics.model import doubts as messages
+from ...formula.evaluate import evaluate
+from ...formula.tree import Formula, Symbol
+from ...formula.walk import reached, symbols
+from ...source import Span
+from ..entries import body_through
+from ..mechanism import (
     Absolute,
     Along,
     Direction,
@@ -30,8 +28,9 @@ from .mechanism import (
     Slider,
     WheelPair,
 )
-from .tolerances import SAME_DIRECTION
-from .values import Chain, Values, defaults, dependent
+from ..tolerances import SAME_DIRECTION
+from ..values import Chain, Values, defaults, dependent
+from .sizes import beyond_a_turn, far_off, vanishing_lengths
 
 SOME = 0.731
 """A value for what is open, at which no formula vanishes by chance."""

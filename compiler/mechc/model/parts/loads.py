@@ -6,11 +6,11 @@ A ``tie`` is a formula in parameters and one other load.
 from fractions import Fraction
 from typing import assert_never
 
-from ..formula.tree import Formula, number, product, total
-from ..frozen import frozen
-from ..source import Span
-from ..units import FORCE, TORQUE, Dimension
-from .parts import Direction
+from ...formula.tree import Formula, number, product, total
+from ...frozen import frozen
+from ...source import Span
+from ...units import FORCE, TORQUE, Dimension
+from .linkage import Direction
 
 
 @frozen
