@@ -41,10 +41,6 @@ BENT = 0.02
 DEEPEST = 10
 """How often a cell is halved at most."""
 
-CHANGES = 4
-"""How often a sign may change in a cell; next to a dead centre rounding changes it thousands of
-times, and every such place would be looked at."""
-
 BEFORE_JUMP = 1e-2
 """How far before a jump an efficiency is looked at, as a part of the cell that ends there."""
 
@@ -219,14 +215,16 @@ def _bend(measure: Measure, a: float, b: float) -> float:
 
 
 def _jumps(moving: Moving, a: float, b: float) -> Iterator[float]:
-    """Yield the values on either side of each change of a sign of a slip or force."""
-    width = (b - a) * JUMP_WIDTH
-    most = CHANGES * max(len(moving.signs(a)), len(moving.signs(b)))
-    while most and moving.signs(a) != moving.signs(b) and b - a > 2 * width:
+    """Yield the values on either side of each change of a sign of a slip or force.
+
+    They are no closer than a change is narrowed down: the step after one passes it.
+    """
+    width = max((b - a) * JUMP_WIDTH, NEARLY * max(abs(a), abs(b)))
+    while moving.signs(a) != moving.signs(b) and b - a > 2 * width:
         x = _last_alike(moving, a, b)
         yield x
         yield x + width
-        a, most = x + width, most - 1
+        a = x + width
 
 
 def _last_alike(moving: Moving, a: float, b: float) -> float:
