@@ -1,6 +1,7 @@
 """Python: floats and arrays alike, quiet, clean, and safe from what a user writes."""
 
 import ast
+import math
 import shutil
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mechc.driver import Compilation
 from mechc.emit.names import Names
 from mechc.emit.python.printer import RESERVED
 from mechc.emit.python.to_python import TARGET, function_names
@@ -21,6 +23,7 @@ from mechc.emit.target import Options
 from mechc.formula.tree import Call
 from mechc.formula.walk import walk
 from mechc.routine.steps import Input
+from mechc.source import Source
 from routine_samples import LIBRARY, SAMPLES, compiled, solved
 from run_targets import span
 from sources import in_halves
@@ -214,3 +217,31 @@ def parts_of(call: Callable[..., Any], columns: dict[str, np.ndarray], poses: in
             for i in range(0, poses, FEW)
         ]
     )
+
+
+BY_DIRECTIONS = """
+param phi = 60 deg in 20 deg .. 120 deg
+pivot O at (0 mm, 0 mm)
+pivot C at (80 mm, 0 mm)
+link OA
+link AB
+link CB
+OA = 30 mm @ phi
+AB = 90 mm
+CB = 60 mm
+assembly ABC cw
+require 20 deg < phi_AB - phi_CB + 180 deg < 145 deg
+torque M on OA
+torque T on CB
+find k = M/T
+"""
+
+
+def test_a_condition_on_directions_of_a_loop_is_checked_and_said_to_be():
+    """The loop gives the angle between the two another name, by which code checks it."""
+    (module,) = TARGET.emit(Compilation(Source("k.mech", BY_DIRECTIONS)), Options("module"))
+    assert "Not checked here" not in module.text
+    space = {"__name__": "module"}
+    exec(compile(module.text, "module.py", "exec"), space)
+    assert math.isfinite(space["k"](math.radians(60)))
+    assert math.isnan(space["k"](math.radians(20)))

@@ -8,8 +8,10 @@ from hypothesis import strategies as st
 
 import mechc
 from mechanisms import Style, sample
+from mechc.driver import Compilation
 from mechc.formula.operations import count_operations
 from mechc.formula.walk import symbols
+from mechc.source import Source
 
 SEEDS = st.integers(0, 10**6)
 
@@ -92,3 +94,25 @@ def test_virtual_power_is_linear_in_the_loads(seed):
     both = solve(linkage.with_the_output_twice().text(Style(find="find P")))
     assert set(both.results["P"].coefficients) == {"F", "G"}
     assert float(both.evaluate(F=2.0, G=5.0)["P"]) == pytest.approx(7 * alone, rel=1e-9)
+
+
+CLAW = """
+param alpha = 20 deg in 5 deg .. 60 deg
+slider A along x
+slider B along y
+link AB
+AB = 100 mm @ 180 deg - alpha
+force P at A along x
+force F at B along y
+friction pins 0.1 diameter 10 mm
+friction slider B 0.1
+find k = P/F
+"""
+
+
+def test_branches_of_two_halves_are_twice_as_many_branches():
+    shared = ["copies 6 sharing A", "copies 3 sharing A\nmirror across x sharing A"]
+    six, of_halves = (Compilation(Source("claw.mech", f"{CLAW}{line}\n")) for line in shared)
+    assert of_halves.verdict.agrees
+    values = [{r.name: r.default for r in one.results} for one in (six, of_halves)]
+    assert values[0] == pytest.approx(values[1], rel=1e-12)

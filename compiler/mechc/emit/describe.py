@@ -196,16 +196,13 @@ def _condition(guard: Guard) -> str:
     return f"{_value(guard.left)} {guard.operator} {_value(guard.right)}"
 
 
-def unchecked(mechanism: Mechanism, routine: Routine) -> list[str]:
+def unchecked(routine: Routine) -> list[str]:
     """Return the conditions of use that no function can check from its inputs.
 
     Of a calculation sheet the status has them all.
     """
-    if routine.checks:
-        return []
-    checked = {line for f in routine.functions for line in condition_lines(f)}
-    lines = [f"{text(r.left)} {r.operator} {text(r.right)}" for r in mechanism.requires]
-    return [line for line in dict.fromkeys(lines) if line not in checked]
+    conditions = (f"{text(r.left)} {r.operator} {text(r.right)}" for r in routine.unchecked)
+    return list(dict.fromkeys(conditions))
 
 
 def heading(mechanism: Mechanism) -> str:

@@ -58,7 +58,9 @@ def program(
     points = _points(mechanism, motion, inputs, definitions or {}) if motion else None
     tests = checks(scope, inputs, names) if is_sheet(mechanism) else None
     name, title, source = mechanism.name, mechanism.title, mechanism.source
-    return Routine(name, title, source, functions, pose, points, tests)
+    checked = {id(r) for one in listed for r in one.requires}
+    unchecked = tuple(r for r in mechanism.requires if id(r) not in checked and not tests)
+    return Routine(name, title, source, functions, pose, points, tests, unchecked)
 
 
 def _needed(mechanism: Mechanism, results: Sequence[Result]) -> list[Result]:

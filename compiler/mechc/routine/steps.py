@@ -12,7 +12,7 @@ from typing import Literal
 from ..formula.tree import Formula
 from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
-from ..model.mechanism import Mechanism
+from ..model.mechanism import Mechanism, Require
 from ..model.result import Drive
 from ..pose.motion import Quantity
 from ..units import ANGLE, LENGTH, Dimension
@@ -288,7 +288,8 @@ class Routine:
     """All functions of one mechanism.
 
     ``pose`` is None where loops find nothing, ``points`` where there is no drive; ``checks`` are
-    those of a calculation sheet that has conditions.
+    those of a calculation sheet that has conditions. ``unchecked`` are the conditions of use that
+    no function checks.
     """
 
     name: str
@@ -298,6 +299,7 @@ class Routine:
     pose: Pose | None = None
     points: Points | None = None
     checks: Checks | None = None
+    unchecked: tuple[Require, ...] = ()
 
 
 Program = Common | Function | Pose | Checks

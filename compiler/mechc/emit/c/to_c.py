@@ -178,7 +178,7 @@ def _preface(compiled: Compiled, threads: bool) -> list[str]:
     lines = [f"{describe.heading(mechanism)}."]
     if mechanism.source:
         lines.append(f"Source: {describe.one_line(mechanism.source)}.")
-    for line in describe.unchecked(mechanism, compiled.routine):
+    for line in describe.unchecked(compiled.routine):
         lines.append(f"Not checked here: {line}.")
     lines.append(f"Written by mechc {compiled.version}. SI units and radians.")
     if threads:

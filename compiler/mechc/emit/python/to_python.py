@@ -205,7 +205,7 @@ def _preface(compiled: Compiled) -> list[str]:
     lines = []
     if compiled.mechanism.source:
         lines.append(f"Source: {describe.one_line(compiled.mechanism.source)}.")
-    for condition in describe.unchecked(compiled.mechanism, compiled.routine):
+    for condition in describe.unchecked(compiled.routine):
         lines.append(f"Not checked here: {condition}.")
     return [
         *lines,
