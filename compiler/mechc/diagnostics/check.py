@@ -6,7 +6,7 @@ from typing import Literal
 from ..source import Span
 from .diagnostic import Message, coded
 
-Slip = Literal["", "sign", "unit", "degrees", "figure"]
+Slip = Literal["", "sign", "inverse", "twice", "unit", "degrees", "figure"]
 """What two numbers differ by, where that shows what was taken for what."""
 
 
@@ -32,7 +32,7 @@ def expectation_refuted(
         expect k = 7.1407 at alpha = 35 deg
 
     Where only the sign differs, a load may be drawn the other way; where the numbers differ by a
-    power of ten, a unit may be wrong.
+    power of ten, a unit may be wrong; where one is twice the other, or its inverse, that is said.
     """
     does = "has no value" if found.startswith("nan") else f"is {found}"
     message = f"{subject} {does} where {expected} is expected, at {_pose(at)}"
@@ -42,6 +42,8 @@ def expectation_refuted(
 _SLIPS: Mapping[Slip, str] = {
     "": "fix the expectation, or the geometry it was written for",
     "sign": "only the sign differs: look which way the loads are directed",
+    "inverse": "the one is the inverse of the other: look which load stands above the line",
+    "twice": "the one is twice the other: look at halves, branches, and loads that act twice",
     "unit": "the numbers differ by a power of ten: look at the units",
     "figure": "it agrees at the values given: say so by a tolerance, 0.35 +- 0.01, or by at",
     "degrees": "the numbers differ by 180/pi: degrees were taken for radians",

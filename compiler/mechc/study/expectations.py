@@ -257,12 +257,16 @@ def likely_a_formula(finding: Finding, given: Values) -> Slip:
 
 
 def _slip(finding: Finding) -> Slip:
-    """Return the likely slip between two numbers: a sign, a power of ten, or degrees."""
+    """Return the likely slip between two numbers, where it shows in them."""
     if not finding.expected or not math.isfinite(finding.found) or not finding.found:
         return ""
     times = abs(finding.found / finding.expected)
     if math.isclose(times, 1, rel_tol=SLIP):
         return "sign" if finding.found * finding.expected < 0 else ""
+    if math.isclose(abs(finding.found * finding.expected), 1, rel_tol=SLIP):
+        return "inverse"
+    if any(math.isclose(times, factor, rel_tol=SLIP) for factor in (2, 0.5)):
+        return "twice"
     tens = math.log10(times)
     if round(tens) and math.isclose(times, 10.0 ** round(tens), rel_tol=SLIP):
         return "unit"

@@ -5,7 +5,7 @@ from ..diagnostic import Message, Related, coded
 
 
 @coded("E260")
-def tie_not_linear(span: Span, load: str) -> Message:
+def tie_not_linear(span: Span, load: str, hint: str = "") -> Message:
     """A load is tied by a formula that is not proportional to one other load.
 
     A tied load goes with another one, as friction does with the force that presses, so
@@ -16,7 +16,7 @@ def tie_not_linear(span: Span, load: str) -> Message:
         force T = 5 N at C along x          # wrong: let T = 5 N gives a value
     """
     message = f"the formula of '{load}' is not proportional to exactly one other load"
-    return Message(span, message, f"a fixed value is written 'let {load} = …'")
+    return Message(span, message, hint or f"a fixed value is written 'let {load} = …'")
 
 
 @coded("E261")

@@ -107,6 +107,10 @@ def wrong_dimension(
     return Message(span, said, hint, related)
 
 
+A_TURN = 6.3
+"""In radians: fractions of less are as likely radians as degrees."""
+
+
 @coded("E222")
 def bare_number(span: Span, digits: str, wanted: Dimension, use: Span | None = None) -> Message:
     """A number without a unit stands where a quantity is wanted.
@@ -123,6 +127,8 @@ def bare_number(span: Span, digits: str, wanted: Dimension, use: Span | None = N
         hint = f"write {digits} rpm, or {digits} {unit}"
     if wanted == ANGLE and digits.startswith("9.8"):
         hint = f"write {digits} deg; gravity is a direction, its size a parameter: g = 9.81 m/s^2"
+    elif wanted == ANGLE and "." in digits and abs(float(digits)) < A_TURN:
+        hint = f"write {digits} rad, or {digits} {unit}"
     related = used_at(use, span) if use else ()
     return Message(span, f"{digits} what? Expected {described(wanted)}", hint, related)
 

@@ -241,7 +241,10 @@ def _tie(tie: ast.Expr, dimension: Dimension, name: ast.Name, scope: Scope) -> F
         return None
     loads = symbols(formula) & set(scope.names({"load"}))
     if len(loads) != 1 or degree(formula, loads) != 1:
-        scope.report.add(messages.tie_not_linear(tie.span, name.text))
+        hint = ""
+        if isinstance(tie, ast.Number) and tie.unit in scope.names({"load"}):
+            hint = f"a share of {tie.unit} is a product: {tie.digits}*{tie.unit}"
+        scope.report.add(messages.tie_not_linear(tie.span, name.text, hint))
         return None
     return formula
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from ...diagnostics import Diagnostic, syntax
 from ...source import Span
 from ..fault import Fault
-from ..vocabulary import points_of
+from ..vocabulary import IN_A_UNIT, points_of
 from . import slips
 from .grammar import Start, keywords, reading, spelling, statement_words, with_names
 from .lalr import END, Refused, Token, span_of
@@ -158,6 +158,8 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
     hint = example(line, allowed) if lacks_name else ""
     if start in ("let_value", "condition"):
         hint = slips.of_asking(line, position, allowed)
+    if start == "let_value" and text == "in":
+        hint = IN_A_UNIT
     if start != "statement":
         hint = hint or slips.of_decimals(line, position) or slips.in_scalar(token, allowed)
     hint = hint or slips.hint_for(line, position, allowed)

@@ -1,5 +1,6 @@
 """What people write for a unit: one hint for each of the usual spellings."""
 
+import re
 from typing import TYPE_CHECKING
 
 from ...units import UNITS
@@ -41,7 +42,11 @@ def unit_meant(word: str) -> str:
 
     >>> unit_meant("degrees"), unit_meant("MM"), unit_meant("Nm"), unit_meant("milimeter")
     ('deg', 'mm', 'N*m', 'mm')
+    >>> unit_meant("N/mm2"), unit_meant("cm4")
+    ('N/mm^2', 'cm^4')
     """
+    if (powers := re.sub(r"(?<=[A-Za-z])(?=\d)", "^", word)) in UNITS and powers != word:
+        return powers
     small = word.lower().replace("_", "")
     known = {unit.lower(): unit for unit in UNITS if unit.isalpha()} | SPELLED
     for spelled in (small, small.removesuffix("s")):

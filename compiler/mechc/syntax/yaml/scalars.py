@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ...diagnostics import Diagnostic, syntax, syntax_yaml
+from ...diagnostics import Diagnostic, near_miss, syntax, syntax_yaml
 from ...source import Source, Span
 from ..fault import Fault
 from ..parser import parse as parser
@@ -62,7 +62,8 @@ def one_of(words: tuple[str, ...], node: Node) -> str:
 def wrong_word(scalar: Scalar, words: tuple[str, ...]) -> Diagnostic:
     """Return the error about a word that is none of those that may stand here."""
     expected = [f"'{word}'" for word in words]
-    return syntax.unexpected_text(scalar.span, f"'{scalar.text}'", expected)
+    hint = near_miss(scalar.text, words)
+    return syntax.unexpected_text(scalar.span, f"'{scalar.text}'", expected, hint)
 
 
 # ------------------------------------------------------------------------ places in the text

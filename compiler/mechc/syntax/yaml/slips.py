@@ -42,7 +42,7 @@ MEANT: Final[Mapping[str, Collection[str]]] = {
     **dict.fromkeys(("on", "point"), ("at", "link")),
     **dict.fromkeys(("min", "max", "limits"), ("range",)),
     **dict.fromkeys(("author", "reference", "book"), ("source",)),
-    **dict.fromkeys(("mu", "friction", "coefficient"), ("f",)),
+    **dict.fromkeys(("friction", "coefficient"), ("f",)),
     **dict.fromkeys(("d", "pin_diameter"), ("diameter",)),
     **dict.fromkeys(("columns", "values", "data"), ("rows", "sizes")),
     **dict.fromkeys(("formula", "expression"), ("value",)),
@@ -63,6 +63,7 @@ SAID: Final[Mapping[str, str]] = {
     "size": "a load has its value by a let: let: {F: 20 N}",
     "file": "rows stand in the description: rows: [[1, 0.388], [0.9, 0.400]]",
     "tolerance": "a tolerance stands behind the value: 40 mm +- 0.1 mm",
+    "mu": "a coefficient is f of a pin, guide of a slider, contact of a point that touches",
     "unit": "a unit stands behind its number: {value: 200 mm}",
     "value": "a load has its value by a let: let: {F: 20 N}",
 }
