@@ -493,3 +493,12 @@ def test_friction_of_a_rope_is_the_difference_of_its_tensions(name, lines):
     shown = "".join(text.split())
     assert all("".join(line.split()) in shown for line in lines)
     assert "The mean of" not in text.split("to first order")[0]
+
+
+def test_what_an_account_has_found_is_not_told_again_without_a_text():
+    """Fedoriv's β = arcsin(2ρ/L) stands in the account; f_r comes again, as it has a text."""
+    text = headings(read(find("fedoriv_fig2d_with_friction")), "en")
+    account, further = text.split("Further quantities")
+    assert "beta = asin(2*rho/L)" in account
+    assert "beta" not in further.split("Numerical")[0]
+    assert "f_r = 3*f2*l/A" in further

@@ -47,7 +47,7 @@ def blocks(tex: str) -> Iterator[Block]:
             together = []
         if not together:
             above = words
-        together.extend(re.split(r"\\\\(?:\[2pt\])?\s|&\s|\\qquad", found[1] or found[3]))
+        together.extend(re.split(r"\\\\\*?(?:\[2pt\])?\s|&\s|\\qquad", found[1] or found[3]))
     yield above, together
 
 

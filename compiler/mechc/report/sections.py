@@ -98,7 +98,9 @@ def _results(
         fresh = [*rested, *needed]
         conditioned = earlier.conditioned(_conditioned_once(results))
         brief = (in_short(r, derivation.results) for r in earlier.said_once(conditioned))
-        shown = tuple(_by_exact(r, derivation) for r in brief)
+        shown = tuple(_by_exact(r, derivation) for r in brief if not earlier.has_said(r, lines))
+        if not shown:
+            continue
         weighs = any(d.name in known.usual for d in fresh)
         where = tuple(as_written(fresh, known))
         said = (side for p in explanation.paragraphs for pair in p.equations for side in pair)
@@ -117,6 +119,7 @@ class Shown:
         self._known: dict[str, Formula] = {}
         self._ratios: dict[Formula, str] = {}
         self._conditions: dict[tuple[tuple[Formula, str, Formula], ...], str] = {}
+        self._accounted: set[str] = set()
 
     def of(self, result: Analysis, lines: Collection[str] = ()) -> list[Definition]:
         """Return the new ones of a result's definitions, and note them.
@@ -165,6 +168,15 @@ class Shown:
             for left, right in paragraph.equations:
                 if isinstance(left, Symbol):
                     self._known[left.name] = right
+                    self._accounted.add(left.name)
+
+    def has_said(self, result: Analysis, lines: Mapping[str, NoteLine]) -> bool:
+        """Return whether an account of friction has found a formula of the user's own.
+
+        One that has a text is said again, with it.
+        """
+        line = lines.get(result.name)
+        return line is not None and not line.label and result.name in self._accounted
 
     def new_literals(
         self, formulas: Iterable[Formula], mechanism: Mechanism

@@ -15,7 +15,7 @@ from .notation import Notation, name
 from .printer import Box, box, latex, plain
 from .quantity import in_unit, measured, usual_unit
 
-LONGEST_DERIVATIVE = 45
+LONGEST_DERIVATIVE = 34
 """A derivative of more operations than this is given by its value."""
 
 
