@@ -495,10 +495,10 @@ def test_friction_of_a_rope_is_the_difference_of_its_tensions(name, lines):
     assert "The mean of" not in text.split("to first order")[0]
 
 
-def test_what_an_account_has_found_is_not_told_again_without_a_text():
+def test_what_an_account_has_found_is_shown_again_only_with_a_text():
     """Fedoriv's β = arcsin(2ρ/L) stands in the account; f_r comes again, as it has a text."""
     text = headings(read(find("fedoriv_fig2d_with_friction")), "en")
     account, further = text.split("Further quantities")
     assert "beta = asin(2*rho/L)" in account
     assert "beta" not in further.split("Numerical")[0]
-    assert "f_r = 3*f2*l/A" in further
+    assert "f_r = 3*l*f2/A" in further
