@@ -69,7 +69,7 @@ class Page:
         """Yield what stands between the equals signs of each equation."""
         for single, _, several in SHOWN.findall(self.tex):
             text = re.sub(r"\\\\\*?(\[2pt\])?\s*&\\quad\{\}", " ", single or several)
-            for line in re.split(r"\\\\(?:\[2pt\])?\n|&\n", text):
+            for line in re.split(r"\\\\\*?(?:\[2pt\])?\n|&\n", text):
                 line = line.removeprefix(r"\boxed{").removesuffix("}" if r"\boxed" in line else "")
                 yield tuple(part.strip() for part in line.replace("&=", "=").split("="))
 
