@@ -1,6 +1,7 @@
 """Solving a block: single steps by division, larger ones by determinants."""
 
 from collections.abc import Collection, Mapping, Sequence
+from itertools import count
 
 from ..algebra.determinant import determinant, with_column
 from ..algebra.modular import PRIME, Point
@@ -83,10 +84,8 @@ class Binder:
         for known in self.bindings:
             if known.value == value:
                 return Bound(known.name, value)
-        number = len(self.bindings) + 1
-        name = f"s{number}"
-        while name in self._taken:
-            name += "_"
+        used = self._taken | {known.name for known in self.bindings}
+        name = next(name for i in count(1) if (name := f"s{i}") not in used)
         self.bindings.append(Binding(name, value))
         return Bound(name, value)
 
