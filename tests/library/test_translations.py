@@ -59,3 +59,17 @@ def printed(statement: ast.Statement) -> list[str]:
             return [label]
         case _:
             return []
+
+
+IN_LIBRARY = [path for path in FILES if LIBRARY in path.parents]
+
+
+@pytest.mark.parametrize("file", IN_LIBRARY, ids=lambda file: file.stem)
+def test_a_parameter_says_what_it_is(file) -> None:
+    """The table of a report has a column for it; the driving coordinate is called so there."""
+    source = text_of(file)
+    statements = read(source, Report(source)).statements
+    drives = {s.name.text for s in statements if isinstance(s, ast.Drive)}
+    given = (s for s in statements if isinstance(s, ast.Param) and s.value)
+    silent = {p.name.text for p in given if not any(printed(p))}
+    assert silent <= drives
