@@ -10,9 +10,10 @@ from mechc.data import data
 from mechc.formula.evaluate import evaluate
 from mechc.formula.layout import TRIGONOMETRIC
 from mechc.formula.to_text import text
-from mechc.formula.tree import Call, Constant, Number
+from mechc.formula.tree import Call, Constant, Number, Symbol, number, product, total
 from mechc.formula.walk import children, rebuild, symbols
 from mechc.report.evaluated import evaluated
+from mechc.report.put_in import Quantity, put_in
 from mechc.report.sections import outline
 from mechc.report.text.derivation import render
 
@@ -124,3 +125,9 @@ def test_results_with_friction_have_their_numbers_put_in(name):
 
 def test_a_ratio_of_some_fifty_operations_has_its_numbers_put_in():
     assert text(shown("double_butterfly")["k"].numbers).startswith("40*70*sin(")
+
+
+def test_a_negative_number_at_the_beginning_of_a_sum_has_no_bracket():
+    given = {"k": Quantity(-0.0157846, "mm"), "b": Quantity(-0.001, "mm")}
+    whole = total([Symbol("k"), product([(Symbol("b"), 1), (number(2), 1)]), Symbol("b")])
+    assert text(put_in(whole, given)) == "-15.7846 mm + 2*(-1 mm) + (-1 mm)"

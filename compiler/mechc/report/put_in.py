@@ -15,6 +15,7 @@ from ..formula.tree import (
     Number,
     Power,
     Product,
+    Sum,
     Symbol,
     degrees,
     negative,
@@ -106,6 +107,9 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             return Call(function, tuple(_argument(a, given) for a in arguments))
         case Constant():
             return formula
+        case Sum((Symbol(name) as first, *others)) if not isinstance(first, Constant):
+            begun = _argument(first, given)  # nothing stands before its sign
+            return total((begun, *(put_in(term, given) for term in others)))
         case Product(factors) if sum(bool(symbols(f)) for f in factors) > 1:
             return Product(tuple(_factor(factor, given) for factor in factors))
         case Symbol(name) if given[name].unit == "deg":
