@@ -184,3 +184,9 @@ def test_a_minus_of_angular_velocities_is_explained_where_steps_have_none() -> N
     explained = "Angular velocities are positive counter-clockwise here"
     assert shown.count(explained) == 1
     assert explained in shown.partition("i_P = ")[2]
+
+
+def test_a_speed_from_two_others_is_over_one_denominator() -> None:
+    derivation = compile_source(read(find("equalising_clamp"))).derivation
+    (found,) = (e for s in derivation.steps for e in s.results if e.left == Symbol("omega_BAC"))
+    assert text(found.right) == "(V_D - V_A)/(b*cos(phi))"

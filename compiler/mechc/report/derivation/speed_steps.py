@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula, Symbol, product, quotient, total
 from ...kinematics.forms import spin
 from ...kinematics.graph import Form, Graph, Kind, Relation
@@ -180,11 +181,12 @@ class SpeedSteps:
         rest = {u: -p for u, p in form.items() if u != unknown}
         if self._notation.sign(lead) < 0:
             lead, rest = -lead, {u: -p for u, p in rest.items()}
-        solved = {u: p / lead for u, p in rest.items()}
-        left = times(lead, names[unknown])
+        right = linear(rest, names)
+        apart = linear({u: p / lead for u, p in rest.items()}, names)
+        whole = product([(right, 1), (lead.formula(), -1)])
         return (
-            Equation(left, linear(rest, names)),
-            Equation(names[unknown].symbol, linear(solved, names)),
+            Equation(times(lead, names[unknown]), right),
+            Equation(names[unknown].symbol, min(apart, whole, key=count_operations)),
         )
 
     # ------------------------------------------------------------------------- levers
