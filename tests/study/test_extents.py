@@ -149,3 +149,29 @@ def test_every_place_of_an_extreme_is_named():
     assert np.degrees(places[0]) == pytest.approx((100, 260), abs=1e-3)
     assert sum(np.degrees(places[1])) == pytest.approx(360, abs=1e-3)
     assert len(places[1]) == 2
+
+
+def test_a_ratio_that_turns_within_the_first_cell_of_a_range_is_greatest_there():
+    """The end is larger than the next place that is looked at, and less than what lies between."""
+    compilation = Compilation(
+        Source(
+            "contact.mech",
+            """
+            param t1 = -5.8 deg in -45.8 deg .. 34.2 deg
+            pivot A
+            link AB
+            AB = 99.3 mm @ t1
+            pivot C
+            contact B on CD normal -135.6 deg
+            link CD
+            CD = 53.7 mm @ -52.3 deg
+            CB = 81.4 mm @ -39.9 deg
+            torque P on AB
+            force F at D along -108 deg
+            find k = P / F
+            """,
+        )
+    )
+    (extent,) = compilation.reported.results[0].extents
+    assert np.degrees(extent.greatest.x) == pytest.approx(-45.6, abs=1e-5)
+    assert list(along(compilation)) == []

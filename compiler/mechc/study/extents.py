@@ -13,6 +13,7 @@ from .analysis import Analysis, Extent, Extreme, least_and_greatest
 from .ranges import moved, scale_of, unit_of
 from .stroke import extent
 from .sweep import Sweep
+from .tolerances import SAME_FIGURE
 
 CELLS = 192
 """Cells of a range in which a result is looked at."""
@@ -93,7 +94,20 @@ def _extremes(sweep: Sweep, result: Analysis, grid: Sequence[float]) -> list[Ext
         for sense in (1, -1):
             if sense * values[i] <= min(sense * values[i - 1], sense * values[i + 1]):
                 turning.append(_turning(sweep, result, sense, grid[i - 1], grid[i + 1]))
+    turning += _beside_ends(sweep, result, grid, values)
     return [Extreme(x, sweep.of(result, x)) for x in turning]
+
+
+def _beside_ends(
+    sweep: Sweep, result: Analysis, grid: Sequence[float], values: Sequence[float]
+) -> Iterator[float]:
+    """Yield where a result turns within the first and the last cell, beyond both ends of it."""
+    for i in (0, len(grid) - 2):
+        for sense in (1, -1):
+            x = _turning(sweep, result, sense, grid[i], grid[i + 1])
+            beyond = min(sense * values[i], sense * values[i + 1]) - sense * sweep.of(result, x)
+            if beyond > SAME_FIGURE * abs(values[i]):
+                yield x
 
 
 def _turning(sweep: Sweep, result: Analysis, sense: int, low: float, high: float) -> float:
