@@ -119,12 +119,16 @@ def changes_of_sign(seen: Curve) -> Iterator[str]:
 
 
 def singular_poses(seen: Curve) -> Iterator[str]:
-    """Where k is said to be zero it is small nearby, and large where it is said to be infinite."""
+    """Where k is said to be zero it is small nearby, and large where it is said to be infinite.
+
+    Next to a pole a zero is steep: k is then far smaller nearer by.
+    """
     for singular in seen.singular:
         beside = np.array([-1e-7, -1e-10, 1e-10, 1e-7]) * seen.range + singular.drive
         sizes = np.abs(seen.at(beside))
         sizes = sizes[np.isfinite(sizes)]
-        if singular.value == "0" and sizes.size and not sizes.min() < 1e-3 * seen.size + 1e-12:
+        small = max(1e-3 * seen.size, 1e-2 * sizes.max(initial=0.0)) + 1e-12
+        if singular.value == "0" and sizes.size and not sizes.min() < small:
             yield f"{sizes.min()} beside {singular}"
         if singular.value == "infinite" and sizes.size and not sizes.max() > 20 * seen.size:
             yield f"{sizes.max()} beside {singular}"
