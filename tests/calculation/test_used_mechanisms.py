@@ -405,6 +405,13 @@ def test_a_bound_on_a_force_in_compression_is_doubted(tmp_path: Path) -> None:
         assert ("W265" in codes) == is_doubted, condition
 
 
+def test_a_doubted_force_is_shown_in_a_unit() -> None:
+    for condition, unit in {"L_N_KE < 5 kN": " kN", "L_N_KE < L_N": " N"}.items():
+        sheet = mechc.loads(f"{TONGS}require {condition}\n")
+        (said,) = (d.message for d in sheet.warnings if d.code == "W265")
+        assert said.split(",")[0].endswith(unit), said
+
+
 def test_texts_of_a_used_mechanism_are_translated(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:

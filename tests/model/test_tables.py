@@ -1,0 +1,36 @@
+"""Tables and lists of a description: rows in SI, from the smallest on, and not too many."""
+
+import pytest
+
+from mechc.diagnostics import MechcError, Report
+from mechc.formula.evaluate import evaluate
+from mechc.model.from_syntax import resolve
+from mechc.model.mechanism import Mechanism
+from mechc.source import Source
+from mechc.syntax.notation import read
+
+
+def sheet(lines: str) -> Mechanism:
+    report = Report(Source("s.mech", f"sheet s\n{lines}\n"))
+    return resolve(read(report.source, report), report)
+
+
+def sizes(count: int) -> str:
+    return "list bores = " + ", ".join(f"{i + 1} mm" for i in range(count))
+
+
+def test_sizes_are_in_si() -> None:
+    made = sheet(f"{sizes(3)}\nparam d = 1.5 mm\nlet bore = next d in bores")
+    (let,) = made.lets
+    assert evaluate(let.value, {"d": 0.0015}) == pytest.approx(0.002)
+
+
+@pytest.mark.parametrize(("count", "codes"), [(200, []), (201, ["E216"])])
+def test_a_list_has_two_hundred_sizes_at_most(count: int, codes: list[str]) -> None:
+    lines = f"{sizes(count)}\nparam d = 1.5 mm\nlet bore = next d in bores"
+    try:
+        sheet(lines)
+        found = []
+    except MechcError as error:
+        found = [d.code for d in error.diagnostics]
+    assert found == codes
