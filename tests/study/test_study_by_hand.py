@@ -1,6 +1,7 @@
 """What is said of a result, on formulas and functions written by hand."""
 
 import math
+from collections.abc import Callable
 
 import pytest
 
@@ -24,6 +25,8 @@ from mechc.study.breaks import breaks
 from mechc.study.poses import complete, default_pose, random_poses
 from mechc.study.ratios import sizes
 from mechc.study.sampling import _jumps
+from mechc.study.sampling import looked_at as values_looked_at
+from mechc.study.states import Found, Moving
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
@@ -293,3 +296,35 @@ def test_a_transmission_angle_between_links_is_that_of_the_triangle(turn):
 def test_independence_is_concluded_of_what_the_geometry_is_given_by(name, expected):
     """A pressure, or the bore that it acts on, is in no formula of k: nobody looks for it there."""
     assert mechc.load(name).results["k"].independent == expected
+
+
+class ByHand(Moving):
+    """A ratio as a function of its parameter; with friction there is half of it everywhere."""
+
+    is_slow = False
+
+    def __init__(self, ratio: Callable[[float], float]) -> None:
+        self._ratio = ratio
+
+    def without(self, x: float) -> float:
+        return self._ratio(x)
+
+    def driven(self, x: float) -> bool | None:
+        return self._ratio(x) < 0 if self._ratio(x) else None
+
+    def factors(self, x: float) -> tuple[float, ...]:
+        return ()
+
+    def signs(self, x: float) -> tuple[float, ...]:
+        return ()
+
+    def at(self, x: float) -> Found:
+        return Found("free", 0.5, False)
+
+
+@pytest.mark.parametrize("power", [2, -2])
+def test_a_dead_centre_that_is_only_touched_is_looked_at(power: int) -> None:
+    """A ratio that is zero or infinite at 0.31 has the same sign on both sides of it."""
+    moving = ByHand(lambda x: (x - 0.31) ** power if x != 0.31 else 0.0)
+    found = values_looked_at(moving, 0.0, 1.0)
+    assert min(abs(x - 0.31) for x in found) < 1e-6
