@@ -30,6 +30,7 @@ LINES = [
     "plot clamp.mech --y a,b --y c --family beta=10,20deg --range 1..2 -n 50 -o k.svg",
     "report a b -o t.tex --no-schemes",
     "show pose clamp.mech",
+    "stroke clamp.mech --points 2",
     "stroke clamp.mech --points 5 --csv-dialect comma --path B --path C",
 ]
 """Plain ones, as the shell hands them over."""

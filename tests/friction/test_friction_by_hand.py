@@ -113,6 +113,18 @@ def test_a_lever_lifts_against_the_friction_circle_of_its_pivot(signs, turn):
 
 
 @pytest.mark.parametrize("turn", [1, -1])
+def test_a_force_the_other_way_on_a_lever_has_the_opposite_size(turn):
+    """Its arm is negative, and friction at the pivot acts as before."""
+    bearing = Bearing("O", Product.symbol("rho"), Product(turn))
+    down = BodyForce("P", "A", at(270))
+    up_size, down_size = (
+        value(on_lever(force, [LOAD], ARMS, bearing, at_pose).size, at_pose)
+        for force, at_pose in ((UP, one_pose()), (down, one_pose()))
+    )
+    assert down_size == pytest.approx(-up_size)
+
+
+@pytest.mark.parametrize("turn", [1, -1])
 def test_the_force_on_a_lever_is_a_root_of_the_quadratic_that_is_shown(turn):
     """(a·P − b·F)² = ρ²·(P² + F²) with P in it by its name."""
     signs = one_pose()

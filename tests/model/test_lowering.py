@@ -165,6 +165,12 @@ def test_the_rod_knows_its_slot():
     assert (rod.arc.link, rod.arc.centre) == ("DCE", "C")
 
 
+def test_the_radius_of_a_slot_is_given_once():
+    with pytest.raises(mechc.MechcError) as found:
+        rocker(more="CA = 40 mm")
+    assert [d.code for d in found.value.diagnostics] == ["E238"]
+
+
 GROOVED_SLIDE = """
 pivot O at (0 mm, 0 mm)
 slide WX along x

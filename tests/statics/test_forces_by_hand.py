@@ -27,7 +27,7 @@ from mechc.statics.counted import uncounted
 from mechc.statics.free_bodies import Unknown, equilibrium
 from mechc.statics.joint_forces import joint_force
 from mechc.statics.speeds import speed_ratio
-from mechc.statics.transfers import both
+from mechc.statics.transfers import both, transfers
 from mechc.statics.unfold import Unfolding
 from mechc.units import NUMBER
 from small_poses import (
@@ -176,6 +176,15 @@ def test_the_parts_of_a_telescope_turn_one_another_oppositely():
     side = system.unknowns.index(Unknown("T", "", "side"))
     arms = [row[side] for row in system.rows if abs(row.get(side, 0.0)) not in (0.0, 1.0)]
     assert arms == [-0.5]
+
+
+@pytest.mark.parametrize(("same", "second"), [(False, C), (True, -C)])
+def test_wheels_turn_each_other_and_the_arm_takes_what_is_left(same, second):
+    """A unit force at the pitch point puts r on one wheel, ±c on the other, the rest on the arm."""
+    pose = on_pivots(replace(wheels(same=same), arm="OQ"))
+    (pair,) = transfers(Unfolding(pose, ALL))
+    assert [c.moment for c in pair.actions] == pytest.approx([R, second])
+    assert [c.moment for c in pair.bearings] == pytest.approx([-R - second])
 
 
 def test_the_twin_of_a_rope_has_a_label_and_that_of_gears_has_none():
