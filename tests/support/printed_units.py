@@ -207,7 +207,7 @@ def relations(tex: str) -> Iterator[Relation]:
     """Yield the equations that are displayed, line by line, or stand behind their text."""
     for single, kind, several, alone in DISPLAY.findall(tex):
         text = re.sub(r"\\\\\*?(\[2pt\])?\s*&(\\quad\{\}|(?==))", " ", single or several or alone)
-        text = text.replace("\\\\\n", " ") if kind == "multline*" else text
+        text = re.sub(r"\\\\\*?\n", " ", text) if kind == "multline*" else text
         text = CASES.sub(lambda found: _branches(found[1]), text)
         for line in re.split(r"\\\\\*?(?:\[2pt\])?\n|&\n|\\qquad ", text):
             yield from map(Relation, re.split(r"\\[gl]eq |[<>]", line))
