@@ -240,3 +240,11 @@ def test_links_follow_the_drive_next_to_the_end_of_their_loop():
     compilation = Compilation(Source("m.mech", NEXT_TO_ITS_END))
     assert compilation.out_of_step == ()
     assert {q.of for q in compilation.motion.quantities} >= {"A", "B", "AB", "CB"}
+
+
+def test_where_a_closure_that_is_followed_ends_another_one_may_be():
+    """A triad has up to six, and that one of them ends does not show that there is none."""
+    compilation = Compilation(Source("triad.mech", Grown(70179).text()))
+    assert compilation.gaps
+    (warning,) = [w for w in warnings(compilation) if w.code == "W594"]
+    assert warning.message.startswith("no pose is reached from the default one for phi from 152.7")

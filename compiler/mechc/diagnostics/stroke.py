@@ -108,21 +108,22 @@ def not_assembled(
     parts: Iterable[tuple[float, float]],
     dimension: Dimension,
     places: int,
-    is_known: bool = True,
+    why: str,
 ) -> Message:
     """A loop does not close over a part of the stroke.
 
     There is no pose there, results are NaN, and the drive cannot run through. ``mechc stroke``
     shows where it ends, and what is singular there. The stroke is sampled: the ends of what is
     found are refined, a part narrower than the distance of two samples may be overlooked.
-    Where a loop is closed by iteration, it may find no pose although there is one::
+    Where a loop is closed by iteration, the closure is followed from the default pose: there may
+    be others beyond its end, and iteration may find no pose although there is one::
 
         param phi = 60 deg
         drive phi from 10 deg to 80 deg     # warned of, if it closes from 54 deg on only
     """
     unit, size = ("deg", math.pi / 180) if dimension == ANGLE else ("mm", 1e-3)
     shown = " and ".join(f"from {a / size:.7g} to {b / size:.7g} {unit}" for a, b in parts)
-    what = "the mechanism cannot be assembled" if is_known else "iteration finds no pose"
+    what = f"the mechanism {why}" if why.startswith("cannot") else why
     return Message(
         span,
         f"{what} for {name} {shown}, seen at {places} places",

@@ -6,6 +6,7 @@ Words = Mapping[str, str]
 
 EN: Words = {
     "cannot be assembled": "cannot be assembled",
+    "no pose is reached from the default one": "no pose is reached from the default one",
     "iteration finds no pose": "iteration finds no pose",
     "excluded by a condition of use": "excluded by a condition of use",
     "not followed beyond the branch point": "not followed beyond the branch point",
@@ -66,6 +67,7 @@ EN: Words = {
 
 UK: Words = {
     "cannot be assembled": "не складається",
+    "no pose is reached from the default one": "з наведеного положення не досягається",
     "iteration finds no pose": "ітерації не знаходять положення",
     "excluded by a condition of use": "не задовольняє умову застосування",
     "not followed beyond the branch point": "за точкою розгалуження не простежено",
@@ -127,6 +129,7 @@ UK: Words = {
 
 RU: Words = {
     "cannot be assembled": "не собирается",
+    "no pose is reached from the default one": "из приведённого положения не достигается",
     "iteration finds no pose": "итерации не находят положения",
     "excluded by a condition of use": "не удовлетворяет условию применения",
     "not followed beyond the branch point": "за точкой ветвления не прослежено",

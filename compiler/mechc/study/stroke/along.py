@@ -21,7 +21,8 @@ from .forms import form, holding, together
 
 NOT_ASSEMBLED = "cannot be assembled"
 NOT_FOUND = "iteration finds no pose"
-NO_POSE = (NOT_ASSEMBLED, NOT_FOUND)
+NOT_REACHED = "no pose is reached from the default one"
+NO_POSE = (NOT_ASSEMBLED, NOT_REACHED, NOT_FOUND)
 EXCLUDED = "excluded by a condition of use"
 
 
@@ -174,9 +175,17 @@ class Along:
         return holding(self.mechanism.requires, self._names)
 
     def _open_loop(self, values: Values) -> str:
-        """Return why a loop has no value."""
-        named = ((n, f) for n, f in self._definitions.items() if n in values)
-        broken = next((f for n, f in named if not math.isfinite(values[n])), None)
+        """Return why a loop has no value.
+
+        Of the closures of a system one is followed, to its end: what rests on it may have a value
+        in another one.
+        """
+        named = [(n, f) for n, f in self._definitions.items() if n in values]
+        last = next((i for i, (n, _) in enumerate(named) if not math.isfinite(values[n])), None)
+        if last is None:
+            return NOT_ASSEMBLED
+        broken = named[last][1]
         if isinstance(broken, Implicit) and status(broken, values) == 2:
             return NOT_FOUND
-        return NOT_ASSEMBLED
+        is_followed = any(isinstance(f, Implicit) for _, f in named[: last + 1])
+        return NOT_REACHED if is_followed else NOT_ASSEMBLED

@@ -9,7 +9,7 @@ from ...formula.roots import spaced
 from ...kinematics.plan import Plan
 from ...model.values import range_of
 from ..tolerances import FLAT_LOOP
-from .along import NO_POSE, NOT_FOUND, Along
+from .along import NO_POSE, Along
 
 CELLS = 120
 """Cells of a stroke whose ends are looked at."""
@@ -33,8 +33,9 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
     parts = _parts(along, grid)
     found = tuple((low, high) for low, high in parts if high - low > wide)
     if found:
-        is_known = all(along.trouble(x) != NOT_FOUND for x in grid)
-        shown = drive.parameter, found, parameter.dimension, CELLS + 1, is_known
+        troubles = set(map(along.trouble, grid))
+        worst = next(why for why in NO_POSE[::-1] if why in troubles)
+        shown = drive.parameter, found, parameter.dimension, CELLS + 1, worst
         report.add(messages.not_assembled(drive.span, *shown))
     return found
 
