@@ -140,3 +140,13 @@ def test_a_long_chain_of_ratios_has_a_line_of_its_own() -> None:
     assert len(re.findall(r"\\\*\[2pt]\n&\\quad\{\}=\\sin", shown)) == 1
     short = line._replace(right=Symbol("k"), chain=box(Symbol("r"), style))
     assert display((short,), style, "where") == "\\[\ni=r=k\n\\]"
+
+
+def test_what_is_said_of_a_formula_of_a_sheet_is_on_its_page() -> None:
+    """Which size of a list was taken stood at the head of the next page."""
+    text = mechc.load("examples/pin.mech").emit("latex")
+    said = r"\noindent (the next size of"
+    assert said in text
+    before = text[: text.index(said)].rstrip()
+    assert before.endswith("\\]\n}%")
+    assert before.rindex(r"{\postdisplaypenalty=10000") > before.rindex(r"\noindent")

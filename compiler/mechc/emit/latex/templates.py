@@ -187,7 +187,10 @@ def _note(_known: Mapping[str, Any]) -> str:
         else:
             if line.label:
                 _parts += ['\\noindent ', str(line.label), ':\n']
-            _parts += [str(line.display), '\n']
+            if line.remark:
+                _parts += ['{\\postdisplaypenalty=10000\n', str(line.display), '\n}%\n']
+            else:
+                _parts += [str(line.display), '\n']
         if line.remark:
             _parts += ['\\noindent (', str(line.remark), ')\\par\\smallskip\n']
     if _known["unused"]:
