@@ -45,19 +45,8 @@ ORDER = BASE + STAGES + OUTPUT + TOP
 VIEWS = ("pipeline.py", "driver.py", "plotting.py", "evaluation.py", "api.py")
 """Where a module may be imported in a function: for what is made only when it is asked for."""
 
-LATE = {
-    ("formula/to_sympy.py", "sympy"),
-    ("power/from_plan.py", "power.force_results"),
-    ("power/problem.py", "power.reactions"),
-    ("friction/from_balance.py", "friction.problem"),
-    ("friction/from_balance.py", "friction.results"),
-    ("routine/from_results.py", "routine.together"),
-    ("emit/c/to_c.py", "emit.c.gradient"),
-    ("emit/c/to_c.py", "emit.c.threads"),
-    ("emit/python/to_python.py", "emit.python.gradient"),
-    ("emit/latex/to_latex.py", "emit.latex.pictures"),
-}
-"""Other imports inside a function: what few descriptions ask for, and sympy."""
+LATE = {("formula/to_sympy.py", "sympy")}
+"""Other imports inside a function; what few descriptions ask for is ``SELDOM`` of its package."""
 
 
 @cache

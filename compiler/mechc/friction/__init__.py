@@ -6,3 +6,11 @@ number; every name, in guards and conditions too, is defined, and means one thin
 In order: ``pairs``, ``normal_forces``, then a closed form body after body (``sequential``)
 or for guides alone (``linear``), else the ``coupled`` equations (``iterated``).
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"problem", "results"}
+    __getattr__ = waiting(__name__, SELDOM)

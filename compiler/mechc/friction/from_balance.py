@@ -27,6 +27,8 @@ from ..power.balance import Balance, Solved
 from ..power.definitions import let_results, open_lengths
 from ..power.idle import warn_of_idle_loads
 from ..power.numbers import DefaultNumbers, with_default
+from . import problem as problems
+from . import results
 from .solution import Solution, SolvedWithFriction
 
 if TYPE_CHECKING:
@@ -71,9 +73,7 @@ def _with_friction(
     asked = [f for f in finds if isinstance(f.target, WithFriction | Efficiency)]
     if not asked:
         return
-    from .problem import Problem
-
-    problem = Problem(balance, report)
+    problem = problems.Problem(balance, report)
     ideal = {r.target: r for r in balance.results}
     joints = problem.mechanism.friction.joints
     grips = bool(joints) and all(isinstance(joint, RopeFriction) for joint in joints)
@@ -90,16 +90,14 @@ def _answer(
     problem: "Problem", find: Find, target: WithFriction | Efficiency, ideal: Result
 ) -> SolvedWithFriction | None:
     """Return the result with friction; None where an error was reported, or there is none."""
-    from .results import efficiency, force_with_friction, load_with_friction
-
     if isinstance(target, Efficiency):
-        return efficiency(problem, find, ideal, target)
+        return results.efficiency(problem, find, ideal, target)
     sense, order = target.sense, target.order
     match target.of:
         case LoadRatio() | LoadForm() as of:
-            return load_with_friction(problem, find, ideal, of, sense, order)
+            return results.load_with_friction(problem, find, ideal, of, sense, order)
         case Reaction() | Axial() | Normal() as force:
-            return force_with_friction(problem, find, ideal, force, sense)
+            return results.force_with_friction(problem, find, ideal, force, sense)
         case _:
             assert_never(target.of)
 

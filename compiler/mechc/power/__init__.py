@@ -11,5 +11,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"speed_results"}
+    SELDOM = {"force_results", "reactions", "speed_results"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -16,7 +16,7 @@ from ..model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
-from . import speed_results
+from . import force_results, speed_results
 from .balance import Balance, Solved
 from .idle import warn_of_idle_loads, warn_of_idle_motions
 from .load_results import load_form, load_ratio
@@ -52,9 +52,7 @@ def _answer(problem: Problem, find: Find) -> Solved | None:
         case SpeedRatio() as ratio:
             return speed_results.speed_ratio(problem, find, ratio)
         case Reaction() | Axial() | Normal() as force:
-            from .force_results import joint_force
-
-            return joint_force(problem, find, force)
+            return force_results.joint_force(problem, find, force)
         case WithFriction() | Efficiency():
             return None
         case _:

@@ -15,6 +15,7 @@ from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
 from ..model.result import Result
 from ..pose.directions import constants_of
 from ..units import Dimension
+from . import reactions
 from .balance import Equations, Term, equations_of
 from .definitions import open_lengths, resting_on
 from .loads import given_size, terms
@@ -96,14 +97,12 @@ def problem_of(plan: Plan, report: Report) -> Problem:
     loads = {load.name: load for load in mechanism.loads}
 
     @cache
-    def reactions() -> "Reactions":
-        from .reactions import Reactions
-
-        return Reactions(plan.graph.pose, problem.driving, known=(plan,))
+    def at_joints() -> "Reactions":
+        return reactions.Reactions(plan.graph.pose, problem.driving, known=(plan,))
 
     reading, numbers = Reading(plan), DefaultNumbers(plan)
     problem = Problem(
-        plan, parts, equations, reading, report, loads, asked, left, reactions, numbers
+        plan, parts, equations, reading, report, loads, asked, left, at_joints, numbers
     )
     return problem
 

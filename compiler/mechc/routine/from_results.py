@@ -13,6 +13,7 @@ from ..model.unused import unused
 from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
 from ..units import TORQUE
+from . import together
 from .companions import Companions
 from .functions import Asked, asked, checks, function
 from .lengths import with_roots
@@ -81,9 +82,7 @@ def _functions(listed: Sequence[Asked], scope: Scope, names: Sequence[str]) -> I
     found: dict[str, Function] = {}
     long = [one for one in listed if len(one.result.where) > LONG]
     if long:
-        from .together import together
-
-        found = together(long, scope, names)
+        found = together.together(long, scope, names)
     for one in listed:
         yield found.get(one.result.name) or function(one, scope, names)
 

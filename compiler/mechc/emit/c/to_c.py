@@ -16,6 +16,8 @@ from .. import describe
 from ..names import Names, file_stem, mangle, transliterate
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from . import gradient
+from . import threads as parallel
 from .checks import ChecksContext, checks_context
 from .functions import FileScope, FunctionContext, Symbols, function_context, symbols_of
 from .parameters import ParametersContext, parameters_context
@@ -142,9 +144,7 @@ def _file(name: str, text: str, real: Real) -> Emitted:
 def _source(parts: Parts, preface: list[str], header: str, real: Real, threads: bool) -> str:
     code = render("c/functions.jinja", CodeContext(*parts, newton, real))
     if threads:
-        from .threads import in_threads
-
-        code = in_threads(code)
+        code = parallel.in_threads(code)
     called = helpers(code)
     context = SourceContext(
         preface=preface,
@@ -169,8 +169,8 @@ def _quick_lines(parts: Parts) -> Iterator[str]:
     for function in parts.functions:
         if function.quick:
             yield from (*function.quick.body, function.quick.output)
-    for gradient in parts.gradients:
-        yield from gradient.quick
+    for one in parts.gradients:
+        yield from one.quick
 
 
 def _preface(compiled: Compiled, threads: bool) -> list[str]:
@@ -239,9 +239,7 @@ def _file_scope(
 def _gradients(
     routine: Routine, space: Names, arguments: Mapping[str, str]
 ) -> "list[GradientContext]":
-    from .gradient import gradient_contexts
-
-    return gradient_contexts(routine.name, routine.functions, space, arguments)
+    return gradient.gradient_contexts(routine.name, routine.functions, space, arguments)
 
 
 _CALL = pattern(r"\bmechc_(\w+)\(")

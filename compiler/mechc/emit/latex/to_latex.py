@@ -49,6 +49,7 @@ from ...report.sentences.wording import (
 from ...report.steps import Derivation, LastStep, Step
 from ..render import render
 from ..target import Compiled, Emitted, Options
+from . import pictures
 from .blocks import (
     NO_PICTURES,
     Brief,
@@ -123,9 +124,7 @@ def _section(options: Options) -> str:
 
 
 def _scheme(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
-    from .pictures import scheme_alone
-
-    return scheme_alone(compiled, locale, style)
+    return pictures.scheme_alone(compiled, locale, style)
 
 
 def document(body: str, locale: Locale, pictures: Iterable[str] = ()) -> str:
@@ -210,15 +209,11 @@ def _conventions(whole: Outline, mechanism: Mechanism, locale: Locale, style: No
 
 
 def _pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
-    from .pictures import pictures
-
-    return pictures(compiled, locale, style)
+    return pictures.pictures(compiled, locale, style)
 
 
 def _preamble() -> Iterable[str]:
-    from .pictures import preamble
-
-    return preamble()
+    return pictures.preamble()
 
 
 def brief(

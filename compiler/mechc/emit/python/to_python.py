@@ -30,6 +30,7 @@ from ..names import Names, file_stem, mangle
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from . import gradient
 from .checks import ChecksContext, checks_context
 from .pairs import PAIR
 from .pose import (
@@ -180,9 +181,7 @@ def _checks(
 def _gradients(
     routine: Routine, space: Names, arguments: Mapping[str, str]
 ) -> "list[GradientContext]":
-    from .gradient import gradient_contexts
-
-    return gradient_contexts(routine.functions, space, arguments)
+    return gradient.gradient_contexts(routine.functions, space, arguments)
 
 
 def function_names(routine: Routine, space: Names) -> dict[str, str]:
