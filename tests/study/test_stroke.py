@@ -630,7 +630,7 @@ def test_the_command(tmp_path, capsys):
     assert main(["stroke", str(file), "-n", "3", "--csv"]) == 0
     head, *rows = capsys.readouterr().out.splitlines()
     assert head == (
-        "phi [rad],k,gamma [rad],dk/dphi,V_B/omega_OAC [mm],V_C(R)/omega_OAC [mm],"
+        "phi [rad],k,gamma [deg],dk/dphi,V_B/omega_OAC [mm],V_C(R)/omega_OAC [mm],"
         "V_C(T)/omega_OAC [mm],mu_B [deg]"
     )
     assert len(rows) == 3

@@ -3,6 +3,7 @@
 Each yields what is false, in words; nothing where all holds, or where it does not apply.
 """
 
+import re
 from collections.abc import Callable, Iterator
 from math import isclose
 from random import Random
@@ -28,6 +29,7 @@ from mechc.model.parts.targets import LoadRatio, SpeedRatio, WithFriction
 from mechc.routine.evaluate import status
 from mechc.source import Source
 from mechc.syntax import ast
+from mechc.units import UNITS
 from page import Page
 from printed_units import PrintedUnits, displaced
 from run_targets import (
@@ -126,13 +128,36 @@ def order(found: Hunted) -> Iterator[str]:
     head = [line for line in lines if line.startswith(("mechanism", "mechc"))]
     rest = [line for line in lines if line not in head]
     Random(f"order {found.seed}").shuffle(rest)
-    text = "\n".join([*head, *rest])
+    yield from _others(found, "\n".join([*head, *rest]), "in another order of lines")
+
+
+def names(found: Hunted) -> Iterator[str]:
+    """Results by default, where parameters have other names.
+
+    A name that is a unit as well, or one that a used mechanism has, is left as it is.
+    """
+    lines = found.tree.statements
+    if any(isinstance(s, ast.Use) for s in lines):
+        return
+    given = {s.name.text for s in lines if isinstance(s, ast.Param)} - UNITS.keys()
+    if not given:
+        return
+    order = sorted(given)
+    Random(f"names {found.seed}").shuffle(order)
+    other = {name: f"w{i}" for i, name in enumerate(order)}
+    pattern = re.compile(rf"(?<![\w.'])({'|'.join(map(re.escape, order))})(?![\w'])")
+    text = pattern.sub(lambda word: other[word[1]], found.text)
+    yield from _others(found, text, "with other names of parameters")
+
+
+def _others(found: Hunted, text: str, how: str) -> Iterator[str]:
+    """Yield the results that have another value in a description that says the same."""
     other = Compilation(Source("other.mech", text, folder=found.folder)).solution
     values = {r.name: r.default for r in other.results}
     for result in found.compilation.solution.results:
         here, there = result.default, values.get(result.name)
         if not _is_same(here, there):
-            yield f"{result.name} is {here}, in another order of lines {there}"
+            yield f"{result.name} is {here}, {how} {there}"
 
 
 def _is_same(here: float | None, there: float | None) -> bool:
@@ -190,6 +215,6 @@ REFUTERS: dict[str, Callable[[Hunted], Iterator[str]]] = {
     one.__name__.replace("_", " "): one
     for one in (
         free_bodies, limits, left_out, causes, friction, ranges, stroke, branches,
-        motion, lengths, order, code, page,
+        motion, lengths, order, names, code, page,
     )
 }  # fmt: skip
