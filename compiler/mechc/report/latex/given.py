@@ -82,8 +82,8 @@ def _value(parameter: Parameter, locale: Locale, style: Notation) -> str:
     dimension, unit = parameter.dimension, parameter.unit
     value = quantity(parameter.value, dimension, unit, locale, style)
     if parameter.tolerance is None:
-        turn = f"{value}\\ ({quantity(parameter.value, dimension, 'deg', locale, style)})"
-        return math(turn if unit == "rad" else value)
+        turn = quantity(parameter.value, dimension, "deg", locale, style)
+        return f"{math(value)} {math(f'({turn})')}" if unit == "rad" else math(value)
     mark = unit_symbol(unit or usual_unit(dimension), locale)
     off = quantity(parameter.tolerance, dimension, unit, locale, style)
     if mark:
