@@ -121,3 +121,35 @@ def test_an_efficiency_of_nothing_is_no_negative_ratio():
     sample = pushing(given(92026, 1))
     assert sample is not None
     assert wrong(sample.with_friction(Random(92026), said=False)) == []
+
+
+ONE_ITERATED = """
+pivot A
+link AB
+AB = 109.5 mm @ 174.8 deg
+pivot C
+link CD
+CD = 50.7 mm @ -134.5 deg
+gear C 19.5 mm, A 57.2 mm inner
+pivot E
+link EG
+EG = 121.3 mm @ -10.4 deg
+gear E 18.1 mm, C 40.5 mm inner
+slider H along -34 deg
+screw H pitch 3.4 mm on EG
+torque P on AB times 2
+force F at H along -68.1 deg
+find k = P / F
+friction gear C 0.055
+friction gear E 0.079
+friction screw H 0.119 thread 12 mm
+"""
+
+
+def test_forces_that_one_result_iterates_and_another_solves_for_have_two_names():
+    """k_f is found by iteration and k_hold in steps: n of the screw stood for either."""
+    compilation = Compilation(Source("screw.mech", ONE_ITERATED))
+    assert any(r.name == "k_f" and r.inside for r in compilation.results)
+    page = Page(compilation)
+    assert r"n_{H,\mathrm{screw},\mathrm{hold}}" in page.tex
+    assert list(page.wrong()) == []

@@ -11,6 +11,7 @@ from ...model.mechanism import (
     LoadRatio,
     WithFriction,
 )
+from ...model.result import Definition
 from ..steps import Equation, Paragraph, SentenceKind
 
 _ONCE = {"internal", "external", "parallel", "single", "face", "iterated"}
@@ -20,12 +21,13 @@ _ONCE = {"internal", "external", "parallel", "single", "face", "iterated"}
 class EarlierSteps:
     """The names and lines of the steps entered so far, so that nothing is stated twice."""
 
-    def __init__(self, turns: Iterable[str]) -> None:
+    def __init__(self, turns: Iterable[str], iterated: Iterable[Definition] = ()) -> None:
+        """Begin with the angles of friction, and the forces that results find by iteration."""
         self.turns = set(turns)
         """Names of angles by which friction turns a force, those of friction itself."""
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
-        self._found: dict[str, Formula] = {}
+        self._found: dict[str, Formula] = dict(iterated)
         self._sentences: set[SentenceKind] = set()
 
     def enter_forces(

@@ -55,7 +55,8 @@ def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Exp
     ``results`` are these in the form in which they are shown.
     """
     mechanism = solution.plan.graph.pose.mechanism
-    earlier = EarlierSteps(mechanism.friction.parameters)
+    iterated = (d for r in results for d in r.where if d.name in r.inside)
+    earlier = EarlierSteps(mechanism.friction.parameters, iterated)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is None or not solved or not solved[0].steps:
