@@ -61,4 +61,5 @@ def test_figures_of_manzhosov(tmp_path, monkeypatch):
         angle = math.asin(math.sin(at) / 5)
         ratio = (1.2 + 0.2) * math.cos(angle) / math.sin(at + angle)
         folded = min(at + angle, math.pi - at - angle)
-        assert found == pytest.approx([ratio, folded, angle], rel=1e-12)
+        wanted = [ratio, math.degrees(folded), math.degrees(angle)]
+        assert found == pytest.approx(wanted, rel=1e-12)

@@ -10,7 +10,7 @@ from ..model.mechanism import Mechanism
 from ..named import NamedTuple
 from ..routine.evaluate import evaluate, pose
 from ..routine.steps import Input, Pose, Routine, closed_dimensions
-from ..units import USUAL_UNITS, Dimension, si_unit
+from ..units import ANGLE, USUAL_UNITS, Dimension, si_unit
 
 Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
@@ -65,8 +65,11 @@ def _of(program: Pose, name: str, values: Values) -> object:
 
 
 def unit_of(dimension: Dimension, mechanism: Mechanism, own: str = "") -> str:
-    """Return the unit in which a quantity is shown: its own, the first that is written, a usual."""
-    written = (*mechanism.parameters, *mechanism.literals)
+    """Return the unit in which a quantity is shown: its own, the first that is written, a usual.
+
+    An angle is in degrees unless it has its own, as everywhere.
+    """
+    written = () if dimension == ANGLE else (*mechanism.parameters, *mechanism.literals)
     first = next((p.unit for p in written if p.dimension == dimension and p.unit), "")
     unit = own or first or USUAL_UNITS.get(dimension, "") or si_unit(dimension)
     return "deg" if unit == "°" else unit

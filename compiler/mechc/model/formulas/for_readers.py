@@ -111,8 +111,8 @@ class _Units:
         far = [self._known.get(n, "") for n in names if self._text_of.get(n, 0) != text]
         own, around = self._in_text.get(0, ()), self._in_text.get(text, ())
         units = [*line, *near, *own, *far, *around, *self._elsewhere(dimension)]
-        usual = ["deg"] if dimension == ANGLE else _powers(units, dimension)
-        return next((u for u in chain(units, usual) if _measures(u, dimension)), "")
+        powers = _powers(units, dimension)
+        return next((u for u in chain(units, powers) if _measures(u, dimension)), "")
 
     def _elsewhere(self, dimension: Dimension) -> list[str]:
         """Return the units of all texts, the usual one first; none where that is of the SI."""
