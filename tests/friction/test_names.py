@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from importlib import import_module
 
 import pytest
 
@@ -10,7 +11,6 @@ from force_samples import samples, with_friction
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
 from mechc.formula.tree import Formula
-from mechc.friction import problem
 from mechc.model.mechanism import PinFriction
 from mechc.model.result import Result
 from mechc.routine.evaluate import evaluate, status
@@ -46,7 +46,7 @@ def test_forms_for_elsewhere_are_made_only_when_they_are_read(monkeypatch):
     def made(*_):
         raise AssertionError("nobody has asked for coupled equations")
 
-    monkeypatch.setattr(problem, "coupled", made)
+    monkeypatch.setattr(import_module("mechc.friction.problem"), "coupled", made)
     compilation = Compilation(Source("a.mech", without_expectations("karpenko_fig9_with_friction")))
     found = {r.name: r for r in compilation.solution.results}
     assert found["k_f"].default == pytest.approx(0.0745685412516)
