@@ -68,4 +68,4 @@ def test_spoiled_descriptions(part):
 
 @pytest.mark.slow
 def test_hundreds_of_spoiled_descriptions():
-    fuzz(range(60, 560))
+    fuzz(range(60, 310))
