@@ -161,14 +161,14 @@ def drawn_elsewhere(at: Span, point: str, place: str, gap: str) -> Message:
 def place_unused(at: Span, point: str, pivot: str) -> Message:
     """A point has a place, and nothing that has a place, too, is tied to it.
 
-    Coordinates are told from one another: where vectors lead to a point from a pivot that has no
-    place, its own says nothing, and is compared with nothing::
+    Coordinates have a meaning relative to others: where vectors lead to a point from a pivot that
+    has no place, its own says nothing, and is compared with nothing::
 
         pivot O
         OB = 50 mm @ phi
         B at (30 mm, 40 mm)      # warned of: (30 mm, 40 mm) from where?
 
-    With `pivot O at (0 mm, 0 mm)` it is compared with the vector, or tells closures apart.
+    With `pivot O at (0 mm, 0 mm)` it is compared with the vector, or selects the closure.
     """
     message = f"the place of {point} has no effect: nothing that it is tied to has one"
     hint = f"give it one as well, as in `pivot {pivot} at (0 mm, 0 mm)`, or leave this line out"

@@ -13,6 +13,7 @@ from ..formula.tree import Call, Formula, Symbol
 from ..formula.walk import Substitution, substitute, symbols
 from ..frozen import frozen
 from ..model.mechanism import Sense
+from ..model.parts.targets import HOLDING
 from ..model.result import Definition
 
 
@@ -101,7 +102,7 @@ class Endings:
         (('k_f',), ('hold', 'k_hold'))
         """
         self._first = self._first or sense
-        return (f"{ideal}_f",) if sense == self._first else ("hold", f"{ideal}_hold")
+        return (f"{ideal}_f",) if sense == self._first else ("hold", f"{ideal}{HOLDING}")
 
     def of_force(self, ideal: str, sense: Sense) -> tuple[str, ...]:
         """Return those of a force at a joint: ``n_B_f`` is what presses B wherever forces are.

@@ -24,7 +24,7 @@ def by_parts(
     """
     shown = set[str]()
     for item in found:
-        if item.formula is None or item.known is None or fits(item):
+        if not named or item.formula is None or item.known is None or fits(item):
             yield item
             continue
         formula = _in_names(item.formula, named)

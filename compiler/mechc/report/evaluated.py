@@ -38,7 +38,7 @@ class Evaluated(NamedTuple):
     """A name, its formula in numbers, and its value; no ``numbers`` where nobody would put them in.
 
     The numbers of a ratio stand without their unit where all have the same. What has a ``formula``
-    beside it can have its numbers put in part by part, from what is ``known``.
+    can have its numbers put in part by part, from what is ``known``.
     """
 
     left: Formula

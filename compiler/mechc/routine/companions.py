@@ -6,6 +6,7 @@ does not show by itself whether anything moves: the status does.
 """
 
 from collections.abc import Sequence, Set
+from functools import cache, partial
 
 from ..formula.tree import Formula
 from ..frozen import replace
@@ -14,7 +15,6 @@ from ..model.parts.targets import SIGNS
 from ..model.result import Drive, FrictionResult
 from .functions import Asked, steps_to
 from .scope import Scope, rename
-from .sharing import Shared
 from .steps import (
     Function,
     Guard,
@@ -28,10 +28,6 @@ from .steps import (
     names_of,
 )
 
-Definition = tuple[str, Formula]
-Way = tuple[tuple[Definition, ...], tuple[Formula, ...], tuple[Guard, ...]]
-"""Definitions, what is reached by them, and the conditions whose names are kept."""
-
 
 class Companions:
     """Gives functions their companions, under names that nothing else has."""
@@ -40,7 +36,8 @@ class Companions:
         self._scope, self._inputs = scope, inputs
         self._pairs = scope.mechanism.friction.efficiency is None
         self._taken = {*(i.name for i in inputs), *scope.results}
-        self._ways: dict[Way, Shared] = {}
+        self._steps_to = cache(partial(steps_to, names=self._taken))
+        """Steps to the loads that drive, the same for many forces at joints."""
 
     def joined(self, function: Function, other: Function | None, asked: Asked) -> Function:
         """Return a function with the one for elsewhere and with its status, if it has them."""
@@ -74,8 +71,8 @@ class Companions:
         assert result.drive, "it says what drives"
         known = self._scope.definitions(result.name, [*result.drive, *asked.needed])
         guards = _of_the_pose(asked.guards(known.names))
-        loads = [rename(load, known.names) for load in result.drive]
-        steps, (ideal, load) = self._steps_to(known.formulas, loads, guards)
+        loads = tuple(rename(load, known.names) for load in result.drive)
+        steps, (ideal, load) = self._steps_to(tuple(known.formulas), loads, guards)
         ends = [ideal, load, *_sides(guards)]
         steps = _needed(steps, ends)
         used = mentioned(steps, ends).difference(*map(names_of, steps))
@@ -83,15 +80,6 @@ class Companions:
         name = self._fresh(f"{function.name}_status")
         drive = Drive(ideal, load)
         return Status(name, drive, SIGNS[sense], self._in_order(used), steps, guards)
-
-    def _steps_to(
-        self, definitions: Sequence[Definition], loads: Sequence[Formula], guards: tuple[Guard, ...]
-    ) -> Shared:
-        """Return the steps to the loads that drive, found once for all forces that have them."""
-        way = tuple(definitions), tuple(loads), guards
-        if way not in self._ways:
-            self._ways[way] = steps_to(definitions, loads, guards, self._taken)
-        return self._ways[way]
 
     def _in_order(self, names: Set[str]) -> tuple[Input, ...]:
         return tuple(item for item in self._inputs if item.name in names)

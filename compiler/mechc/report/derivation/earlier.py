@@ -11,6 +11,7 @@ from ...model.mechanism import (
     LoadRatio,
     WithFriction,
 )
+from ...model.parts.targets import HOLDING
 from ...model.result import Definition
 from ..steps import Equation, Paragraph, SentenceKind
 
@@ -39,7 +40,7 @@ class EarlierSteps:
         """
         found = {left.name: right for left, right in _forces(steps) if left != driving(asked)}
         others = self._others(found)
-        endings = ("_hold" if asked.sense == "releasing" else "_f", f"_{result}")
+        endings = (HOLDING if asked.sense == "releasing" else "_f", f"_{result}")
         ending = next(
             e for e in endings if all(self._found.get(n + e, found[n]) == found[n] for n in others)
         )
