@@ -193,7 +193,8 @@ class SolvedMechanism(Plotting):
 
         drawing = self._compilation.drawn_scheme(language, figure=self.figure(**values))
         assert drawing is not None, "a figure has a scheme"
-        return Picture(in_letters(drawing, letters(locale(language))))
+        texts = self._compilation.mechanism.translations.get(language, {})
+        return Picture(in_letters(drawing, letters(locale(language), texts)))
 
     def free_bodies(self, **values: float | str) -> "tuple[Diagram, ...]":
         """Return each body with the forces on it, at given values of parameters and loads.

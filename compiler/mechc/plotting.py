@@ -63,7 +63,8 @@ class Plotting:
         )
         plotted, words = self._compilation.along(settings).plot(query), locale(language)
         found = replace(plotted, title=self._compilation.titled(language))
-        return PlotPicture(found, picture(found, words.pictures), words.pictures, letters(words))
+        known = letters(words, self._compilation.mechanism.translations.get(language, {}))
+        return PlotPicture(found, picture(found, words.pictures), words.pictures, known)
 
     def plans(self, language: str = "en") -> "Picture | None":
         """Return the plans of velocities and of forces at the pose of the description.
@@ -82,7 +83,8 @@ class Plotting:
 
         words = locale(language)
         drawing = self._compilation.drawn_plans(language)
-        return Picture(in_letters(drawing, letters(words))) if drawing else None
+        known = letters(words, self._compilation.mechanism.translations.get(language, {}))
+        return Picture(in_letters(drawing, known)) if drawing else None
 
 
 def _listed(names: str | Sequence[str]) -> tuple[str, ...]:

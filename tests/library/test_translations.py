@@ -6,7 +6,8 @@ import pytest
 
 from mechc.diagnostics import Report
 from mechc.files import read as text_of
-from mechc.formula.names import GREEK
+from mechc.formula.names import GREEK, words_in
+from mechc.model.statements import declared
 from mechc.syntax import ast
 from mechc.syntax.notation import read
 from paths import LIBRARY, ROOT
@@ -59,6 +60,19 @@ def printed(statement: ast.Statement) -> list[str]:
             return [label]
         case _:
             return []
+
+
+WORDS_EVERYWHERE = {"min", "max", "cr", "dP", "dH", "dx"}
+"""Indices that all three languages write alike, and differences."""
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_words_in_names_are_translated(file) -> None:
+    source = text_of(file)
+    statements = read(source, Report(source)).statements
+    translated = {s.text for s in statements if isinstance(s, ast.Translate) and s.uk and s.ru}
+    given = {name.text for statement in statements for name in declared(statement)}
+    assert {word for name in given for word in words_in(name)} <= translated | WORDS_EVERYWHERE
 
 
 IN_LIBRARY = [path for path in FILES if LIBRARY in path.parents]

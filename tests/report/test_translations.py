@@ -7,9 +7,15 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled
+from mechc.drawing.drawing import Run
+from mechc.drawing.lettering import name
+from mechc.drawing.letters import spelled
 from mechc.driver import Compilation
+from mechc.report.languages.letters import letters
 from mechc.report.languages.registry import LANGUAGES, locale
+from mechc.report.text import note
 from mechc.report.text.derivation import render
+from mechc.report.text.speller import speller
 from mechc.source import Source
 from mechc.syntax import vocabulary
 
@@ -47,11 +53,48 @@ translate "a standard" uk "стандарт"
 translate "a force" uk "є сила"
 """
 
+NAMES = (
+    SHEET.replace("chosen", "d_taken")
+    + """
+let far = 2*F_C
+let F_C = 2 kN
+translate "pins" uk "пальці"
+translate "F_C" uk "F_з"
+"""
+)
+
 
 def report(text: str, language: str) -> str:
     """Return a report without what chooses fonts."""
-    shown = mechc.loads(text, "m.mech").emit("latex", language=language)
-    return re.sub(r"\\mechccyr\{([^{}]*)\}", r"\1", shown)
+    return _plain(mechc.loads(text, "m.mech").emit("latex", language=language))
+
+
+def _plain(page: str) -> str:
+    return re.sub(r"\\mechccyr\{([^{}]*)\}", r"\1", page)
+
+
+def test_names_and_the_words_in_them_are_translated() -> None:
+    page, compilation = report(NAMES, "uk"), Compilation(Source("m.mech", NAMES))
+    spell = speller(compilation.results, compilation.mechanism, unicode=True, language="uk")
+    text = note.render(compilation.mechanism, compilation.results, spell)
+    for part in (r"d_{\text{прийнято}}", r"\text{пальці}", r"F_{\text{з}}"):
+        assert part in page
+    assert all(n in text for n in ("d_прийнято = ", "пальці = 6 мм", "F_з = 2 кН"))
+    assert "ряду «пальці»" in text
+    assert all(n in report(NAMES, "ru") for n in (r"d_{\mathrm{taken}}", "F_C"))
+
+
+def test_names_in_pictures_are_those_of_the_page() -> None:
+    known = letters(locale("uk"), {"far": "дал", "F_C": "F_ц", "довге плече": "arm"})
+    found = spelled((*name("P_far"), Run(", "), *name("F_C")), known)
+    assert [run.text for run in found] == ["P", "дал", ", ", "F", "ц"]
+
+
+def test_a_used_sheet_brings_the_translations_of_its_names(tmp_path: Path) -> None:
+    (tmp_path / "pin.mech").write_text(NAMES, encoding="utf-8")
+    (tmp_path / "whole.mech").write_text('sheet whole\nuse "pin.mech" as L\n', encoding="utf-8")
+    page = _plain(mechc.load(tmp_path / "whole.mech").emit("latex", language="uk"))
+    assert all(n in page for n in (r"d_{\text{прийнято},L}", r"F_{\text{з},L}"))
 
 
 def test_texts_are_in_the_language_where_they_are_translated() -> None:

@@ -92,7 +92,8 @@ def command(
     """
     _refuse_several(asked)
     compilation = opened(file, stdin_name, settings)
-    drawing = in_letters(_drawing(compilation, asked, language), letters(locale(language)))
+    texts = compilation.mechanism.translations.get(language, {})
+    drawing = in_letters(_drawing(compilation, asked, language), letters(locale(language), texts))
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in paths if path != STANDARD_OUTPUT]
     pictures = {path: in_format_of(path, drawing) for path in files}

@@ -165,7 +165,8 @@ def command(
     words = locale(language)
     plot = checked(compilation).along(along).plot(query, _watched)
     found = replace(plot, title=compilation.titled(language))
-    plotted = PlotPicture(found, picture(found, words.pictures), words.pictures, letters(words))
+    known = letters(words, compilation.mechanism.translations.get(language, {}))
+    plotted = PlotPicture(found, picture(found, words.pictures), words.pictures, known)
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in outputs if path != STANDARD_OUTPUT]
     contents = {path: plotted.content(path) for path in files}

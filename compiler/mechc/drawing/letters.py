@@ -1,11 +1,13 @@
 """Numbers and units in the letters of a language."""
 
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 
 from ..frozen import replace
 from ..named import NamedTuple
 from ..patterns import pattern
 from .drawing import Drawing, Run
+from .lettering import name
 
 _BEHIND_A_NUMBER = pattern(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[²³]?[*·/^][A-Za-z0-9]+)*")
 _WORD = pattern(r"[^\W\d_]+")
@@ -13,13 +15,16 @@ _POINT = pattern(r"(?<=\d)\.(?=\d)")
 
 
 class Letters(NamedTuple):
-    """What units are called in a language, by what they are called in English, and its comma."""
+    """What units and names are in a language, by what they are in the description; its comma."""
 
     units: Mapping[str, str]
     decimal: str
+    names: Mapping[str, str] = MappingProxyType({})
 
 
 LATIN = Letters({}, ".")
+
+Runs = tuple[Run, ...]
 
 
 def in_letters(drawing: Drawing, letters: Letters) -> Drawing:
@@ -42,7 +47,32 @@ def spelled(runs: Iterable[Run], letters: Letters) -> tuple[Run, ...]:
     >>> [r.text for r in spelled([Run("r = 1.5\u2009mm"), Run("mm/s", unit=True)], russian)]
     ['r = 1,5\u2009мм', 'мм/с']
     """
-    return tuple(run if run.italic else run._replace(text=_spelled(run, letters)) for run in runs)
+    shown = tuple(runs)
+    for called, there in letters.names.items():
+        shown = _renamed(shown, name(called), name(there))
+    return tuple(run if run.italic else run._replace(text=_spelled(run, letters)) for run in shown)
+
+
+def _renamed(runs: Runs, called: Runs, there: Runs) -> Runs:
+    """Return runs in which a name, or a word in names, is another.
+
+    >>> [r.text for r in _renamed(name("P_far"), name("far"), name("дал"))]
+    ['P', 'дал']
+    >>> both = *name("F_C_1"), Run(", "), *name("F_C")
+    >>> [r.text for r in _renamed(both, name("F_C"), name("F_ц"))]
+    ['F', 'C', ',1', ', ', 'F', 'ц']
+    """
+    if len(called) == len(there) == 1:
+        word = called[0].text
+        return tuple(r._replace(text=there[0].text) if r.text == word else r for r in runs)
+    ends = range(len(called), len(runs) + 1)
+    at = next((e for e in ends if runs[e - len(called) : e] == called and _ends(runs[e:])), None)
+    return runs if at is None else (*runs[: at - len(called)], *there, *runs[at:])
+
+
+def _ends(runs: Runs) -> bool:
+    """Return whether no more indices follow."""
+    return not runs or runs[0].level == 0
 
 
 def _spelled(run: Run, letters: Letters) -> str:

@@ -71,6 +71,21 @@ def split_name(name: str) -> Name:
     return Name(_SHORT.get(stem, stem), primes, tuple(i for i in (number, *indices) if i))
 
 
+def words_in(name: str) -> tuple[str, ...]:
+    """Return the words that a name is made of, neither letters nor points.
+
+    >>> words_in("dP_far"), words_in("bores"), words_in("alpha_1"), words_in("omega_O1B")
+    (('dP', 'far'), ('bores',), (), ())
+    """
+    head, _, indices = split_name(name)
+    return tuple(word for word in (head, *indices) if is_word(word))
+
+
+def is_word(part: str) -> bool:
+    """Return whether a part of a name is a word: no letter, Greek or Latin, no point, no number."""
+    return len(part) > 1 and part.isalpha() and part not in GREEK and not split_points(part)
+
+
 def another(name: str) -> str:
     """Return the name to try where one is taken; it differs on paper, too.
 

@@ -1,5 +1,6 @@
 """The statements of a file by kind, and which of them make a calculation sheet."""
 
+from collections.abc import Iterator
 from typing import TypeVar
 
 from ..diagnostics import Report
@@ -7,6 +8,20 @@ from ..diagnostics.model import doubts, sheets
 from ..frozen import replace
 from ..syntax import ast
 from .mechanism import Mechanism
+
+
+def declared(statement: ast.Statement) -> Iterator[ast.Name]:
+    """Yield the name that a statement declares: of a quantity, a table, a load."""
+    match statement:
+        case ast.Param(name=name) | ast.Let(name=name) | ast.Taken(name=name):
+            yield name
+        case ast.Table(name=name) | ast.Sizes(name=name):
+            yield name
+        case ast.Force(name=name) | ast.Torque(name=name) | ast.Actuator(name=name):
+            yield name
+        case ast.Weight(name=name) | ast.Distributed(name=name):
+            yield name
+
 
 REPEATABLE = (
     *(ast.Find, ast.Expect, ast.Require, ast.Assembly, ast.Telescope, ast.Reported),

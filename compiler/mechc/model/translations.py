@@ -1,25 +1,29 @@
 """What the texts of a description are in other languages."""
 
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from types import MappingProxyType
 
 from ..diagnostics import Report, near_miss
 from ..diagnostics.model import translations as messages
+from ..formula.names import words_in
+from ..patterns import pattern
 from ..source import Span
 from ..syntax import ast
 from ..syntax.vocabulary import LANGUAGES
-from .statements import every
+from .statements import declared, every
 
 Translations = Mapping[str, Mapping[str, str]]
-"""By language, what a text of the description is in it."""
+"""By language, what a text of the description is in it, a name, or a word in names."""
 
 TEXTS = ("title", "text", "source", "label", "about", "remark")
 """The fields of statements that hold what people wrote in their own words."""
 
+_UNDERSCORE = pattern("_")
+
 
 def read_translations(file: ast.File, report: Report) -> Translations:
     """Return the translations of a description; report those of texts that it does not have."""
-    known = texts(file)
+    known = texts(file) | words(file.statements)
     first: dict[tuple[str, str], Span] = {}
     found: dict[str, dict[str, str]] = {}
     for line in every(file, ast.Translate):
@@ -44,6 +48,22 @@ def spoken(line: ast.Translate) -> dict[str, str]:
 def texts(file: ast.File) -> Set[str]:
     """Return all that people wrote in their own words in a description."""
     return {text for statement in file.statements for text in _texts(statement) if text}
+
+
+def words(statements: Iterable[ast.Statement]) -> Set[str]:
+    """Return the names that statements give, and the words in them: ``dP_far``, ``far``.
+
+    A name that something else brings in has a prefix, and stands as it does there.
+    """
+    given = {name.text for statement in statements for name in _named(statement)}
+    ends = {name[at.end() :] for name in given for at in _UNDERSCORE.finditer(name)}
+    return given | ends | {word for name in given for word in words_in(name)}
+
+
+def _named(statement: ast.Statement) -> Iterator[ast.Name]:
+    yield from declared(statement)
+    if isinstance(statement, ast.Find) and statement.name:
+        yield statement.name
 
 
 def _texts(statement: ast.Statement) -> Iterator[str]:

@@ -31,10 +31,12 @@ def translated_twice(span: Span, text: str, language: str, before: Span) -> Mess
 
 @coded("W224")
 def of_no_text(span: Span, text: str, hint: str) -> Message:
-    """A translation is of a text that the description does not have, or no longer.
+    """A translation is of a text or name that the description does not have, or no longer.
+
+    A word in names, ``far`` in ``P_far``, is translated in all of them.
 
     param a = 1 m as "arm"
     translate "arms" uk "плече"         # warned of: the text is "arm"
     """
-    hint = hint or "a title, source, label, about or remark of the description is translated"
+    hint = hint or "a title, source, label, about, remark or name of the description is translated"
     return Message(span, f"no text of this description is '{text}'", hint)

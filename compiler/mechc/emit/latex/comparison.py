@@ -124,7 +124,7 @@ def _scheme(compared: Compared, style: Notation, locale: Locale) -> Iterator[str
         (left, bottom), (right, top) = scheme.low, scheme.high
         is_tall = top - bottom > _TALL * (right - left)
         yield rf"\resizebox{{!}}{{{_TALL}\linewidth}}{{%" if is_tall else _FULL_WIDTH
-        yield from tikzpicture(in_letters(scheme, letters(locale)))
+        yield from tikzpicture(in_letters(scheme, letters(locale, style.texts)))
         yield r"}\par\smallskip"
     yield rf"{{\small {translated(mechanism.title or mechanism.name, style)}\par}}"
 

@@ -4,13 +4,14 @@ from collections.abc import Iterable, Iterator
 
 from ...diagnostics import MechcError
 from ...drawing.drawing import Drawing
-from ...drawing.letters import in_letters
+from ...drawing.letters import Letters, in_letters
 from ...drawing.parted import parted
 from ...model.mechanism import Reported
 from ...plot.plot import Column, Plot
 from ...plot.query import ROWS, Query, rows, usual
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
+from ...report.languages.pictured import Words
 from ...report.latex.notation import Notation, name, of_result
 from ...study.stroke.stroke import Stroke
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
@@ -40,6 +41,7 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     """
     named = {part.name for part in _wanted(compiled) if not part.over}
     words, plots = locale.pictures, [compiled.plot(query) for query in _queries(compiled)]
+    known = _letters(compiled, locale, style)
     along = _stroke(compiled)
     others = [plot for plot in plots if along is None or plot.x.name != along.drive]
     drawings = {
@@ -48,12 +50,12 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
         "plans": compiled.drawn_plans(style.language) if "plans" in named else None,
     }
     drawn = {
-        name: tuple((_drawn if name == "scheme" else _afloat)(d, words[name], locale))
+        name: tuple((_drawn if name == "scheme" else _afloat)(d, words[name], known, words))
         for name, d in drawings.items()
     }
     return Pictures(
         **drawn,
-        plot=tuple(line for plot in plots for line in _plotted(plot, locale, style)),
+        plot=tuple(line for plot in plots for line in _plotted(plot, known, locale, style)),
         table=(
             *(along_stroke(along, locale, style) if along else ()),
             *_tables(others, locale, style),
@@ -64,7 +66,12 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
 def scheme_alone(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     """Return the scheme of a mechanism as its only picture."""
     drawing = compiled.drawn_scheme(style.language)
-    return NO_PICTURES._replace(scheme=tuple(_drawn(drawing, locale.pictures["scheme"], locale)))
+    words, known = locale.pictures, _letters(compiled, locale, style)
+    return NO_PICTURES._replace(scheme=tuple(_drawn(drawing, words["scheme"], known, words)))
+
+
+def _letters(compiled: Compiled, locale: Locale, style: Notation) -> Letters:
+    return letters(locale, compiled.mechanism.translations.get(style.language, style.texts))
 
 
 def _wanted(compiled: Compiled) -> tuple[Reported, ...]:
@@ -100,13 +107,13 @@ def _queries(compiled: Compiled) -> Iterator[Query]:
         yield from (first,) if first else ()
 
 
-def _drawn(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[str]:
+def _drawn(drawing: Drawing | None, caption: str, known: Letters, _: Words) -> Iterator[str]:
     """Yield a drawing, if there is one, in the letters of a language."""
     if drawing is not None:
-        yield from _centred(_picture(in_letters(drawing, letters(locale))), caption)
+        yield from _centred(_picture(in_letters(drawing, known)), caption)
 
 
-def _afloat(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[str]:
+def _afloat(drawing: Drawing | None, caption: str, known: Letters, words: Words) -> Iterator[str]:
     """Yield a drawing, if there is one, where the text beside it leaves no page half empty.
 
     One that a page holds only where it is made small goes on in another picture.
@@ -115,13 +122,13 @@ def _afloat(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[s
         return
     scale = min(1.0, WIDE / (drawing.high.x - drawing.low.x))
     for number, part in enumerate(parted(drawing, HIGH / scale)):
-        said = locale.pictures["continued"].format(caption=caption) if number else caption
-        yield from _floating(_picture(in_letters(part, letters(locale))), said)
+        said = words["continued"].format(caption=caption) if number else caption
+        yield from _floating(_picture(in_letters(part, known)), said)
 
 
-def _plotted(plot: Plot, locale: Locale, style: Notation) -> Iterator[str]:
+def _plotted(plot: Plot, known: Letters, locale: Locale, style: Notation) -> Iterator[str]:
     """Yield a plot above its caption."""
-    return _floating(plotted(plot, locale.pictures, letters(locale)), _against(plot, locale, style))
+    return _floating(plotted(plot, locale.pictures, known), _against(plot, locale, style))
 
 
 def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[str]:

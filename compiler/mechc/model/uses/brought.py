@@ -15,23 +15,10 @@ from ...syntax import ast, moved
 from ..constants import leaves as leaves_of
 from ..mechanism import Parameter
 from ..result import Result, Solved
-from ..statements import is_sheet
-from ..translations import spoken
+from ..statements import declared, is_sheet
+from ..translations import spoken, words
 from . import put_in
 from .composed import Used
-
-
-def declared(statement: ast.Statement) -> Iterator[ast.Name]:
-    """Yield the name that a statement declares: of a quantity, a table, a load."""
-    match statement:
-        case ast.Param(name=name) | ast.Let(name=name) | ast.Taken(name=name):
-            yield name
-        case ast.Table(name=name) | ast.Sizes(name=name):
-            yield name
-        case ast.Force(name=name) | ast.Torque(name=name) | ast.Actuator(name=name):
-            yield name
-        case ast.Weight(name=name) | ast.Distributed(name=name):
-            yield name
 
 
 def brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Statement]:
@@ -161,12 +148,12 @@ def parameter(
 def translated(
     line: ast.Translate, used: Used, brought: Sequence[ast.Statement]
 ) -> Iterator[ast.Translate]:
-    """Yield the translations of those texts of a used sheet that are brought in."""
+    """Yield the translations of those texts and names of a used sheet that are brought in."""
     sources = {s.source for s in brought if isinstance(s, ast.Table | ast.Sizes)}
     if line.text in labels(brought):
         own = {"text": line.text, **spoken(line)}
         yield replace(line, **{k: f"{v} ({used.mechanism.name})" for k, v in own.items()})
-    if line.text in sources:
+    if line.text in sources or line.text in words(brought):
         yield line
 
 

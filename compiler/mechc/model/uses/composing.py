@@ -19,9 +19,9 @@ from ...syntax import ast
 from ..mechanism import Subassembly
 from ..names.forms import FORMS, form_of
 from ..result import Solved
-from ..statements import WRITTEN_IN_SHEETS, every, is_sheet
+from ..statements import WRITTEN_IN_SHEETS, declared, every, is_sheet
 from . import part_names
-from .brought import brought_in, declared, without_given
+from .brought import brought_in, without_given
 from .composed import DOTTED, Composed, Used
 from .joining import part_of
 from .joint_points import Part, Whole, points_of_parts, structural

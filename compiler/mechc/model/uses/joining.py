@@ -20,16 +20,9 @@ from ...units import ANGLE, DIMENSIONS, UNITS, Dimension
 from ..forces.force_pairs import spring_name
 from ..linkage.carriers import is_held
 from ..names.forms import COORDINATES, form_of, form_of_pose
+from ..statements import declared
 from .at_joints import AtJoints
-from .brought import (
-    declared,
-    given_to,
-    labelled,
-    labels,
-    parameter,
-    translated,
-    with_origin,
-)
+from .brought import given_to, labelled, labels, parameter, translated, with_origin
 from .composed import Used
 from .framed import Frame, between, literal, same
 from .joint_points import Joining, Part, Whole, is_a_part, joints, move_alike

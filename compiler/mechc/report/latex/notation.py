@@ -18,6 +18,7 @@ from ...formula.names import (
     split_name,
     split_points,
     split_ratio,
+    words_in,
 )
 from ...formula.tree import Formula, Symbol, negative
 from ...formula.walk import symbols
@@ -114,7 +115,8 @@ class MadeNames:
 class Notation:
     """How functions, decimals and names are written, and which names are angles or couples.
 
-    ``texts`` has what texts of the description are in the ``language``, where they are translated;
+    ``texts`` has what texts of the description are in the ``language``, where they are translated,
+    and so names and the words in them;
     ``made`` are the names made up in the document that is written by this notation, ``units``
     the letters of units in the language, ``otherwise`` stands in a choice at the last case;
     ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`),
@@ -146,6 +148,11 @@ class Notation:
             return ""
         found = (p for p in self.prefixes if symbol.startswith(f"{p}_"))
         return max(found, key=len, default="")
+
+    def words(self, symbol: str) -> Mapping[str, str]:
+        """Return what the words in a name are in the language, as LaTeX, where they differ."""
+        given = {word: escape(self.texts[word]) for word in words_in(symbol) if word in self.texts}
+        return given if symbol in self.own else {**self.subscripts, **given}
 
     @property
     def between(self) -> str:
@@ -243,7 +250,23 @@ def _by_rule(symbol: str, style: Notation) -> str:
         return _of_part(symbol.removeprefix(f"{prefix}_"), prefix, style)
     if symbol.startswith("len_"):
         return points(symbol.removeprefix("len_"))
-    return _indexed(symbol, {} if symbol in style.own else style.subscripts)
+    return _whole(symbol, style)
+
+
+def _whole(symbol: str, style: Notation, *last: str) -> str:
+    r"""Return a name as it is in the language, the last indices as they are.
+
+    >>> texts = {"F_C": "F_ц", "far": "дал", "row": "ряд"}
+    >>> style = Notation({}, ",", MadeNames(), {}, "", texts=texts)
+    >>> [_whole(symbol, style) for symbol in ("F_C", "P_far", "row")]
+    ['F_{\\text{\\mechccyr{ц}}}', 'P_{\\text{\\mechccyr{дал}}}', '\\text{\\mechccyr{ряд}}']
+    """
+    called = style.texts.get(symbol, symbol)
+    if called == symbol:
+        return _indexed(symbol, style.words(symbol), *last)
+    letter, *indices = called.split("_")
+    words = {i: escape(i) for i in (letter, *indices) if not i.isascii()}
+    return _indexed(called, words, *last)
 
 
 def _of_part(symbol: str, prefix: str, style: Notation) -> str:
@@ -259,7 +282,7 @@ def _of_part(symbol: str, prefix: str, style: Notation) -> str:
     if symbol.startswith("len_"):
         return f"{{{points(symbol.removeprefix('len_'))}}}_{{{part}}}"
     own, link, is_direction = split_force(symbol) or JointForce(symbol, "", False)
-    whole = _indexed(own, style.subscripts, part).replace("f_{1},", "f1,")
+    whole = _whole(own, style, part).replace("f_{1},", "f1,")
     if link:
         whole = f"{{{whole}^{{{points(link)}}}}}"
     return rf"\varphi_{{{whole}}}" if is_direction else whole
@@ -268,7 +291,7 @@ def _of_part(symbol: str, prefix: str, style: Notation) -> str:
 def _indexed(symbol: str, words: Mapping[str, str], *last: str) -> str:
     """Return a letter with its indices, the last ones as they are; some are ``words``."""
     head, primes, indices = split_name(symbol)
-    letter = _letter(head) + primes
+    letter = (_text(words[head]) if head in words else _letter(head)) + primes
     named = (_text(words[i]) if words.get(i, i) != i else _index(i) for i in indices)
     index = ",".join((*named, *last))
     if not index:

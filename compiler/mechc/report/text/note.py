@@ -123,7 +123,7 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
 
 def _table(table: WrittenTable, signs: Signs) -> Row:
     rows = (": ".join(_set(cell, signs) for cell in row) for row in table.rows)
-    return Row(f"{table.name} = {', '.join(rows)}", table.source)
+    return Row(f"{print_name(table.name, signs)} = {', '.join(rows)}", table.source)
 
 
 def _set(formula: Formula, signs: Signs) -> str:
@@ -192,7 +192,8 @@ def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool
     inner = print_formula(formula, signs, angle and not line.of)
     match line.kind:
         case "table" | "row" | "list":
-            return signs.choices[f"of {line.kind}"].format(name=line.of, asked=inner)
+            of = print_name(line.of, signs)
+            return signs.choices[f"of {line.kind}"].format(name=of, asked=inner)
         case "":
             return f"({inner})" if is_choice(formula) else inner
 

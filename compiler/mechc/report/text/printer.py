@@ -18,7 +18,7 @@ from itertools import pairwise
 from types import MappingProxyType
 
 from ...formula.layout import TRIGONOMETRIC, decimal
-from ...formula.names import GREEK, split_name
+from ...formula.names import GREEK, split_name, words_in
 from ...formula.tree import Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
 from ...frozen import frozen
@@ -51,7 +51,7 @@ class Signs:
 
     ``functions`` are called otherwise in the language: tg, ctg; ``choices`` are the words of cases,
     tables and lists, and ``between`` stands between arguments. So are the ``subscripts`` that
-    mechc gives; the user's ``own`` names keep theirs.
+    mechc gives; the user's ``own`` names keep theirs, but for what ``texts`` translates.
     """
 
     fancy: bool
@@ -69,6 +69,7 @@ class Signs:
     between: str = ", "
     subscripts: Mapping[str, str] = MappingProxyType({})
     own: frozenset[str] = frozenset()
+    texts: Mapping[str, str] = MappingProxyType({})
 
 
 UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠"})
@@ -104,12 +105,13 @@ def print_name(name: str, signs: Signs) -> str:
         return name
     if name.startswith("len_"):
         return print_point(name.removeprefix("len_"), signs)
-    head, primes, indices = split_name(name)
-    letter = GREEK.get(head, head) + primes
+    head, primes, indices = split_name(signs.texts.get(name, name))
+    words = {**GREEK, **{w: signs.texts[w] for w in words_in(name) if w in signs.texts}}
+    letter = words.get(head, head) + primes
     if indices and indices[0].isdigit():
         letter += indices[0].translate(_LOWERED)
         indices = indices[1:]
-    words = GREEK if name in signs.own else {**GREEK, **signs.subscripts}
+    words = words if name in signs.own else {**words, **signs.subscripts}
     return "_".join((letter, *(words.get(i) or print_point(i, signs) for i in indices)))
 
 

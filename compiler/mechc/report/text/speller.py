@@ -153,6 +153,7 @@ def speller(
     """Return the speller of mathematics, with the names that are angles in this mechanism."""
     words = locale_of(language)
     signs = UNICODE if unicode else ASCII
+    texts = mechanism.translations.get(language, {})
     functions = {name: _OPERATOR.sub(r"\1", word) for name, word in words.functions.items()}
     signs = replace(
         signs,
@@ -164,5 +165,6 @@ def speller(
         between=", " if words.decimal == "." else "; ",
         subscripts=words.subscripts,
         own=own_names(mechanism),
+        texts=texts,
     )
-    return Speller(signs, words, width, mechanism.translations.get(language, {}))
+    return Speller(signs, words, width, texts)
