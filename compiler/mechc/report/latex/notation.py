@@ -150,7 +150,7 @@ class Notation:
         return max(found, key=len, default="")
 
     def words(self, symbol: str) -> Mapping[str, str]:
-        """Return what the words in a name are in the language, as LaTeX, where they differ."""
+        """Return the words in a name that differ in the language, as LaTeX."""
         given = {word: escape(self.texts[word]) for word in words_in(symbol) if word in self.texts}
         return given if symbol in self.own else {**self.subscripts, **given}
 
@@ -254,7 +254,7 @@ def _by_rule(symbol: str, style: Notation) -> str:
 
 
 def _whole(symbol: str, style: Notation, *last: str) -> str:
-    r"""Return a name as it is in the language, the last indices as they are.
+    r"""Return a name in the language, the last indices as they are.
 
     >>> texts = {"F_C": "F_ц", "far": "дал", "row": "ряд"}
     >>> style = Notation({}, ",", MadeNames(), {}, "", texts=texts)
