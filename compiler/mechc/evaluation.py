@@ -13,8 +13,7 @@ from .frozen import replace
 from .model.formulas.parameters import in_si
 from .model.mechanism import Mechanism
 from .model.result import Definition, FrictionResult, Result
-from .model.values import dependent
-from .study.poses import default_pose
+from .model.values import default_pose, dependent
 from .units import Dimension
 
 if TYPE_CHECKING:

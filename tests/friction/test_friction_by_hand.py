@@ -41,8 +41,8 @@ from mechc.model.result import Definition, FrictionResult, Result
 from mechc.model.values import completed
 from mechc.power.balance import equations_of
 from mechc.power.loads import terms
+from mechc.power.magnitudes import root
 from mechc.power.reactions import Reactions
-from mechc.power.speeds import root
 from mechc.units import NUMBER
 from small_poses import (
     ALONG,

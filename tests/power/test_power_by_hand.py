@@ -18,8 +18,9 @@ from mechc.power.balance import equations_of
 from mechc.power.joint_forces import called, find_force, holding, joint_of, line_of, size_of
 from mechc.power.loads import given_size, occurrences, shares, terms
 from mechc.power.loose import looseness
+from mechc.power.magnitudes import even, length, magnitude, root
 from mechc.power.reactions import ForceTerm, Reactions, directions
-from mechc.power.speeds import even, length, magnitude, root, speed
+from mechc.power.speed_results import speed
 from small_poses import (
     ALONG,
     HERE,

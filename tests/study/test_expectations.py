@@ -10,9 +10,9 @@ from mechc.driver import compile_source
 from mechc.formula.tree import Call, Formula, Symbol, degrees, number, power, product, total
 from mechc.model.mechanism import Expect, Interval, Mechanism, Parameter, Require
 from mechc.model.result import Definition, Result
+from mechc.model.values import complete, default_pose
 from mechc.source import Source, Span
-from mechc.study.expectations import Finding, compare, likely_a_formula
-from mechc.study.poses import complete, default_pose, random_poses
+from mechc.study.expectations import Finding, compare, likely_a_formula, random_poses
 from mechc.units import ANGLE, LENGTH, NUMBER
 
 HERE = Span(0, 0)

@@ -17,12 +17,13 @@ from mechc.formula.tree import Call, Symbol, number, quotient, total
 from mechc.frozen import replace
 from mechc.model.mechanism import Drive, Find, LoadRatio
 from mechc.model.result import Definition, Result
+from mechc.model.values import complete, default_pose
 from mechc.power.from_plan import balance
 from mechc.source import Source
 from mechc.study import ranges
 from mechc.study.analysis import Acted, Break, DeadCentre
 from mechc.study.breaks import breaks
-from mechc.study.poses import complete, default_pose, random_poses
+from mechc.study.expectations import random_poses
 from mechc.study.ratios import sizes
 from mechc.study.sampling import _jumps
 from mechc.study.sampling import looked_at as values_looked_at

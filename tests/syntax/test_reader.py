@@ -8,7 +8,7 @@ from lark import Lark, Transformer
 from lark import Token as LarkToken
 
 from mechc.data import data
-from mechc.syntax.parser import grammar, make_tables, tables
+from mechc.syntax.parser import grammar, make_tables
 from mechc.syntax.parser.lalr import END, Parser, Reading, Token
 from mechc.syntax.parser.lines import lines
 from mechc.syntax.parser.tokens import tokens
@@ -20,9 +20,9 @@ def test_the_shipped_tables_are_of_this_grammar():
 
 
 def test_tables_are_made_anew_where_the_file_is_of_another_grammar(monkeypatch):
-    shipped = tables.tables()
-    monkeypatch.setattr(tables, "checksum", lambda text: 0)
-    anew = tables.tables()
+    shipped = grammar.tables()
+    monkeypatch.setattr(grammar, "checksum", lambda text: 0)
+    anew = grammar.tables()
     assert anew.terminals == [tuple(terminal) for terminal in shipped.terminals]
     assert (anew.words, anew.rules, anew.states) == (shipped.words, shipped.rules, shipped.states)
 
@@ -41,7 +41,7 @@ class PlainRules(dict):
 
 @cache
 def by_lark():
-    return Lark(tables.grammar(), parser="lalr", lexer="basic", start=tables.STARTS)
+    return Lark(grammar.grammar(), parser="lalr", lexer="basic", start=grammar.STARTS)
 
 
 def all_lines():
@@ -51,7 +51,7 @@ def all_lines():
 
 
 def test_the_reader_builds_the_tree_that_lark_builds():
-    plain = Parser(tables.tables(), PlainRules())
+    plain = Parser(grammar.tables(), PlainRules())
     for line in all_lines():
         theirs, ours = by_lark().parse_interactive(start="statement"), Reading(plain, "statement")
         for token in line:

@@ -16,7 +16,7 @@ from ..model.mechanism import Mechanism
 from ..model.result import Definition, Result
 from ..named import NamedTuple
 from ..power.joint_forces import size_of
-from ..power.speeds import even, magnitude
+from ..power.magnitudes import even, magnitude
 from .closed_form import Named, Printed, conditions, power, readable
 from .naming import Sizes
 from .pairs import FrictionPair, LoadedPair, radii, reduced

@@ -31,7 +31,7 @@ from ..formula.tree import (
 )
 from ..formula.walk import substitute
 from ..named import NamedTuple
-from ..power.speeds import root
+from ..power.magnitudes import root
 from .free_bodies import Arms, BodyForce, EquationsCoupled
 from .signs import Signs
 

@@ -20,8 +20,8 @@ from ..model.parts.targets import SIGNS
 from ..model.result import Case as PrintedCase
 from ..model.result import Definition, Drive, FrictionResult, Result
 from ..power.definitions import bound_sums, intermediates, open_lengths
+from ..power.magnitudes import magnitude
 from ..power.numbers import value_of
-from ..power.speeds import magnitude
 from .assumptions import asks_for_loads
 from .closed_form import ClosedFormSolver, Named, Printed, closed_form, printed_form
 from .efficiency import Drives

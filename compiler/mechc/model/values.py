@@ -158,6 +158,19 @@ def defaults(mechanism: Mechanism) -> dict[str, float]:
     return {p.name: evaluate(p.value, {}) for p in independent(mechanism) if p.value}
 
 
+def default_pose(mechanism: Mechanism) -> Values:
+    """Return the values that the user gave, those that follow from them included.
+
+    A parameter declared by dimension only is missing.
+    """
+    return complete(mechanism, defaults(mechanism))
+
+
+def complete(mechanism: Mechanism, given: Values) -> Values:
+    """Return the values with the dependent parameters that follow from them."""
+    return Chain(dependent(mechanism)).complete(given)
+
+
 def bounds(parameter: Parameter) -> tuple[float, float]:
     """Return the range to draw from: the user's, or one about the value, or a usual one."""
     if parameter.range:

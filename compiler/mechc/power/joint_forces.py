@@ -19,9 +19,9 @@ from ..model.mechanism import Axial, ForceAtJoint, Mechanism, Normal, Part, Reac
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
 from .balance import Release
+from .magnitudes import length, magnitude, root
 from .numbers import pose_values
 from .reactions import Reactions, Transmitted
-from .speeds import length, magnitude, root
 
 HALF_TURN = Angle.constant(180)
 

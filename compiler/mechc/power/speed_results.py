@@ -1,12 +1,16 @@
-"""Ratios of speeds that are asked for."""
+"""Ratios of speeds that are asked for: signed where a sign is defined, magnitudes elsewhere."""
 
+from ..algebra.angle import Angle
 from ..algebra.sums import canonical
 from ..diagnostics import power as messages
+from ..kinematics.plan import Plan, Speeds
 from ..model.mechanism import Find, Speed, SpeedRatio
+from ..named import NamedTuple
+from ..pose.pose import Arm, gathered
 from ..units import FREQUENCY, VELOCITY, Dimension
 from .balance import Solved
+from .magnitudes import length, magnitude
 from .problem import Problem
-from .speeds import magnitude, speed
 
 
 def speed_ratio(problem: Problem, find: Find, asked: SpeedRatio) -> Solved | None:
@@ -33,3 +37,48 @@ def speed_ratio(problem: Problem, find: Find, asked: SpeedRatio) -> Solved | Non
 
 def _dimension(wanted: Speed) -> Dimension:
     return FREQUENCY if wanted.kind == "link" else VELOCITY
+
+
+class Rate(NamedTuple):
+    """A speed per unit of each drive; ``signed`` if one of its two senses is positive."""
+
+    speeds: Speeds
+    signed: bool = True
+
+
+def speed(plan: Plan, wanted: Speed) -> Rate:
+    """Return a speed per unit of each drive.
+
+    A link's is counter-clockwise; a point's is signed along its guide, counter-clockwise
+    about its link's pivot, and a magnitude elsewhere; a component along its axis.
+    """
+    if wanted.kind == "link":
+        return Rate(plan.spin(wanted.of))
+    if wanted.axis:
+        axis = Angle.constant(0 if wanted.axis == "x" else 90)
+        return Rate(plan.component(wanted.of, axis))
+    guide = plan.graph.pose.guide_of(wanted.of)
+    if guide is not None:
+        return Rate(plan.component(wanted.of, guide))
+    return _about_pivot(plan, wanted.of) or Rate(_lengths(plan, wanted.of), signed=False)
+
+
+def _about_pivot(plan: Plan, point: str) -> Rate | None:
+    """Return the speed of a point of a link on a pivot, ω·r; None of other points."""
+    pose = plan.graph.pose
+    fixed = pose.mechanism.fixed - {point}
+    for link in pose.mechanism.links:
+        pivot = next((p for p in link.points if p in fixed), None)
+        if pivot and point in link.points:
+            reach = magnitude(length(pose.vector(link.name, pivot, point)), pose.mechanism)
+            return Rate(tuple(w * reach for w in plan.spin(link.name)))
+    return None
+
+
+def _lengths(plan: Plan, point: str) -> Speeds:
+    """Return |V| per unit of each drive, its sign open."""
+    velocity = plan.graph.velocities[point]
+    return tuple(
+        length(gathered(Arm(f.size * plan.speeds[f.unknown][i], f.direction) for f in velocity))
+        for i in range(plan.mobility)
+    )

@@ -6,9 +6,9 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import symbols
+from ..model.dependence import below, rests_on
 from ..model.mechanism import Mechanism, Require
 from ..model.result import Result
-from ..model.unused import below, rests_on
 from ..model.values import compare
 from ..named import NamedTuple
 from ..units import si_unit

@@ -13,22 +13,23 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
+from ..model.dependence import unused
 from ..model.mechanism import Let, Mechanism, Parameter
 from ..model.parts.written import WrittenTable
 from ..model.result import Result
-from ..model.unused import unused
 from ..model.values import Chain, defaults, dependent, usual_length
 from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .checks import NoteCheck, checks
-from .on_the_way import Found, on_the_way
 from .put_in import (
+    Found,
     Quantity,
     Tables,
     in_numbers,
     line_between,
+    on_the_way,
     put_in,
     tables_of,
     usual_unit,

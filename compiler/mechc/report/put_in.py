@@ -1,4 +1,7 @@
-"""Formulas with numbers put in for their symbols, as calculation notes have them."""
+"""Formulas with numbers put in for their symbols, as calculation notes have them.
+
+Values on the way to a result are put in with the units in which they are read.
+"""
 
 import math
 from collections.abc import Mapping
@@ -27,7 +30,10 @@ from ..formula.typesetting import HALF
 from ..formula.walk import children, constants, rebuild, symbols
 from ..model.mechanism import Mechanism
 from ..model.parts.written import WrittenTable
+from ..model.values import Values, completed
 from ..named import NamedTuple
+from ..study.analysis import Analysis
+from ..study.tolerances import SAME_RATIO
 from ..syntax.vocabulary import split_quantity
 from ..units import (
     ANGLE,
@@ -40,7 +46,7 @@ from ..units import (
     si_unit,
     size_of,
 )
-from .dimensions import is_homogeneous, is_solved, names_in, with_symbols
+from .dimensions import found_dimension, is_homogeneous, is_solved, names_in, with_symbols
 
 DIGITS = 6
 """Significant digits of numbers that are put in."""
@@ -257,3 +263,38 @@ def _asked(value: float, row: Formula) -> Constant:
 def _as_written(cell: Formula) -> Formula:
     """Return a cell that stays as it is written, also where it is a number alone."""
     return Constant(str(cell.value), cell) if isinstance(cell, Number) else cell
+
+
+class Found(NamedTuple):
+    """A value, and what it measures."""
+
+    value: Quantity
+    dimension: Dimension
+
+
+def on_the_way(
+    result: Analysis, values: Values, dimensions: Mapping[str, Dimension], lengths: str
+) -> dict[str, Found]:
+    """Return the values of the names that a result rests on, as far as their units are known.
+
+    There are none where the result has another form at these ``values`` than the one printed.
+    """
+    known, measures = completed(values, result.where), dict(dimensions)
+    if not _is_printed(result, known):
+        return {}
+    found: dict[str, Found] = {}
+    for definition in result.where:
+        angles = [name for name, dimension in measures.items() if dimension == ANGLE]
+        dimension = found_dimension(definition, angles, known, measures)
+        if dimension is not None and math.isfinite(known[definition.name]):
+            measures[definition.name] = dimension
+            value = Quantity(known[definition.name], usual_unit(dimension, lengths))
+            found[definition.name] = Found(value, dimension)
+    return found
+
+
+def _is_printed(result: Analysis, known: Values) -> bool:
+    """Return whether the printed formula gives the value of a result."""
+    if result.default is None or not symbols(result.formula) <= known.keys():
+        return False
+    return math.isclose(evaluate(result.formula, known), result.default, rel_tol=SAME_RATIO)

@@ -6,10 +6,10 @@ from itertools import starmap
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import symbols
+from ..model.dependence import unused
 from ..model.mechanism import Load, Mechanism, Parameter, WithFriction
 from ..model.result import Result
 from ..model.statements import is_sheet
-from ..model.unused import unused
 from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
 from ..units import TORQUE

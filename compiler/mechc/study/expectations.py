@@ -26,11 +26,21 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Expect, Mechanism, Torque
 from ..model.result import Definition, Result
-from ..model.values import Chain, Values, allowed, completed, dependent, standing
+from ..model.values import (
+    Chain,
+    Values,
+    allowed,
+    bounds,
+    complete,
+    completed,
+    default_pose,
+    dependent,
+    independent,
+    standing,
+)
 from ..named import NamedTuple
 from ..units import in_unit
 from .analysis import as_printed
-from .poses import complete, default_pose, random_poses
 from .ranges import scale_of
 from .tolerances import SAME_FIGURE, SAME_RATIO
 
@@ -39,6 +49,9 @@ POSES = 12
 
 DRAWS = 60
 """How many are drawn, at most, to find so many that can be assembled."""
+
+TRIES = 200
+"""Draws before a narrow ``require`` is given up."""
 
 ROUNDINGS = 4
 """How many times the rounding of both values a difference may have: it is a first-order bound."""
@@ -217,6 +230,17 @@ def _everything(values: Values, expect: Expect, result: Result) -> Values:
     chance = random.Random(2)
     made_up = {n: chance.uniform(0.5, 1.5) for n in sorted(wanted - inner - values.keys())}
     return {**values, **made_up}
+
+
+def random_poses(mechanism: Mechanism, number: int, seed: int = 1) -> Iterator[Values]:
+    """Yield up to ``number`` poses that every ``require`` allows."""
+    chance, chain = random.Random(seed), Chain(dependent(mechanism))
+    drawn = (chain.complete(_draw(mechanism, chance)) for _ in range(TRIES))
+    return islice((v for v in drawn if allowed(mechanism, v)), number)
+
+
+def _draw(mechanism: Mechanism, chance: random.Random) -> Values:
+    return {p.name: chance.uniform(*bounds(p)) for p in independent(mechanism)}
 
 
 # ------------------------------------------------------------------------- wording

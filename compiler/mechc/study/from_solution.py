@@ -18,7 +18,7 @@ from ..formula.walk import substitute, symbols
 from ..friction.solution import Solution, SolvedWithFriction
 from ..frozen import replace
 from ..model.boxes import range_box
-from ..model.geometric import in_geometry
+from ..model.dependence import in_geometry
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
 from ..model.result import Definition, Result
 from ..model.values import usual_length

@@ -4,8 +4,7 @@ from ..diagnostics import Report
 from ..frozen import replace
 from ..source import Source
 from . import ast
-from .fault import Fault, check_characters, check_length, note
-from .once import check_once
+from .fault import Fault, check_characters, check_length, check_once, note
 from .parser.lalr import span_of
 from .parser.lines import Line, lines
 from .parser.parse import parse as parse_line

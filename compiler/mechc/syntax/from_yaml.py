@@ -13,8 +13,7 @@ from ..diagnostics import Report, syntax_yaml
 from ..frozen import replace
 from ..source import Source, Span
 from . import ast
-from .fault import Fault, check_length, note
-from .once import check_once
+from .fault import Fault, check_length, check_once, note
 from .yaml import slips
 from .yaml.comments import comments, texts_cut_short, with_comments
 from .yaml.entries import several, statements

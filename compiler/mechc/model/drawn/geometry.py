@@ -9,20 +9,20 @@ drawn. Otherwise links get their shapes only, and directions follow from the loo
 given holds, and of several closures the one nearest to the drawn places is meant.
 """
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 
 from ...diagnostics import Report
 from ...diagnostics import drawn as messages
 from ...formula.walk import symbols
 from ...frozen import replace
-from ..mechanism import Drive, Mechanism, Offset, Parameter
+from ..entries import points_of
+from ..mechanism import Drawn, Drive, Geometry, Mechanism, Offset, Parameter, Pivot
 from ..values import Chain, defaults, dependent
 from .as_drawn import as_drawn
 from .checks import faults
 from .closing import closing
 from .driving import fault_of, is_outside, with_driven
 from .sketch import Sketch
-from .unused_places import unplaced_pivot, without_effect
 
 
 def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
@@ -88,3 +88,30 @@ def _is_given(mechanism: Mechanism, sketch: Sketch) -> bool:
     """Return whether more is given of the pose than the places of points."""
     pairs = (g for g in mechanism.geometry if not isinstance(g, Offset) or g.tail)
     return mechanism.drive is not None or any(map(sketch.has, pairs))
+
+
+def without_effect(before: Mechanism, drawn: Mechanism) -> Iterator[Drawn]:
+    """Yield the drawn points of which no vector was made, and that no placed point is tied to.
+
+    ``before`` is the mechanism without the vectors that its drawing gives.
+    """
+    own = set(map(id, before.geometry))
+    made = [entry for entry in drawn.geometry if id(entry) not in own]
+    used = {point for entry in made for point in points_of(entry)} | _tied(drawn.geometry)
+    yield from (each for each in before.drawn if each.point not in used)
+
+
+def _tied(geometry: tuple[Geometry, ...]) -> set[str]:
+    """Return the points to which vectors lead from the origin of coordinates."""
+    found, left = {""}, list(geometry)
+    while near := [entry for entry in left if not found.isdisjoint(points_of(entry))]:
+        found.update(point for entry in near for point in points_of(entry))
+        left = [entry for entry in left if entry not in near]
+    return found
+
+
+def unplaced_pivot(mechanism: Mechanism) -> str:
+    """Return the first pivot that has no place, '' where all have one."""
+    placed = {g.head for g in mechanism.geometry if isinstance(g, Offset) and not g.tail}
+    pivots = (pivot.point for pivot in mechanism.each(Pivot))
+    return next((point for point in pivots if point not in placed), "")

@@ -2,16 +2,19 @@
 
 from collections.abc import Iterator, Sequence
 
+from ...algebra.from_formula import to_product
+from ...algebra.product import ONE, Product
+from ...formula.layout import has_minus
 from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula, Symbol, product, quotient, total
-from ...kinematics.forms import spin
+from ...kinematics.forms import scaled, spin
 from ...kinematics.graph import Form, Graph, Kind, Relation
+from ...kinematics.meshes import turning
 from ...kinematics.plan import Block, Plan
-from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque
+from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
 from ..steps import Equation, NamedRatio, Rule, Step
-from .epicyclic import seen_from_arm
 from .notation import Named, Names, Notation, linear, times
 from .rules import involved, pole_of, rule_of
 
@@ -247,3 +250,39 @@ class Ratios:
     def _rate(self, unknown: int) -> Dimension:
         kind = self._read.graph.unknowns[unknown].kind
         return FREQUENCY if kind is Kind.SPIN else VELOCITY
+
+
+def seen_from_arm(relation: Relation, graph: Graph, names: Names) -> Equation | None:
+    """Return ``z₁(ω₁ - ω_arm) = z₂(ω₂ + ω_arm)``: equal speeds of rims relative to the arm.
+
+    Factors that both radii have, such as the module, are left out. None for other relations, and
+    where a speed that is zero has no name.
+    """
+    if not relation.joint:
+        return None
+    pair = graph.pose.mechanism.joint(relation.joint)
+    if not isinstance(pair, WheelPair) or not pair.arm:
+        return None
+    own, other = (turning(graph, link, pair.arm) for link in pair.wheels)
+    if not {*own, *other} <= names.keys():
+        return None
+    if not pair.same:
+        other = scaled(other, -ONE)
+    if has_minus(linear(own, names)):
+        own, other = scaled(own, -ONE), scaled(other, -ONE)
+    first, second = _without_common(to_product(pair.first_radius), to_product(pair.second_radius))
+    return Equation(
+        product([(first.formula(), 1), (linear(own, names), 1)]),
+        product([(second.formula(), 1), (linear(other, names), 1)]),
+    )
+
+
+def _without_common(first: Product, second: Product) -> tuple[Product, Product]:
+    """Return two products without the factors that both have."""
+    share = first / second
+    above = {f: e for f, e in share.factors.items() if e > 0}
+    below = {f: -e for f, e in share.factors.items() if e < 0}
+    return (
+        Product(share.coefficient.numerator, above),
+        Product(share.coefficient.denominator, below),
+    )

@@ -12,10 +12,9 @@ from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH
 from ..analysis import Analysis
 from .along import EXCLUDED
-from .columns import named_apart
+from .columns import Asked, asked, named_apart
 from .extrema import extrema_along
 from .friction import efficiency_ranges, some, standstills
-from .points import Asked, asked
 from .rounded import is_apart, zero_parts
 from .rows import columns, rows
 from .run import Run, run_of

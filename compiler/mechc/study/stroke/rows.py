@@ -13,8 +13,7 @@ from ...model.values import own_unit
 from ...units import ANGLE, LENGTH, Dimension
 from ..tolerances import STRAIGHT
 from .along import NO_POSE, Along
-from .columns import Filled
-from .points import Asked, path_columns
+from .columns import Asked, Filled, path_columns
 from .run import Run
 from .sides import from_both_sides, is_on_a_side
 from .stretches import beyond, trouble

@@ -12,8 +12,8 @@ from lark import Lark
 from lark.grammar import Rule as LarkRule
 from lark.lexer import PatternStr, TerminalDef
 
+from .grammar import STARTS, checksum, grammar
 from .lalr import Rule, Tables
-from .tables import STARTS, checksum, grammar
 
 MADE = Path(__file__).with_name("made_tables.py")
 

@@ -1,10 +1,10 @@
-"""The speeds that are asked for: signed where a sign is defined, magnitudes elsewhere."""
+"""Magnitudes: absolute values of products, lengths of vectors, square roots."""
 
 import math
 from collections.abc import Iterator
 from fractions import Fraction
 
-from ..algebra.angle import Angle, Rational
+from ..algebra.angle import Rational
 from ..algebra.factors import Factor, Opaque, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box, sign
@@ -12,47 +12,9 @@ from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..formula.tree import Call
-from ..kinematics.plan import Plan, Speeds
 from ..model.boxes import allowed_box
-from ..model.mechanism import Mechanism, Speed
-from ..named import NamedTuple
-from ..pose.pose import Arm, Vector, gathered
-
-
-class Rate(NamedTuple):
-    """A speed per unit of each drive; ``signed`` if one of its two senses is positive."""
-
-    speeds: Speeds
-    signed: bool = True
-
-
-def speed(plan: Plan, wanted: Speed) -> Rate:
-    """Return a speed per unit of each drive.
-
-    A link's is counter-clockwise; a point's is signed along its guide, counter-clockwise
-    about its link's pivot, and a magnitude elsewhere; a component along its axis.
-    """
-    if wanted.kind == "link":
-        return Rate(plan.spin(wanted.of))
-    if wanted.axis:
-        axis = Angle.constant(0 if wanted.axis == "x" else 90)
-        return Rate(plan.component(wanted.of, axis))
-    guide = plan.graph.pose.guide_of(wanted.of)
-    if guide is not None:
-        return Rate(plan.component(wanted.of, guide))
-    return _about_pivot(plan, wanted.of) or Rate(_lengths(plan, wanted.of), signed=False)
-
-
-def _about_pivot(plan: Plan, point: str) -> Rate | None:
-    """Return the speed of a point of a link on a pivot, ω·r; None of other points."""
-    pose = plan.graph.pose
-    fixed = pose.mechanism.fixed - {point}
-    for link in pose.mechanism.links:
-        pivot = next((p for p in link.points if p in fixed), None)
-        if pivot and point in link.points:
-            reach = magnitude(length(pose.vector(link.name, pivot, point)), pose.mechanism)
-            return Rate(tuple(w * reach for w in plan.spin(link.name)))
-    return None
+from ..model.mechanism import Mechanism
+from ..pose.pose import Vector
 
 
 def magnitude(value: Product, mechanism: Mechanism) -> Product:
@@ -141,12 +103,3 @@ def root(square: Product) -> Product:
         return outside
     under = Product(coefficient, inside).formula()
     return outside * Product.of(Opaque(Call("sqrt", (under,))))
-
-
-def _lengths(plan: Plan, point: str) -> Speeds:
-    """Return |V| per unit of each drive, its sign open."""
-    velocity = plan.graph.velocities[point]
-    return tuple(
-        length(gathered(Arm(f.size * plan.speeds[f.unknown][i], f.direction) for f in velocity))
-        for i in range(plan.mobility)
-    )
