@@ -32,6 +32,7 @@ from ..constants import leaves, number_of, rational
 from ..entries import drawn_places, vector_between
 from ..formulas.directions import check_sign, read_direction, value_of
 from ..formulas.expressions import Reader
+from ..formulas.measured import fits
 from ..formulas.parameters import constant
 from ..lower import free_point
 from ..mechanism import (
@@ -221,7 +222,7 @@ def _times(expression: ast.Expr | None, scope: Scope) -> Fraction:
     if expression is None:
         return Fraction(1)
     found = constant(expression, scope, "'times'")
-    if not found or not Reader(scope, DESCRIPTION).fits(found, NUMBER, "'times'"):
+    if not found or not fits(found, NUMBER, "'times'", scope):
         return Fraction(1)
     value = rational(found.formula)
     if value is not None and value > 0:

@@ -18,7 +18,8 @@ from ..mechanism import Require, Subject
 from ..names.scope import FORMULA, Scope
 from ..statements import every
 from .bounds import never_met
-from .expressions import Quantity, Reader
+from .expressions import Reader
+from .measured import Quantity, alike, fits
 from .parameters import constant
 from .sorts import Sort
 
@@ -90,7 +91,7 @@ def _rows(table: ast.Table, scope: Scope) -> list[tuple[Quantity, Quantity]]:
 def _alike(read: Sequence[Quantity | None], scope: Scope) -> list[Quantity]:
     """Return quantities of one dimension; none where one is wrong, which is reported."""
     found = [quantity for quantity in read if quantity]
-    sound = len(found) == len(read) and Reader(scope, FORMULA).alike(found, "compare")
+    sound = len(found) == len(read) and alike(found, "compare", scope)
     return found if sound else []
 
 
@@ -245,7 +246,7 @@ def _next_size(wanted: ast.NextSize, let: ast.Let, tables: Tables, scope: Scope)
 
 
 def _fits(found: Quantity, like: Quantity, what: str, scope: Scope) -> bool:
-    return Reader(scope, FORMULA).fits(found, like.dimension, what)
+    return fits(found, like.dimension, what, scope)
 
 
 def _known(name: ast.Name, known: Mapping[str, object], kind: str, scope: Scope) -> bool:
@@ -276,7 +277,7 @@ def _choice(choice: ast.Choice, let: ast.Let, scope: Scope) -> Chosen | None:
             return None
         requires = other.requires
         values.append(other.quantity)
-    sort = Reader(scope, FORMULA).alike(values, "choose between")
+    sort = alike(values, "choose between", scope)
     if len(branches) < len(read) or sort is None:
         return None
     conditions = [condition for condition, _ in branches]
@@ -340,7 +341,7 @@ def _links(condition: ast.Condition, reader: Reader) -> list[Formula | None]:
     """Return the links of a chain of comparisons; None where there is an error in it."""
     operands = [reader.read(operand) for operand in condition.operands]
     known = [operand for operand in operands if operand]
-    if len(known) < len(operands) or reader.alike(known, "compare") is None:
+    if len(known) < len(operands) or alike(known, "compare", reader.scope) is None:
         return [None]
     signs = (CONDITIONS[operator] for operator in condition.operators)
     triples = zip(known, signs, known[1:], strict=False)

@@ -20,12 +20,12 @@ from ...syntax import ast
 from ...units import NUMBER, UNITS, Dimension
 from ..constants import names_in_let_value
 from ..mechanism import Let, Parameter, Require, Subject
-from ..names.scope import FORMULA, Scope
+from ..names.scope import Scope
 from ..parts.written import WrittenSides, expression
 from ..statements import every
 from ..values import ordered
 from .choices import note_between, read_let_value, read_tables
-from .expressions import Quantity, Reader
+from .measured import Quantity, fits
 from .parameters import constant, note_unitless, read_parameter
 from .turns import note_turns
 
@@ -116,7 +116,7 @@ def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
         scope.report.add(uses_messages.given_another_kind(found.span, name, *kinds, parameter))
         return None
     if entry.kind == "load" and entry.dimension is not None:
-        if not Reader(scope, FORMULA).fits(found, entry.dimension, f"load '{name}'"):
+        if not fits(found, entry.dimension, f"load '{name}'", scope):
             return None
         return Let(name, found.formula, entry.dimension, statement.span)
     plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)

@@ -18,7 +18,8 @@ from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
 from ..names.points import Points
 from ..names.scope import DESCRIPTION, Bare, Scope
-from .expressions import Quantity, Reader, shown
+from .expressions import Reader
+from .measured import Quantity, fits, shown
 from .sorts import Nature
 
 Ends = tuple[Quantity, Quantity]
@@ -82,7 +83,7 @@ def read_tolerance(
     found = constant(expression, scope, "a tolerance")
     if found is None:
         return None
-    if dimension and not Reader(scope, DESCRIPTION).fits(found, dimension, f"the tolerance {what}"):
+    if dimension and not fits(found, dimension, f"the tolerance {what}", scope):
         return None
     size = evaluate(found.formula, {})
     if not size > 0 or out_of_reach(max(size, 1.0), found.dimension):
@@ -156,14 +157,13 @@ def _consistent(
     scope: Scope,
 ) -> bool:
     """Report a value or an end of the range that measures something else."""
-    reader = Reader(scope, DESCRIPTION)
     name = statement.name.text
     if value and ends and value.sort.nature is Nature.BARE and dimension == NUMBER:
         # A range with a unit says what the value means, not the other way round.
         dimension = next((e.dimension for e in ends if e.sort.nature is not Nature.ZERO), NUMBER)
-    sound = value is None or reader.fits(value, dimension, f"'{name}'")
+    sound = value is None or fits(value, dimension, f"'{name}'", scope)
     for end in _different(ends or ()):
-        sound = reader.fits(end, dimension, f"the range of '{name}'") and sound
+        sound = fits(end, dimension, f"the range of '{name}'", scope) and sound
     return sound and (value is not None or statement.value is None)
 
 
@@ -265,7 +265,7 @@ def in_si(name: str, text: str, dimension: Dimension) -> float:
     scope = Scope(report, Points(report))
     found = constant(value, scope, "a value")
     if found is not None:
-        Reader(scope, DESCRIPTION).fits(found, dimension, f"the value of {name}")
+        fits(found, dimension, f"the value of {name}", scope)
     report.stop_on_errors()
     assert found is not None
     return evaluate(found.formula, {})

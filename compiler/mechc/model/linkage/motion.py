@@ -13,6 +13,7 @@ from ...syntax.vocabulary import points_of
 from ...units import ANGLE, LENGTH, TIME, in_unit
 from ..formulas.directions import value_of
 from ..formulas.expressions import Reader
+from ..formulas.measured import fits
 from ..formulas.parameters import constant
 from ..mechanism import Assembly, Drive, Mechanism, Parameter
 from ..names.scope import DESCRIPTION, Entry, Scope
@@ -147,8 +148,8 @@ def _end(end: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
     dimension = scope.entries[name.text].dimension
     if found is None or dimension is None:
         return None
-    fits = Reader(scope, DESCRIPTION).fits(found, dimension, "the stroke")
-    return found.formula if fits else None
+    sound = fits(found, dimension, "the stroke", scope)
+    return found.formula if sound else None
 
 
 def read_assemblies(file: ast.File, scope: Scope) -> list[Assembly]:

@@ -10,7 +10,7 @@ from ...syntax import ast
 from ...units import NUMBER
 from ..constants import rational
 from ..formulas.directions import parallel, read_direction
-from ..formulas.expressions import Reader
+from ..formulas.measured import fits
 from ..formulas.parameters import constant
 from ..mechanism import (
     Arrow,
@@ -24,7 +24,7 @@ from ..mechanism import (
     Slide,
     Slider,
 )
-from ..names.scope import DESCRIPTION, Scope
+from ..names.scope import Scope
 from ..parts.repeated import primed
 from ..statements import every, only
 
@@ -127,7 +127,7 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
         return None
     shared = _shared(statement.sharing, scope)
     found = constant(statement.number, scope, "the number of copies")
-    if not found or not Reader(scope, DESCRIPTION).fits(found, NUMBER, "the number of copies"):
+    if not found or not fits(found, NUMBER, "the number of copies", scope):
         return None
     value = rational(found.formula)
     if value is None or not 2 <= value <= MOST_COPIES or value.denominator != 1:

@@ -17,7 +17,8 @@ from ...syntax import ast
 from ...units import NUMBER, Dimension, in_unit, si_unit
 from ..constants import last_digit
 from ..formulas.definitions import Definitions, written_out
-from ..formulas.expressions import Quantity, Reader
+from ..formulas.expressions import Reader
+from ..formulas.measured import Quantity, alike, fits
 from ..formulas.parameters import constant, read_tolerance
 from ..formulas.sorts import Nature
 from ..mechanism import Expect, Find, Require, Subject
@@ -54,7 +55,7 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         reader = Reader(scope, CONDITION)
         read = [reader.read(operand) for operand in statement.operands]
         operands = [operand for operand in read if operand]
-        sort = reader.alike(operands, "compare") if len(operands) == len(read) else None
+        sort = alike(operands, "compare", scope) if len(operands) == len(read) else None
         if sort is None:
             continue
         formulas = [_of_parameters(operand, lets, scope) for operand in operands]
@@ -259,7 +260,7 @@ def _subject(
 
 
 def _suits(value: Quantity, dimension: Dimension | None, what: str, scope: Scope) -> bool:
-    return dimension is None or Reader(scope, EXPECTED).fits(value, dimension, what)
+    return dimension is None or fits(value, dimension, what, scope)
 
 
 def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
