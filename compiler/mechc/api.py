@@ -229,19 +229,7 @@ class SolvedMechanism(Plotting):
         >>> [round(float(x), 4) for x in found["x_A"]], [round(float(y), 4) for y in found["y_B"]]
         ([0.04, 0.0], [0.0711, 0.0788])
         """
-        from .routine.evaluate import pose
-
-        routine = self._compilation.routine
-        if routine.points is None:
-            raise ValueError("there is no motion: expected a drive that moves points, found none")
-        inputs = [i.name for i in routine.points.program.inputs]
-        values = self._evaluation.in_si(values)
-        used = {i.name for f in routine.functions for i in f.inputs}
-        self._evaluation.refuse_strangers(values.keys(), used.union(inputs))
-        given = {**self._evaluation.defaults, **values}
-        if missing := [name for name in inputs if name not in given]:
-            raise TypeError(f"no value is given for {', '.join(missing)}")
-        return pose(routine.points.program, given)
+        return self._evaluation.points(values)
 
     def stroke(self, points: int = 19, paths: Sequence[str] = ()) -> "ShownStroke":
         """Return the results along the stroke of the drive; singular poses, branch points, extrema.

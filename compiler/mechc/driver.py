@@ -4,15 +4,16 @@ The stages stand in :mod:`.pipeline`. What nothing rests on, pictures, motion al
 plots and the derivation by equilibrium, is made of their values here.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from .diagnostics import Diagnostic, MechcError, Report
 from .emit.target import Emitted, Options, Target
 from .frozen import replace
-from .model.statements import is_sheet
+from .model.mechanism import Mechanism
 from .model.values import defaults, independent
-from .pipeline import OF_LINKAGES, SECOND_OPINIONS, STAGES, Pipeline, of_linkages
+from .named import NamedTuple
+from .pipeline import SECOND_OPINIONS, STAGES, Pipeline, of_linkages
 from .source import Source
 from .stage import Stage, within
 from .syntax import ast
@@ -69,17 +70,14 @@ class Compilation(Pipeline):
         A load of it that follows from another stays open.
         """
         mechanism = Compilation(source, users=self.users).mechanism
-        quantities = {p.name: (p.unit, p.dimension) for p in independent(mechanism)}
-        quantities |= {k.name: ("", k.dimension) for k in mechanism.loads if k.tie is None}
         units = {let.name: let.unit for let in self.mechanism.lets}
-        settings: dict[str, Setting] = {}
-        for name, (unit, dimension) in quantities.items():
-            here = f"{prefix}_{name}"
-            value = values.get(here) if here in self._given_names else None
-            if value is not None:
-                unit = unit or units.get(here, "") or si_unit(dimension)
-                settings |= [parse(f"{name} = {in_unit(value, unit, EXACT)}")]
-        return checked(Compilation(source, settings, users=self.users))
+        given = {
+            name: Given(value, units.get(here, ""))
+            for name in (q.name for q in (*mechanism.parameters, *mechanism.loads))
+            if (here := f"{prefix}_{name}") in self._given_names
+            and (value := values.get(here)) is not None
+        }
+        return checked(Compilation(source, settings_of(mechanism, given), users=self.users))
 
     @Stage
     def _given_names(self) -> frozenset[str]:
@@ -236,8 +234,7 @@ class Compilation(Pipeline):
             return self
         plain = replace(self.source, attached=())
         constrained = Compilation(plain, {**self.settings, **formulas}, self.drive)
-        if not is_sheet(constrained.mechanism):
-            constrained.verdict  # noqa: B018
+        constrained.run(["verdict"])
         return constrained
 
     def plot(self, query: "Query", watch: "Watch" = iter) -> "Plot":
@@ -251,6 +248,30 @@ class Compilation(Pipeline):
             return with_dead_centres(found, self.pose, lambda: self.results)
 
 
+class Given(NamedTuple):
+    """A value in SI that is given from outside, and the unit that it has there, if any."""
+
+    value: float
+    unit: str
+
+
+def settings_of(mechanism: Mechanism, given: Mapping[str, Given]) -> Settings:
+    """Return the settings that give a mechanism values, each in its own unit or that of its giver.
+
+    What follows from something else in the mechanism stays open.
+    """
+    units = {p.name: (p.unit, p.dimension) for p in independent(mechanism)}
+    units |= {k.name: ("", k.dimension) for k in mechanism.loads if k.tie is None}
+    settings: dict[str, Setting] = {}
+    for name in (n for n in units if n in given):
+        unit, dimension = units[name]
+        value, there = given[name]
+        settings |= [
+            parse(f"{name} = {in_unit(value, unit or there or si_unit(dimension), EXACT)}")
+        ]
+    return settings
+
+
 def compile_source(source: Source, settings: Settings | None = None) -> Compilation:
     """Return a compilation that has gone through every stage, second opinions included.
 
@@ -261,23 +282,14 @@ def compile_source(source: Source, settings: Settings | None = None) -> Compilat
 
 def complete(compilation: Compilation) -> Compilation:
     """Run every stage that has something to say: all but the program that targets emit."""
-    for value in _applying(compilation, (*STAGES.values(), *SECOND_OPINIONS)):
-        if value != "routine":
-            getattr(compilation, value)
+    stages = (value for value in STAGES.values() if value != "routine")
+    compilation.run((*stages, *SECOND_OPINIONS))
     return compilation
-
-
-def _applying(compilation: Compilation, values: tuple[str, ...]) -> Iterator[str]:
-    """Yield the attributes that a description of this kind has."""
-    for value in values:
-        if value not in OF_LINKAGES or not is_sheet(compilation.mechanism):
-            yield value
 
 
 def checked(compilation: Compilation) -> Compilation:
     """Run what must agree before anything is emitted, and the stages that it needs."""
-    for value in _applying(compilation, SECOND_OPINIONS):
-        getattr(compilation, value)
+    compilation.run(SECOND_OPINIONS)
     return compilation
 
 

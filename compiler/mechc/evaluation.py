@@ -54,9 +54,29 @@ class Evaluation:
         values = self.in_si(values)
         overridden = self._fixed_loads.intersection(values)
         evaluator = self._evaluator(overridden)
-        self.refuse_strangers(values.keys() - overridden, evaluator.inputs)
+        self._refuse_strangers(values.keys() - overridden, evaluator.inputs)
         found = evaluator.values({**self.defaults, **values}, overridden)
         return {r.name: found[r.name] for r in self._compilation.found if r.name in found}
+
+    def points(self, values: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
+        """Return where points are and how links point at values, and the status.
+
+        ValueError without a drive that moves points, TypeError for a name that is no input, or an
+        input without a value.
+        """
+        from .routine.evaluate import pose
+
+        routine = self._compilation.routine
+        if routine.points is None:
+            raise ValueError("there is no motion: expected a drive that moves points, found none")
+        inputs = [i.name for i in routine.points.program.inputs]
+        values = self.in_si(values)
+        used = {i.name for f in routine.functions for i in f.inputs}
+        self._refuse_strangers(values.keys(), used.union(inputs))
+        given = {**self.defaults, **values}
+        if missing := [name for name in inputs if name not in given]:
+            raise TypeError(f"no value is given for {', '.join(missing)}")
+        return pose(routine.points.program, given)
 
     def in_si(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return values with those in SI that are texts, or sequences of texts."""
@@ -94,7 +114,7 @@ class Evaluation:
         changed = freed(pose.mechanism, found, overridden)
         return Evaluator(self._compilation.routine_of(*changed))
 
-    def refuse_strangers(self, names: Set[str], inputs: Set[str]) -> None:
+    def _refuse_strangers(self, names: Set[str], inputs: Set[str]) -> None:
         """Raise TypeError for a name that is no input, with what it follows from."""
         known = inputs | self._fixed_loads
         for name in sorted(names - known):

@@ -5,7 +5,7 @@ those before it, so that ``fmt`` stops after syntax and ``show pose`` after the 
 that finds errors ends it with :class:`MechcError`.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
@@ -148,7 +148,7 @@ class Pipeline:
         if is_part or is_sheet(mechanism):
             inner = used._with_used
             return Used(file, mechanism, used.source, inner.solved, mechanisms=inner.mechanisms)
-        used.verdict  # noqa: B018 - what the free bodies refute is not handed on
+        used.run(["verdict"])  # what the free bodies refute is not handed on
         pose = used.pose
         file = with_driven(file, pose.mechanism)
         return Used(file, pose.mechanism, used.source, solved(pose, used.solution.results))
@@ -318,6 +318,20 @@ class Pipeline:
 
         pose = self.calculation.pose if self.calculation else self.pose
         return program(mechanism, results, dict(pose.definitions), pose.loops, self.motion)
+
+    def run(self, values: Iterable[str]) -> None:
+        """Run the stages that make these values, for what they report.
+
+        A calculation sheet is not asked for what only linkages have.
+        """
+        for value in values:
+            if value not in OF_LINKAGES or not is_sheet(self.mechanism):
+                getattr(self, value)
+
+    def so_far(self) -> dict[str, object]:
+        """Return the values of the stages that have run, by the stages' names."""
+        own = vars(self)
+        return {stage: own[value] for stage, value in STAGES.items() if value in own}
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -29,6 +29,11 @@ class Stage(Generic[T]):
     def __set_name__(self, owner: type, name: str) -> None:
         self._name = name
 
+    def kept(self, compilation: Limited) -> T | None:
+        """Return the value where the stage has run, None where it has not."""
+        value: T | None = vars(compilation).get(self._name)
+        return value
+
     @overload
     def __get__(self, compilation: None, owner: type) -> "Stage[T]": ...
 

@@ -46,12 +46,13 @@ FAILS: Final = "E550"
 
 def overview_of(compilation: Compilation, language: str) -> Iterator[str]:
     """Yield the lines on a description, as far as the stages went."""
-    made = vars(compilation)
-    if described := made.get("described"):
-        mechanism: Mechanism = described.moved
+    if described := Compilation.described.kept(compilation):
+        mechanism = described.moved
         spell = speller((), mechanism, unicode=False, language=language)
         yield f"{compilation.source.name}: {mechanism.name}"
-        yield from overview(mechanism, made.get("pose"), compilation.source, spell)
+        yield from overview(
+            mechanism, Compilation.pose.kept(compilation), compilation.source, spell
+        )
 
 
 def failing(
@@ -67,7 +68,7 @@ def failing(
 def refused(compilation: Compilation, found: Iterable[Diagnostic]) -> "Calculation | None":
     """Return the calculation of a sheet that was refused for conditions that fail, and no more."""
     errors = {each.code for each in found if each.severity is Severity.ERROR}
-    calculated: Calculation | None = vars(compilation).get("calculated")
+    calculated = Compilation.calculated.kept(compilation)
     return calculated if errors == {FAILS} else None
 
 

@@ -3,7 +3,6 @@
 import json
 
 from ..driver import VIEWS, Compilation
-from ..pipeline import STAGES
 from ..report.text import free_bodies as bodies_to_text
 from ..report.text import verdict as statics
 from ..report.text.derivation import render
@@ -66,5 +65,4 @@ def text_of(stage: str, compilation: Compilation) -> str:
 
 def _earlier(stage: str, compilation: Compilation) -> dict[str, object]:
     """Return the values of the stages that had to run for one, by name."""
-    made = vars(compilation)
-    return {s: made[name] for s, name in STAGES.items() if name in made and s != stage}
+    return {name: value for name, value in compilation.so_far().items() if name != stage}

@@ -2,8 +2,8 @@
 
 What stands in parentheses, which functions are raised before their argument, what counts
 as a fraction and what leads a product is decided here once, on top of
-:mod:`mechc.formula.layout`. A :class:`Typesetter` says how the pieces look: text on one
-line, or boxes that know how wide they will be.
+:mod:`mechc.formula.layout`, by a :class:`Typesetter`. A :class:`Look` says how the pieces look:
+text on one line, or boxes that know how wide they will be.
 """
 
 from abc import ABC, abstractmethod
@@ -56,8 +56,8 @@ class Around(IntEnum):
     """An exponent."""
 
 
-class Typesetter(ABC, Generic[Piece]):
-    """Sets formulas; ``angles`` are the names that are angles.
+class Look(ABC, Generic[Piece]):
+    """How the pieces of a formula look: what a terminal and LaTeX have each for themselves.
 
     ``built`` says that fractions have a line and exponents are small, so that both hold
     together without parentheses; ``raised`` that ``sin² α`` is written for a power.
@@ -65,9 +65,6 @@ class Typesetter(ABC, Generic[Piece]):
 
     built: bool
     raised: bool
-    angles: frozenset[str]
-
-    # ------------------------------------------------------------- how pieces look
 
     @abstractmethod
     def numeral(self, figures: str) -> Piece:
@@ -160,7 +157,11 @@ class Typesetter(ABC, Generic[Piece]):
     def solution(self, unknown: str, zeros: Sequence[Piece]) -> Piece:
         """Return an unknown and what is zero for it."""
 
-    # ---------------------------------------------------------------- what is set
+
+class Typesetter(Look[Piece]):
+    """Sets formulas of the pieces that a look has; ``angles`` are the names that are angles."""
+
+    angles: frozenset[str]
 
     def whole(self, formula: Formula, angle: bool = False) -> Piece:
         """Return a formula; one that is an angle, or said to be one, has constants in degrees."""
