@@ -177,7 +177,7 @@ class SolvedMechanism(Plotting):
             raise TypeError(f"{unknown!r} is no parameter {near_miss(unknown, parameters)}")
         drawn = self._compilation.drawn(given)
         if drawn is None:
-            raise ValueError("the mechanism cannot be assembled at these values")
+            raise ValueError("no pose of the mechanism is found at these values")
         return drawn
 
     def draw(self, language: str = "en", **values: float | str) -> "Picture":

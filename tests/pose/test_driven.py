@@ -42,3 +42,32 @@ def test_a_drive_is_set_to_where_loops_close():
     with pytest.raises(MechcError) as caught:
         compiled(text, "phi_OA=-90deg")
     assert [d.code for d in caught.value.diagnostics] == ["E340"]
+
+
+TRIAD = """
+pivot O at (0 mm, 0 mm)
+pivot Q at (200 mm, 0 mm)
+pivot R at (100 mm, 200 mm)
+link OA
+link AB
+link BCD
+link QC
+link RD
+A at (20 mm, 56 mm)
+B at (75 mm, 70 mm)
+C at (150 mm, 80 mm)
+D at (110 mm, 135 mm)
+drive OA from 30 deg to 77 deg
+torque M on OA
+force F at C along x
+find k = M/F
+"""
+
+
+def test_of_a_closure_that_is_followed_only_what_is_known_is_said():
+    """Other closures of a group of class III may be there where the drawn one has ended."""
+    with pytest.raises(MechcError) as caught:
+        compiled(TRIAD, "phi_OA=-150deg")
+    (fault,) = caught.value.diagnostics
+    assert fault.code == "E340"
+    assert "is closed by no pose reached from the drawing" in fault.message

@@ -58,7 +58,7 @@ def text_of(stage: str, compilation: Compilation) -> str:
         case "bodies":
             return bodies_to_text.describe(compilation.free_bodies)
         case "figure" if compilation.figure is None:
-            return "There is no figure: the mechanism cannot be assembled at these values.\n"
+            return "There is no figure: no pose is found at these values.\n"
         case _:
             return dump(stage, getattr(compilation, VIEWS[stage]), _earlier(stage, compilation))
 

@@ -162,7 +162,9 @@ def points_coincide(at: Span, points: str) -> Message:
 
 
 @coded("E309")
-def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[AssemblyRange]) -> Message:
+def cannot_assemble(
+    at: Span, loop: str, drive: str, stretches: Iterable[AssemblyRange], is_searched: bool = False
+) -> Message:
     """With the lengths given, a loop cannot be closed at the default pose.
 
     A triangle needs each side to be shorter than the other two together, a rod to reach
@@ -174,7 +176,9 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Assembl
 
     With a ``drive`` the message says over which part of its stroke the loop closes; where
     one side of a triangle turns with it, the ends are arc cosines of lengths, which the
-    hint gives. A loop that closes at one value alone has a condition too many.
+    hint gives. A loop that closes at one value alone has a condition too many. Groups of class III
+    and higher are closed by iteration from many starts: where it finds nothing there may still be
+    a closure.
     """
     known = list(stretches)
     where = f"; it closes for {drive} {' and '.join(map(_stretch, known))}"
@@ -182,23 +186,26 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Assembl
     move = f"move the default of {drive} there{_limits(drive, known)}"
     if known and not any(map(_is_long, known)):
         move = f"{drive} cannot move the loop: leave a length or an angle of it open"
+    what = "is not closed by iteration" if is_searched else "cannot be assembled"
     return Message(
         at,
-        f"the loop {loop} cannot be assembled at the default pose{where if known else never}",
+        f"the loop {loop} {what} at the default pose{where if known else never}",
         move if known else "change the lengths so that they reach",
     )
 
 
 @coded("E340")
-def out_of_reach(at: Span, loop: str, drive: str) -> Message:
+def out_of_reach(at: Span, loop: str, drive: str, is_followed: bool) -> Message:
     """The drive of a drawn mechanism is set to where a loop does not close.
 
     ``-D phi_OA=30deg`` moves a mechanism from where it is drawn; ``mechc stroke`` shows
-    how far it can go.
+    how far it can go. Where a loop is closed by iteration, its closure is followed from the
+    drawing: others may lie beyond its end.
 
         drive OA from 10 deg to 80 deg
     """
-    message = f"the loop {loop} cannot be assembled with {drive} as it is set"
+    what = "is closed by no pose reached from the drawing" if is_followed else "cannot be assembled"
+    message = f"the loop {loop} {what} with {drive} as it is set"
     return Message(at, message, "set it nearer to where it is drawn")
 
 

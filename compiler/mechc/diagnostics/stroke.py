@@ -132,19 +132,19 @@ def not_assembled(
 
 
 @coded("W284")
-def range_not_assembled(span: Span, name: str, low: str, high: str) -> Message:
+def range_not_assembled(span: Span, name: str, low: str, high: str, why: str) -> Message:
     """The range of a parameter reaches to where the mechanism cannot be assembled.
 
     A loop does not close there, and code gives NaN. The ends of each range are looked at, the
-    other parameters at their values::
+    other parameters at their values. Where a loop is closed by iteration, its closure is
+    followed from the default pose: others may lie beyond its end::
 
         param r = 50 mm in 30 mm .. 300 mm     # warned of: with a rod of 200 mm
         param r = 50 mm in 30 mm .. 150 mm     # right
     """
     parts = [f"below {low}"] * bool(low) + [f"above {high}"] * bool(high)
-    message = (
-        f"within the range of {name}, {' and '.join(parts)}, the mechanism cannot be assembled"
-    )
+    what = f"the mechanism {why}" if why.startswith("cannot") else why
+    message = f"within the range of {name}, {' and '.join(parts)}, {what}"
     return Message(span, message, "narrow the range, or change the lengths")
 
 

@@ -113,7 +113,7 @@ def result_without_value(span: Span, name: str, asked: Span, loop: str = "") -> 
 
         use crank_rocker as R (phi = 200 deg)           # does it close there?
     """
-    said = f": loop {loop} does not close there" if loop else ""
+    said = f": no closure of loop {loop} is found there" if loop else ""
     message = f"{name} has no value at what is given to the mechanism{said}"
     related = (Related(asked, "it is asked for here"),)
     hint = "change what is given" if loop else "change what is given, or check it by itself"

@@ -14,7 +14,7 @@ from ..model.mechanism import Drawn, Mechanism, Pivot
 from ..model.values import Chain, defaults, dependent
 from ..source import Span
 from ..units import in_unit
-from .pose import Pose, evaluate_vector
+from .pose import Limit, Pose, evaluate_vector
 from .samples import Values
 from .tolerances import DRAWN_GAP, SAME_PLACE
 from .vector_graph import mentioned
@@ -91,15 +91,16 @@ def moved_from_drawing(pose: Pose, report: Report) -> Pose:
         return pose
     free = tuple(p.name for p in mechanism.parameters if not p.dependent)
     moved = replace(pose, mechanism=mechanism, free=free)
-    if loop := _open_loop(moved):
+    if limit := _open_loop(moved):
         drive = mechanism.drive
         at = drive.span if drive and drive.parameter == first.name else first.given
-        report.add(pose_messages.out_of_reach(at, loop, first.name))
+        is_followed = any(each.group == "system" for each in pose.limits)
+        report.add(pose_messages.out_of_reach(at, limit.loop, first.name, is_followed))
     return moved
 
 
-def _open_loop(pose: Pose) -> str:
-    """Return a loop that does not close at the default values, '' where all do."""
+def _open_loop(pose: Pose) -> Limit | None:
+    """Return the limit of a loop that does not close at the default values, None where all do."""
     formulas = {**dependent(pose.mechanism), **dict(pose.closing)}
     values = Chain(formulas).complete(defaults(pose.mechanism))
     for limit in pose.limits:
@@ -107,8 +108,8 @@ def _open_loop(pose: Pose) -> str:
         found = [values[name] for name in formulas if name in values]
         is_lost = limit.group == "system" and not all(map(math.isfinite, found))
         if is_lost or any(margin < 0 for margin in margins):
-            return limit.loop
-    return ""
+            return limit
+    return None
 
 
 def _evaluated(margin: Product, values: Mapping[str, float]) -> float:

@@ -1,17 +1,16 @@
-"""Ranges of parameters that reach to where the mechanism cannot be assembled."""
+"""Ranges of parameters that reach to where a loop does not close."""
 
-import math
 from collections.abc import Mapping
 
 from ..diagnostics import Report
 from ..diagnostics import stroke as messages
 from ..formula.continuation import continued
-from ..formula.evaluate import status
-from ..formula.tree import Formula, Implicit
+from ..formula.tree import Formula
 from ..model.mechanism import Parameter
 from ..model.values import Chain, Values, allowed, bounds, defaults, dependent
 from ..pose.pose import Pose
 from ..units import in_unit, si_unit
+from .closed import NO_POSE, NOT_FOUND, why_open
 
 HALVINGS = 40
 """After so many nothing is left of a range that is shown."""
@@ -32,8 +31,9 @@ def remark(pose: Pose, report: Report) -> None:
             low, high = (_last(parameter, end, closing) for end in bounds(parameter))
             if low is not None or high is not None:
                 shown = tuple(_shown(end, parameter) for end in (low, high))
+                why = closing.why(parameter, low is not None, high is not None)
                 place = parameter.span
-                report.add(messages.range_not_assembled(place, parameter.name, *shown))
+                report.add(messages.range_not_assembled(place, parameter.name, *shown, why))
 
 
 class _Closing:
@@ -52,11 +52,15 @@ class _Closing:
         Where iteration finds none there may be one.
         """
         values = self._chain.complete({**self._given, **given})
-        named = ((n, f) for n, f in self._definitions.items() if n in values)
-        broken = next((f for n, f in named if not math.isfinite(values[n])), None)
-        if broken is None or (isinstance(broken, Implicit) and status(broken, values) == 2):
+        if why_open(self._definitions, values) in ("", NOT_FOUND):
             return True
         return not allowed(self._pose.mechanism, values)
+
+    def why(self, parameter: Parameter, *ends: bool) -> str:
+        """Return what is known of the ends of a range at which a loop is open, of both the less."""
+        open_at = (x for x, is_open in zip(bounds(parameter), ends, strict=True) if is_open)
+        values = (self._chain.complete({**self._given, parameter.name: x}) for x in open_at)
+        return max((why_open(self._definitions, v) for v in values), key=NO_POSE.index)
 
 
 def _last(parameter: Parameter, end: float, closing: _Closing) -> float | None:

@@ -125,7 +125,7 @@ class _Closing:
             loop, drive = loop_name(block.cycle), self._state.mechanism.drive
             reach = branches(block, self._state)
             name = drive.parameter if drive else ""
-            raise self._report.fail(messages.cannot_assemble(span, loop, name, reach))
+            raise self._report.fail(messages.cannot_assemble(span, loop, name, reach, True))
         chosen = self._choice.choose(found, block)
         loop = loop_name(block.cycle)
         self._state.limits.append(Limit(loop, "system", (), ()))

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 from ...statics.diagram import Acting, Diagram, FreeBody
 
 NOTHING = (
-    "There are no free bodies: no load is asked for, friction alone holds it, or the mechanism"
-    " cannot be assembled."
+    "There are no free bodies: no load is asked for, friction alone holds it, or no pose"
+    " of the mechanism is found."
 )
 
 GAPS = {

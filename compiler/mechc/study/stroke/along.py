@@ -7,22 +7,18 @@ from typing import TypeVar
 
 from ...algebra.product import Product
 from ...formula.continuation import continued
-from ...formula.evaluate import status
 from ...formula.roots import Function
 from ...formula.rounded_columns import RoundedColumn, RoundedColumns
 from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.straight_line import in_order
-from ...formula.tree import Formula, Implicit
+from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.result import Result
 from ...model.values import Chain, Values, defaults, dependent
+from ..closed import NOT_ASSEMBLED, why_open
 from .forms import form, holding, together
 
-NOT_ASSEMBLED = "cannot be assembled"
-NOT_FOUND = "iteration finds no pose"
-NOT_REACHED = "no pose is reached from the default one"
-NO_POSE = (NOT_ASSEMBLED, NOT_REACHED, NOT_FOUND)
 EXCLUDED = "excluded by a condition of use"
 
 
@@ -162,7 +158,7 @@ class Along:
 
     def _trouble(self, values: Values) -> str:
         if not all(map(math.isfinite, self._found(values))):
-            return self._open_loop(values)
+            return why_open(self._definitions, values) or NOT_ASSEMBLED
         return "" if self._is_allowed(values) else EXCLUDED
 
     @cached_property
@@ -174,18 +170,3 @@ class Along:
     def _is_allowed(self) -> Callable[[Values], bool]:
         return holding(self.mechanism.requires, self._names)
 
-    def _open_loop(self, values: Values) -> str:
-        """Return why a loop has no value.
-
-        Of the closures of a system one is followed, to its end: what rests on it may have a value
-        in another one.
-        """
-        named = [(n, f) for n, f in self._definitions.items() if n in values]
-        last = next((i for i, (n, _) in enumerate(named) if not math.isfinite(values[n])), None)
-        if last is None:
-            return NOT_ASSEMBLED
-        broken = named[last][1]
-        if isinstance(broken, Implicit) and status(broken, values) == 2:
-            return NOT_FOUND
-        is_followed = any(isinstance(f, Implicit) for _, f in named[: last + 1])
-        return NOT_REACHED if is_followed else NOT_ASSEMBLED

@@ -8,8 +8,9 @@ from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
 from ...kinematics.plan import Plan
 from ...model.values import range_of
+from ..closed import NO_POSE
 from ..tolerances import FLAT_LOOP
-from .along import NO_POSE, Along
+from .along import Along
 
 CELLS = 120
 """Cells of a stroke whose ends are looked at."""

@@ -11,8 +11,9 @@ from ...model.mechanism import Mechanism
 from ...model.parts.targets import Efficiency, WithFriction
 from ...model.values import own_unit
 from ...units import ANGLE, LENGTH, Dimension
+from ..closed import NO_POSE
 from ..tolerances import STRAIGHT
-from .along import NO_POSE, Along
+from .along import Along
 from .columns import Asked, Filled, path_columns
 from .run import Run
 from .sides import from_both_sides, is_on_a_side

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from ...named import NamedTuple
 from ..tolerances import AT_BRANCH_POINT, BRANCH_POINT, CROSSING, SAME_VALUE
-from .along import NO_POSE
+from ..closed import NO_POSE
 from .ends import end_of_branch
 from .run import Run
 from .stroke import Branch, StrokeInterval
