@@ -30,6 +30,9 @@ TOKEN = re.compile(
 KNOWN = {"V", r"\omega", "v"}
 """Letters of velocities, each of the point, link or surface of its index."""
 
+PARTS_OF_A_POSE = {r"\varphi", r"\phi", r"\delta", r"\mu", "x", "y"}
+"""Letters of directions, angles and coordinates, each with an index of its own."""
+
 Block = tuple[str, list[str]]
 """The words above, and equations that stand together."""
 
@@ -84,3 +87,17 @@ def _left_sides(equations: Iterable[str]) -> Iterator[str]:
         left, is_equal, _ = line.partition("=")
         if left.strip() in names(left) and (is_equal or after.startswith("=")):
             yield left.strip()
+
+
+def never_introduced(tex: str) -> set[str]:
+    """Return directions, lengths and angles in formulas among words that nothing introduces.
+
+    What introduces a name may be a sentence that has it alone, or an equation anywhere.
+    """
+    formulas = MATHS.findall(tex)
+    alone = {f.strip() for f in formulas}
+    equations = [_plain(e) for _, found in blocks(tex) for e in found]
+    met = KNOWN | alone | set(_left_sides([*equations, *formulas]))
+    used = {name for formula in formulas for name in names(formula)}
+    made = {n for n in used - met if n.partition("_")[0] in PARTS_OF_A_POSE}
+    return {n for n in made if "_" in n}

@@ -190,7 +190,8 @@ def packet_clamp(title: str = "", source: str = "") -> Compiled:
         ),
     )
     balance = equations("2*P*V_A*cos(alpha) - F*V_K = 0")
-    return compiled(mechanism, Derivation(CLAMP_STEPS, (), balance, (CLAMP_K,)), agreed("k"))
+    derivation = Derivation(CLAMP_STEPS, (), balance, (CLAMP_K,), requires=mechanism.requires)
+    return compiled(mechanism, derivation, agreed("k"))
 
 
 LONG = "+".join(

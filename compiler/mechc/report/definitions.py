@@ -59,11 +59,14 @@ class Letters:
     positive: frozenset[str]
 
 
-def letters(mechanism: Mechanism, results: Iterable[Result]) -> Letters:
-    """Return how definitions are to be written that stand with results."""
+def letters(
+    mechanism: Mechanism, results: Iterable[Result], others: Iterable[Definition] = ()
+) -> Letters:
+    """Return how definitions are to be written that stand with results, and ``others``."""
     found = list(results)
     units = constant_units(mechanism) | literal_units(found)
-    positive = book_forms.positive_names(mechanism, (d for r in found for d in r.where))
+    where = (*others, *(d for r in found for d in r.where))
+    positive = book_forms.positive_names(mechanism, where)
     return Letters(usual_weights(mechanism), units, positive)
 
 

@@ -67,7 +67,8 @@ def outline(
 
     What is ``given`` above, such as the angles of a drawing, is not defined again.
     """
-    shown, known = Shown(), letters(mechanism, derivation.results)
+    of_position = [d for step in derivation.position for d in step.definitions]
+    shown, known = Shown(), letters(mechanism, derivation.results, of_position)
     shown.definitions(Definition(p.name, p.value) for p in given if p.value is not None)
     position = tuple(_position(derivation, mechanism, shown, known))
     shown.definitions(Definition(r.name, r.formula) for r in derivation.ratios)

@@ -12,6 +12,7 @@ from typing import Literal
 
 from ..formula.tree import Formula
 from ..frozen import frozen, replace
+from ..model.mechanism import Require
 from ..model.result import Definition
 from ..named import NamedTuple
 from ..pose.pose import LoopKind
@@ -332,7 +333,8 @@ class Derivation:
 
     ``explanations`` are those of results that need more than the power equation, ``position`` how
     what all of these mention follows from the loops, ``last_steps`` what the power equation
-    gives. ``ratios`` are those of speeds that the steps have given a name.
+    gives. ``ratios`` are those of speeds that the steps have given a name. ``requires`` are the
+    conditions of use, in names of the position where they ask something of the pose.
     """
 
     steps: tuple[Step, ...]
@@ -343,6 +345,7 @@ class Derivation:
     position: tuple[PositionStep, ...] = ()
     last_steps: tuple[LastStep, ...] = ()
     ratios: tuple[NamedRatio, ...] = ()
+    requires: tuple[Require, ...] = ()
 
 
 def unexplained(derivation: Derivation) -> Derivation:

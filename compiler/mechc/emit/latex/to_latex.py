@@ -189,7 +189,7 @@ def report(
         balances=_equations(derivation.balances, locale, style),
         last=_last(derivation.last_steps, locale, style),
         results=tuple(section_blocks(whole.results, locale, style)),
-        conditions=conditions(mechanism.requires, Speller(style)),
+        conditions=conditions(derivation.requires, Speller(style)),
         values=values(full, locale, style),
         of_position=tuple(in_line(item, locale, style) for item in aside),
         numbers=numbers(derivation.results, shown, locale, style),

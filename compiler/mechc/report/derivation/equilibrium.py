@@ -48,8 +48,10 @@ def derive_by_equilibrium(
     A force at a joint that no sums lead to is found by virtual power.
     """
     explanations = (*explained_by_sums(solution, loads), *of_friction(solution, results))
-    derivation = Derivation((), (), (), tuple(results), explanations)
-    position = position_steps(solution.plan.graph.pose, derivation)
+    pose = solution.plan.graph.pose
+    requires = pose.mechanism.requires
+    derivation = Derivation((), (), (), tuple(results), explanations, requires=requires)
+    position = position_steps(pose, derivation)
     return replace(derivation, position=tuple(position))
 
 

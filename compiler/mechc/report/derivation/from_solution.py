@@ -47,6 +47,7 @@ def derive(
         tuple(results),
         (*at_joints, *of_friction(solution, results)),
         ratios=tuple(speeds.ratios),
+        requires=solution.plan.graph.pose.mechanism.requires,
     )
     face = Facing(solution.plan)
     derivation = _facing(derivation, face)

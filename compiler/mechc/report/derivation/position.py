@@ -24,7 +24,7 @@ Formulas = Mapping[str, Formula]
 
 
 def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:
-    needed = reached(_mentioned(derivation), formulas)
+    needed = reached([*_mentioned(derivation), *_in_conditions(derivation)], formulas)
     for loop in pose.solved:
         names = [n for n in loop.names if n in needed]
         if names:
@@ -55,7 +55,7 @@ def _of_sums(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator
     """Yield the vectors put together of given ones that velocities mention by their names."""
     elsewhere = {n for loop in pose.solved for n in loop.names}
     elsewhere |= {p.name for p in pose.mechanism.parameters}
-    needed = reached(_in_steps(derivation), formulas)
+    needed = reached([*_in_steps(derivation), *_in_conditions(derivation)], formulas)
     named = [n for n in formulas if n in needed and n not in elsewhere]
     for vector, names in groupby(named, _vector):
         found = tuple(Definition(n, formulas[n]) for n in names)
@@ -77,6 +77,12 @@ def _in_steps(derivation: Derivation) -> Iterator[str]:
     for step in derivation.steps:
         for equation in (*step.relations, *step.results):
             yield from symbols(equation.right) | symbols(equation.left)
+
+
+def _in_conditions(derivation: Derivation) -> Iterator[str]:
+    """Yield the names in the conditions of use."""
+    for condition in derivation.requires:
+        yield from symbols(condition.left, condition.right)
 
 
 def _mentioned(derivation: Derivation) -> Iterator[str]:

@@ -6,7 +6,7 @@ from typing import assert_never
 from ...formula.layout import is_angle
 from ...formula.names import split_ratio
 from ...formula.tree import ZERO, Call, Formula, Power, Symbol, product, quotient
-from ...formula.walk import walk
+from ...formula.walk import symbols, walk
 from ...model.mechanism import (
     Axial,
     Efficiency,
@@ -19,6 +19,7 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
+from ...model.names.forms import form_of_pose
 from ...model.parts.targets import drives_from_below
 from ...model.parts.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
@@ -298,10 +299,14 @@ def own_conditions(result: Analysis) -> tuple[Require, ...]:
 
 
 def conditions(requires: Iterable[Require], spell: Speller) -> str:
-    """Return the conditions of use, the links of a chain joined again."""
+    """Return the conditions of use, the links of a chain joined again.
+
+    They are as they were written, but for what they ask of the pose, as the direction of a link:
+    that is in the names that the position has introduced.
+    """
     chains: list[tuple[tuple[Formula, ...], tuple[str, ...]]] = []
     for require in requires:
-        shown = require.written or WrittenSides(require.left, require.right)
+        shown = _shown(require)
         if chains and chains[-1][0][-1] == shown.left:
             sides, signs = chains.pop()
             chains.append(((*sides, shown.right), (*signs, require.operator)))
@@ -311,3 +316,16 @@ def conditions(requires: Iterable[Require], spell: Speller) -> str:
         spell.relation(sides, signs, any(is_angle(s, spell.angles) for s in sides))
         for sides, signs in chains
     )
+
+
+def _shown(require: Require) -> WrittenSides:
+    made = WrittenSides(require.left, require.right)
+    written = require.written or made
+    asks = (_asks_of_the_pose(side) for side in (written.left, written.right))
+    sides = zip(asks, (made.left, made.right), (written.left, written.right), strict=True)
+    return WrittenSides(*(found if asked else side for asked, found, side in sides))
+
+
+def _asks_of_the_pose(side: Formula) -> bool:
+    forms = filter(None, map(form_of_pose, symbols(side)))
+    return any(form.prefix in ("phi", "len", "x", "y") for form in forms)

@@ -55,8 +55,8 @@ def render(
     lines += _results(whole.results, spell)
     if numbers:
         lines += _numbers(evaluated(whole, mechanism), spell)
-    if mechanism.requires:
-        demand = f"{spell.locale.requirements} {conditions(mechanism.requires, spell)}."
+    if derivation.requires:
+        demand = f"{spell.locale.requirements} {conditions(derivation.requires, spell)}."
         lines += ["", *spell.wrapped(demand, "")]
     return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
 

@@ -169,4 +169,3 @@ class Along:
     @cached_property
     def _is_allowed(self) -> Callable[[Values], bool]:
         return holding(self.mechanism.requires, self._names)
-
