@@ -57,6 +57,14 @@ SHEET = "sheet pin\nparam d = 3\nparam F = 12 kN\nparam a = 5 mm\n"
         ("list sizes = 5 mm,6 mm, 8 mm", ""),
         ("let A = a^2/4 mm^2", "W293"),
         ("let A = a^2/4 in mm^2", ""),
+        ("param A = a^2/4 mm^2", "W293"),
+        ("let A = a^2*0.25 mm^2", "W294"),
+        ("let A = 0.25 mm^2*a^2", "W294"),
+        ("let A = a^2*0.25 in mm^2", ""),
+        ("let A = a*10 mm", ""),
+        ("let A = pi*a^2*0.25 mm^2", "W294"),
+        ("let A = pi*50 mm^2/4", "W279"),
+        ("param T = F*2 N", "W294"),
         ("let n = F/(5 kN)", ""),
         ("let n = 10 kN / 5 kN", ""),
         ("let p = F/5 mm^2", ""),
@@ -66,7 +74,7 @@ def test_numbers_and_units_that_belong_to_others_than_meant(line: str, code: str
     compilation = Compilation(Source("pin.mech", f"{SHEET}{line}\n"))
     with suppress(MechcError):
         assert compilation.mechanism
-    found = {d.code for d in compilation.report.diagnostics} & {"W292", "W293"}
+    found = {d.code for d in compilation.report.diagnostics} & {"W279", "W292", "W293", "W294"}
     assert found == ({code} if code else set())
 
 

@@ -104,14 +104,18 @@ def size_in_another_unit(span: Span, what: str, usual: str) -> Message:
 
 
 @coded("E213")
-def other_unit(span: Span, name: str, unit: str, found: Dimension, wanted: Dimension) -> Message:
+def other_unit(
+    span: Span, name: str, unit: str, found: Dimension, wanted: Dimension, bare: str
+) -> Message:
     """A formula is to be shown in a unit of something else than it measures::
 
     let sigma = M/W in MPa                     # right where M is a moment
     let sigma = M/W in N                       # wrong: it is a pressure
+
+    A number has its unit behind it, without ``in``: ``let t = 5 mm``.
     """
     message = f"'{name}' is asked for in {unit}, and its formula gives {described(found)}"
-    return Message(span, message, lost_factor(found, wanted))
+    return Message(span, message, f"write {bare} {unit}" if bare else lost_factor(found, wanted))
 
 
 @coded("W293")
@@ -125,9 +129,23 @@ def unit_of_divisor(span: Span, name: str, divisor: str, unit: str, rest: str) -
         let n = F/(5 kN)                 # a number of 5 kN each, and no warning
     """
     message = f"the unit belongs to the divisor, {divisor}, so that '{name}' is a plain number"
-    return Message(
-        span, message, f"for a result in {unit} write `{rest} in {unit}`, else `/({divisor})`"
+    return Message(span, message, f"for a result in {unit} write `{rest}`, else `/({divisor})`")
+
+
+@coded("W294")
+def unit_twice(span: Span, name: str, factor: str, unit: str, plain: str) -> Message:
+    """The unit of a number in a formula is that of the rest of the formula as well.
+
+    So that it counts twice. The unit in which a formula is shown stands behind ``in``::
+
+        let A = pi*d^2*0.25 mm^2         # warned of: an area by an area, in mm^4
+        let A = pi*d^2*0.25 in mm^2      # an area
+        let A = b*10 mm                  # an area, too, and no warning
+    """
+    message = (
+        f"what {factor} multiplies is measured in {unit} itself, so that '{name}' has it twice"
     )
+    return Message(span, message, f"for a result in {unit} write `{plain}`")
 
 
 @coded("W267")

@@ -12,12 +12,12 @@ from ...diagnostics import uses as uses_messages
 from ...diagnostics.model import names
 from ...diagnostics.model import sheets as messages
 from ...formula.evaluate import evaluate
-from ...formula.tree import Formula, Symbol
+from ...formula.tree import Formula, Number, Symbol
 from ...formula.walk import substitute, symbols, walk
 from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
-from ...units import NUMBER, UNITS, Dimension
+from ...units import UNITS
 from ..constants import names_in_let_value
 from ..mechanism import Let, Parameter, Require, Subject
 from ..names.scope import Scope
@@ -25,8 +25,10 @@ from ..parts.written import WrittenSides, expression
 from ..statements import every
 from ..values import ordered
 from .choices import note_between, read_let_value, read_tables
-from .measured import Quantity, fits
+from .measured import Quantity, fits, shown
+from .misplaced_units import note_misplaced_unit
 from .parameters import constant, note_unitless, read_parameter
+from .sorts import Nature
 from .turns import note_turns
 
 LONGEST = 200
@@ -120,30 +122,16 @@ def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
             return None
         return Let(name, found.formula, entry.dimension, statement.span)
     plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
-    dimension = _asked_for(statement, found, scope)
-    _check_divisor(statement, found, scope)
+    dimension = found.dimension
+    if not _fits_its_unit(statement, found, scope):
+        return None
+    if statement.unit is None:
+        note_misplaced_unit(statement, dimension, scope)
     scope.define(name, dimension, plain, posed, _solved(found.formula, scope))
     note_unitless(name, found, scope)
     _note_value(name, found.formula, scope)
     unit = statement.unit.text if statement.unit else ""
     return Let(name, found.formula, dimension, statement.span, unit, statement.label)
-
-
-def _check_divisor(statement: ast.Let, found: Quantity, scope: Scope) -> None:
-    """Say of ``pi*d^2/4 mm^2`` that it is a plain number: the unit is that of what divides it."""
-    if statement.unit or found.dimension != NUMBER or not isinstance(statement.value, ast.Product):
-        return
-    *others, last = statement.value.factors
-    if any(isinstance(factor, ast.Number) and factor.unit for _, factor in others):
-        return
-    match last:
-        case (-1, ast.Number(digits=digits, unit=unit, span=span)) if unit:
-            before = scope.report.source.text[statement.value.span.start : span.start].rstrip()
-            if before.endswith("/"):  # and no bracket behind it
-                name, rest = statement.name.text, f"{before}{digits}"
-                scope.report.add(
-                    messages.unit_of_divisor(span, name, f"{digits} {unit}", unit, rest)
-                )
 
 
 def _note_value(name: str, formula: Formula, scope: Scope) -> None:
@@ -168,17 +156,20 @@ def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Requir
             yield Require(*sides, place, subject, shown, let.dimension)
 
 
-def _asked_for(statement: ast.Let, found: Quantity, scope: Scope) -> Dimension:
-    """Return the dimension of a formula, that of the unit to show it in, if any; refuse another.
+def _fits_its_unit(statement: ast.Let, found: Quantity, scope: Scope) -> bool:
+    """Return whether a formula measures what the unit to show it in does; report another one.
 
-    What rests on it is read as if it were of that unit: one mistake, one message.
+    Of what rests on it nothing is said then, as either may be meant: one mistake, one message.
     """
     unit = statement.unit
     if unit is None or found.sort.fits(UNITS[unit.text].dimension):
-        return found.dimension
+        return True
     asked, name = UNITS[unit.text].dimension, statement.name.text
-    scope.report.add(messages.other_unit(unit.span, name, unit.text, found.dimension, asked))
-    return asked
+    is_bare = isinstance(found.formula, Number) and found.sort.nature is Nature.BARE
+    bare = shown(found.formula) if is_bare else ""
+    kinds = (found.dimension, asked)
+    scope.report.add(messages.other_unit(unit.span, name, unit.text, *kinds, bare))
+    return False
 
 
 def _plain(formula: Formula, scope: Scope) -> bool:

@@ -34,6 +34,7 @@ from ..constants import LARGEST_EXPONENT, rational, too_large
 from ..names.forms import COORDINATES, FORMS, Form, form_of_pose
 from ..names.scope import Scope, Usage
 from .measured import Quantity, alike, fits
+from .misplaced_units import measured_twice
 from .sorts import Nature, Sort, multiplied, raised
 
 VELOCITIES = "the name of a result: a ratio of velocities is asked for with 'find'"
@@ -112,11 +113,12 @@ class Reader:
         factors = [factor for factor in read if factor]
         if len(factors) < len(signs) or not _divisible(factors, signs, self.report):
             return None
-        _remark_on_powers(node, self.report)
         formula = product((f.formula, s) for f, s in zip(factors, signs, strict=True))
         sort = multiplied([(f.sort, s) for f, s in zip(factors, signs, strict=True)])
         if formula == ZERO and sort.nature is Nature.BARE:
             sort = Sort(NUMBER, Nature.ZERO)
+        if not measured_twice(node, sort.dimension):
+            _remark_on_powers(node, self.report)
         return Quantity(formula, sort, node.span)
 
     def _power(self, node: ast.Power) -> Quantity | None:

@@ -20,6 +20,7 @@ from ..names.points import Points
 from ..names.scope import DESCRIPTION, Bare, Scope
 from .expressions import Reader
 from .measured import Quantity, fits, shown
+from .misplaced_units import note_misplaced_unit
 from .sorts import Nature
 
 Ends = tuple[Quantity, Quantity]
@@ -35,6 +36,7 @@ def read_parameter(
     if dimension is None or not _consistent(statement, dimension, value, ends, scope):
         return None
     name = statement.name.text
+    note_misplaced_unit(statement, dimension, scope)
     scope.define(name, dimension)
     given = value or (ends and ends[1])
     if given and statement.dimension is None:

@@ -1,0 +1,50 @@
+"""Units that stand behind a number and are meant for the whole formula, ``pi*d^2/4 mm^2``."""
+
+from ...diagnostics.model import sheets as messages
+from ...syntax import ast
+from ...units import LENGTH, NUMBER, UNITS, Dimension
+from ..names.scope import Scope
+
+
+def note_misplaced_unit(statement: ast.Let | ast.Param, found: Dimension, scope: Scope) -> None:
+    """Say of ``pi*d^2/4 mm^2`` that it is a number, of ``pi*d^2*0.25 mm^2`` that it is mm^4."""
+    name, value = statement.name.text, statement.value
+    if not isinstance(value, ast.Product):
+        return
+    has_unit = isinstance(statement, ast.Let)
+    if found == NUMBER:
+        _note_divisor(name, value, has_unit, scope)
+    elif (factor := measured_twice(value, found)) is not None:
+        digits, unit = factor.digits, factor.unit
+        text = scope.report.source.text
+        before = text[value.span.start : factor.span.start]
+        behind = text[factor.span.end : value.span.end]
+        plain = f"{before}{digits}{behind}" + f" in {unit}" * has_unit
+        scope.report.add(messages.unit_twice(factor.span, name, f"{digits} {unit}", unit, plain))
+
+
+def measured_twice(value: ast.Product, found: Dimension) -> ast.Number | None:
+    """Return the number of a product whose unit is that of the rest as well; None without one.
+
+    A length by a number of millimetres is an area; that of other quantities is hardly ever meant.
+    """
+    for sign, factor in value.factors:
+        if sign > 0 and isinstance(factor, ast.Number) and factor.unit:
+            own = UNITS[factor.unit].dimension
+            if own not in (NUMBER, LENGTH) and found == own.scaled(2) != NUMBER:
+                return factor
+    return None
+
+
+def _note_divisor(name: str, value: ast.Product, has_unit: bool, scope: Scope) -> None:
+    *others, last = value.factors
+    if any(isinstance(factor, ast.Number) and factor.unit for _, factor in others):
+        return
+    match last:
+        case (-1, ast.Number(digits=digits, unit=unit, span=span)) if unit:
+            before = scope.report.source.text[value.span.start : span.start].rstrip()
+            if before.endswith("/"):  # and no bracket behind it
+                rest = f"{before}{digits}" + f" in {unit}" * has_unit
+                scope.report.add(
+                    messages.unit_of_divisor(span, name, f"{digits} {unit}", unit, rest)
+                )
