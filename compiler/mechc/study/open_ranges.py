@@ -30,10 +30,10 @@ def remark(pose: Pose, report: Report) -> None:
         if parameter.range and parameter.value and not parameter.dependent and not is_driven:
             low, high = (_last(parameter, end, closing) for end in bounds(parameter))
             if low is not None or high is not None:
-                shown = tuple(_shown(end, parameter) for end in (low, high))
+                below, above = _shown(low, parameter), _shown(high, parameter)
                 why = closing.why(parameter, low is not None, high is not None)
-                place = parameter.span
-                report.add(messages.range_not_assembled(place, parameter.name, *shown, why))
+                place, name = parameter.span, parameter.name
+                report.add(messages.range_not_assembled(place, name, below, above, why))
 
 
 class _Closing:
@@ -57,7 +57,7 @@ class _Closing:
         return not allowed(self._pose.mechanism, values)
 
     def why(self, parameter: Parameter, *ends: bool) -> str:
-        """Return what is known of the ends of a range at which a loop is open, of both the less."""
+        """Return why a loop is open at ends of a range, of both what is known less surely."""
         open_at = (x for x, is_open in zip(bounds(parameter), ends, strict=True) if is_open)
         values = (self._chain.complete({**self._given, parameter.name: x}) for x in open_at)
         return max((why_open(self._definitions, v) for v in values), key=NO_POSE.index)

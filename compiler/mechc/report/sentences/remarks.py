@@ -321,9 +321,10 @@ def conditions(requires: Iterable[Require], spell: Speller) -> str:
 def _shown(require: Require) -> WrittenSides:
     made = WrittenSides(require.left, require.right)
     written = require.written or made
-    asks = (_asks_of_the_pose(side) for side in (written.left, written.right))
-    sides = zip(asks, (made.left, made.right), (written.left, written.right), strict=True)
-    return WrittenSides(*(found if asked else side for asked, found, side in sides))
+    return WrittenSides(
+        made.left if _asks_of_the_pose(written.left) else written.left,
+        made.right if _asks_of_the_pose(written.right) else written.right,
+    )
 
 
 def _asks_of_the_pose(side: Formula) -> bool:
