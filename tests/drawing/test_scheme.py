@@ -28,7 +28,9 @@ from mechc.drawing.drawing import (
 )
 from mechc.drawing.from_figure import scheme
 from mechc.drawing.lettering import name as lettering_of
+from mechc.drawing.loads import meets
 from mechc.drawing.moving import Marks
+from mechc.drawing.occupied import Occupied
 from mechc.drawing.paper import on_paper
 from mechc.driver import Compilation
 from mechc.emit.svg.picture import to_png, to_svg
@@ -106,6 +108,13 @@ def test_a_length_by_components_is_not_written_beside_its_bar():
     drawing = drawn("cartesian_rods")
     heads = [s for s in drawing.shapes if s.pen == MEASURE and s.fill == "solid"]
     assert len(heads) >= 4, "the arrows of two dimension lines"
+
+
+@pytest.mark.parametrize("name", ["bell_crank", "four_bar", "lever_first_class", "wheelbarrow"])
+def test_an_arrow_has_another_place_than_a_dimension_line(name):
+    drawing = drawn(name)
+    thin = Occupied(s for s in drawing.shapes if s.pen == MEASURE and isinstance(s, Polyline))
+    assert not [shaft for shaft in shafts(drawing, FORCE) if meets(shaft, thin)]
 
 
 def test_arrows_point_as_the_forces_do():

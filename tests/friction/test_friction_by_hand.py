@@ -373,7 +373,7 @@ def test_a_line_is_turned_by_the_arc_of_a_sine_either_way(sense):
 
 
 def test_what_the_users_formulas_stand_for_bears_their_names():
-    """β = asin(f·d/L) is the turn by asin(2ρ/L) with ρ = d·f/2, whatever it is called here."""
+    """β = asin(f·d/L) is the turn by asin(2ρ/L) with ρ = f·d/2, whatever it is called here."""
     f, d, length = map(Symbol, "fdL")
     own = [
         Definition("beta", Call("asin", (product([(f, 1), (d, 1), (length, -1)]),))),

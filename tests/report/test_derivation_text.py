@@ -50,9 +50,9 @@ def test_formula_on_one_line(source: str, unicode: str, ascii_: str) -> None:
 
 
 def test_a_literal_d_is_no_differential() -> None:
-    """A pin's diameter that is a number has the name d: ρ = d·f/2, not df/2."""
+    """A pin's diameter that is a number has the name d: ρ = f·d/2, not df/2."""
     found = product([(Constant("d", number(Fraction(3, 250))), 1), (Symbol("f"), 1)])
-    assert print_formula(found, UNICODE) == "d · f"
+    assert print_formula(found, UNICODE) == "f · d"
 
 
 def test_lines_keep_to_the_width_and_break_outside_functions() -> None:

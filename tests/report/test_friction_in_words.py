@@ -190,8 +190,8 @@ def test_the_force_in_a_pulled_rod_is_a_pull():
 
 
 def test_like_terms_of_the_first_order_are_one():
-    """The rod slips at A with half the rotation that it has at B: 1/4 + 1/2 of b·d·f/a²."""
-    assert "3bd · f / (4a² · sin² α)" in derived("karpenko_fig2_with_friction")
+    """The rod slips at A with half the rotation that it has at B: 1/4 + 1/2 of b·f·d/a²."""
+    assert "3bf · d / (4a² · sin² α)" in derived("karpenko_fig2_with_friction")
 
 
 def test_a_thread_is_derived_from_its_force():

@@ -13,9 +13,10 @@ from .drawing import AXIS, COPY, SYMBOL, Drawing, Shape
 from .joints import draw_slide_guides, joint, pins
 from .labels import Around
 from .lettering import name
-from .loads import draw_forces, draw_pairs
+from .loads import draw_forces, draw_pairs, meets
 from .measures import draw_measures
 from .moving import NO_MARKS, Marks, draw_marks, say_marks
+from .occupied import Occupied
 from .paper import Paper, on_paper
 from .sheet import Layer, Sheet
 
@@ -28,17 +29,27 @@ def scheme(figure: Figure, words: Mapping[str, str], marks: Marks = NO_MARKS) ->
 
     ``words`` are those of a language.
     """
-    paper, sheet = on_paper(figure), Sheet()
+    paper = on_paper(figure)
+    sheet, met = _drawn(paper, marks, Occupied())
+    if met:  # an arrow may have another place
+        other, still_met = _drawn(paper, marks, Occupied(met))
+        sheet = other if len(still_met) < len(met) else sheet
+    about = " ".join((describe(figure, words), *say_marks(paper, marks, words)))
+    return sheet.finished(figure.title or figure.name, about)
+
+
+def _drawn(paper: Paper, marks: Marks, avoided: Occupied) -> tuple[Sheet, list[Shape]]:
+    """Return the sheet drawn, arrows off the lines to be avoided, and dimension lines they meet."""
+    sheet = Sheet()
     sheet.draw(Layer.COPIES, _copies(paper))
     _draw_bodies(sheet, paper)
     draw_slide_guides(sheet, paper)
     draw_marks(sheet, paper, marks)
-    draw_forces(sheet, paper)
+    arrows = draw_forces(sheet, paper, avoided)
     _draw_mirror(sheet, paper)
-    draw_measures(sheet, paper)
+    measures = draw_measures(sheet, paper)
     _write_points(sheet, paper)
-    about = " ".join((describe(figure, words), *say_marks(paper, marks, words)))
-    return sheet.finished(figure.title or figure.name, about)
+    return sheet, [m for m in measures if any(meets(arrow, Occupied((m,))) for arrow in arrows)]
 
 
 def _draw_bodies(sheet: Sheet, paper: Paper) -> None:

@@ -13,7 +13,7 @@ from ..figure.figure import (
     Telescope,
     Torque,
 )
-from ..pose.places import direction
+from ..pose.places import Plane, direction
 from .drawing import FORCE, SYMBOL, VELOCITY
 from .labels import Around, Beside
 from .lettering import name, times
@@ -44,6 +44,9 @@ LEAST = 3.5
 BESIDE = 2.2
 """How far an arrow is to the side of its point where a velocity's is in its place."""
 
+NEAR = 0.9
+"""How far an arrow keeps off a thin line beside it: half the width of its head, and some air."""
+
 LENGTHWISE = 0.5
 """The cosine between a force and a guide above which it is drawn along it."""
 
@@ -64,12 +67,16 @@ def draw_pairs(sheet: Sheet, paper: Paper) -> None:
             sheet.draw(Layer.BODIES, spring(paper.at(part.first), paper.at(part.second)))
 
 
-def draw_forces(sheet: Sheet, paper: Paper) -> None:
-    """Draw the arrows of forces, weights and couples, each with its name."""
+def draw_forces(sheet: Sheet, paper: Paper, avoided: Occupied) -> list[LineSegment]:
+    """Draw the arrows of forces, weights and couples, each with its name.
+
+    Those of forces come back; they keep off the lines to be avoided, where they have the choice.
+    """
+    drawn = []
     for part in paper.figure.parts:
         match part:
             case Force():
-                _draw_force(sheet, paper, part)
+                drawn.append(_draw_force(sheet, paper, part, avoided))
             case SpreadLoad():
                 _draw_spread(sheet, paper, part)
             case Torque():
@@ -80,18 +87,28 @@ def draw_forces(sheet: Sheet, paper: Paper) -> None:
                 sheet.name(Beside(*ends, name(part.name), pen))
             case _:
                 pass
+    return drawn
 
 
-def _draw_force(sheet: Sheet, paper: Paper, force: Force) -> None:
+def _draw_force(sheet: Sheet, paper: Paper, force: Force, avoided: Occupied) -> LineSegment:
     at = paper.at(force.point)
     if force.weight:
         sheet.draw(Layer.PINS, centre_of_gravity(at))
-    tail, tip = _free_arrow(sheet.occupied, paper, force)
+    tail, tip = _free_arrow(sheet.occupied, avoided, paper, force)
     sheet.draw(Layer.LOADS, arrow(tail, tip))
     sheet.name(Beside(tail, tip, times(force.times, force.name), FORCE))
+    return tail, tip
 
 
-def _free_arrow(occupied: Occupied, paper: Paper, force: Force) -> LineSegment:
+def meets(arrow: LineSegment, lines: Occupied) -> bool:
+    """Return whether an arrow meets lines, or comes so near to them that it seems to."""
+    tail, tip = arrow
+    across = (tip.minus(tail).unit() or Plane(1.0, 0.0)).turned()
+    steps = (across.times(side * NEAR) for side in (-1, 0, 1))
+    return any(lines.crossings(tail.plus(step), tip.plus(step)) for step in steps)
+
+
+def _free_arrow(occupied: Occupied, avoided: Occupied, paper: Paper, force: Force) -> LineSegment:
     """Return the tail and the tip of a force's arrow.
 
     It leaves its point or comes to it, whichever meets fewer lines; where velocities lie on
@@ -106,7 +123,8 @@ def _free_arrow(occupied: Occupied, paper: Paper, force: Force) -> LineSegment:
     coming = () if force.weight else (arrow_from(-gap - ARROW),)
     in_line = [way for way in (arrow_from(gap), *coming) if not occupied.lies_on(way, VELOCITY)]
     beside = arrow_from(gap, BESIDE), arrow_from(gap, -BESIDE)
-    return min(in_line or beside, key=lambda way: occupied.crossings(*way))
+    ways = in_line or beside
+    return min(ways, key=lambda way: (occupied.crossings(*way), meets(way, avoided)))
 
 
 def _draw_spread(sheet: Sheet, paper: Paper, load: SpreadLoad) -> None:

@@ -52,38 +52,46 @@ class Line(NamedTuple):
         yield head(self.end, along.times(inside), MEASURE, SMALL_HEAD)
 
 
-def draw_measures(sheet: Sheet, paper: Paper) -> None:
-    """Draw what measures lengths, the short ones nearest to the mechanism, and angles."""
+def draw_measures(sheet: Sheet, paper: Paper) -> list[Shape]:
+    """Draw what measures lengths, the short ones nearest to the mechanism, and angles.
+
+    The lines of lengths come back.
+    """
     parts = paper.figure.parts
     lengths = [part for part in parts if isinstance(part, Dimension)]
-    known: set[str] = set()
+    known, drawn = set[str](), list[Shape]()
     for dimension in sorted(lengths, key=lambda d: d.value):
-        _draw_length(sheet, paper, dimension, dimension.text in known)
+        drawn += _draw_length(sheet, paper, dimension, dimension.text in known)
         known.add(dimension.text)
     for mark in parts:
         if isinstance(mark, AngleMark):
             _draw_angle(sheet, paper, mark)
+    return drawn
 
 
 # ---------------------------------------------------------------------------- lengths
 
 
-def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension, known: bool) -> None:
-    """Draw a length; one of a name that is ``known`` already only where nothing is in the way."""
+def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension, known: bool) -> Iterable[Shape]:
+    """Draw a length; one of a name that is ``known`` already only where nothing is in the way.
+
+    Its lines come back, if it has any.
+    """
     tail, tip = paper.at(dimension.tail), paper.at(dimension.head)
     runs = formula(dimension.text)
     if _is_rod(paper, dimension):
         sheet.name(Beside(tail, tip, runs, MEASURE))
-        return
+        return ()
     lines = list(_lines(tail, tip, dimension.along))
     best = min(lines, key=lambda found: _cost(sheet, found, tail, tip))
     if _crossed(sheet, best) and _is_bar(paper, dimension):
         sheet.name(Beside(tail, tip, runs, MEASURE))
-        return
+        return ()
     if known and _in_the_way(sheet, best) > SPARED:
-        return
+        return ()
     sheet.draw(Layer.MEASURES, best.shapes())
     sheet.name(Beside(best.start, best.end, runs, MEASURE))
+    return best.shapes()
 
 
 def _is_rod(paper: Paper, dimension: Dimension) -> bool:

@@ -7,8 +7,10 @@ stand in degrees. Both are decided here once, for LaTeX and for the terminal.
 
 from collections.abc import Iterable, Set
 from fractions import Fraction
+from itertools import pairwise
 
 from ..named import NamedTuple
+from .names import split_name
 from .operations import split_fraction
 from .tree import (
     Call,
@@ -63,7 +65,7 @@ def fractions(formula: Product) -> Fractions:
     True
     """
     coefficient, above, below = _flat(formula)
-    above, below = sorted(above, key=_place), sorted(below, key=_place)
+    above, below = (diameters_behind(sorted(row, key=_place)) for row in (above, below))
     upper = _numeral(abs(coefficient.numerator))
     lower = _numeral(coefficient.denominator)
     sign = -1 if coefficient < 0 else 1
@@ -94,6 +96,27 @@ def unstacked(whole: Fractions) -> tuple[Fractions, tuple[Formula, ...]]:
     if not below or not stacked:
         return whole, ()
     return Fractions(whole.sign, (tuple(f for f in above if f not in stacked), below)), stacked
+
+
+def diameters_behind(factors: Iterable[Formula]) -> list[Formula]:
+    """Return factors with each diameter behind its coefficient of friction: f·d, never d·f.
+
+    >>> b, d, f, rest = map(Symbol, ("b", "d_O", "f_1", "S"))
+    >>> diameters_behind((b, d, f, rest)) == [b, f, d, rest]
+    True
+    """
+    row = list(factors)
+    for i, (factor, behind) in enumerate(pairwise(tuple(row))):
+        if _head(factor) == "d" and _head(behind) in _COEFFICIENTS:
+            row[i : i + 2] = behind, factor
+    return row
+
+
+_COEFFICIENTS = ("f", "mu")
+
+
+def _head(factor: Formula) -> str:
+    return split_name(factor.name).head if isinstance(factor, Symbol) else ""
 
 
 def _has_line(term: Formula) -> bool:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from ..formula.evaluate import evaluate
-from ..formula.layout import TRIGONOMETRIC, squares
+from ..formula.layout import TRIGONOMETRIC, diameters_behind, squares
 from ..formula.operations import count_operations
 from ..formula.tree import (
     Call,
@@ -117,7 +117,7 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             begun = _argument(first, given)  # nothing stands before its sign
             return total((begun, *(put_in(term, given) for term in others)))
         case Product(factors) if sum(bool(symbols(f)) for f in factors) > 1:
-            return Product(tuple(_factor(factor, given) for factor in factors))
+            return Product(tuple(_factor(factor, given) for factor in diameters_behind(factors)))
         case Symbol(name) if given[name].unit == "deg":
             return in_degrees(given[name].value, DIGITS)
         case Symbol(name):

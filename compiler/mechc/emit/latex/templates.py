@@ -35,21 +35,33 @@ def _body(_known: Mapping[str, Any]) -> str:
             _parts += ['\\bottomrule\n\\end{longtable}\n']
     _parts += [TEMPLATES['latex/tables.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
     if _known["position"]:
-        _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].position), '}\n\\begin{enumerate}\n']
+        _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].position), '}\n']
+        if (len(_known["position"]) > 1):
+            _parts += ['\\begin{enumerate}\n']
         for step in _known["position"]:
-            _parts += ['  \\item ', str(step.sentence), '\n']
+            if (len(_known["position"]) > 1):
+                _parts += ['  \\item ']
+            _parts += [str(step.sentence), '\n']
             for display in step.displays:
                 _parts += [str(display), '\n']
-        _parts += ['\\end{enumerate}\n']
+        if (len(_known["position"]) > 1):
+            _parts += ['\\end{enumerate}\n']
     if _known["steps"]:
-        _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].velocities), '}\n', str(_known["convention_of_speeds"]), '\n\\begin{enumerate}\n']
+        _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].velocities), '}\n', str(_known["convention_of_speeds"]), '\n']
+        if (len(_known["steps"]) > 1):
+            _parts += ['\\begin{enumerate}\n']
+        else:
+            _parts += ['\\par\\smallskip\\noindent\n']
         for step in _known["steps"]:
-            _parts += ['  \\item ', str(step.sentence), '\n']
+            if (len(_known["steps"]) > 1):
+                _parts += ['  \\item ']
+            _parts += [str(step.sentence), '\n']
             if step.relations:
                 _parts += [str(step.relations), '\n']
             if step.results:
                 _parts += [str(_known["locale"].hence), '\n', str(step.results), '\n']
-        _parts += ['\\end{enumerate}\n']
+        if (len(_known["steps"]) > 1):
+            _parts += ['\\end{enumerate}\n']
     if _known["balances"]:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].power), '}\n', str(_known["locale"].power_rule)]
         if _known["several"]:

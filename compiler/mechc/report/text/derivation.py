@@ -1,6 +1,6 @@
 """The derivation for the terminal: numbered steps, the rule in words, what it gives."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
 
 from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
@@ -144,11 +144,17 @@ def _conventions(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterat
 def _position(position: Iterable[PositionSection], spell: Speller) -> Iterator[str]:
     sections = [*position]
     said = position_sentences((s.step for s in sections), spell.locale, spell.point)
-    for number, (section, words) in enumerate(zip(sections, said, strict=True), 1):
-        if number == 1:
-            yield from ("", spell.locale.position)
-        yield from spell.wrapped(words, f"{number:>3}. ")
+    if sections:
+        yield from ("", spell.locale.position)
+    for number, section, words in zip(_numbers_of(sections), sections, said, strict=True):
+        yield from spell.wrapped(words, number)
         yield from _where((), section.where, spell, {})
+
+
+def _numbers_of(steps: Sized) -> list[str]:
+    """Return what stands before steps: their numbers, where there are several."""
+    several = len(steps) > 1
+    return [f"{i:>3}. " if several else " " * 5 for i in range(1, len(steps) + 1)]
 
 
 def _where(
@@ -169,8 +175,10 @@ def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
     convention = spell.locale.signed if several else spell.locale.magnitudes
     yield from ("", spell.locale.velocities, *spell.wrapped(convention, "     "))
     words = sentences(derivation.steps, spell.locale, spell.point)
-    for number, (step, sentence) in enumerate(zip(derivation.steps, words, strict=True), 1):
-        yield from spell.wrapped(sentence, f"{number:>3}. ")
+    steps = derivation.steps
+    yield from [""] * (len(steps) == 1)
+    for number, step, sentence in zip(_numbers_of(steps), steps, words, strict=True):
+        yield from spell.wrapped(sentence, number)
         said, hence = lines(step)
         yield from _equations((*said, *hence), spell)
 

@@ -175,8 +175,7 @@ class _Terminal(Typesetter[str]):
         """Return factors side by side, letters close together and functions apart."""
         line = pieces[0]
         for (before, factor), piece in zip(pairwise(formulas), pieces[1:], strict=True):
-            is_read_apart = isinstance(before, Symbol) and before.name == DIFFERENTIAL
-            close = _is_letter(before) and _is_letter(factor) and not is_read_apart
+            close = _is_letter(before) and _is_letter(factor) and not _is_apart(before, factor)
             line += (self.signs.joint if close else self.signs.times) + piece
         return line
 
@@ -238,6 +237,14 @@ class _Terminal(Typesetter[str]):
 
 DIFFERENTIAL = "d"
 """A letter that makes another sign of the next one: ``d·f``, as ``df`` is a differential."""
+
+
+def _is_apart(before: Formula, factor: Formula) -> bool:
+    """Return whether letters are read as one sign, ``df``, or are told apart, ``f·d``."""
+    head = split_name(factor.name).head if isinstance(factor, Symbol) else ""
+    return isinstance(before, Symbol) and (
+        before.name == DIFFERENTIAL or (before.name == "f" and head == DIFFERENTIAL)
+    )
 
 
 def _is_letter(factor: Formula) -> bool:
