@@ -152,7 +152,7 @@ def _position(position: Iterable[PositionSection], spell: Speller) -> Iterator[s
 
 
 def _numbers_of(steps: Sized) -> list[str]:
-    """Return what stands before steps: their numbers, where there are several."""
+    """Return the numbers of steps, blanks where there is only one."""
     several = len(steps) > 1
     return [f"{i:>3}. " if several else " " * 5 for i in range(1, len(steps) + 1)]
 
