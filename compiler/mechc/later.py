@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Later:
-    """Stands for a module, and imports it when one of its names is asked for.
+    """Stands for a module, and imports it when one of its names is asked for, or set.
 
     >>> module = Later("mechc.version")
     >>> module.VERSION == import_module("mechc.version").VERSION
@@ -25,10 +25,16 @@ class Later:
     """
 
     def __init__(self, name: str) -> None:
-        self.__name__ = name
+        object.__setattr__(self, "__name__", name)
 
     def __getattr__(self, name: str) -> Any:
         return getattr(import_module(self.__name__), name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        setattr(import_module(self.__name__), name, value)
+
+    def __delattr__(self, name: str) -> None:
+        delattr(import_module(self.__name__), name)
 
 
 def waiting(package: str, modules: Set[str]) -> Callable[[str], Later]:

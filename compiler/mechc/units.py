@@ -277,6 +277,16 @@ COMPOUNDS = """
 """
 
 
+def of_length(unit: str, dimension: Dimension) -> str:
+    """Return a unit of length, raised to what a dimension is a power of it; '' for any other.
+
+    >>> of_length("mm", LENGTH), of_length("mm", LENGTH.scaled(2)), of_length("mm", FORCE)
+    ('mm', 'mm^2', '')
+    """
+    raised = unit if dimension == LENGTH else f"{unit}^{dimension.length}"
+    return raised if raised in UNITS and UNITS[raised].dimension == dimension else ""
+
+
 def compound(spelled: str) -> Unit:
     """Return the unit that simple ones make with ``*``, ``/`` and powers.
 

@@ -16,7 +16,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TypeGuard, TypeVar
 
-from .tree import ZERO, Call, Formula, negative, number, product, quotient, total
+from .tree import ZERO, Call, Formula, is_call, negative, number, product, quotient, total
 
 Part = TypeVar("Part")
 
@@ -121,7 +121,7 @@ def equal_within(left: Formula, right: Formula) -> tuple[Formula, Formula]:
 
 def is_choice(formula: Formula) -> TypeGuard[Call]:
     """Return whether a formula chooses between values."""
-    return isinstance(formula, Call) and formula.function == "choose"
+    return is_call(formula, "choose")
 
 
 def chosen(parts: Sequence[Part], value: Callable[[Part], float]) -> Part | None:

@@ -17,6 +17,7 @@ Quantities are SI; angles are radians. A constant angle is a rational multiple o
 from collections.abc import Iterable
 from fractions import Fraction
 from math import prod
+from typing import TypeGuard
 
 from ..frozen import Hashed, frozen
 
@@ -87,6 +88,15 @@ class Call(Compound):
 
     function: str
     arguments: tuple["Formula", ...]
+
+
+def is_call(formula: object, *functions: str) -> TypeGuard[Call]:
+    """Return whether a formula is one of some functions of its arguments.
+
+    >>> is_call(Call("sign", (Symbol("k"),)), "sign"), is_call(Symbol("k"), "sign", "sense")
+    (True, False)
+    """
+    return isinstance(formula, Call) and formula.function in functions
 
 
 @frozen

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 
 from ..formula.evaluate import evaluate
-from ..formula.tree import Call, Formula
+from ..formula.tree import Formula, is_call
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..model.boxes import POSITIVE, allowed_box
@@ -43,7 +43,7 @@ class DefaultPose:
     def _distances(self) -> Iterator[str]:
         """Yield the lengths that are distances of points: where one is 0, nothing has a value."""
         for name, formula in self._plan.graph.pose.definitions:
-            if isinstance(formula, Call) and formula.function == "hypot":
+            if is_call(formula, "hypot"):
                 yield name
 
     def _own(self) -> Iterator[Definition]:

@@ -10,7 +10,7 @@ from ..algebra.product import ZERO as NONE
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..formula.operations import count_operations
-from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
+from ..formula.tree import ZERO, Call, Formula, Symbol, is_call, product, total
 from ..formula.walk import walk
 from ..kinematics.forms import QUARTER
 from ..kinematics.joint_refs import JointRef, held_end
@@ -200,7 +200,7 @@ def size_of(x: Product, y: Product, positive: Callable[[Product], Product]) -> P
 
 def _length(formula: Formula) -> int:
     """Return how long a formula is to read, where hypot(a, b) is the root of a² + b²."""
-    roots = sum(isinstance(part, Call) and part.function == "hypot" for part in walk(formula))
+    roots = sum(is_call(part, "hypot") for part in walk(formula))
     return count_operations(formula) + SQUARES * roots
 
 

@@ -16,7 +16,7 @@ from ..algebra.sums import add
 from ..formula.evaluate import evaluate
 from ..formula.layout import has_minus
 from ..formula.operations import count_operations
-from ..formula.tree import Call, Formula, Sum, negative, number, power, quotient, total
+from ..formula.tree import Call, Formula, Sum, is_call, negative, number, power, quotient, total
 from ..formula.walk import children, rebuild
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
@@ -45,7 +45,7 @@ def _is_positive(parameter: Parameter) -> bool:
 
 
 def _is_distance(formula: Formula) -> bool:
-    return isinstance(formula, Call) and formula.function in ("hypot", "sqrt")
+    return is_call(formula, "hypot", "sqrt")
 
 
 def book_form(formula: Formula, positive: Set[str]) -> Formula:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding
-from ..formula.tree import Call, Formula, Symbol
+from ..formula.tree import Formula, Symbol, is_call
 from ..formula.walk import symbols, walk
 from ..model.mechanism import GRAVITY, LoadRatio, Mechanism, Parameter, Torque, WithFriction
 from ..model.result import Definition
@@ -102,7 +102,7 @@ def _of_line(line: NoteLine) -> Iterator[Evaluated]:
 def has_atan2(whole: Outline) -> bool:
     """Return whether an angle of the report is found from two components."""
     found = (part for d in _definitions(whole) for part in walk(d.formula))
-    return any(isinstance(part, Call) and part.function == "atan2" for part in found)
+    return any(is_call(part, "atan2") for part in found)
 
 
 def _definitions(whole: Outline, without: Sequence[Section] = ()) -> Iterator[Definition]:

@@ -10,7 +10,7 @@ from typing import Literal
 
 from ..formula.choices import chosen, is_choice
 from ..formula.evaluate import evaluate
-from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol
+from ..formula.tree import Constant, Formula, Implicit, Number, Product, Symbol, is_call
 from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
 from ..model.dependence import unused
@@ -285,7 +285,7 @@ def _numbers(formula: Formula, kind: str, given: Mapping[str, Quantity]) -> Form
 def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:
     """Return the part that is the largest, or smallest, of several, if one is."""
     values = values_of(given)
-    taken = [p for p in walk(formula) if isinstance(p, Call) and p.function in ("min", "max")]
+    taken = [p for p in walk(formula) if is_call(p, "min", "max")]
     if len(taken) != 1 or not symbols(taken[0]) <= values.keys():
         return None
     best = max if taken[0].function == "max" else min

@@ -37,12 +37,11 @@ from ..study.tolerances import SAME_RATIO
 from ..syntax.vocabulary import split_quantity
 from ..units import (
     ANGLE,
-    DIMENSIONS,
-    LENGTH,
     NUMBER,
     UNITS,
     Dimension,
     in_unit,
+    of_length,
     si_unit,
     size_of,
 )
@@ -56,9 +55,6 @@ LONGEST = 60
 
 FINEST = 9
 """Decimals of an angle in degrees, beyond which there is nothing but rounding."""
-
-
-_AREA, _VOLUME = DIMENSIONS["area"], DIMENSIONS["volume"]
 
 
 class Quantity(NamedTuple):
@@ -75,14 +71,13 @@ class Quantity(NamedTuple):
 def usual_unit(dimension: Dimension, lengths: str) -> str:
     """Return the unit of a value that none is given for, ``lengths`` for one of these.
 
-    >>> usual_unit(LENGTH, "mm"), usual_unit(LENGTH.over(LENGTH).over(LENGTH), "mm")
-    ('mm', '1/m')
+    >>> from mechc.units import LENGTH
+    >>> [usual_unit(LENGTH.scaled(power), "mm") for power in (1, 2, 4, -1)]
+    ['mm', 'mm^2', 'mm^4', '1/m']
     """
     if dimension == ANGLE:
         return "deg"
-    powers = {LENGTH: lengths, _AREA: f"{lengths}^2", _VOLUME: f"{lengths}^3"}
-    unit = powers.get(dimension, "")
-    return unit if unit in UNITS else si_unit(dimension)
+    return of_length(lengths, dimension) or si_unit(dimension)
 
 
 def values_of(given: Mapping[str, Quantity]) -> dict[str, float]:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from ..algebra.angle import Angle, Rational
 from ..algebra.from_formula import to_angle
-from ..formula.tree import Call, Formula
+from ..formula.tree import Call, Formula, is_call
 from ..formula.walk import children, rebuild, walk
 from .unit import plain
 
@@ -37,7 +37,7 @@ def turned_alike(formulas: Sequence[Formula]) -> tuple[Formula, ...]:
 
 def _turn(formula: Formula) -> Angle | None:
     """Return the angle of a sine or cosine."""
-    if isinstance(formula, Call) and formula.function in ("sin", "cos"):
+    if is_call(formula, "sin", "cos"):
         return to_angle(formula.arguments[0])
     return None
 

@@ -24,6 +24,7 @@ from ..formula.tree import (
     Product,
     Sum,
     Symbol,
+    is_call,
     negative,
     number,
     power,
@@ -91,7 +92,7 @@ def _putting(squares: Mapping[Formula, Formula]) -> Once[Formula]:
 
 
 def _is_length(formula: Formula) -> TypeGuard[Call]:
-    return isinstance(formula, Call) and formula.function == "hypot"
+    return is_call(formula, "hypot")
 
 
 def _sum_of_squares(parts: Iterable[Formula]) -> Formula:
@@ -156,7 +157,7 @@ def sizes(definitions: Definitions) -> Sizes:
     return {
         frozenset(map(unsigned, formula.arguments)): name
         for name, formula in definitions
-        if isinstance(formula, Call) and formula.function == "hypot"
+        if is_call(formula, "hypot")
     }
 
 
@@ -192,7 +193,7 @@ def _absolute(formula: Formula, positive: Collection[str]) -> Formula:
 
 def _square(formula: Formula) -> Factored:
     bare = unsigned(formula)
-    if isinstance(bare, Call) and bare.function == "sqrt":
+    if is_call(bare, "sqrt"):
         return to_product(bare.arguments[0])
     return to_product(bare) ** 2
 

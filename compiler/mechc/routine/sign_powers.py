@@ -5,7 +5,7 @@ loop over one becomes vector code.
 """
 
 from ..formula.sharing import each_part
-from ..formula.tree import ONE, ZERO, Call, Formula, Power, negative, power
+from ..formula.tree import ONE, ZERO, Call, Formula, Power, is_call, negative, power
 from ..formula.walk import children, rebuild
 from .lengths import signed, unsigned
 
@@ -27,8 +27,7 @@ def _is_decided(formula: Formula) -> bool:
     """Return whether a sign is the exponent of a power."""
     if not isinstance(formula, Power):
         return False
-    inner = unsigned(formula.exponent)
-    return isinstance(inner, Call) and inner.function == "sign"
+    return is_call(unsigned(formula.exponent), "sign")
 
 
 def _in_choices(formula: Formula) -> Formula:
@@ -36,7 +35,7 @@ def _in_choices(formula: Formula) -> Formula:
     match formula:
         case Power(_, exponent):
             sign, inner = signed(exponent)
-            if isinstance(inner, Call) and inner.function == "sign":
+            if is_call(inner, "sign"):
                 return _chosen(parts[0], sign, _in_choices(inner.arguments[0]))
     return rebuild(formula, parts) if parts else formula
 

@@ -11,7 +11,19 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_angle
 from ..formula.sharing import each_part
-from ..formula.tree import ONE, Call, Formula, Sum, Symbol, negative, number, power, product, total
+from ..formula.tree import (
+    ONE,
+    Call,
+    Formula,
+    Sum,
+    Symbol,
+    is_call,
+    negative,
+    number,
+    power,
+    product,
+    total,
+)
 from ..formula.walk import Once, children, rebuild, symbols
 from .lengths import Definitions, Named, fresh, signed, size, sizes, unsigned, with_roots
 from .unit import WANTED, Unit, factors, plain, whole
@@ -240,7 +252,7 @@ class _Turning:
 
 def _is_root(formula: Formula) -> bool:
     bare = unsigned(formula)
-    return isinstance(bare, Call) and bare.function == "sqrt"
+    return is_call(bare, "sqrt")
 
 
 def _repeated(unit: Unit, times: int) -> list[Unit]:

@@ -4,7 +4,7 @@ from math import isclose, isfinite
 
 from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounded, Rounding
-from ..formula.tree import Call, Formula
+from ..formula.tree import Call, Formula, is_call
 from ..formula.walk import symbols
 from ..model.mechanism import Efficiency, WithFriction
 from ..model.values import Values, holds
@@ -22,7 +22,7 @@ def fails_here(result: Analysis, values: Values) -> bool:
     """
     if result.default is None or not isinstance(result.target, WithFriction | Efficiency):
         return False
-    if not result.guards and not any(map(_is_sign, (d.formula for d in result.where))):
+    if not result.guards and not any(is_call(d.formula, "sign") for d in result.where):
         return False
     rounding = Rounding(values)
     for name, formula in result.where:
@@ -44,7 +44,3 @@ def _on_paper(formula: Formula, rounding: Rounding) -> Rounded:
             return Rounded(0.0, 0.0)
         case _:
             return rounding.of(formula)
-
-
-def _is_sign(formula: Formula) -> bool:
-    return isinstance(formula, Call) and formula.function == "sign"

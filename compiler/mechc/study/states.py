@@ -16,7 +16,7 @@ from functools import cached_property
 
 from ..formula.evaluate import status_along
 from ..formula.newton import Status
-from ..formula.tree import ZERO, Call, Formula, Implicit, Power, Product, Symbol
+from ..formula.tree import ZERO, Formula, Implicit, Power, Product, Symbol, is_call
 from ..formula.walk import symbols, walk
 from ..frozen import replace
 from ..model.parts.targets import SIGNS, Sense
@@ -183,7 +183,7 @@ class Moving:
 
 def is_sign(formula: Formula) -> bool:
     """Return whether a formula is the sign of another, or its sense."""
-    return isinstance(formula, Call) and formula.function in ("sign", "sense")
+    return is_call(formula, "sign", "sense")
 
 
 def solutions(result: Result) -> Iterator[Implicit]:

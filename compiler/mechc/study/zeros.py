@@ -9,7 +9,7 @@ from ..algebra.intervals import vanishing_value
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
 from ..formula.evaluate import evaluate
-from ..formula.tree import Call, Formula
+from ..formula.tree import Call, Formula, is_call
 from ..formula.walk import symbols, walk
 from ..model.boxes import stroke_box
 from ..model.values import Chain
@@ -180,7 +180,7 @@ def _is_fold(formula: Formula, near: Mapping[str, float]) -> bool:
         return False
     (argument,) = formula.arguments
     for turn in walk(argument):
-        if isinstance(turn, Call) and turn.function in ("sin", "cos"):
+        if is_call(turn, "sin", "cos"):
             values = {**near, **dict.fromkeys(symbols(turn), ANYWHERE)}
             if symbols(argument) <= values.keys():
                 sizes = (abs(evaluate(f, values)) for f in (argument, turn))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ...formula.tree import Call, Formula, Power, Product, Sum, Symbol
+from ...formula.tree import Call, Formula, Power, Product, Sum, Symbol, is_call
 from ...formula.walk import children, rebuild, symbols
 from ...frozen import frozen
 from ...named import NamedTuple
@@ -125,7 +125,7 @@ def _is_named(step: Step, found: Circular) -> bool:
 
 def _calls(formula: Formula) -> Iterator[Call]:
     """Yield the sines and cosines of a formula, but not those in the angle of another."""
-    if isinstance(formula, Call) and formula.function in ("sin", "cos"):
+    if is_call(formula, "sin", "cos"):
         yield formula
     else:
         for part in children(formula):

@@ -8,7 +8,7 @@ from ...formula.walk import symbols
 from ...frozen import replace
 from ...source import Source, Span
 from ...syntax import ast
-from ...units import ANGLE, LENGTH, UNITS, USUAL_UNITS, Dimension, si_unit
+from ...units import ANGLE, LENGTH, UNITS, USUAL_UNITS, Dimension, of_length, si_unit
 from ..constants import expressions_in, leaves
 from ..mechanism import Let, Mechanism, Parameter, Require, Taken
 from ..parts import written
@@ -111,7 +111,7 @@ class _Units:
         far = [self._known.get(n, "") for n in names if self._text_of.get(n, 0) != text]
         own, around = self._in_text.get(0, ()), self._in_text.get(text, ())
         units = [*line, *near, *own, *far, *around, *self._elsewhere(dimension)]
-        powers = _powers(units, dimension)
+        powers = (of_length(unit, dimension) for unit in units if _measures(unit, LENGTH))
         return next((u for u in chain(units, powers) if _measures(u, dimension)), "")
 
     def _elsewhere(self, dimension: Dimension) -> list[str]:
@@ -187,11 +187,6 @@ def _expressions(line: Line | Column) -> Iterable[ast.Expr]:
 
 def _in_numbers(expression: ast.Expr) -> Iterator[str]:
     return (leaf.unit for leaf in leaves(expression) if isinstance(leaf, ast.Number))
-
-
-def _powers(units: Iterable[str], dimension: Dimension) -> Iterator[str]:
-    """Yield units of length raised to what an area, a volume or the like is."""
-    return (f"{unit}^{dimension.length}" for unit in units if _measures(unit, LENGTH))
 
 
 def _measures(unit: str, dimension: Dimension) -> bool:

@@ -4,11 +4,8 @@ from collections.abc import Collection, Iterable, Mapping
 
 from ...diagnostics.model import names as messages
 from ...syntax import ast
+from ..parts.targets import WITH_FRICTION
 from .forms import COORDINATES, Form, form_of, form_of_pose
-
-ENDINGS = ("_f1", "_hold", "_f")
-"""What the names of loads and results with friction end with."""
-
 
 OF_THE_POSE = frozenset({"phi", "len", *COORDINATES})
 """The quantities that a mechanism has without being asked."""
@@ -23,7 +20,7 @@ def of_a_use(name: str, brought: Mapping[str, ast.Brought]) -> ast.Brought | Non
 def reason(name: str, use: ast.Brought, known: Collection[str]) -> str:
     """Return why a use does not bring in a name, '' where that is not known."""
     own = name.removeprefix(f"{use.prefix}_")
-    ending = next((e for e in ENDINGS if own.endswith(e)), "")
+    ending = next((e for e in WITH_FRICTION if own.endswith(e)), "")
     ideal = own.removesuffix(ending)
     if ideal in use.loads:
         given = next((load for load in use.loads if load != ideal), ideal)

@@ -137,6 +137,9 @@ def whole(target: Target) -> Target:
 HOLDING = "_hold"
 """What the name of a result ends in at which the load above the line just holds."""
 
+WITH_FRICTION = ("_f", "_f1", HOLDING)
+"""What the names of results with friction end in."""
+
 
 def drives_from_below(target: Target | None, name: str, driven: bool | None) -> bool:
     """Return whether the load below the line drives, as ``motion releasing`` of ``N/P`` means.

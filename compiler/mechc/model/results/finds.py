@@ -22,7 +22,7 @@ from ..mechanism import (
 from ..names.forms import COORDINATES, Form, form_of, form_of_pose
 from ..names.scope import Entry, Scope
 from ..parts.repeated import PRIME
-from ..parts.targets import HOLDING
+from ..parts.targets import HOLDING, WITH_FRICTION
 from ..statements import every, only
 from .reactions import read_reaction
 
@@ -56,9 +56,6 @@ FRICTIONS = (
     ast.RopeFriction,
 )
 
-SUFFIXES = ("_f", "_f1", HOLDING)
-"""What the names of results with friction end in."""
-
 
 def read_finds(file: ast.File, scope: Scope) -> list[Find]:
     """Return every find and enter its name; points and loads are known by now.
@@ -86,7 +83,7 @@ def _remark_on_names(file: ast.File, scope: Scope) -> None:
         name = statement.name
         if name is None or not isinstance(statement.target, ast.Product):
             continue
-        stems = (name.text.removesuffix(end) for end in SUFFIXES if name.text.endswith(end))
+        stems = (name.text.removesuffix(end) for end in WITH_FRICTION if name.text.endswith(end))
         if stem := next(stems, ""):
             scope.report.add(messages.named_as_with_friction(name.span, name.text, stem))
 

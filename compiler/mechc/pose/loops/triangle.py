@@ -4,7 +4,7 @@ from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine
-from ...formula.tree import Call, Formula, product
+from ...formula.tree import Call, Formula, is_call, product
 from ..pose import Vector
 
 
@@ -35,4 +35,4 @@ def heron(d: Product, p: Product, q: Product) -> Call:
 
 def is_of_vector(formula: Formula) -> bool:
     """Return whether something is the length or the direction of a vector between two points."""
-    return isinstance(formula, Call) and formula.function in ("hypot", "atan2")
+    return is_call(formula, "hypot", "atan2")

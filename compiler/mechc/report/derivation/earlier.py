@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ...formula.tree import ZERO, Call, Formula, Symbol
+from ...formula.tree import ZERO, Formula, Symbol, is_call
 from ...formula.walk import substitute, symbols
 from ...friction.solution import Step
 from ...frozen import replace
@@ -59,7 +59,7 @@ class EarlierSteps:
         """Enter a step; return its definitions that are new, None for a line shown before."""
         changed: set[str] = set()
         for name, formula in step.defined:
-            if isinstance(formula, Call) and formula.function in ("asin", "atan"):
+            if is_call(formula, "asin", "atan"):
                 self.turns.add(name)
             if self._known.get(name) != formula or changed & symbols(formula):
                 changed.add(name)

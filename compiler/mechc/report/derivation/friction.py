@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import assert_never
 
-from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, product, total
+from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, is_call, product, total
 from ...formula.walk import symbols, walk
 from ...friction.solution import Solution, SolvedWithFriction, Step
 from ...frozen import replace
@@ -274,7 +274,7 @@ def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> 
     sentence = turns.get(step.sense, SentenceKind.MOMENTS)
     moments, rest = found[0], [e for e in found[1:] if isinstance(e.left, Symbol)]
     squared = [e for e in found[1:] if e not in rest]
-    if not any(isinstance(f, Call) and f.function == "hypot" for f in walk(moments.right)):
+    if not any(is_call(f, "hypot") for f in walk(moments.right)):
         yield Paragraph(sentence, (moments, *new, *rest), names)
         return
     met = _mentioned(moments).union(*map(_mentioned, squared))
@@ -291,7 +291,7 @@ def _mentioned(equation: Equation) -> set[Formula]:
 
 def _is_root(formula: Formula) -> bool:
     """Return whether something is, or is defined by, the root of a quadratic equation."""
-    return any(isinstance(part, Call) and part.function == "sqrt" for part in walk(formula))
+    return any(is_call(part, "sqrt") for part in walk(formula))
 
 
 def _ordered(side: Formula) -> Formula:

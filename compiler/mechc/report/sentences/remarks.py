@@ -5,7 +5,7 @@ from typing import assert_never
 
 from ...formula.layout import is_angle
 from ...formula.names import split_ratio
-from ...formula.tree import ZERO, Call, Formula, Power, Symbol, product, quotient
+from ...formula.tree import ZERO, Call, Formula, Power, Symbol, is_call, product, quotient
 from ...formula.walk import symbols, walk
 from ...model.mechanism import (
     Axial,
@@ -152,12 +152,12 @@ def _share(result: Analysis) -> Formula:
     below = any(isinstance(f, Power) and f.base == real for f in walk(result.formula))
     below = below or result.formula == ZERO
     share = quotient(ideal, real) if below else quotient(real, ideal)
-    is_held = isinstance(result.formula, Call) and result.formula.function == "max"
+    is_held = is_call(result.formula, "max")
     return Call("max", (share, ZERO)) if is_held else share
 
 
 def _has_sign(formula: Formula) -> bool:
-    return any(isinstance(part, Call) and part.function == "sign" for part in walk(formula))
+    return any(is_call(part, "sign") for part in walk(formula))
 
 
 def asked(result: Analysis) -> Formula:
