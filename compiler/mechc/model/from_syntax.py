@@ -186,15 +186,10 @@ def _declare_names(file: ast.File, scope: Scope) -> None:
                 scope.declare(name, "table")
             case ast.Sizes(name=name):
                 scope.declare(name, "list")
-            case (
-                ast.Force(name=name)
-                | ast.Weight(name=name)
-                | ast.Actuator(name=name)
-                | ast.Distributed(name=name)
-            ):
-                scope.declare(name, "load", FORCE)
             case ast.Torque(name=name):
                 scope.declare(name, "load", TORQUE)
+            case _ if isinstance(statement, ast.NamedLoad):
+                scope.declare(statement.name, "load", FORCE)
             case ast.Spring():
                 scope.declare(ast.Name(spring_name(statement), statement.span), "load", FORCE)
 

@@ -1,7 +1,7 @@
 """The statements of a file by kind, and which of them make a calculation sheet."""
 
 from collections.abc import Iterator
-from typing import TypeVar
+from typing import TypeVar, get_args
 
 from ..diagnostics import Report
 from ..diagnostics.model import doubts, sheets
@@ -17,15 +17,14 @@ def declared(statement: ast.Statement) -> Iterator[ast.Name]:
             yield name
         case ast.Table(name=name) | ast.Sizes(name=name):
             yield name
-        case ast.Force(name=name) | ast.Torque(name=name) | ast.Actuator(name=name):
-            yield name
-        case ast.Weight(name=name) | ast.Distributed(name=name):
-            yield name
+        case _ if isinstance(statement, ast.NamedLoad):
+            yield statement.name
 
 
 REPEATABLE = (
     *(ast.Find, ast.Expect, ast.Require, ast.Assembly, ast.Telescope, ast.Reported),
-    *(ast.Slot, ast.Contact, ast.Gear, ast.Belt, ast.Rack, ast.Screw, ast.Rope),
+    ast.Slot,
+    *get_args(ast.Transmission),
 )
 """Statements of which no rule says that they may not stand twice."""
 

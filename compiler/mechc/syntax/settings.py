@@ -31,9 +31,6 @@ Settings = Mapping[str, Setting]
 COMMAND_LINE = "-D"
 """What messages call the text of a setting."""
 
-LOADS = (ast.Force, ast.Torque, ast.Actuator, ast.Weight, ast.Distributed)
-"""The statements that declare a load by its name."""
-
 _WORD = "param "
 _UNIT = pattern(r"(?<=[\d.])(?=[a-zA-Z])(?![eE][+-]?\d)")
 
@@ -90,7 +87,7 @@ def _given_loads(
     statements: tuple[ast.Statement, ...], values: Mapping[str, ast.Expr]
 ) -> Iterator[ast.Let]:
     """Yield ``let F = 2 kN`` for each load with a value from outside that no line gives it."""
-    names = dict.fromkeys(s.name.text for s in statements if isinstance(s, LOADS))
+    names = dict.fromkeys(s.name.text for s in statements if isinstance(s, ast.NamedLoad))
     lets = {s.name.text for s in statements if isinstance(s, ast.Let)}
     for name in names:
         if name in values and name not in lets:

@@ -7,7 +7,7 @@ and remarks are aligned within such a paragraph. The comments of a statement sta
 import re
 from collections.abc import Sequence
 from itertools import groupby
-from typing import Any
+from typing import Any, get_args
 
 from ..patterns import pattern
 from . import ast, text
@@ -76,25 +76,18 @@ ONE_PIN = "friction pin {point} {coefficient} diameter {diameter}[ {law}][ on {l
 
 QUOTED = frozenset({"title", "text", "label", "about", "source", *LANGUAGES})
 
-TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw, ast.Rope)
-FRICTIONS = (
-    *(ast.PinFriction, ast.GuideFriction, ast.RollerFriction, ast.ContactFriction),
-    *(ast.GearFriction, ast.BeltFriction, ast.RackFriction, ast.ScrewFriction, ast.CollarFriction),
-    ast.RopeFriction,
-)
-
 SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
     (ast.Version, ast.Heading, ast.SheetHeading, ast.SourceNote),
     (ast.Param, ast.Drive),
     (ast.Table, ast.Sizes),
-    (*(ast.Pivot, ast.Slider, ast.Link, ast.Slide, ast.Slot, ast.Telescope), *TRANSMISSIONS),
+    (
+        *(ast.Pivot, ast.Slider, ast.Link, ast.Slide, ast.Slot, ast.Telescope),
+        *get_args(ast.Transmission),
+    ),
     (ast.Drawn, ast.Vector, ast.Turn, ast.Assembly),
     (ast.Mirror, ast.Copies),
-    (
-        *(ast.Force, ast.Torque, ast.Actuator, ast.Spring),
-        *(ast.Weight, ast.Distributed, ast.Gravity),
-    ),
-    (*FRICTIONS, ast.Motion, ast.Efficiency),
+    (*get_args(ast.Load), ast.Gravity),
+    (*get_args(ast.Friction), ast.Motion, ast.Efficiency),
     (ast.Use, ast.Let, ast.Find, ast.Require, ast.Expect),
     (ast.Reported,),
     (ast.Translate,),

@@ -43,20 +43,6 @@ class Asked(NamedTuple):
     name: str
 
 
-FRICTIONS = (
-    ast.PinFriction,
-    ast.GuideFriction,
-    ast.RollerFriction,
-    ast.ContactFriction,
-    ast.GearFriction,
-    ast.BeltFriction,
-    ast.RackFriction,
-    ast.ScrewFriction,
-    ast.CollarFriction,
-    ast.RopeFriction,
-)
-
-
 def read_finds(file: ast.File, scope: Scope) -> list[Find]:
     """Return every find and enter its name; points and loads are known by now.
 
@@ -67,7 +53,7 @@ def read_finds(file: ast.File, scope: Scope) -> list[Find]:
     motion = only(file, ast.Motion)
     sense: Sense = motion.sense if motion else "tightening"
     overridden = bool(every(file, ast.Efficiency))
-    has_friction = any(isinstance(s, FRICTIONS) for s in file.statements) and not overridden
+    has_friction = any(isinstance(s, ast.Friction) for s in file.statements) and not overridden
     if has_friction:
         _remark_on_names(file, scope)
     if has_friction or overridden:

@@ -32,11 +32,6 @@ from .part_names import declared_points, numbered, of_a_part, renamed, symbols_i
 BEHIND = (ast.Version, ast.Heading, ast.SourceNote, ast.Find, ast.Expect, ast.Motion, ast.Gravity)
 """What a part leaves behind: these are said of the whole."""
 
-LOADS = (
-    *(ast.Force, ast.Torque, ast.Actuator, ast.Weight, ast.Distributed),
-    ast.Spring,
-)
-
 FOUND = frozenset({"V", "omega", "R", "N"})
 """The quantities that are found of a mechanism, by their prefixes."""
 
@@ -67,7 +62,7 @@ def part_of(
 def _left_behind(joining: Joining, report: Report) -> frozenset[str]:
     """Return the names of quantities that stay behind; report what cannot."""
     use = joining.use
-    loads = {_load_name(s): s for s in joining.own if isinstance(s, LOADS)}
+    loads = {_load_name(s): s for s in joining.own if isinstance(s, ast.Load)}
     known = [*loads, *joining.used.parameters]
     for name in use.without:
         if name.text not in known:
@@ -103,10 +98,8 @@ def _coordinates(own: Sequence[ast.Statement]) -> Iterator[str]:
             yield symbol.name
 
 
-def _load_name(statement: ast.Statement) -> str:
-    if isinstance(statement, ast.Spring):
-        return spring_name(statement)
-    return next(declared(statement)).text
+def _load_name(statement: ast.Load) -> str:
+    return spring_name(statement) if isinstance(statement, ast.Spring) else statement.name.text
 
 
 def _resting_on(behind: set[str], own: Sequence[ast.Statement]) -> set[str]:
@@ -240,7 +233,7 @@ def _stays(statement: ast.Statement, joining: Joining, behind: frozenset[str]) -
             return name.text in behind
         case ast.Require():
             return _rests(statement, behind)
-        case _ if isinstance(statement, LOADS):
+        case _ if isinstance(statement, ast.Load):
             return _load_name(statement) in behind
         case _:
             return isinstance(statement, BEHIND)

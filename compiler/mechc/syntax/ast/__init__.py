@@ -39,10 +39,13 @@ from .forces import ContactFriction as ContactFriction
 from .forces import Distributed as Distributed
 from .forces import Efficiency as Efficiency
 from .forces import Force as Force
+from .forces import Friction as Friction
 from .forces import GearFriction as GearFriction
 from .forces import Gravity as Gravity
 from .forces import GuideFriction as GuideFriction
+from .forces import Load as Load
 from .forces import Motion as Motion
+from .forces import NamedLoad as NamedLoad
 from .forces import PinFriction as PinFriction
 from .forces import RackFriction as RackFriction
 from .forces import RollerFriction as RollerFriction
@@ -69,6 +72,7 @@ from .linkage import Slide as Slide
 from .linkage import Slider as Slider
 from .linkage import Slot as Slot
 from .linkage import Telescope as Telescope
+from .linkage import Transmission as Transmission
 from .linkage import Turn as Turn
 from .linkage import Vector as Vector
 from .quantities import Branch as Branch

@@ -80,6 +80,13 @@ class Weight(Statement):
     link: Name | None = None
 
 
+NamedLoad = Force | Torque | Actuator | Distributed | Weight
+"""A statement that declares a load by its name."""
+
+Load = NamedLoad | Spring
+"""A statement of a load."""
+
+
 @frozen
 class Gravity(Statement):
     """``gravity along θ``."""
@@ -190,6 +197,21 @@ class RopeFriction(Statement):
     wrap: Expr
     drum: Expr | None = None
     link: Name | None = None
+
+
+Friction = (
+    PinFriction
+    | GuideFriction
+    | RollerFriction
+    | ContactFriction
+    | GearFriction
+    | BeltFriction
+    | RackFriction
+    | ScrewFriction
+    | CollarFriction
+    | RopeFriction
+)
+"""A statement of friction somewhere."""
 
 
 @frozen

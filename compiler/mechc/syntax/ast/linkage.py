@@ -127,6 +127,10 @@ class Screw(Statement):
     link: Name
 
 
+Transmission = Gear | Rack | Contact | Belt | Screw | Rope
+"""A statement of what passes motion on otherwise than by a pin or a guide."""
+
+
 @frozen
 class Drive(Statement):
     """``drive phi from a to b``, ``drive OA from a to b``: a parameter, or a link by its points.
