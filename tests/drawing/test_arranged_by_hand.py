@@ -3,7 +3,7 @@
 import pytest
 
 from mechc.drawing.arrange import WIDE, below_each_other, in_rows
-from mechc.drawing.drawing import SYMBOL, Arc, Drawing
+from mechc.drawing.drawing import SYMBOL, Arc, Drawing, Label, Run
 from mechc.drawing.panels import kept
 from mechc.drawing.parted import parted
 from mechc.pose.places import Plane
@@ -47,6 +47,15 @@ def test_a_drawing_that_is_too_high_is_cut_where_nothing_stands():
     assert [part.high.y for part in parts] == [54, 34.5, 16.5]
     assert [part.low.y for part in parts] == [34.5, 16.5, 0]
     assert parted(whole, 54.0) == (whole,)
+
+
+def test_a_heading_goes_with_what_is_below_it():
+    """Bodies at 50 and 10, each with its name above it, and a heading between them."""
+    names = [Label(Plane(0, y), (Run("O"),), SYMBOL, 3.9, 4.0, 4.0) for y in (57, 31, 17)]
+    whole = Drawing("", "", (ring(50), ring(10)), tuple(names), Plane(-4, 0), Plane(4, 60))
+    upper, lower = parted(whole, 45.0)
+    assert [label.at.y for label in upper.labels] == [57]
+    assert [label.at.y for label in lower.labels] == [31, 17]
 
 
 def test_a_row_that_is_too_high_by_itself_stays_whole():

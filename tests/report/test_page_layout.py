@@ -7,6 +7,7 @@ import pytest
 
 import mechc
 from good_mechanisms import OF_LIBRARY, compiled
+from mechc.emit.latex.tables import tabular
 from mechc.formula.tree import Call, Symbol, product
 from mechc.plot.query import rows
 from mechc.report.latex.display import Line, display
@@ -150,3 +151,11 @@ def test_what_is_said_of_a_formula_of_a_sheet_is_on_its_page() -> None:
     before = text[: text.index(said)].rstrip()
     assert before.endswith("\\]\n}%")
     assert before.rindex(r"{\postdisplaypenalty=10000") > before.rindex(r"\noindent")
+
+
+@pytest.mark.parametrize(("rows", "columns", "blocks"), [(20, 3, 2), (20, 5, 1), (9, 3, 1)])
+def test_a_long_narrow_table_is_set_in_halves(rows: int, columns: int, blocks: int) -> None:
+    lines = list(tabular(["x"] * columns, [[str(row)] * columns for row in range(rows)]))
+    assert sum(line.startswith(r"\begin{tabular}") for line in lines) == blocks
+    shown = [line.split(" ")[0] for line in lines if line[0].isdigit()]
+    assert shown == [str(row) for row in range(rows)]

@@ -4,6 +4,7 @@ import pytest
 
 from good_mechanisms import CLOSED, compiled
 from mechc.driver import Compilation
+from mechc.formula.to_text import text
 from mechc.formula.walk import symbols
 from mechc.report.sections import outline
 from mechc.source import Source
@@ -106,3 +107,26 @@ def test_a_vector_whose_drawn_length_has_its_name_is_one_sum():
     *_, step = derivation.position
     assert (step.kind, step.points) == ("sum", ("P", "E"))
     assert [d.name for d in step.definitions] == ["phi_PE", "len_PE_"]
+
+
+SLOT = """
+mechanism slot
+param phi = 25 deg in 5 deg .. 60 deg
+param g = 180 mm
+pivot O at (0 mm, 0 mm)
+slider A along y through (g, 0 mm)
+link OB
+slot A in OB
+OB = 300 mm @ phi
+force P at A along y
+force F at B along phi - 90 deg
+find k = P/F
+"""
+
+
+def test_a_length_that_stands_in_velocities_by_its_formula_is_found_before_them():
+    """g/cos φ stands for OA, which no description gives."""
+    derivation = Compilation(Source("slot.mech", SLOT)).derivation
+    (step,) = derivation.position
+    assert [(d.name, text(d.formula)) for d in step.definitions] == [("len_OA", "g/cos(phi)")]
+    assert text(derivation.steps[0].relations[0].left) == "g*omega_OB/cos(phi)"

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from ..frozen import replace
+from ..named import NamedTuple
 from ..pose.places import Plane
 from .drawing import Drawing, Label, Polyline, Shape
 
@@ -22,27 +23,46 @@ def parted(drawing: Drawing, height: float) -> tuple[Drawing, ...]:
     return tuple(_between(drawing, low, high) for high, low in pairwise(cuts))
 
 
+ROWS = 3.0
+"""How far rows are apart at least; less may be between an arrow and its name."""
+
+
+class Gap(NamedTuple):
+    """A stretch in which nothing stands: its middle, and whether rows are apart there.
+
+    Below what are only labels, a heading or the name of a point, stands what they are of.
+    """
+
+    at: float
+    between_rows: bool
+
+
 def _cuts(drawing: Drawing, height: float) -> Iterator[float]:
-    """Yield where to cut, as far down as a part may reach."""
-    top, last = drawing.high.y, drawing.high.y
-    for gap in (*_gaps(drawing), drawing.low.y):
-        if top - gap > height and last < top:
-            yield last
-            top = last
-        last = gap
+    """Yield where to cut, as far down as a part may reach; between rows, if there are some."""
+    gaps, top = list(_gaps(drawing)), drawing.high.y
+    while top - drawing.low.y > height:
+        below = [gap for gap in gaps if gap.at < top]
+        reached = [gap for gap in below if top - gap.at <= height] or below[:1]
+        rows = [gap for gap in reached if gap.between_rows]
+        if not reached:
+            return
+        top = (rows or reached)[-1].at
+        yield top
 
 
-def _gaps(drawing: Drawing) -> Iterator[float]:
-    """Yield the middle of each stretch without any shape or label, from the top down."""
-    spans = sorted(
-        (_span(each) for each in (*drawing.shapes, *drawing.labels)),
+def _gaps(drawing: Drawing) -> Iterator[Gap]:
+    """Yield the stretches without any shape or label, from the top down."""
+    pieces = sorted(
+        ((*_span(each), isinstance(each, Label)) for each in (*drawing.shapes, *drawing.labels)),
         reverse=True,
-        key=lambda span: span[1],
+        key=lambda piece: piece[1],
     )
-    lowest = spans[0][0]
-    for low, high in spans:
+    lowest, only_labels = pieces[0][0], True
+    for low, high, is_label in pieces:
         if high < lowest:
-            yield (high + lowest) / 2
+            yield Gap((high + lowest) / 2, lowest - high > ROWS and not only_labels)
+            only_labels = True
+        only_labels = only_labels and is_label
         lowest = min(lowest, low)
 
 

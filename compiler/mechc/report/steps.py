@@ -73,9 +73,9 @@ class Rule(StrEnum):
     """The same from the projections of the velocity on two lines."""
 
 
-PositionKind = Literal[LoopKind, "equal", "sum"]
-"""How a loop is solved, that ``equal`` lengths solve it, or that a vector is the ``sum`` of others.
-"""
+PositionKind = Literal[LoopKind, "length", "equal", "sum"]
+"""How a loop is solved, or gives one ``length``, that ``equal`` lengths solve it, or that a vector
+is the ``sum`` of others."""
 
 
 @frozen

@@ -136,6 +136,7 @@ def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[
     for plot in plots:
         heads = [head(of_result(c.axis.name, style), c.axis.unit, locale) for c in plot.columns]
         columns = (numbers(_in_unit(column), style) for column in plot.columns)
+        yield rf"\medskip\noindent {_against(plot, locale, style)}:"
         yield from tabular(heads, list(zip(*columns, strict=True)))
 
 

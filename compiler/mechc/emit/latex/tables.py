@@ -21,17 +21,32 @@ ABREAST = 6
 """How many columns a table has at most beside that of the drive."""
 
 
+NARROW, LONG = 4, 12
+"""A table of so few columns and more rows than this is set in two halves beside each other."""
+
+
 def tabular(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
     """Yield a table of numbers in the middle of the page, on that of the line above it."""
     yield r"\par\nobreak\medskip{\centering"
-    yield rf"\begin{{tabular}}{{@{{}}{'r' * len(heads)}@{{}}}}"
+    half = math.ceil(len(rows) / 2)
+    if len(heads) <= NARROW and len(rows) > LONG:
+        yield from _block(heads, rows[:half])
+        yield r"\hspace{3em}"
+        yield from _block(heads, rows[half:])
+    else:
+        yield from _block(heads, rows)
+    yield r"\par}\medskip"
+
+
+def _block(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    yield rf"\begin{{tabular}}[t]{{@{{}}{'r' * len(heads)}@{{}}}}"
     yield r"\toprule"
     yield f"{' & '.join(heads)} \\\\"
     yield r"\midrule"
     for row in rows:
         yield f"{' & '.join(row)} \\\\"
     yield r"\bottomrule"
-    yield r"\end{tabular}\par}\medskip"
+    yield r"\end{tabular}"
 
 
 def head(written: str, unit: str, locale: Locale) -> str:

@@ -4,12 +4,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from ...formula.names import split_points
-from ...formula.tree import Call, Formula, Implicit, Power
+from ...formula.tree import ONE, Call, Formula, Implicit, Number, Power, Product
 from ...formula.typesetting import HALF
 from ...formula.walk import reached, symbols, walk
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop
-from ..steps import Derivation, PositionKind, PositionStep
+from ..steps import Derivation, PositionKind, PositionStep, Step
 
 
 def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]:
@@ -17,7 +17,8 @@ def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]
     formulas = {d.name: d.formula for d in pose.definitions}
     order = {name: place for place, name in enumerate(formulas)}
     steps = [*_of_loops(pose, derivation, formulas), *_of_sums(pose, derivation, formulas)]
-    return sorted(steps, key=lambda step: order[step.definitions[0].name])
+    at_once = list(_put_in(pose, derivation))
+    return [*at_once, *sorted(steps, key=lambda step: order[step.definitions[0].name])]
 
 
 Formulas = Mapping[str, Formula]
@@ -30,6 +31,35 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
         if names:
             found = tuple(Definition(n, formulas[n]) for n in names)
             yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found)
+
+
+def _put_in(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]:
+    """Yield the loops that give lengths of one product each, as far as velocities have these.
+
+    Such a product stands in place of the length: ``g/cos(alpha)``.
+    """
+    products = {d.name: d.formula for d in pose.put_in}
+    met = [_factors(side) for step in derivation.steps for side in _sides(step)]
+    for loop in pose.solved:
+        names = [n for n in loop.names if n in products] if loop.kind == "lengths" else []
+        wanted = {n: _factors(products[n]) for n in names}
+        names = [n for n in names if any(wanted[n].items() <= has.items() for has in met)]
+        if names:
+            kind: PositionKind = "lengths" if len(names) > 1 else "length"
+            found = tuple(Definition(n, products[n]) for n in names)
+            yield PositionStep(kind, loop.points, loop.is_clockwise, found)
+
+
+def _sides(step: Step) -> Iterator[Formula]:
+    for equation in step.relations:
+        yield from (equation.left, equation.right)
+
+
+def _factors(formula: Formula) -> dict[Formula, Formula]:
+    """Return the factors of a product with their exponents, without its number."""
+    factors = formula.factors if isinstance(formula, Product) else (formula,)
+    powers = (f if isinstance(f, Power) else Power(f, ONE) for f in factors)
+    return {p.base: p.exponent for p in powers if not isinstance(p.base, Number)}
 
 
 _SOLVED = frozenset({"acos", "asin", "atan", "atan2", "hypot", "sqrt"})

@@ -111,6 +111,7 @@ LOCALE = Locale(
         " ends, the place on it is the length of that vector.",
         "equal": "Loop {loop}: lengths in it are equal, so that its directions follow at once.",
         "lengths": "Loop {loop}: its projections give two lengths.",
+        "length": "Loop {loop}: its projection gives a length.",
         "sum": "The vector {loop} is a sum of vectors: its projections give direction and length.",
         "vector": "The vector between points of {loop} that have their places.",
         "system": "The loops through {all} close together; their equations are solved by "
