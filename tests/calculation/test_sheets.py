@@ -217,7 +217,7 @@ def test_the_note_has_the_numbers_with_their_units(capsys: pytest.CaptureFixture
         "  d = next max(d_s, 0.3 * s) in dowels = next max(6.5147 mm, 0.3 * 10 mm) in dowels = 8 mm"
         " (d_s decides)",
         "  tau = 4*K*F/(pi*d^2) = 4 * 1.25 * 2 kN / (pi * (8 mm)^2) = 49.7359 MPa",
-        "  c = (2*tau/tau_a when d > 7 mm; else 1) = 2 * 49.7359 MPa / 75 MPa = 1.32629",
+        "  c = (2*tau/tau_a when d > 7 mm; else 1) = 2 * 49.7359 MPa / (75 MPa) = 1.32629",
         "  tau <= tau_a: 49.7359 MPa <= 75 MPa, reserve 1.51",
         "  s > d: 10 mm > 8 mm, reserve 1.25, the least",
         "  v <= 1.01 m/s: 1 m/s <= 1.01 m/s    ",

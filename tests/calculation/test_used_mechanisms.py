@@ -385,7 +385,7 @@ def test_a_loop_that_does_not_close_is_named_with_both_places(tmp_path: Path) ->
         mechc.load(tmp_path / "s.mech")
     assert found.value.source is not None
     said = render(found.value.diagnostics[0], found.value.source)
-    assert "has no value at what is given to the mechanism: loop" in said
+    assert "has no value at what is given to the mechanism: no closure of loop" in said
     assert "s.mech:2:5" in said
     assert "crank.mech:17:10: it is asked for here" in said
 

@@ -171,6 +171,19 @@ def test_coefficients_that_are_numbers_have_names():
     assert named == {"theta", "d", "f", "f_B", "len_AB", "len_OA"}
 
 
+@pytest.mark.parametrize(
+    "pins", ["friction pins 0.1 diameter 20 mm", "friction pin A 0.1 diameter 20 mm"]
+)
+def test_a_coefficient_of_several_is_called_after_none_of_them(pins):
+    """rho = d*f_B/2 would be read as the friction circle of the slider's coefficient."""
+    text = TOGGLE.format(pins="0.1", guide="0.1")
+    for line in ("friction pins 0.1 diameter 20 mm\n", "friction slider B 0.1\n"):
+        text = text.replace(line, "")
+    for lines in (f"{pins}\nfriction slider B 0.1\n", f"friction slider B 0.1\n{pins}\n"):
+        named = {symbol.name for symbol in mechc.loads(text + lines)["k_f1"].free_symbols}
+        assert {name for name in named if name.startswith("f")} == {"f"}
+
+
 def test_one_number_is_one_coefficient():
     toggle = mechc.loads(TOGGLE.format(pins="0.1", guide="0.1"))
     assert {s.name for s in toggle["k_f1"].free_symbols} == {"theta", "d", "f", "len_AB", "len_OA"}

@@ -62,6 +62,7 @@ SHEET = "sheet pin\nparam d = 3\nparam F = 12 kN\nparam a = 5 mm\n"
         ("let A = 0.25 mm^2*a^2", "W294"),
         ("let A = a^2*0.25 in mm^2", ""),
         ("let A = a*10 mm", ""),
+        ("let I = a^2*(4 mm^2)", ""),
         ("let A = pi*a^2*0.25 mm^2", "W294"),
         ("let A = pi*50 mm^2/4", "W279"),
         ("param T = F*2 N", "W294"),

@@ -1,11 +1,12 @@
 """Coefficients and lengths of friction, checked for values that make sense."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from fractions import Fraction
 
 from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import friction as messages
 from ...formula.evaluate import evaluate
-from ...formula.tree import Formula
+from ...formula.tree import Formula, Number
 from ...formula.walk import symbols
 from ...source import Span
 from ...syntax import ast
@@ -28,7 +29,35 @@ def coefficient(expression: ast.Expr, of: str, scope: Scope) -> Formula | None:
     if value is not None and value > 1:
         scope.report.add(sizes.coefficient_above_one(expression.span, what, value))
     found = checked(formula, expression.span, what, lambda v: v >= 0, scope)
+    of = "" if found in scope.shared else of
     return found and scope.named("f", of, found, NUMBER, expression.span)
+
+
+def shared_coefficients(statements: Iterable[ast.Statement]) -> frozenset[Formula]:
+    """Return the number that is the coefficient of several points, or of all pins, if it is one.
+
+    It is f then: as f_B, after one of the points, it would be read as that of this point alone.
+    Of several such numbers each is called after a point of its own.
+    """
+    points: dict[Formula, set[str]] = {}
+    for statement in statements:
+        match statement:
+            case (
+                ast.PinFriction()
+                | ast.GuideFriction()
+                | ast.ContactFriction()
+                | ast.CollarFriction()
+                | ast.ScrewFriction()
+                | ast.RopeFriction()
+                | ast.RollerFriction()
+            ):
+                value, point = statement.coefficient, statement.point
+                if isinstance(value, ast.Number) and not value.unit:
+                    of = points.setdefault(Number(Fraction(value.digits)), set())
+                    of.add(point.text if point else "")
+    everywhere = [value for value, of in points.items() if "" in of]
+    several = everywhere or [value for value, of in points.items() if len(of) > 1]
+    return frozenset(several) if len(several) == 1 else frozenset()
 
 
 def positive_length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:

@@ -36,7 +36,13 @@ from ..parts.friction import (
 from ..parts.loads import acts_at
 from ..statements import every, only
 from . import collars, pulleys
-from .coefficients import checked, coefficient, positive_length, value_of
+from .coefficients import (
+    checked,
+    coefficient,
+    positive_length,
+    shared_coefficients,
+    value_of,
+)
 from .pins import Pins, remark_on_pairs
 
 TransmissionFriction = (
@@ -57,6 +63,7 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     points = [s.point for s in every(file, ast.PinFriction) if s.point]
     named = {point.text for point in points if scope.points.acting(point)}
     pins = Pins(named, built, scope)
+    scope.shared = shared_coefficients(file.statements)
     found: dict[tuple[object, ...], JointFriction] = {}
     for statement in file.statements:
         joints = {_kind_and_point(j): j for j in _read(statement, file, pins, built, scope)}

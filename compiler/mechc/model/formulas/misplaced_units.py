@@ -18,6 +18,8 @@ def note_misplaced_unit(statement: ast.Let | ast.Param, found: Dimension, scope:
         digits, unit = factor.digits, factor.unit
         text = scope.report.source.text
         before = text[value.span.start : factor.span.start]
+        if before.endswith("("):
+            return  # what has brackets of its own is meant
         behind = text[factor.span.end : value.span.end]
         plain = f"{before}{digits}{behind}" + f" in {unit}" * has_unit
         scope.report.add(messages.unit_twice(factor.span, name, f"{digits} {unit}", unit, plain))

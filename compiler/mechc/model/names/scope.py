@@ -100,8 +100,8 @@ class Scope:
     for an open one, which reveal multiples that are out of reach; ``ranges`` has the ends of
     those that run over one, ``settings`` the places where the command line gives a value.
     ``constants`` are the numbers that have got a name, by what they are and their value, with
-    their places, ``brought`` what is used, by its prefix. Of a calculation ``sheet`` a condition
-    keeps the names of lets.
+    their places, ``shared`` those that belong to no point alone, ``brought`` what is used, by its
+    prefix. Of a calculation ``sheet`` a condition keeps the names of lets.
     """
 
     def __init__(self, report: Report, points: Points, sheet: bool = False) -> None:
@@ -117,6 +117,7 @@ class Scope:
         self.sizes: dict[str, float] = {}
         self.ranges: dict[str, tuple[float, float]] = {}
         self.constants: dict[tuple[str, Formula], Named] = {}
+        self.shared = frozenset[Formula]()
         self.brought: dict[str, ast.Brought] = {}
         self._on_paper: dict[Name, str] = {}
         self._misfits: set[tuple[str, Dimension]] = set()

@@ -32,6 +32,9 @@ _POWER = pattern(r"\^(\d+)")
 _WORD = pattern(r"[\w.°₀-₉]+")
 """An argument that needs no parentheses: a letter with its indices, a multiple, a number."""
 
+_MEASURED = pattern(r"[−-]?\d[\d.,e+−-]* \S+")
+"""A number and its unit: ``5 kN``."""
+
 
 WRITTEN: Mapping[str, str] = MappingProxyType(
     {
@@ -180,8 +183,10 @@ class _Terminal(Typesetter[str]):
         return line
 
     def over(self, above: str, below: str, several: bool) -> str:
+        """Return a quotient on one line: ``F / (5 kN)``, as ``F / 5 kN`` can be read as kN, too."""
         sign = " / " if " " in above + below else "/"
-        return f"{above}{sign}({below})" if several else f"{above}{sign}{below}"
+        is_enclosed = several or _MEASURED.fullmatch(below)
+        return f"{above}{sign}({below})" if is_enclosed else f"{above}{sign}{below}"
 
     def beside(self, first: str, second: str) -> str:
         return first + self.signs.times + second
