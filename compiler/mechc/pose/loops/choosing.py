@@ -55,8 +55,9 @@ class Choice:
         decisive = read.decisive(lines, poses, possible)
         self._unused = [a for a in self._unused if a not in decisive]
         meant = [i for i in possible if all(read.holds(a, poses, i) for a in decisive)]
-        if not decisive and len(meant) > 1:
-            meant = _by_the_drawing(meant, poses, group, state, within)
+        if len(meant) > 1:
+            drawn = nearest(poses, meant, state, within)
+            meant = drawn or (meant if decisive else _ahead(meant, group, poses, state))
         left = meant or possible
         if len(meant) != 1:
             self._report_open(decisive, [poses[i] for i in left], group, read, not meant)
@@ -114,17 +115,10 @@ def _guide_lines(group: Loops, state: State) -> Mapping[str, GuideLine]:
     return {line.pin: line for line in guide_lines}
 
 
-def _by_the_drawing(
-    possible: list[int],
-    poses: Sequence[Values],
-    group: Loops,
-    state: State,
-    within: Collection[str] | None,
-) -> list[int]:
-    """Return the closure nearest to the drawing, or the one ahead of its guide; else all."""
-    drawn = nearest(poses, possible, state, within)
+def _ahead(possible: list[int], group: Loops, poses: Sequence[Values], state: State) -> list[int]:
+    """Return the one closure ahead of its guide; else all."""
     ahead = _reaching_ahead(group, poses, state)
-    return drawn or (ahead if len(ahead) == 1 else possible)
+    return ahead if len(ahead) == 1 else possible
 
 
 def _reaching_ahead(group: Loops, poses: Sequence[Values], state: State) -> list[int]:
