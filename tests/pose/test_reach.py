@@ -92,9 +92,9 @@ def refused(monkeypatch):
         for module in (choosing, by_groups):
             words = module.messages.cannot_assemble
 
-            def spy(at, loop, drive, stretches, words=words):
+            def spy(at, loop, drive, stretches, *more, words=words):
                 seen.extend(stretches)
-                return words(at, loop, drive, stretches)
+                return words(at, loop, drive, stretches, *more)
 
             monkeypatch.setattr(module.messages, "cannot_assemble", spy)
         with pytest.raises(mechc.MechcError) as caught:
