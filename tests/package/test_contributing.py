@@ -1,10 +1,15 @@
 """CONTRIBUTING names places that are there: its tables and lists are the map of the tree."""
 
+import ast
 import re
+from types import UnionType
+from typing import get_args
 
 import pytest
 
+from mechc.model.parts import linkage, loads
 from paths import PACKAGE, ROOT, TESTS
+from sources import tree_of
 
 TEXT = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 PLACES = sorted(set(re.findall(r"`([\w.*]+/[\w./*]*|\w+\.py)`", TEXT)))
@@ -18,3 +23,32 @@ def test_places_exist(place: str) -> None:
     near = (ROOT.glob(place), PACKAGE.glob(place))
     anywhere = () if "/" in place.rstrip("/") else (PACKAGE.rglob(place), TESTS.rglob(place))
     assert any(path for paths in (*near, *anywhere) for path in paths)
+
+
+def section(title: str) -> str:
+    return TEXT.split(f"## {title}\n")[1].split("\n## ")[0]
+
+
+def whole_matches(kinds: frozenset[str]) -> set[str]:
+    """Return the modules in which a ``match`` has a case for every one of some classes."""
+    found = set()
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(tree_of(path)):
+            if isinstance(node, ast.Match):
+                parts = (part for case in node.cases for part in ast.walk(case.pattern))
+                classes = (p.cls for p in parts if isinstance(p, ast.MatchClass))
+                if kinds <= {cls.id for cls in classes if isinstance(cls, ast.Name)}:
+                    found.add(path.relative_to(PACKAGE).as_posix())
+    return found
+
+
+@pytest.mark.parametrize(
+    ("title", "union"), [("To add a joint", linkage.Joint), ("To add a load", loads.Load)]
+)
+def test_a_list_names_every_pass_that_has_a_case_for_each(title: str, union: UnionType) -> None:
+    kinds = frozenset(kind.__name__ for kind in get_args(union))
+    named = set(re.findall(r"`([\w/]+/(?:\w+\.py)?)`", section(title)))
+    folders = tuple(place for place in named if place.endswith("/"))
+    passes = whole_matches(kinds)
+    assert passes
+    assert {p for p in passes - named if not p.startswith(folders)} == set()
