@@ -74,7 +74,7 @@ def _titled(name: str, path: Path, language: str) -> Row:
     """Return a row with the title alone, the one that was noted if the text is still the same."""
     source = read(path)
     made_from, *noted = _noted().get(name, (0,))
-    is_same = made_from == checksum(source.text)
+    is_same = made_from == checksum(source.text) and len(noted) == len(LANGUAGES)
     in_each = noted if is_same else compilations.titles(source)
     return Row(name, in_each[LANGUAGES.index(language)], "", "")
 

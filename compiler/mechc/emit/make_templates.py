@@ -12,7 +12,9 @@ from jinja2 import Environment, FileSystemLoader, nodes
 from ..data import PACKAGE
 
 EMIT = PACKAGE / "emit"
-TARGETS = ("c", "latex", "python")
+TARGETS = tuple(sorted({path.parent.name for path in EMIT.glob("*/*.jinja")}))
+"""The folders that have templates."""
+
 MADE = "templates.py"
 
 MARKS = {
