@@ -21,7 +21,7 @@ def compiled(seed: int) -> Compilation:
 
 @lru_cache(maxsize=4)
 def along(seed: int) -> tuple[Compilation, Stroke]:
-    """Return the same with its stroke, once for what looks at it in turn."""
+    """Return a grown mechanism with its stroke, once for what looks at it in turn."""
     compilation = compiled(seed)
     return compilation, compilation.stroke(3)
 

@@ -62,7 +62,7 @@ def independent(rows: Iterable[Residues]) -> list[bool]:
 
 
 def independent_of(rows: Sequence[Mapping[int, Product]]) -> list[bool]:
-    """Return the same of rows of products; of one row no more is asked than whether it is zero."""
+    """Return which rows of products are independent of those before; a single one if not zero."""
     point = Point()
     if len(rows) == 1:
         return [any(entry.residue(point) for entry in rows[0].values())]

@@ -45,7 +45,7 @@ class Compiled(Protocol):
 
     @property
     def by_equilibrium(self) -> "Derivation":
-        """Return the same with loads by the equilibrium of free bodies."""
+        """Return the derivation for people, loads by the equilibrium of free bodies."""
         ...
 
     @property

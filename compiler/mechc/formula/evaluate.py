@@ -130,7 +130,7 @@ def status(formula: Implicit, values: Mapping[str, float]) -> Status:
 
 
 def status_along(formula: Implicit) -> Callable[[Mapping[str, float]], Status]:
-    """Return the same as a function of the names' values, for many of them."""
+    """Return how solutions are found as a function of the names' values, for many of them."""
     names = sorted(symbols(formula))
     code, given = straight_line(formula.arguments, names), in_order(names)
     followed = _followed(formula.system)

@@ -152,7 +152,7 @@ class Way(NamedTuple):
         start: Sequence[float],
         outer: Sequence[float],
     ) -> tuple[Status, tuple[float, ...]]:
-        """Return the same by the arc length of the branch, from the start on, which is exact."""
+        """Follow the branch by its arc length instead, from the start on, which is exact."""
         changes = [o - a for a, o in zip(anchor, outer, strict=True)]
         arcs = Arcs(
             lambda x, share: along(x, _between(anchor, outer, share), changes),

@@ -107,7 +107,7 @@ class StraightLine:
             return self._step_by_step(values)
 
     def _step_by_step(self, values: Sequence[float]) -> list[float]:
-        """Return the same where some of the operations have no value."""
+        """Return the values of the formulas where some of the operations have none."""
         found: list[Any] = [*values, *self._constants]
         keep, steps = found.append, iter(self._steps)
         while True:

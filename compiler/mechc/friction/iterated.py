@@ -38,7 +38,7 @@ def first_order(
 def first_order_case(
     name: str, ideal: Result, loaded: Sequence[LoadedPair], sense: int, signs: AtOnePose
 ) -> Printed:
-    """Return the same for the signs of a pose, and the forces and slips that it sums up.
+    """Return the load of first order for the signs of a pose, with the forces and slips summed up.
 
     Where it is longer than these, they keep their names in it. What is zero at the pose adds
     nothing: a force and a slip that are would have one name, and another dimension each.
@@ -184,7 +184,7 @@ def exact(
 def exact_case(
     ideal: Result, loaded: Sequence[LoadedPair], sizes: Sizes, signs: AtOnePose
 ) -> Printed:
-    """Return the same with a name for each slip, its sign that of a pose.
+    """Return the exact load with a name for each slip, its sign that of a pose.
 
     So has the load without friction, where it is long. A slip that is zero adds nothing.
     """

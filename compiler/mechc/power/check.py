@@ -174,7 +174,7 @@ def _with_loads(balance: Balance) -> dict[str, float]:
 
 
 def _scaled(balance: Balance) -> dict[str, float]:
-    """Return the same in other units; what follows from it is left to be found anew."""
+    """Return the default pose and loads in other units; what follows is left to be found anew."""
     mechanism, values = balance.plan.graph.pose.mechanism, _with_loads(balance)
     parameters: Iterable[Parameter] = (*mechanism.parameters, *mechanism.literals)
     dimensions = {p.name: p.dimension for p in parameters}

@@ -39,7 +39,7 @@ class Solution:
     common: frozenset[str]
 
     def times(self, factor: float) -> "Solution":
-        """Return the same under loads so many times as large."""
+        """Return the solution under loads so many times as large."""
         found = [factor * x for x in self.found]
         sizes = {name: factor * size for name, size in self.sizes.items()}
         return replace(self, found=found, sizes=sizes)

@@ -93,7 +93,7 @@ class Loaded(NamedTuple):
     surfaces: list[SurfacePair]
 
     def under(self, frictions: Iterable[float]) -> FrictionForces:
-        """Return the same with frictions of these sizes."""
+        """Return the forces of friction where the frictions have these sizes."""
         return FrictionForces(*self[:-1], tuple(frictions))
 
 

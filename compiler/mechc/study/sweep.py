@@ -63,7 +63,7 @@ class Form:
         return math.nan if self._value is None else found[self._value]
 
     def guarded(self, found: Sequence[float]) -> float:
-        """Return the same, NaN as well where a guard does not hold."""
+        """Return the result's own value, NaN as well where a guard does not hold."""
         sound = all(compare(found[i], sign, found[j]) for i, sign, j in self._guards)
         return self.value(found) if sound else math.nan
 

@@ -33,7 +33,7 @@ def results(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
 
 
 def results_in_latex(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
-    """Return the same in LaTeX, for what a notebook is printed by; of a sheet its note."""
+    """Return results as LaTeX, for what a notebook is printed by; of a sheet its note."""
     if is_sheet(compiled.mechanism):
         return derivation_in_latex(compiled)
     return "\n\n".join(_displays(compiled, tuple(wanted)))

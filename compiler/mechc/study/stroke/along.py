@@ -94,7 +94,7 @@ class Along:
         return rounding
 
     def rounded(self, drives: Sequence[float]) -> RoundedColumns:
-        """Return the same at several values of the drive at once."""
+        """Return the values at several of the drive at once, with what rounding makes of them."""
         rows = len(drives)
         given = {
             name: RoundedColumn([value] * rows, [EPS * abs(value)] * rows)
@@ -113,7 +113,7 @@ class Along:
         return self.function(formula, where)(x)
 
     def function(self, formula: Formula, where: Result | None) -> Function:
-        """Return the same as a function of the drive, which keeps its values."""
+        """Return a formula as a function of the drive, which keeps its values."""
         key = id(formula), id(where)
         if key not in self._functions:
             value = form(formula, where, self._names)
