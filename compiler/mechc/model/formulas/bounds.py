@@ -12,6 +12,12 @@ _TURNED = {"less": "more", "at_most": "at_least", "more": "less", "at_least": "a
 
 Range = tuple[float, float]
 
+End = tuple[float, bool]
+"""An end of an interval, the upper one with its sign turned, and whether it is left out.
+
+Of two ends the stricter one is the greater.
+"""
+
 
 def never_met(links: Sequence[Formula], ranges: Mapping[str, Range]) -> str:
     """Return the name of which no value in its range meets all comparisons with numbers, or ''.
@@ -26,35 +32,22 @@ def never_met(links: Sequence[Formula], ranges: Mapping[str, Range]) -> str:
     ''
     >>> never_met([Call("more", (v, number(5))), Call("at_most", (v, number(5)))], {})
     'v'
+    >>> never_met([Call(c, (v, number(n))) for c, n in (("more", 3), ("same", 5))], {})
+    ''
     """
-    within: dict[str, tuple[float, float, bool]] = {}
+    ends: dict[str, tuple[End, End]] = {}
     for name, comparison, value in filter(None, map(_about_a_name, links)):
-        low, high, is_open = within.get(name, (*ranges.get(name, (-math.inf, math.inf)), False))
-        if comparison in ("more", "at_least", "same") and value >= low:
-            low, is_open = value, is_open or comparison == "more"
-        if comparison in ("less", "at_most", "same") and value <= high:
-            high, is_open = value, is_open or comparison == "less"
-        is_empty = low > high or (low == high and is_open)
-        within[name] = low, high, is_open
-        if is_empty or not _meets(low, high, comparison, value):
+        first, last = ranges.get(name, (-math.inf, math.inf))
+        low, high = ends.get(name, ((first, False), (-last, False)))
+        if comparison in ("more", "at_least", "same"):
+            low = max(low, (value, comparison == "more"))
+        if comparison in ("less", "at_most", "same"):
+            high = max(high, (-value, comparison == "less"))
+        ends[name] = low, high
+        width = -high[0] - low[0]
+        if width < 0 or (width == 0 and (low[1] or high[1])):
             return name
     return ""
-
-
-def _meets(low: float, high: float, comparison: str, value: float) -> bool:
-    """Return whether some value between two meets a comparison."""
-    match comparison:
-        case "more":
-            return high > value
-        case "at_least":
-            return high >= value
-        case "less":
-            return low < value
-        case "at_most":
-            return low <= value
-        case "same":
-            return low <= value <= high
-    return True
 
 
 def _about_a_name(link: Formula) -> tuple[str, str, float] | None:
