@@ -8,7 +8,7 @@ import pytest
 import mechc
 from mechc.driver import Compilation, compile_source
 from mechc.formula.to_text import text
-from mechc.report.steps import Rule
+from mechc.report.kinds import Rule
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 

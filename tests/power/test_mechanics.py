@@ -7,7 +7,7 @@ from good_mechanisms import ALL
 from mechanisms import sample
 from mechc.diagnostics import MechcError
 from mechc.formula.to_text import text
-from mechc.report.steps import Rule
+from mechc.report.kinds import Rule
 
 TIED = """
 param a = 100 mm

@@ -11,7 +11,7 @@ from mechc.formula.walk import symbols
 from mechc.model.parts.targets import Efficiency, WithFriction
 from mechc.power.numbers import default_values
 from mechc.report.derivation.forces import of_forces
-from mechc.report.steps import SentenceKind
+from mechc.report.kinds import SentenceKind
 from mechc.report.text.derivation import render
 from mechc.source import Source
 

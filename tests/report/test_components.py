@@ -6,9 +6,9 @@ import pytest
 
 from good_mechanisms import ALL, compiled
 from mechc.formula.to_text import text
+from mechc.report.kinds import Rule
 from mechc.report.languages.registry import LANGUAGES, locale
 from mechc.report.sentences.wording import sentences
-from mechc.report.steps import Rule
 
 KINDS = {
     "claw_closed": (Rule.COMPONENT_OF_ROTATION, ("O", "C", "R")),

@@ -16,11 +16,11 @@ from mechc.emit.make_templates import EMIT, environment
 from mechc.emit.target import Options
 from mechc.files import find
 from mechc.formula.tree import Call, Sum, Symbol
+from mechc.report.kinds import PositionKind, Rule
 from mechc.report.languages import en, ru, uk
 from mechc.report.languages.locale import Locale
 from mechc.report.latex.display import vanishing
 from mechc.report.latex.notation import notation
-from mechc.report.steps import PositionKind, Rule
 from report_samples import packet_clamp, six_bar
 from tex import compile_tex, needs_cyrillic
 

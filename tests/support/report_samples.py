@@ -40,7 +40,8 @@ from mechc.model.mechanism import (
     Turn,
 )
 from mechc.model.result import Definition
-from mechc.report.steps import Derivation, Equation, Rule, Step
+from mechc.report.kinds import Rule
+from mechc.report.steps import Derivation, Equation, Step
 from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import NO_MORE, Trial, Untried, Verdict

@@ -39,7 +39,8 @@ from mechc.model.mechanism import (
     Torque,
 )
 from mechc.model.result import Definition
-from mechc.report.steps import Derivation, Equation, PowerTerm, Rule, Step
+from mechc.report.kinds import Rule
+from mechc.report.steps import Derivation, Equation, PowerTerm, Step
 from mechc.routine.from_results import program
 from mechc.routine.steps import Routine
 from mechc.source import Span

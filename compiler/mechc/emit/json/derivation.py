@@ -3,16 +3,14 @@
 from typing import get_args
 
 from ...formula.to_text import text
+from ...report.kinds import PositionKind, Rule, SentenceKind
 from ...report.steps import (
     Derivation,
     Equation,
     Explanation,
     Paragraph,
-    PositionKind,
     PositionStep,
     PowerTerm,
-    Rule,
-    SentenceKind,
     Step,
 )
 from .formula import DEFINITION, FORMULA

@@ -13,7 +13,8 @@ from ...model.mechanism import (
 )
 from ...model.parts.targets import HOLDING
 from ...model.result import Definition
-from ..steps import Equation, Paragraph, SentenceKind
+from ..kinds import SentenceKind
+from ..steps import Equation, Paragraph
 
 _ONCE = {"internal", "external", "parallel", "single", "face", "iterated"}
 """Steps that are the same for all results."""

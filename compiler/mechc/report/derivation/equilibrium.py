@@ -15,8 +15,9 @@ from ...pose.pose import Pose
 from ...power.balance import Solved
 from ...power.definitions import intermediates
 from ...study.analysis import Analysis
+from ..kinds import SentenceKind
 from ..sentences.wording import positive_first
-from ..steps import Derivation, Equation, Explanation, Paragraph, SentenceKind
+from ..steps import Derivation, Equation, Explanation, Paragraph
 from .forces import of_forces
 from .friction import of_friction
 from .notation import direction_formula

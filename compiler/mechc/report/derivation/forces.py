@@ -15,8 +15,9 @@ from ...model.result import Definition
 from ...pose.pose import Pose, Vector
 from ...power.balance import Release, Solved, Term
 from ...power.definitions import resting_on
+from ..kinds import SentenceKind
 from ..sentences.wording import positive_first
-from ..steps import Equation, Explanation, Paragraph, SentenceKind
+from ..steps import Equation, Explanation, Paragraph
 from .notation import direction_formula
 
 HALF_TURN = Angle.constant(180)

@@ -20,8 +20,9 @@ from ...model.parts.targets import Sense, drives_from_below, whole
 from ...model.result import FrictionResult, Result
 from ...power.balance import Solved
 from ...study.analysis import Analysis
+from ..kinds import SentenceKind
 from ..sentences.wording import geometry_first, positive_first
-from ..steps import Equation, Explanation, Paragraph, SentenceKind
+from ..steps import Equation, Explanation, Paragraph
 from .earlier import EarlierSteps, driving, renamed
 
 _LINES: Mapping[str, SentenceKind] = {

@@ -9,7 +9,8 @@ from ...formula.typesetting import HALF
 from ...formula.walk import reached, symbols, walk
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop
-from ..steps import Derivation, PositionKind, PositionStep, Step
+from ..kinds import PositionKind
+from ..steps import Derivation, PositionStep, Step
 
 
 def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]:

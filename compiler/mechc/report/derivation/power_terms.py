@@ -10,8 +10,9 @@ from ...kinematics.graph import Form
 from ...model.mechanism import Force, ForcePair, Torque
 from ...named import NamedTuple
 from ...power.balance import Term
+from ..kinds import Rule
 from ..sentences.wording import positive_first
-from ..steps import Equation, PowerTerm, Rule, Step
+from ..steps import Equation, PowerTerm, Step
 from .notation import linear, times
 from .rules import rule_of_component
 from .speed_steps import SpeedSteps, acting_on

@@ -6,7 +6,7 @@ from typing import assert_never
 from ...kinematics.graph import Graph, Kind, Relation
 from ...kinematics.graph import Rule as Law
 from ...model.mechanism import Joint, WheelPair
-from ..steps import Rule
+from ..kinds import Rule
 
 
 def rule_of(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:

@@ -14,7 +14,8 @@ from ...kinematics.plan import Block, Plan
 from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
-from ..steps import Equation, NamedRatio, Rule, Step
+from ..kinds import Rule
+from ..steps import Equation, NamedRatio, Step
 from .notation import Named, Names, Notation, linear, times
 from .rules import involved, pole_of, rule_of
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from ...named import NamedTuple
-from ..steps import PositionKind
+from ..kinds import PositionKind
 
 
 class Locale(NamedTuple):
