@@ -82,3 +82,11 @@ def test_a_range_over_rows_is_no_range_between_them() -> None:
     assert "W283" not in {d.code for d in sheet(text).report.diagnostics}
     wide = sheet(text.replace("1 .. 3", "0 .. 3"))
     assert "W283" in {d.code for d in wide.report.diagnostics}
+
+
+def test_pages_have_computed_numbers_of_a_table_to_the_digits_of_values() -> None:
+    text = "sheet s\ntable t = 1: 0.362621262385658, 2: 0.5\nparam x = 1.5\nlet y = t at x\n"
+    page = mechc.loads(text, "s.mech").emit("latex")
+    assert "0.362621$" in page
+    assert "0.362621+" in page
+    assert "0.3626212" not in page

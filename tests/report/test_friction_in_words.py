@@ -502,3 +502,17 @@ def test_what_an_account_has_found_is_shown_again_only_with_a_text():
     assert "beta = asin(2*rho/L)" in account
     assert "beta" not in further.split("Numerical")[0]
     assert "f_r = 3*l*f2/A" in further
+
+
+def test_what_is_equal_to_an_earlier_speed_keeps_its_name():
+    """Both nuts of two screws slide alike: v_B = v_A is no other speed than before."""
+    shown = derived("d45_10_two_screws_with_friction")
+    assert "v_B_screw = v_A_screw" in shown
+    assert "v_B_screw_f" not in shown
+
+
+def test_an_equation_stands_once():
+    (forces,) = re.findall(
+        "in the direction x:\n(.*?)\n +N_A is", derived("cabinet_on_casters"), re.S
+    )
+    assert forces.split() == ["P", "=", "0"]

@@ -43,7 +43,7 @@ def test_free_bodies_are_headed_in_the_language(language):
     drawing = begun("karpenko_fig9_with_friction").drawn_bodies(language)
     heads = [text for text in lettering(drawing) if text.startswith("k, ")]
     per = words["per"].format(load="F")
-    assert heads == [f"k, {words['without']}, {per}", f"k, {words['tightening']}, {per}"]
+    assert heads == [f"k, {words['without']}, {per}", f"k, {words['with']}, {per}"]
 
 
 def test_the_table_has_the_values_of_the_plot_in_the_language(clamp):

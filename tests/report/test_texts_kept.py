@@ -63,3 +63,7 @@ def test_a_picture_names_links_in_its_language(language: str) -> None:
     shown = mechc.loads(translated).draw(language=language)._repr_svg_()
     assert ("OA (name of OA)" if language == "en" else "OA (кривошип)") in shown
     assert "AK (name of AK)" in shown
+
+
+def test_a_quantity_that_a_text_names_is_set_as_in_formulas() -> None:
+    assert "force $F$ &" in mechc.load("tongs_fig4_9_forces").emit("latex")

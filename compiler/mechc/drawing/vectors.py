@@ -27,7 +27,7 @@ KILO, MEGA = 1e4, 1e7
 
 def heading(diagram: Diagram, words: Mapping[str, str]) -> tuple[Run, ...]:
     """Return under which loads the bodies are, in the words of a language."""
-    runs = (*name(diagram.result), Run(f", {words[diagram.motion or 'without']}"))
+    runs = (*name(diagram.result), Run(f", {words['with' if diagram.motion else 'without']}"))
     if diagram.per:
         before, behind = words["per"].split("{load}")
         runs += (Run(f", {before}"), *name(diagram.per), *([Run(behind)] if behind else []))

@@ -24,6 +24,7 @@ from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .checks import NoteCheck, checks
 from .put_in import (
+    COMPUTED,
     Found,
     Quantity,
     Tables,
@@ -35,9 +36,6 @@ from .put_in import (
     usual_unit,
     values_of,
 )
-
-COMPUTED = 12
-"""Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""
 
 SHOWN = 6
 """Digits of values that were computed."""
@@ -105,7 +103,7 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     lines = _lines(mechanism, results, given, aside)
     return Note(
         tuple(p for p in mechanism.parameters if p.name not in aside),
-        tuple(t for t in mechanism.tables if t.name not in aside),
+        tuple(t for t in tables_of(mechanism).values() if t.name not in aside),
         tuple(line for line in lines if line.name not in aside),
         tuple(checks(mechanism, results, given)),
         aside,

@@ -28,6 +28,7 @@ from ..formula.tree import (
 )
 from ..formula.typesetting import HALF
 from ..formula.walk import children, constants, rebuild, symbols
+from ..frozen import replace
 from ..model.mechanism import Mechanism
 from ..model.parts.written import WrittenTable
 from ..model.values import Values, completed
@@ -49,6 +50,9 @@ from .dimensions import found_dimension, is_homogeneous, is_solved, names_in, wi
 
 DIGITS = 6
 """Significant digits of numbers that are put in."""
+
+COMPUTED = 12
+"""Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""
 
 LONGEST = 60
 """A formula of more operations than this is given by its value alone."""
@@ -221,8 +225,22 @@ Tables = Mapping[str, WrittenTable]
 
 
 def tables_of(mechanism: Mechanism) -> Tables:
-    """Return the tables and lists of a description, by their names."""
-    return {table.name: table for table in mechanism.tables}
+    """Return the tables and lists of a description as pages have them, by their names."""
+    return {table.name: _shortened(table) for table in mechanism.tables}
+
+
+def _shortened(table: WrittenTable) -> WrittenTable:
+    """Return a table as pages have it: numbers that were computed have the digits of values."""
+    rows = (tuple(_short(cell) for cell in row) for row in table.rows)
+    return replace(table, rows=tuple(rows))
+
+
+def _short(cell: Formula) -> Formula:
+    digits = sum(map(str.isdigit, cell.name)) if isinstance(cell, Constant) else 0
+    if not isinstance(cell, Constant) or digits < COMPUTED:
+        return cell
+    number, unit = split_quantity(cell.name)
+    return replace(cell, name=f"{float(number):.{DIGITS}g} {unit}".rstrip())
 
 
 def line_between(table: WrittenTable, asked: float) -> Formula | None:

@@ -19,7 +19,7 @@ from ...report.latex.results import Speller
 from ...report.latex.text import begun
 from ...report.note import Note, NoteLine, note
 from ...report.sentences.noted import label
-from ...report.sentences.speller import plain_names
+from ...report.sentences.speller import own_names, plain_names
 from ...units import ANGLE
 from ..target import Compiled
 
@@ -117,6 +117,7 @@ def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
         style,
         angles=frozenset(angles),
         texts=compiled.mechanism.translations.get(style.language, style.texts),
+        pictured=own_names(compiled.mechanism),
         prefixes=compiled.mechanism.prefixes,
         plain=plain_names(compiled.mechanism),
     )

@@ -21,7 +21,7 @@ ABREAST = 6
 """How many columns a table has at most beside that of the drive."""
 
 
-NARROW, LONG = 4, 12
+NARROW, LONG = 4, 8
 """A table of so few columns and more rows than this is set in two halves beside each other."""
 
 

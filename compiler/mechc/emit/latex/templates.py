@@ -293,7 +293,7 @@ def _report(_known: Mapping[str, Any]) -> str:
     _parts += ['\\usepackage[margin=22mm]{geometry}\n\\usepackage{amsmath}\n\\usepackage{array}\n\\usepackage{booktabs}\n\\usepackage{longtable}\n']
     for line in _known["pictures"]:
         _parts += [str(line), '\n']
-    _parts += ['\\allowdisplaybreaks\n\\AtBeginDocument{\\abovedisplayshortskip=6pt plus 2pt minus 2pt\\lineskiplimit=2pt\\lineskip=3pt\\relax}\n\\tolerance=2000\n\\setlength{\\emergencystretch}{3em}\n\\begin{document}\n', str(_known["body"]), '\\end{document}\n']
+    _parts += ['\\allowdisplaybreaks\n\\AtBeginDocument{\\abovedisplayshortskip=6pt plus 2pt minus 2pt\\lineskiplimit=2pt\\lineskip=3pt\\relax}\n\\tolerance=2000\n\\relpenalty=10000\n\\makeatletter\\@fptop=0pt\\makeatother\n\\setlength{\\emergencystretch}{3em}\n\\begin{document}\n', str(_known["body"]), '\\end{document}\n']
     return "".join(_parts)
 
 

@@ -40,6 +40,7 @@ class EarlierSteps:
         The force in a rod is another one while the drive moves than while it just holds.
         """
         found = {left.name: right for left, right in _forces(steps) if left != driving(asked)}
+        found = {name: found.get(getattr(f, "name", ""), f) for name, f in found.items()}
         others = self._others(found)
         endings = (HOLDING if asked.sense == "releasing" else "_f", f"_{result}")
         ending = next(

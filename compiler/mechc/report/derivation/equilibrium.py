@@ -180,7 +180,7 @@ def _force(force: JointForce) -> Paragraph:
 
 
 def _sum(balance: Balance, found: tuple[Equation, ...], pose: Pose) -> Paragraph:
-    equations = (Equation(_left(balance), ZERO), *found)
+    equations = tuple(dict.fromkeys((Equation(_left(balance), ZERO), *found)))
     body = "link" if balance.body in pose.frames else "point"
     names = {"link": (balance.body,), "point": (balance.body,)}
     if balance.centre:

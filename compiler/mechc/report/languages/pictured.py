@@ -9,8 +9,7 @@ Words = Mapping[str, str]
 EN: Words = {
     **{reason: reason for reason in verdict.WITHOUT_FORCES},
     "without": "without friction",
-    "tightening": "with friction, tightening",
-    "releasing": "with friction, releasing",
+    "with": "with friction",
     "per": "forces per unit of {load}",
     "undetermined": "?: not determined by equilibrium alone",
     "ground": "ground",
@@ -59,8 +58,7 @@ EN: Words = {
 
 UK: Words = {
     "without": "без тертя",
-    "tightening": "з тертям, прямий хід",
-    "releasing": "з тертям, зворотний хід",
+    "with": "з тертям",
     "per": "сили на одиницю {load}",
     "undetermined": "?: умови рівноваги не визначають",
     "ground": "стояк",
@@ -119,8 +117,7 @@ UK: Words = {
 
 RU: Words = {
     "without": "без трения",
-    "tightening": "с трением, прямой ход",
-    "releasing": "с трением, обратный ход",
+    "with": "с трением",
     "per": "силы на единицу {load}",
     "undetermined": "?: условия равновесия не определяют",
     "ground": "стойка",

@@ -21,7 +21,7 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
         guided=guided_of(mechanism),
         texts=texts,
         own=own_names(mechanism),
-        pictured=frozenset((*_points(mechanism), *(load.name for load in mechanism.loads))),
+        pictured=frozenset((*_points(mechanism), *own_names(mechanism))),
     )
     known.made.take(_names(mechanism, results))
     known.made.take_points(_points(mechanism))

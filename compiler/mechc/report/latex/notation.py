@@ -121,7 +121,7 @@ class Notation:
     the letters of units in the language, ``otherwise`` stands in a choice at the last case;
     ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`),
     ``subscripts`` what those that mechc gives are in the language; the user's ``own`` names keep
-    theirs; points and loads, which pictures have, are ``pictured``. A prefix of ``prefixes`` is
+    theirs; points and quantities that texts may name are ``pictured``. A prefix of ``prefixes`` is
     written as an index, but in names that are ``plain``.
     """
 

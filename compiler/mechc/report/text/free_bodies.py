@@ -27,7 +27,7 @@ def describe(diagrams: Iterable[Diagram]) -> str:
 
 
 def _lines(diagram: Diagram) -> Iterator[str]:
-    friction = f"with friction, {diagram.motion}" if diagram.motion else "without friction"
+    friction = "with friction" if diagram.motion else "without friction"
     loads = ", ".join(f"{name} = {_number(size)}" for name, size in diagram.loads.items())
     yield f"{diagram.result}, {friction}: {loads}"
     if diagram.per:
