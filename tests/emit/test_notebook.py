@@ -131,3 +131,11 @@ def test_a_mechanism_with_forces_at_joints_shows_itself(friction: str) -> None:
     assert r"\varphi_{R_O}=\operatorname{atan2}\left(F" in alone
     assert "R_{O,y}" not in alone
     assert len(clamp._repr_markdown_()) == len(shown.replace(r"\[", "$$").replace(r"\]", "$$"))
+
+
+def test_a_step_alone_has_no_number() -> None:
+    crank, rocker = mechc.load("bell_crank"), mechc.load("crank_rocker")
+    assert r"\begin{enumerate}" not in crank.emit("latex")
+    assert r"\begin{enumerate}" in rocker.emit("latex")
+    assert "1\\. " not in crank.derivation._repr_markdown_()
+    assert "1\\. " in rocker.derivation._repr_markdown_()

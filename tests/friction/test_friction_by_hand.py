@@ -387,9 +387,9 @@ def test_what_the_users_formulas_stand_for_bears_their_names():
     assert signs.coefficient("mu", d * f / Product.symbol("D")) == Product.symbol("f_r")
     assert signs.coefficient("mu", f) == f
     assert [text(definition.formula) for definition in signs.definitions] == [
-        "d*f/2",
+        "f*d/2",
         "asin(2*rho/L)",
-        "d*f/D",
+        "f*d/D",
     ]
 
 

@@ -130,3 +130,5 @@ def test_a_length_that_stands_in_velocities_by_its_formula_is_found_before_them(
     (step,) = derivation.position
     assert [(d.name, text(d.formula)) for d in step.definitions] == [("len_OA", "g/cos(phi)")]
     assert text(derivation.steps[0].relations[0].left) == "g*omega_OB/cos(phi)"
+    by_sums = Compilation(Source("slot.mech", SLOT)).by_equilibrium
+    assert by_sums.position == derivation.position

@@ -165,7 +165,7 @@ def test_fedoriv_locks_up_to_both_angles_of_friction():
     (stretch,) = stretches(FEDORIV.format(alpha=10), "k_hold")
     assert stretch.high is not None
     assert stretch.high.exact is not None
-    assert text(stretch.high.exact) == "delta_AC + atan(d*f/D)"
+    assert text(stretch.high.exact) == "delta_AC + atan(f*d/D)"
     by_hand = math.asin(0.1 / 8) + math.atan(0.1 / 3)
     assert stretch.high.x == pytest.approx(by_hand, rel=1e-14)
 

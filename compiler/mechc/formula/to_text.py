@@ -6,7 +6,7 @@ from typing import assert_never
 
 from . import choices
 from .evaluate import equations
-from .layout import decimal, is_long
+from .layout import decimal, diameters_behind, is_long
 from .operations import split_fraction
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
 
@@ -100,6 +100,7 @@ def _join(left: str, right: str) -> str:
 
 def _product_text(formula: Product, level: int) -> str:
     coefficient, above, below = split_fraction(formula)
+    above, below = diameters_behind(above), diameters_behind(below)
     upper = [_text(f, 1) for f in above]
     if is_long(coefficient):
         upper.insert(0, repr(abs(float(coefficient))))

@@ -220,11 +220,15 @@ def _notebook(_known: Mapping[str, Any]) -> str:
     if _known["position"]:
         _parts += ['**', str(_known["locale"].position), '**\n\n']
         for loop, step in turns(_known["position"]):
-            _parts += [str(loop.index), '\\. ', str(step.sentence), '\n\n', str('\n\n'.join(map(str, step.displays))), '\n\n']
+            if (len(_known["position"]) > 1):
+                _parts += [str(loop.index), '\\. ']
+            _parts += [str(step.sentence), '\n\n', str('\n\n'.join(map(str, step.displays))), '\n\n']
     if _known["steps"]:
         _parts += ['**', str(_known["locale"].velocities), '**\n\n', str(_known["convention_of_speeds"]), '\n\n']
         for loop, step in turns(_known["steps"]):
-            _parts += [str(loop.index), '\\. ', str(step.sentence), '\n\n', str(step.relations), '\n\n']
+            if (len(_known["steps"]) > 1):
+                _parts += [str(loop.index), '\\. ']
+            _parts += [str(step.sentence), '\n\n', str(step.relations), '\n\n']
             if step.results:
                 _parts += [str(_known["locale"].hence), '\n\n', str(step.results), '\n\n']
     if _known["balances"]:

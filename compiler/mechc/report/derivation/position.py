@@ -4,13 +4,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from ...formula.names import split_points
-from ...formula.tree import ONE, Call, Formula, Implicit, Number, Power, Product
+from ...formula.tree import ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.typesetting import HALF
 from ...formula.walk import reached, symbols, walk
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop
 from ..kinds import PositionKind
-from ..steps import Derivation, PositionStep, Step
+from ..steps import Derivation, Equation, PositionStep
 
 
 def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]:
@@ -40,7 +40,7 @@ def _put_in(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]:
     Such a product stands in place of the length: ``g/cos(alpha)``.
     """
     products = {d.name: d.formula for d in pose.put_in}
-    met = [_factors(side) for step in derivation.steps for side in _sides(step)]
+    met = [_factors(term) for equation in _equations(derivation) for term in _terms(equation)]
     for loop in pose.solved:
         names = [n for n in loop.names if n in products] if loop.kind == "lengths" else []
         wanted = {n: _factors(products[n]) for n in names}
@@ -51,9 +51,18 @@ def _put_in(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]:
             yield PositionStep(kind, loop.points, loop.is_clockwise, found)
 
 
-def _sides(step: Step) -> Iterator[Formula]:
-    for equation in step.relations:
-        yield from (equation.left, equation.right)
+def _equations(derivation: Derivation) -> Iterator[Equation]:
+    """Yield the relations of velocities, or of forces where loads follow from equilibrium."""
+    for step in derivation.steps:
+        yield from step.relations
+    for explanation in derivation.explanations if not derivation.steps else ():
+        for paragraph in explanation.paragraphs:
+            yield from (Equation(*sides) for sides in paragraph.equations)
+
+
+def _terms(equation: Equation) -> Iterator[Formula]:
+    for side in equation:
+        yield from side.terms if isinstance(side, Sum) else (side,)
 
 
 def _factors(formula: Formula) -> dict[Formula, Formula]:
