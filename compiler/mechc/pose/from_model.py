@@ -1,6 +1,7 @@
 """From the mechanism to its pose: directions found, loops checked, frames laid out."""
 
 from collections.abc import Iterator, Mapping, Set
+from functools import partial
 
 from ..algebra.angle import Angle
 from ..diagnostics import Report
@@ -114,7 +115,8 @@ class _Read(NamedTuple):
 def _pose(read: _Read, closed: Closed) -> Pose:
     """Return all directions and frames, read in the order of their definitions."""
     mechanism, terms, directions, vectors, missing, report = read
-    named = lines.Lines(directions, vectors, missing, report)
+    poses = partial(poses_nearby, mechanism, terms.definitions)
+    named = lines.Lines(directions, vectors, missing, poses, report)
     guides, axis = lines.guides(mechanism, named), lines.mirror_line(mechanism, named)
     of_loads = {**lines.forces(mechanism, named), **_thrusts(read, axis)}
     held = tuple(contacts(mechanism, directions, vectors, named.of))

@@ -1,23 +1,32 @@
 """The directions that parts of a mechanism have: guides, forces, slides, ropes, the mirror line."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..model.mechanism import Along, Direction, Force, Mechanism, Slider
 from .directions import Directions
+from .samples import Values, is_behind
 from .vectors import Missing, Vectors
 
 
 class Lines:
-    """Directions as angles; one that nothing gives is reported, once for all that ask for it."""
+    """Directions as angles; one that nothing gives is reported, once for all that ask for it.
+
+    ``poses`` gives the default pose and some near it.
+    """
 
     def __init__(
-        self, directions: Directions, vectors: Vectors, missing: Missing, report: Report
+        self,
+        directions: Directions,
+        vectors: Vectors,
+        missing: Missing,
+        poses: Callable[[], list[Values]],
+        report: Report,
     ) -> None:
         self._directions, self._vectors = directions, vectors
-        self._missing, self._report = missing, report
+        self._missing, self._poses, self._report = missing, poses, report
 
     def of(self, direction: Direction, name: str, for_what: str) -> Angle:
         """Return a direction, of whose angle ``name`` is the name where it has to have one."""
@@ -28,7 +37,10 @@ class Lines:
         return angle or Angle()
 
     def _along_path(self, direction: Along, for_what: str) -> Angle | None:
-        """Return the direction of a vector that is a sum, named where it is no single arm."""
+        """Return the direction of a vector that is a sum, named where it is no single arm.
+
+        That of a difference on one line is as it lies at the default pose.
+        """
         tail, head, quarter = direction.tail, direction.head, direction.quarter
         vector = self._vectors.path(tail, head)
         if vector is None:
@@ -40,8 +52,8 @@ class Lines:
         elif len(vector) > 1:
             return self._vectors.straighten(tail, head) + Angle.constant(90 * quarter)
         else:
-            sign = -1 if vector[0].length.coefficient < 0 else 1
-            return vector[0].angle + Angle.constant(90 * quarter + (0 if sign > 0 else 180))
+            turned = 180 if is_behind(vector[0].length, self._poses()) else 0
+            return vector[0].angle + Angle.constant(90 * quarter + turned)
         return None
 
 
