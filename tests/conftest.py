@@ -26,6 +26,12 @@ gc.set_threshold(50_000)
 os.environ["MECHC_CACHE"] = ""
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_sessionfinish() -> None:
+    """Let what is left be no garbage: pytest would look through all of it five times over."""
+    gc.freeze()
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update", action="store_true", help="accept what the goldens have become")
 

@@ -4,7 +4,7 @@ from fractions import Fraction
 from types import MappingProxyType
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechc.algebra.angle import Angle
@@ -193,6 +193,7 @@ def test_text_that_could_be_read_as_something_else_is_quoted(text: str, printed:
     assert shown({"title": text}) == [f"title: {printed}"]
 
 
+@settings(max_examples=30)
 @given(*[st.lists(st.text(max_size=3), max_size=2)] * 2)
 def test_different_texts_are_printed_differently(one: list[str], other: list[str]) -> None:
     same = dump("s", {"texts": tuple(one)}) == dump("s", {"texts": tuple(other)})

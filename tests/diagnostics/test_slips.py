@@ -64,7 +64,7 @@ def test_slips_are_stated_where_they_are():
 @pytest.mark.slow
 @pytest.mark.parametrize(("kind", "suffix"), KINDS, ids=lambda part: getattr(part, "name", part))
 def test_all_kinds_of_slips_are_stated_where_they_are(kind, suffix):
-    slips = drawn(kind, suffix, 5, 9)
+    slips = drawn(kind, suffix, 3, 9)
     assert slips
     for slip in slips:
         assert_stated(slip)

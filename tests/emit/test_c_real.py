@@ -71,8 +71,8 @@ def test_float_is_close_to_double(name, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("part", "compiler"), enumerate(COMPILERS))
-def test_the_whole_library_is_close_to_double(part, compiler, tmp_path):
-    for name in ALL[part :: len(COMPILERS)]:
+def test_much_of_the_library_is_close_to_double(part, compiler, tmp_path):
+    for name in ALL[part :: 2 * len(COMPILERS)]:
         (tmp_path / name).mkdir()
         agree(name, tmp_path / name, compiler)
 

@@ -11,6 +11,7 @@ import pytest
 from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.target import Options
 from routine_samples import solved
+from sources import in_thirds
 
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 OPTIONS = ["-O1", "-O3 -march=native"]
@@ -51,7 +52,7 @@ def angles(kind, limit):
 
 
 @pytest.mark.skipif(not COMPILERS, reason="no C compiler")
-@pytest.mark.parametrize("options", OPTIONS)
+@pytest.mark.parametrize("options", in_thirds(OPTIONS))
 @pytest.mark.parametrize("real", REALS)
 @pytest.mark.parametrize(("mechanism", "ending"), FORMS)
 def test_sines_are_within_some_units_of_the_last_place(mechanism, ending, real, options, tmp_path):

@@ -14,6 +14,7 @@ import pytest
 
 import mechc
 from mechc.diagnostics import MechcError
+from sources import in_thirds
 
 HOSTILE = """
     M_E M_PI MECHC_RESTRICT MECHC_PI MECHC_UNROLL MECHC_toggle_H mechc_sin mechc_circular
@@ -92,7 +93,7 @@ def test_c_compiles_with_any_name_after_any_header(compiler, tmp_path):
 RESULTS = "M_E M_PI INFINITY NAN I y0 gamma errno n i start numpy np pose main k_n E r q_n"
 
 
-@pytest.mark.parametrize("name", RESULTS.split())
+@pytest.mark.parametrize("name", in_thirds(RESULTS.split()))
 def test_c_and_python_stand_a_hostile_result_and_load(name, tmp_path):
     text = toggle(drive=name, result=f"{name}_x", load="mechc_sin", names=NAMES[:6])
     (tmp_path / "m.py").write_text(mechc.loads(text).emit("python"), encoding="utf-8")
@@ -104,7 +105,7 @@ def test_c_and_python_stand_a_hostile_result_and_load(name, tmp_path):
 MECHANISMS = "math string numpy stdio errno stdint class lambda M strtok lgamma FP si re time"
 
 
-@pytest.mark.parametrize("name", MECHANISMS.split())
+@pytest.mark.parametrize("name", in_thirds(MECHANISMS.split()))
 def test_files_hide_no_header_and_no_module(name, tmp_path):
     text = toggle(mechanism=name, drive="E", load="r", result="PI", names=NAMES[:6])
     mechanism = mechc.loads(text)

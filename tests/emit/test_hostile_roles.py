@@ -157,9 +157,9 @@ def test_all_names_stand_in_every_role(role: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_all_names_stand_in_a_loop(tmp_path: Path) -> None:
+def test_half_of_the_names_stand_in_a_loop(tmp_path: Path) -> None:
     compilers = cycle(["gcc", "clang"])
-    for names in chunks(list(filter(is_no_vector, HOSTILE)), 11):
+    for names in chunks(list(filter(is_no_vector, HOSTILE))[::2], 11):
         if len(names) == 11:
             stands(crank(names), tmp_path, [next(compilers)])
 

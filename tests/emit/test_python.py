@@ -26,7 +26,7 @@ from mechc.routine.steps import Input
 from mechc.source import Source
 from routine_samples import LIBRARY, SAMPLES, compiled, solved
 from run_targets import span
-from sources import in_halves
+from sources import in_thirds
 
 RUFF = shutil.which("ruff") or shutil.which("ruff", path=str(Path(sys.executable).parent))
 
@@ -181,7 +181,7 @@ def test_many_sines_and_cosines_are_those_of_one_angle(vectors: bool) -> None:
             assert np.array_equal(np.signbit(found[known]), np.signbit(expected[known]))
 
 
-@pytest.mark.parametrize("sample", in_halves(LIBRARY))
+@pytest.mark.parametrize("sample", in_thirds(LIBRARY))
 def test_many_poses_have_the_values_of_one(sample: str) -> None:
     """Sines within 4 ulp move a result by some of them, times how sensitive it is.
 

@@ -22,9 +22,9 @@ from run_targets import (
     by_python,
     poses,
 )
-from sources import in_halves
+from sources import in_thirds
 
-EACH = [*SAMPLES, *in_halves(LIBRARY)]
+EACH = [*SAMPLES, *in_thirds(LIBRARY)]
 
 
 @cache

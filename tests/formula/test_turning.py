@@ -12,7 +12,7 @@ from mechc.formula.walk import symbols, walk
 from mechc.power.numbers import default_values, value_of
 from mechc.routine.evaluate import evaluate as run
 from mechc.routine.unit_vectors import in_unit_vectors
-from sources import in_halves
+from sources import in_thirds
 
 CLOSED = ("crank_rocker", "watt_closed", "stephenson_closed", "toggle_clamp", "whitworth")
 
@@ -28,7 +28,7 @@ def test_nothing_is_turned_back_into_an_angle(name):
         assert "atan2" not in functions_of(function)
 
 
-@pytest.mark.parametrize("name", in_halves(ALL))
+@pytest.mark.parametrize("name", in_thirds(ALL))
 def test_the_values_are_those_of_the_formula(name):
     compilation = compiled(name)
     values = default_values(compilation.plan)

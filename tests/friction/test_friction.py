@@ -10,6 +10,7 @@ from mechc.formula.tree import Symbol
 from mechc.formula.walk import symbols
 from paths import LIBRARY
 from seed_friction import described, entries
+from sources import in_thirds
 
 CASES = sorted(entries("friction.json"))
 
@@ -251,7 +252,7 @@ GUIDES = [
 ]
 
 
-@pytest.mark.parametrize("guide", ["", *GUIDES])
+@pytest.mark.parametrize("guide", in_thirds(["", *GUIDES]))
 def test_side_forces_of_mirrored_halves_cancel(guide):
     """Figure 1 of Karpenko et al., as one half and as a whole: 7.770, not 8.295."""
     mirrored = mechc.loads(f"{GRIPPER}mirror across 0 deg sharing A\n{guide}")

@@ -43,7 +43,7 @@ from run_targets import (
     by_interpreter,
     by_python,
 )
-from sources import in_halves
+from sources import in_thirds
 
 ENOUGH = 1e-10
 """What a load with friction may be off, as a part of itself."""
@@ -104,7 +104,7 @@ def trains(seeds: range) -> Iterator[tuple[int, Sample]]:
             yield seed, sample
 
 
-@pytest.mark.parametrize("ratio", in_halves([True, False]))
+@pytest.mark.parametrize("ratio", in_thirds([True, False]))
 def test_free_bodies_with_friction_balance(ratio):
     tally = against_free_bodies(samples(range(5), ratio, 1), 3)
     assert len(tally.errors) > 25
@@ -187,8 +187,8 @@ def along_strokes(seeds: Iterable[int]) -> Tally:
 
 
 def test_closed_mechanisms_with_friction_along_strokes():
-    tally = along_strokes([1, 22, 23, 67])
-    assert len(tally.errors) > 60
+    tally = along_strokes([1, 22])
+    assert len(tally.errors) > 30
     assert len(tally.only_there) <= 4, tally.only_there
     assert not tally.only_here
 
@@ -208,7 +208,7 @@ CASES = [30, 31, 33, 35, 36, 39]
 SIX = range(32, 38)
 
 
-@pytest.fixture(scope="module", params=CASES)
+@pytest.fixture(scope="module", params=in_thirds(CASES))
 def case(request):
     seed = request.param
     ((_, sample),) = samples(range(seed, seed + 1), groups=1)
@@ -290,7 +290,7 @@ def test_the_closed_form_is_the_iterated_one(monkeypatch):
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no C compiler")
-@pytest.mark.parametrize("seed", [30, 33])
+@pytest.mark.parametrize("seed", in_thirds([30, 33]))
 def test_targets_say_what_the_interpreter_says(seed, tmp_path):
     """At poses of wide ranges, in which k and k with friction change their signs."""
     ((_, sample),) = samples(range(seed, seed + 1), groups=1)

@@ -154,7 +154,11 @@ def test_chains_with_right_angles():
 
 @pytest.mark.parametrize(
     ("seed", "name", "near"),
-    [(95000018, "t1", 5.4979), (95000089, "t2", 4.7122), (97000004, "t2", 2.3561)],
+    [
+        (95000018, "t1", 5.4979),
+        pytest.param(95000089, "t2", 4.7122, marks=pytest.mark.slow),
+        pytest.param(97000004, "t2", 2.3561, marks=pytest.mark.slow),
+    ],
 )
 def test_where_two_links_lie_on_a_line_square_to_the_guide_the_drive_moves_them(seed, name, near):
     """There forces are small against the load, and no fold ends their branch: it was said to jam.
@@ -171,7 +175,7 @@ def test_where_two_links_lie_on_a_line_square_to_the_guide_the_drive_moves_them(
 
 @pytest.mark.slow
 def test_many_chains_with_right_angles():
-    tried = (range(95000001, 95000002), range(95000020, 95000040))
+    tried = (range(95000001, 95000002), range(95000020, 95000030))
     for seed, compilation in (one for seeds in tried for one in squared_chains(seeds)):
         hold_at_the_values_given(compilation)
         assert list(refuted(compilation)) == [], seed

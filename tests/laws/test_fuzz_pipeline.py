@@ -63,9 +63,9 @@ def fuzz(seeds: range) -> None:
 
 @pytest.mark.parametrize("part", range(2))
 def test_spoiled_descriptions(part):
-    fuzz(range(part, 60, 2))
+    fuzz(range(part, 40, 2))
 
 
 @pytest.mark.slow
 def test_hundreds_of_spoiled_descriptions():
-    fuzz(range(60, 310))
+    fuzz(range(40, 160))

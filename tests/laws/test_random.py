@@ -32,7 +32,7 @@ def compiler_against_velocities(seeds, groups=None):
 
 @pytest.mark.parametrize("part", range(2))
 def test_random_mechanisms(part):
-    compiler_against_velocities(range(part, 100, 2))
+    compiler_against_velocities(range(part, 60, 2))
 
 
 def test_random_mechanisms_through_the_front_of_the_library():
@@ -44,7 +44,7 @@ def test_random_mechanisms_through_the_front_of_the_library():
 
 @pytest.mark.slow
 def test_hundreds_of_random_mechanisms():
-    compiler_against_velocities(range(100, 350))
+    compiler_against_velocities(range(60, 200))
 
 
 @pytest.mark.slow

@@ -13,6 +13,7 @@ import pytest
 import mechc
 from mechc.pipeline import STAGES
 from paths import ROOT
+from sources import in_thirds
 
 COPIES: dict[str, Callable[[Any], Any]] = {
     "pickle": lambda value: pickle.loads(pickle.dumps(value)),
@@ -21,7 +22,7 @@ COPIES: dict[str, Callable[[Any], Any]] = {
 }
 
 
-@pytest.mark.parametrize("name", ["crank_rocker", "fedoriv_fig1_with_friction"])
+@pytest.mark.parametrize("name", in_thirds(["crank_rocker", "fedoriv_fig1_with_friction"]))
 @pytest.mark.parametrize("way", COPIES)
 def test_a_copy_of_a_mechanism_is_as_good(name, way):
     mechanism = mechc.load(name)

@@ -13,6 +13,7 @@ import pytest
 from mechc.cli import main
 from mechc.emit import registry
 from paths import COMPILER
+from sources import in_thirds
 
 SECONDS = 20
 """Far beyond what any of these takes, on a slow machine: what runs so long may never end."""
@@ -153,7 +154,7 @@ def compiled(tmp_path: Path, content: bytes, capsys: pytest.CaptureFixture[str])
     return status
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", in_thirds(CASES))
 def test_hostile_descriptions(name, tmp_path, capsys):
     status, text = CASES[name]
     assert compiled(tmp_path, text.encode(), capsys) == status

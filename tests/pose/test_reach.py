@@ -268,6 +268,7 @@ def test_a_group_of_class_three(refused):
     assert "it closes for phi from -5.461056553 to 99.0191715 deg" in stated.message
 
 
+@pytest.mark.slow
 def test_a_group_of_class_three_that_closes_nowhere(refused):
     ends, stated = refused(TRIAD.format(rod=20).replace("QC        = 90", "QC = 20"))
     assert not ends

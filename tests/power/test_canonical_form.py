@@ -10,7 +10,7 @@ import mechc
 from good_mechanisms import ALL
 from mechc.algebra.equality import equal
 from mechc.formula.to_text import text
-from sources import in_halves
+from sources import in_thirds
 
 NAMES = [
     "class_four_block",
@@ -121,7 +121,7 @@ TURNED = [turned_by_a_number, turned_by_a_symbol]
 
 
 @pytest.mark.parametrize("rewritten", EVERYWHERE, ids=lambda f: f.__name__)
-@pytest.mark.parametrize("name", in_halves(NAMES))
+@pytest.mark.parametrize("name", in_thirds(NAMES))
 def test_the_formula_does_not_depend_on_how_it_is_written(name, rewritten):
     lines = source(name)
     if rewritten(lines) == lines:

@@ -95,7 +95,7 @@ def test_shared_steps_give_the_values_of_their_formulas(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("target", [PYTHON, C])
 def test_files_grow_as_the_chain_does(target: object) -> None:
-    few, many = (len(target.emit(chain(n), Options("chain"))[0].text) for n in (120, 240))  # type: ignore[attr-defined]
+    few, many = (len(target.emit(chain(n), Options("chain"))[0].text) for n in (60, 120))  # type: ignore[attr-defined]
     assert many < 2.2 * few
 
 

@@ -62,7 +62,7 @@ def equilibrium_against_velocities(seeds):
 
 
 def test_equilibrium_agrees_with_velocities():
-    equilibrium_against_velocities(range(1000))
+    equilibrium_against_velocities(range(500))
 
 
 @pytest.mark.slow

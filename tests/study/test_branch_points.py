@@ -51,8 +51,8 @@ def joined(seeds: range):
 
 
 def test_a_loop_that_lies_flat_goes_on_in_two_ways():
-    assert hold((folding(seed), None) for seed in range(24)) == (24, 24)
-    kinds = {folding(seed).equations.__qualname__.split(".")[0] for seed in range(24)}
+    assert hold((folding(seed), None) for seed in range(12)) == (12, 12)
+    kinds = {folding(seed).equations.__qualname__.split(".")[0] for seed in range(12)}
     assert kinds == {kind.__name__ for kind in (dyad, four_bar, slider_crank)}
 
 
@@ -107,13 +107,13 @@ def four_bar_of(both: int) -> Flat:
 
 @pytest.mark.slow
 def test_many_loops_that_lie_flat():
-    assert hold((folding(seed), None) for seed in range(24, 124)) == (100, 100)
+    assert hold((folding(seed), None) for seed in range(12, 72)) == (60, 60)
 
 
 @pytest.mark.slow
 def test_many_toggles_that_fold():
-    strokes, tried = hold(joined(range(95001000, 95001100)))
-    assert strokes > 75
+    strokes, tried = hold(joined(range(95001000, 95001050)))
+    assert strokes > 35
     assert tried > 2
 
 

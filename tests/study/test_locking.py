@@ -19,7 +19,7 @@ from mechc.study.analysis import Analysis
 from mechc.study.intervals import EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from mechc.study.states import Moving
 from paths import LIBRARY
-from sources import in_halves
+from sources import in_thirds
 
 SAMPLED = LOCALE.sampled
 
@@ -525,7 +525,7 @@ def test_the_condition_of_an_efficiency_is_stated(tmp_path, capsys):
     assert "eta_k runs from 0 (nothing moves) to 0.983" in out
 
 
-@pytest.mark.parametrize("points", [66, 651])
+@pytest.mark.parametrize("points", in_thirds([66, 651]))
 def test_each_row_of_a_stroke_states_what_is_stuck(points, tmp_path, capsys):
     path = tmp_path / "m.mech"
     path.write_text(TOGGLE.format(r=100), encoding="utf-8")
@@ -755,7 +755,7 @@ def assert_run(mechanism: SolvedMechanism, result: Analysis, efficiency: Efficie
         )
 
 
-@pytest.mark.parametrize("name", in_halves([*WITH_FRICTION, *OWN]))
+@pytest.mark.parametrize("name", in_thirds([*WITH_FRICTION, *OWN]))
 def test_what_is_stated_is_true_of_code(name):
     mechanism = mechc.loads(OWN[name]) if name in OWN else mechc.load(f"{name}_with_friction")
     for result in mechanism.results.values():
@@ -809,7 +809,7 @@ def test_a_stretch_ends_at_the_place_of_which_nothing_is_known():
     assert beyond.low.left_out
 
 
-@pytest.mark.parametrize("wide", [10, 45])
+@pytest.mark.parametrize("wide", in_thirds([10, 45]))
 def test_where_iteration_fails_for_one_number_a_jam_is_not_cut_in_two(wide):
     """8.3e-8 rad beyond the pole at 90 degrees friction is found for the numbers on either side."""
     text = (LIBRARY / "fedoriv_fig2a_with_friction.mech").read_text(encoding="utf-8")

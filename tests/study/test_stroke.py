@@ -17,6 +17,7 @@ from mechc.study.analysis import Acted, DeadCentre
 from mechc.study.stroke.along import Along
 from other_kinds import put_toggle
 from paths import LIBRARY
+from sources import in_thirds
 from stroke_statements import rate
 
 CLAW = """
@@ -689,7 +690,7 @@ def test_what_stands_still_does_whichever_load_is_above_the_line(asked):
     assert [s.kind for s in stroke(text).singular] == [OUTPUT_STILL] * 2
 
 
-@pytest.mark.parametrize("name", DRIVEN)
+@pytest.mark.parametrize("name", in_thirds(DRIVEN))
 def test_what_is_said_to_stand_still_does(name):
     mechanism = mechc.load(name)
     found = mechanism.stroke(3)
@@ -702,7 +703,7 @@ def test_what_is_said_to_stand_still_does(name):
             assert abs(still) < 1e-3 * abs(moving), (name, pose)
 
 
-@pytest.mark.parametrize("name", DRIVEN)
+@pytest.mark.parametrize("name", in_thirds(DRIVEN))
 def test_a_column_is_what_the_formulas_call_so(name):
     """A transmission angle has no symbol of another angle at the same pin."""
     compilation = Compilation(source_of(name, ""))

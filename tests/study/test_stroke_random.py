@@ -75,12 +75,14 @@ def test_where_a_length_is_infinite_k_jumps_and_has_neither_pole_nor_extremum():
     assert "k jumps from 0.0241564 m to 0.00737336 m at phi = -0.96993" in to_table(seen.stroke)
 
 
+@pytest.mark.slow
 def test_a_load_that_works_against_nothing_has_no_singular_poses():
     """An actuator between two points of one plate: what k comes to is rounding."""
     assert sweep([70006]) == 1
     assert not along(70006)[1].extrema
 
 
+@pytest.mark.slow
 def test_a_way_past_a_place_where_branches_nearly_meet():
     """Of a triad code had no pose at one place in thirty, at which the stroke has one."""
     assert sweep([91000715]) == 1

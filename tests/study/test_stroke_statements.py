@@ -79,6 +79,7 @@ def turned_round(pose: Singular) -> Singular:
     return pose._replace(kind=DeadCentre(kind.moving, kind.still)) if is_dead else pose
 
 
+@pytest.mark.slow
 def test_what_is_said_along_a_stroke_with_friction():
     assert hold([80160009]) == 1
 

@@ -1,4 +1,4 @@
-"""The sources of the package and of its tests, each read once, and sweeps in two halves."""
+"""The sources of the package and of its tests, each read once, and sweeps in parts."""
 
 import ast
 from collections.abc import Iterable
@@ -15,7 +15,7 @@ def tree_of(path: Path) -> ast.Module:
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
-def in_halves(items: Iterable[Any]) -> list[Any]:
-    """Return the items of a sweep, every second one of them for the slow tests alone."""
+def in_thirds(items: Iterable[Any]) -> list[Any]:
+    """Return the items of a sweep, two of three for the slow tests alone."""
     each = enumerate(items)
-    return [item if i % 2 == 0 else pytest.param(item, marks=pytest.mark.slow) for i, item in each]
+    return [item if i % 3 == 0 else pytest.param(item, marks=pytest.mark.slow) for i, item in each]

@@ -12,7 +12,7 @@ from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.to_dsl import to_dsl
 from mechc.syntax.to_yaml import to_yaml
-from sources import in_halves
+from sources import in_thirds
 from strategies import files
 
 HOSTILE = {
@@ -87,7 +87,7 @@ SECONDS = 30
 """Of the processor: one or two are enough, and time that grows as the square takes minutes."""
 
 
-@pytest.mark.parametrize("name", in_halves(HOSTILE))
+@pytest.mark.parametrize("name", in_thirds(HOSTILE))
 def test_hostile_text_is_read_or_refused_before_long(name):
     begun = time.process_time()
     errors = attempt(name, HOSTILE[name])
@@ -122,7 +122,7 @@ def test_any_words(text, name):
     attempt(name, text)
 
 
-@settings(quiet, max_examples=60)
+@settings(quiet, max_examples=25)
 @given(files(), st.data())
 def test_mutations_of_good_files(tree, data):
     printer, name = data.draw(st.sampled_from([(to_dsl, "a.mech"), (to_yaml, "a.yaml")]))
