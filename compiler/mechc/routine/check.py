@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from ..formula.to_text import text
 from ..formula.tree import Call, Formula, Number, Power, Sum
 from ..formula.walk import symbols, walk
-from .steps import Function, formulas_of, names_in, names_of
+from .steps import Function, formulas_of, names_in, names_of, sides_of
 
 
 def broken_promises(function: Function) -> list[str]:
@@ -19,7 +19,7 @@ def _formulas(function: Function) -> list[Formula]:
 
 
 def _compared(function: Function) -> list[Formula]:
-    return [side for guard in function.guards for side in (guard.left, guard.right)]
+    return list(sides_of(function.guards))
 
 
 def _open_names(function: Function) -> Iterator[str]:

@@ -182,7 +182,7 @@ class _Products:
             self._count(row)
         while self._most:
             times, pair = heappop(self._most)
-            if -times == self._times(pair) > 1:
+            if -times == self._times(pair):
                 self._replace(pair)
 
     def _times(self, pair: Pair) -> int:
@@ -197,14 +197,20 @@ class _Products:
         found |= {(f, f): n // 2 for f, n in number.items() if n > 1}
         for pair, times in found.items():
             self._rows_of.setdefault(pair, {})[row] = times
-            heappush(self._most, (-self._times(pair), pair))
+            self._note(pair)
 
     def _forget(self, row: int) -> None:
         """Leave the pairs of a row out of the count."""
         for pair in combinations_with_replacement(sorted({*self.rows[row]}), 2):
             rows = self._rows_of.get(pair, {})
             if rows.pop(row, 0):
-                heappush(self._most, (-self._times(pair), pair))
+                self._note(pair)
+
+    def _note(self, pair: Pair) -> None:
+        """Note how often a pair is there, where it is there twice: most are not."""
+        times = self._times(pair)
+        if times > 1:
+            heappush(self._most, (-times, pair))
 
     def _replace(self, pair: Pair) -> None:
         factor = self._first + len(self._pairs)

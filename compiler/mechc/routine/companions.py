@@ -22,10 +22,11 @@ from .steps import (
     Solve,
     Statement,
     Status,
-    formulas_of,
+    leading_to,
     mentioned,
     names_in,
     names_of,
+    sides_of,
 )
 
 
@@ -57,7 +58,7 @@ class Companions:
                 solved = function.otherwise or function
                 guards = _of_the_pose(solved.guards)
                 name = self._fresh(f"{function.name}_status")
-                steps = _needed(solved.steps, _sides(guards))
+                steps = _solving(solved.steps, list(sides_of(guards)))
                 return Status(name, ideal.name, SIGNS[sense], function.inputs, steps, guards)
             case WithFriction(_, sense, "exact"):
                 return self._of_a_force(function, asked, sense)
@@ -73,8 +74,8 @@ class Companions:
         guards = _of_the_pose(asked.guards(known.names))
         loads = tuple(rename(load, known.names) for load in result.drive)
         steps, (ideal, load) = self._steps_to(tuple(known.formulas), loads, guards)
-        ends = [ideal, load, *_sides(guards)]
-        steps = _needed(steps, ends)
+        ends = [ideal, load, *sides_of(guards)]
+        steps = _solving(steps, ends)
         used = mentioned(steps, ends).difference(*map(names_of, steps))
         used |= {i.name for i in function.inputs}
         name = self._fresh(f"{function.name}_status")
@@ -96,16 +97,7 @@ def _of_the_pose(guards: Sequence[Guard]) -> tuple[Guard, ...]:
     return tuple(g for g in guards if not g.balance)
 
 
-def _sides(guards: Sequence[Guard]) -> list[Formula]:
-    return [side for g in guards for side in (g.left, g.right)]
-
-
-def _needed(steps: Sequence[Statement], ends: Sequence[Formula]) -> tuple[Statement, ...]:
+def _solving(steps: Sequence[Statement], ends: Sequence[Formula]) -> tuple[Statement, ...]:
     """Return the steps that solve systems, and those that they and the formulas rest on."""
-    needed = {*names_in(ends)}
-    kept: list[Statement] = []
-    for step in reversed(steps):
-        if isinstance(step, Solve) or not needed.isdisjoint(names_of(step)):
-            kept.append(step)
-            needed |= names_in(formulas_of(step))
-    return tuple(kept[::-1])
+    unknowns = (n for step in steps if isinstance(step, Solve) for n in step.names)
+    return leading_to({*names_in(ends), *unknowns}, steps)

@@ -4,22 +4,22 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import starmap
 
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula, Symbol
+from ..formula.tree import Formula, Implicit, Symbol
 from ..formula.walk import symbols
 from ..model.dependence import unused
 from ..model.mechanism import Load, Mechanism, Parameter, WithFriction
-from ..model.result import Result
+from ..model.result import FrictionResult, Result
 from ..model.statements import is_sheet
 from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
 from ..units import TORQUE
 from . import together
 from .companions import Companions
-from .functions import Asked, asked, checks, function
+from .functions import Asked, asked, checks, functions
 from .lengths import with_roots
 from .scope import Scope
 from .sharing import share
-from .steps import Function, Input, Points, Pose, Routine, Statement, formulas_of, names_of
+from .steps import Function, Input, Points, Pose, Routine, formulas_of, leading_to, names_of
 
 LONG = 24
 """Definitions beyond which functions may compute together what they have in common."""
@@ -49,10 +49,9 @@ def program(
     made = _functions(listed, scope, names)
     changed = tuple(r.elsewhere or r for r in results)
     other = Scope(mechanism, changed, definitions or {}) if changed != results else scope
-    beside = [
-        function(asked(r.elsewhere, other, inputs, loops), other, names) if r.elsewhere else None
-        for r in needed
-    ]
+    elsewhere = [asked(r.elsewhere, other, inputs, loops) for r in needed if r.elsewhere]
+    coupled = _separate(elsewhere, other, names)
+    beside = (coupled.get(r.name) for r in needed)
     companions = Companions(scope, tuple(inputs.values()))
     functions = tuple(starmap(companions.joined, zip(made, beside, listed, strict=True)))
     pose = _pose(scope, inputs, loops)
@@ -79,12 +78,28 @@ def _needed(mechanism: Mechanism, results: Sequence[Result]) -> list[Result]:
 
 def _functions(listed: Sequence[Asked], scope: Scope, names: Sequence[str]) -> Iterator[Function]:
     """Yield the function of each result; many long ones share their steps."""
-    found: dict[str, Function] = {}
     long = [one for one in listed if len(one.result.where) > LONG]
-    if long:
-        found = together.together(long, scope, names)
+    found = together.together(long, scope, names) if long else {}
+    others = (one for one in listed if one.result.name not in found)
+    found |= _separate(others, scope, names)
+    return (found[one.result.name] for one in listed)
+
+
+def _separate(listed: Iterable[Asked], scope: Scope, names: Sequence[str]) -> dict[str, Function]:
+    """Return by name functions that compute all themselves; those with one system are one work.
+
+    What drives, an efficiency and forces at joints follow from the same coupled equations.
+    """
+    groups: dict[frozenset[str], list[Asked]] = {}
     for one in listed:
-        yield found.get(one.result.name) or function(one, scope, names)
+        groups.setdefault(_unknowns(one.result) or frozenset({one.result.name}), []).append(one)
+    return {f.name: f for group in groups.values() for f in functions(group, scope, names)}
+
+
+def _unknowns(result: Result) -> frozenset[str]:
+    """Return the unknowns of systems on which a result with friction rests."""
+    where = result.where if isinstance(result, FrictionResult) else ()
+    return frozenset(d.name for d in where if isinstance(d.formula, Implicit))
 
 
 def _pose(scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]) -> Pose | None:
@@ -128,22 +143,12 @@ def _giving(
     names = {*inputs, *taken, *(name for name, _ in formulas)}
     rooted, _ = with_roots(formulas, [], names)
     shared, _ = share(rooted, numbers, [*inputs, *taken])
-    steps = _leading_to(outputs, shared)
+    steps = leading_to(outputs, shared)
     used = frozenset[str]().union(*(symbols(f) for step in steps for f in formulas_of(step)))
     defined = {name for step in steps for name in names_of(step)}
     used |= frozenset(outputs)
     known = tuple(item for name, item in inputs.items() if name in used - defined)
     return Pose(known, steps, outputs, closed)
-
-
-def _leading_to(names: Iterable[str], steps: Sequence[Statement]) -> tuple[Statement, ...]:
-    """Return the steps that names need: of a length whose square is enough, not the root."""
-    needed, kept = set(names), list[Statement]()
-    for step in reversed(steps):
-        if not needed.isdisjoint(names_of(step)):
-            kept.append(step)
-            needed.update(*map(symbols, formulas_of(step)))
-    return tuple(kept[::-1])
 
 
 # -------------------------------------------------------------------------- inputs

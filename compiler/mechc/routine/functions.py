@@ -1,6 +1,7 @@
 """The function of a result: what it takes, its steps, and what a reader sees of it."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice
 from typing import assert_never
 
 from ..formula.operations import count_operations
@@ -27,7 +28,19 @@ from ..study.analysis import as_printed
 from .scope import Scope, rename
 from .sharing import Shared, named, share
 from .sign_powers import in_choices
-from .steps import Checks, Function, Guard, Input, Solve, Statement, Step, formulas_of, names_in
+from .steps import (
+    Checks,
+    Function,
+    Guard,
+    Input,
+    Solve,
+    Statement,
+    Step,
+    formulas_of,
+    leading_to,
+    names_in,
+    sides_of,
+)
 from .unit_vectors import in_unit_vectors
 
 
@@ -97,18 +110,42 @@ def _guard(require: Require, names: Mapping[str, str], balance: str) -> Guard:
     return Guard(left, require.operator, right, balance=balance)
 
 
-def function(asked: Asked, scope: Scope, names: Iterable[str]) -> Function:
-    """Return the function of a result that computes all that it needs itself."""
-    result = asked.result
-    definitions = scope.definitions(result.name, asked.needed)
-    formula, guards = rename(result.formula, definitions.names), asked.guards(definitions.names)
-    others = [guard for guard in guards if not guard.balance]
-    ends = [formula, *(side for g in guards if g.balance for side in (g.left, g.right))]
-    steps, (output, *sides) = steps_to(definitions.formulas, ends, others, names)
-    guards = _with_sides(guards, sides)
-    shown = scope.definitions(result.name, asked.read).formulas
-    read = _readable(result, formula, shown, scope.inside)
+def functions(group: Sequence[Asked], scope: Scope, names: Iterable[str]) -> Iterator[Function]:
+    """Yield functions that compute all that they need themselves, their steps found together.
+
+    What several results rest on is worked out once, which pays where that is a large system.
+    """
+    known = scope.together({one.result.name: one.needed for one in group})
+    called = [known.names[one.result.name] for one in group]
+    formulas = [rename(one.result.formula, n) for one, n in zip(group, called, strict=True)]
+    guards = [one.guards(n) for one, n in zip(group, called, strict=True)]
+    ends = [[f, *_sides_of_balances(gs)] for f, gs in zip(formulas, guards, strict=True)]
+    others = [guard for gs in guards for guard in gs if not guard.balance]
+    steps, values = steps_to(known.formulas, [e for each in ends for e in each], others, names)
+    left = iter(values)
+    for one, formula, gs, each in zip(group, formulas, guards, ends, strict=True):
+        output, *sides = islice(left, len(each))
+        yield _computing(one, scope, formula, _with_sides(gs, sides), output, steps)
+
+
+def _computing(
+    asked: Asked,
+    scope: Scope,
+    formula: Formula,
+    guards: tuple[Guard, ...],
+    output: Formula,
+    known: Sequence[Statement],
+) -> Function:
+    """Return the function that computes an output by those of the known steps that it needs."""
+    steps = leading_to(names_in([output, *sides_of(guards)]), known)
+    shown = scope.definitions(asked.result.name, asked.read).formulas
+    read = _readable(asked.result, formula, shown, scope.inside)
     return written(asked, steps, output, guards, read, operations(steps))
+
+
+def _sides_of_balances(guards: Iterable[Guard]) -> Iterator[Formula]:
+    """Yield the sides of conditions that nobody reads."""
+    return sides_of(guard for guard in guards if guard.balance)
 
 
 def _with_sides(guards: Iterable[Guard], sides: Iterable[Formula]) -> tuple[Guard, ...]:
@@ -139,7 +176,7 @@ def steps_to(
     names: Iterable[str],
 ) -> Shared:
     """Return the steps to formulas, and those in their terms; names of guards are kept."""
-    sides = [side for guard in guards for side in (guard.left, guard.right)]
+    sides = list(sides_of(guards))
     asked, definitions = names_in(sides), [*map(named, constants(sides)), *definitions]
     taken = {*names, *(name for name, _ in definitions)}
     alike = OneOfEach()

@@ -8,7 +8,7 @@ from ..frozen import replace
 from ..named import NamedTuple
 from .functions import Asked, Read, steps_to, written
 from .scope import Scope, rename
-from .steps import Function, Guard, Statement, Step
+from .steps import Function, Guard, Statement, Step, sides_of
 
 
 class Output(NamedTuple):
@@ -22,7 +22,7 @@ class Output(NamedTuple):
     @property
     def ends(self) -> tuple[Formula, ...]:
         """Return the formulas computed from the steps: the value, and the sides of the guards."""
-        return (self.value, *(side for g in self.guards for side in (g.left, g.right)))
+        return (self.value, *sides_of(self.guards))
 
 
 class Program:
@@ -54,8 +54,7 @@ class Program:
 
 def _mentioned(formula: Formula, guards: Iterable[Guard]) -> frozenset[str]:
     """Return the names in an output and in what the guards compare."""
-    sides = (side for g in guards for side in (g.left, g.right))
-    return symbols(formula).union(*map(symbols, sides))
+    return symbols(formula).union(*map(symbols, sides_of(guards)))
 
 
 def _near(

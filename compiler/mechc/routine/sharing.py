@@ -30,7 +30,7 @@ from ..formula.walk import symbols
 from ..named import NamedTuple
 from . import angle_offsets
 from .common_factors import with_common_factors
-from .steps import ByArcs, Solve, Solver, Statement, Step, names_in
+from .steps import ByArcs, Solve, Solver, Statement, Step, leading_to, names_in
 from .table import (
     Apply,
     Entry,
@@ -112,7 +112,7 @@ def solver(system: System) -> Solver:
     size = len(system.unknowns)
     own = size + size * size
     steps = [step for step in shared if isinstance(step, Step)]
-    corrected = _needed(steps, formulas[:own])
+    corrected = leading_to(names_in(formulas[:own]), steps)
     return Solver(
         system.unknowns,
         outer,
@@ -131,16 +131,6 @@ def solver(system: System) -> Solver:
         if system.by_arcs
         else None,
     )
-
-
-def _needed(steps: Sequence[Step], formulas: Sequence[Formula]) -> tuple[Step, ...]:
-    """Return the steps that formulas rest on."""
-    names, kept = names_in(formulas), list[Step]()
-    for step in reversed(steps):
-        if step.name in names:
-            kept.append(step)
-            names |= names_in([step.formula])
-    return tuple(kept[::-1])
 
 
 def used_outer(system: System) -> tuple[int, ...]:

@@ -7,7 +7,7 @@ linearly with the mechanism.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Literal
+from typing import Literal, TypeVar
 
 from ..formula.tree import Formula
 from ..formula.walk import constants, symbols
@@ -109,6 +109,8 @@ class Solve:
 
 Statement = Step | Solve
 
+S = TypeVar("S", bound=Step | Solve)
+
 
 def names_of(statement: Statement) -> tuple[str, ...]:
     """Return the names that a statement gives values to."""
@@ -130,6 +132,16 @@ def names_in(formulas: Sequence[Formula]) -> frozenset[str]:
     return frozenset(c.name for c in constants(formulas)).union(*map(symbols, formulas))
 
 
+def leading_to(names: Iterable[str], statements: Sequence[S]) -> tuple[S, ...]:
+    """Return those of the statements that names rest on, in their order."""
+    needed, kept = set(names), list[S]()
+    for statement in reversed(statements):
+        if not needed.isdisjoint(names_of(statement)):
+            kept.append(statement)
+            needed |= names_in(formulas_of(statement))
+    return tuple(kept[::-1])
+
+
 @frozen
 class Guard:
     """A ``require``: where ``left OP right`` is false, the output is NaN.
@@ -143,6 +155,11 @@ class Guard:
     right: Formula
     loop: str = ""
     balance: str = ""
+
+
+def sides_of(guards: Iterable[Guard]) -> Iterator[Formula]:
+    """Yield what conditions compare, two formulas for each."""
+    return (side for guard in guards for side in (guard.left, guard.right))
 
 
 @frozen
@@ -165,7 +182,7 @@ class Status:
     @property
     def sides(self) -> tuple[Formula, ...]:
         """Return the formulas in terms of the steps."""
-        compared = (side for guard in self.guards for side in (guard.left, guard.right))
+        compared = sides_of(self.guards)
         return (*compared, *(self.drive if isinstance(self.drive, Drive) else ()))
 
     @property

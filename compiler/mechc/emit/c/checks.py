@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from ...named import NamedTuple
-from ...routine.steps import Checks, Solver, mentioned, names_of
+from ...routine.steps import Checks, Solver, mentioned, names_of, sides_of
 from .. import describe
 from ..names import Names, mangle
 from .pose import arrays
@@ -37,7 +37,7 @@ def checks_context(
     own = {i.name: arguments[i.name] for i in checks.inputs}
     space = Names(RESERVED, {single, batch, *own.values(), *solvers.values()})
     printer = CPrinter(own | mangle((n for s in checks.steps for n in names_of(s)), space))
-    sides = [side for guard in checks.guards for side in (guard.left, guard.right)]
+    sides = list(sides_of(checks.guards))
     used = mentioned(checks.steps, sides)
     body, statuses = lines(checks.steps, used, solvers, printer, space)
     body += [f"(void){name}; /* where it is not 0, the unknowns are NaN */" for name in statuses]

@@ -14,6 +14,7 @@ from ...routine.steps import (
     formulas_of,
     mentioned,
     names_of,
+    sides_of,
 )
 from ...units import si_unit
 from .. import describe
@@ -235,4 +236,4 @@ def _formulas(function: Function) -> list[Formula]:
 
 def _ends(function: Function) -> list[Formula]:
     """Return the output and what the guards compare."""
-    return [function.output, *(side for g in function.guards for side in (g.left, g.right))]
+    return [function.output, *sides_of(function.guards)]

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from ...named import NamedTuple
-from ...routine.steps import Checks, Solver, mentioned, names_of
+from ...routine.steps import Checks, Solver, mentioned, names_of, sides_of
 from .. import describe
 from ..names import Names, mangle
 from ..render import Line
@@ -29,7 +29,7 @@ def checks_context(
     own = {i.name: arguments[i.name] for i in checks.inputs}
     space = Names(RESERVED.besides(["status", "holds", "number"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in checks.steps for n in names_of(s)), space))
-    used = mentioned(checks.steps, (side for g in checks.guards for side in (g.left, g.right)))
+    used = mentioned(checks.steps, sides_of(checks.guards))
     return ChecksContext(
         name,
         list(own.values()),

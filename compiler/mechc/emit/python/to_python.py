@@ -23,6 +23,7 @@ from ...routine.steps import (
     every,
     formulas_of,
     programs,
+    sides_of,
 )
 from ...units import si_unit
 from .. import describe
@@ -194,7 +195,7 @@ def function_names(routine: Routine, space: Names) -> dict[str, str]:
 def _called(part: Program) -> Iterator[str]:
     """Yield the functions of the language that a program calls."""
     guards = () if isinstance(part, Common | Pose) else part.guards
-    sides = [side for guard in guards for side in (guard.left, guard.right)]
+    sides = list(sides_of(guards))
     output = [part.output] if isinstance(part, Function) else []
     for formula in (*(f for s in part.steps for f in formulas_of(s)), *sides, *output):
         yield from (p.function for p in walk(formula) if isinstance(p, Call))
@@ -251,7 +252,7 @@ def _function(
 
 def _ends(function: Function) -> list[Formula]:
     """Return the output and what the guards compare."""
-    return [function.output, *(side for g in function.guards for side in (g.left, g.right))]
+    return [function.output, *sides_of(function.guards)]
 
 
 def _returned(
