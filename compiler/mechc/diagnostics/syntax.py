@@ -288,7 +288,7 @@ def version_not_first(span: Span) -> Message:
 
 
 @coded("E117")
-def empty_parameter(span: Span, name: str) -> Message:
+def empty_parameter(span: Span, name: str, is_yaml: bool = False) -> Message:
     """A parameter has neither a value nor a dimension nor a range.
 
     param a                  # wrong: a length? an angle?
@@ -296,6 +296,8 @@ def empty_parameter(span: Span, name: str) -> Message:
     param a: length          # right: a length without a value
     """
     hint = f"write 'param {name} = 40 mm' or 'param {name}: length'"
+    if is_yaml:
+        hint = f"write '{name}: 40 mm' or '{name}: {{dimension: length}}'"
     return Message(span, f"parameter '{name}' has no value and no dimension", hint)
 
 
@@ -310,6 +312,8 @@ def not_a_name(span: Span, text: str, expected: str) -> Message:
     foreign = "write it in Latin letters, as in clamp_2"
     begin = "begin with a letter, as in a2" if text.isascii() else foreign
     hint = f"write {meant}" if meant[:1].isalpha() else begin
+    if "/" in text:
+        hint = f"the name stands before the formula, as in k: {text}"
     return Message(span, f"found '{text}', expected {expected}", hint)
 
 

@@ -75,6 +75,11 @@ def _declare_it(name: str, known: Collection[str]) -> str:
     return f"declare it, 'param {name} = …'; {offered(name, known, 'names declared')}"
 
 
+def points_in_small(name: str, raised: str) -> str:
+    """Return the hint at the name of a place or vector whose points are in small letters."""
+    return f"points are capital letters: {raised}, not {name}"
+
+
 def point_as_quantity(name: str) -> str:
     """Return the hint at the name of a point in a formula or a direction."""
     return (

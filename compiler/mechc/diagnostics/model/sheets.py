@@ -39,7 +39,7 @@ def no_such_table(span: Span, name: str, kind: str, known: Collection[str]) -> M
 
 
 @coded("E212")
-def not_in_order(span: Span, name: str, before: Span) -> Message:
+def not_in_order(span: Span, name: str, before: Span, is_again: bool) -> Message:
     """The arguments of a table, or the sizes of a list, do not rise (or fall) throughout.
 
     One of them stands twice, or at a wrong place::
@@ -50,6 +50,8 @@ def not_in_order(span: Span, name: str, before: Span) -> Message:
     A list begins with its smallest size; a table may run either way.
     """
     related = (Related(before, "this stands before it"),)
+    if is_again:
+        return Message(span, f"'{name}' has this value twice", "leave one out", related)
     return Message(span, f"'{name}' is not in order here", "put it in order", related)
 
 

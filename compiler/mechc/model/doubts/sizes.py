@@ -152,6 +152,9 @@ def _reach(
 FAR = 100.0
 """How many times a length is the largest, or the smallest, of the others: 35 is met in books."""
 
+FAR_OF_ONE = 300
+"""The same where there is one other length: an eccentric has a long rod."""
+
 Place = tuple[float, float]
 
 
@@ -198,7 +201,9 @@ def _far_vectors(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     given = [abs(values[p.name]) for p in _given(mechanism, values)]
     for size, entry in sorted(plain, key=lambda pair: -pair[0]) if not mechanism.drawn else ():
         others = [*given, *(other for other, e in plain if e is not entry)]
-        if len(others) > 1 and _is_far(size, others) and isinstance(entry, Arrow):
+        of_one = len(others) == 1 and size > FAR_OF_ONE * others[0]
+        is_far = of_one or (len(others) > 1 and _is_far(size, others))
+        if is_far and isinstance(entry, Arrow):
             yield messages.length_far_off(entry.span, f"{entry.tail}{entry.head}", "", "")
 
 

@@ -99,7 +99,11 @@ def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:
     """Report the first number that is not larger than the one before it."""
     for before, after in pairwise(column):
         if not _value(before) < _value(after):
-            scope.report.add(messages.not_in_order(after.span, name, before.span))
+            scope.report.add(
+                messages.not_in_order(
+                    after.span, name, before.span, _value(after) == _value(before)
+                )
+            )
             return
 
 

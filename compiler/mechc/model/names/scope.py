@@ -16,7 +16,7 @@ from ...syntax import ast
 from ...syntax.vocabulary import points_of
 from ...units import PARTS, Dimension
 from . import not_brought
-from .forms import FORMS, form_of
+from .forms import FORMS, form_of, form_of_pose
 from .points import Points
 
 Kind = Literal["parameter", "let", "load", "result", "table", "list"]
@@ -218,6 +218,8 @@ class Scope:
             hint = messages.point_as_quantity(symbol.name)
         if symbol.name.lower() in AXES:
             hint = messages.axis_in_words(symbol.name, AXES[symbol.name.lower()])
+        if form_of_pose(raised := _with_capitals(symbol.name)):
+            hint = hint or messages.points_in_small(symbol.name, raised)
         use = not_brought.of_a_use(symbol.name, self.brought)
         hint = hint or (not_brought.reason(symbol.name, use, self.entries) if use else "")
         near = f"{use.prefix}_" if use else ""
@@ -280,3 +282,13 @@ class Scope:
     def names(self, kinds: Iterable[Kind]) -> list[str]:
         """Return the names of some kinds, in order of declaration."""
         return [name for name, entry in self.entries.items() if entry.kind in kinds]
+
+
+def _with_capitals(name: str) -> str:
+    """Return a name with the points behind its underscore as they are written.
+
+    >>> _with_capitals("x_b"), _with_capitals("phi_ab2"), _with_capitals("phi")
+    ('x_B', 'phi_AB2', 'phi')
+    """
+    head, joint, points = name.partition("_")
+    return f"{head}{joint}{points.upper()}"

@@ -57,6 +57,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or _of_vector(line, position, allowed)
         or _of_picking(line, position)
         or CHOICES.get(line[0].type, "")
+        or _of_two_units(line, position)
         or _of_neighbours(line, position, allowed)
         or (whole_example(line) if token.isalpha() and token in words_behind(line) else "")
         or _of_sign(token, before, allowed)
@@ -98,7 +99,7 @@ def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     token, before = str(line[position]), str(line[position - 1]) if position else ""
     if "AT_SIGN" in allowed and token in (",", "<", "at", "angle", "along", "dir"):
         return "a direction stands behind '@', as in OA = a @ 30 deg"
-    if token in UNITS and "(" in map(str, line[:position]):
+    if token in UNITS and "(" in map(str, line[:position]) and line[0].type != "LET":
         return f"each value has its unit: (20 {token}, 35 {token})"
     if token == "=" and "at" in map(str, line[:position]) and line[position - 2] == "(":
         return "a place is two lengths: (20 mm, 35 mm)"
@@ -112,6 +113,18 @@ def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     if line[0].type == "FIND" and (token == "=" or is_named_last):
         return "the name stands first, as in find k = P/F"
     return ""
+
+
+def _of_two_units(line: Sequence[Token], position: int) -> str:
+    """Return a hint at a quantity in two units, ``5 ft 3 in`` or ``50 deg 30 min``."""
+    pair = line[max(position - 1, 0) : position + 1]
+    if [token.type for token in pair] != ["NUMBER", "NUMBER"]:
+        return ""
+    units = [split_quantity(token)[1] for token in pair]
+    if units[0] in ("deg", "°") and units[1] in ("min", "'", "s"):
+        return "an angle is a decimal number of degrees: 50.5 deg"
+    is_sum = all(units) and units[0] != units[1]
+    return f"a quantity in two units is a sum: {pair[0]} + {pair[1]}" if is_sum else ""
 
 
 def _of_comment(line: Sequence[Token], position: int, allowed: set[str]) -> str:

@@ -27,7 +27,7 @@ def statements(
     where = subject.text if subject else section.name
     for entry, pairs in chosen(section, subject, value, where):
         if pairs is None:
-            fields = plain_fields(entry, value, source)
+            fields = plain_fields(entry, value, source, "" if subject else section.name)
         else:
             fields = mapping_fields(entry, pairs, value.span, where, source)
         yield made(entry, span, with_subject(fields, entry, subject, source))
@@ -37,7 +37,7 @@ def made(entry: Entry, span: Span, fields: dict[str, Any]) -> ast.Statement:
     """Return the node, after the checks that the line notation makes in its grammar."""
     node = entry.node(span, **fields)
     if isinstance(node, ast.Param) and not (node.value or node.dimension or node.low):
-        raise Fault(syntax.empty_parameter(node.name.span, node.name.text))
+        raise Fault(syntax.empty_parameter(node.name.span, node.name.text, is_yaml=True))
     return node
 
 
@@ -107,11 +107,14 @@ def with_subject(
     return fields | values(entry.subject, subject, source)
 
 
-def plain_fields(entry: Entry, value: Node, source: Source) -> dict[str, Any]:
-    """Return the fields of an entry without keys of its own: ``K: 90 deg``."""
+def plain_fields(entry: Entry, value: Node, source: Source, section: str) -> dict[str, Any]:
+    """Return the fields of an entry without keys of its own: ``K: 90 deg``.
+
+    ``section`` is the one that it is alone in, if it is.
+    """
     short = entry.short
     if short is None:
-        return {} if empty(value) and not needs_keys(entry) else refused(entry, value)
+        return {} if empty(value) and not needs_keys(entry) else refused(entry, value, section)
     if empty(value) and all(optional_field(entry, field) for field in short.fields):
         return {}
     return values(short, value, source)
@@ -132,12 +135,12 @@ def empty(value: Node) -> bool:
     return isinstance(value, Scalar) and value.empty
 
 
-def refused(entry: Entry, value: Node) -> dict[str, Any]:
+def refused(entry: Entry, value: Node, section: str) -> dict[str, Any]:
     """Refuse a plain value where only a mapping has a meaning."""
     keys = ", ".join(key.name for key in entry.keys)
     expected = f"a mapping with {keys}" if keys else "nothing behind it"
     wanted = ", ".join(f"{key.name}: …" for key in entry.keys if key.required)
-    hint = f"write {{{wanted}}}" if wanted else ""
+    hint = slips.written(section) or (f"write {{{wanted}}}" if wanted else "")
     raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected, hint))
 
 

@@ -37,6 +37,9 @@ def scalar_of(node: Node, expected: str) -> Scalar:
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
 
 
+HASH = "a remark begins with a space and #"
+
+
 def parsed(start: Start, expected: str, node: Node, source: Source) -> Any:
     """Read a scalar with the project's own grammar, as the line notation would."""
     scalar = scalar_of(node, expected)
@@ -47,7 +50,7 @@ def parsed(start: Start, expected: str, node: Node, source: Source) -> Any:
     for token in line:
         if token.type == "COMMENT":
             span = span_of(token)
-            raise Fault(syntax.unexpected_character(Span(span.start, span.start + 1), "#", ""))
+            raise Fault(syntax.unexpected_character(Span(span.start, span.start + 1), "#", HASH))
     return parser.parse(line, start, end)
 
 

@@ -75,6 +75,8 @@ WRITTEN: Final[Mapping[str, str]] = {
     "pivots": "[O], or {O: [0 mm, 0 mm]}",
     "sliders": "{K: 90 deg}",
     "slides": "{WXY: x}",
+    "mirror": "{across: y, sharing: [K]}",
+    "copies": "{n: 3, sharing: [K]}",
     "slots": "{B: OC}",
     "gears": "[{O1: 20 mm, O2: 30 mm}]",
     "belts": "[{O1: 20 mm, O2: 30 mm}]",
@@ -100,6 +102,9 @@ WRITTEN: Final[Mapping[str, str]] = {
     "translate": "[{text: handle, uk: рукоятка}]",
 }
 """How the value of a section is written, by the section's key."""
+
+
+COMPONENTS = "components are a list: [20 mm, 35 mm]"
 
 
 def written(section: str) -> str:

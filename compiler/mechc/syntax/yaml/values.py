@@ -56,7 +56,7 @@ def polar(node: Table, entries: Mapping[str, tuple[Scalar, Node]], source: Sourc
     for name, (key, _) in entries.items():
         if name not in ("length", "angle"):
             allowed = ["length", "angle"]
-            hint = slips.of_key(name, allowed)
+            hint = slips.COMPONENTS if name in ("x", "y") else slips.of_key(name, allowed)
             raise Fault(syntax_yaml.unknown_key(key.span, name, "a vector", allowed, hint))
     if not entries:
         raise Fault(syntax_yaml.missing_key(node.span, ["length", "angle"], "the vector"))
@@ -71,7 +71,7 @@ def cartesian(node: Node, source: Source) -> Fields:
         case Listing(items=(x, y)):
             ends = expression(x, source)[0], expression(y, source)[0]
             return (ast.Cartesian(*ends, node.span),)
-        case Scalar(empty=False):
+        case Scalar(empty=False, text=text) if text.startswith("("):
             value = parsed("vector", "[x, y]", node, source)
             if isinstance(value, ast.Cartesian):
                 return (value,)
