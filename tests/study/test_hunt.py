@@ -9,7 +9,9 @@ import pytest
 import hunt
 from hunt import Outcome, looked_at, outcome, summary
 from hunted import KINDS, Hunted, Made, made
+from mechc.formula.tree import number, product
 from mechc.frozen import replace
+from mechc.pose.places import Plane
 from refuters import REFUTERS
 
 RISING = """
@@ -56,6 +58,54 @@ def test_a_falsehood_is_found(tmp_path, changes, said):
     found = with_result(hunted(tmp_path, wider if "zeros" in changes else RISING), **changes)
     refuted = looked_at("toggle", found).refuted
     assert any(one.startswith(said) for one in refuted), refuted
+
+
+LOOKED_UP = """
+param v = 1.2 in 0 .. 3
+table m = 0: 0.8, 2: 1.4, 5: 1.1
+list sizes = 80 mm, 120 mm, 200 mm
+let a = 50 mm when v < 2 else 30 mm
+let b = next 2*a in sizes
+let w = m at v
+pivot O
+slider K along y
+link OB
+link BK
+OB = a*w @ 70 deg
+BK = b @ 110 deg
+torque M on OB
+force F at K along -y
+friction slider K 0.1
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(("at", "stage"), [("page", "reported"), ("sums", "by_equilibrium")])
+def test_a_formula_that_is_off_is_found_on_a_page_with_tables(tmp_path, at, stage):
+    found = hunted(tmp_path, LOOKED_UP)
+    assert list(REFUTERS[at](found)) == []
+    derivation = getattr(found.compilation, stage)
+    k, *others = derivation.results
+    twice = replace(k, formula=product([(number(2), 1), (k.formula, 1)]))
+    found.compilation.__dict__[stage] = replace(derivation, results=(twice, *others))
+    assert any(said.startswith("k is ") for said in REFUTERS[at](found))
+
+
+@pytest.mark.parametrize("change", [{"force": Plane(1.0, 2.0)}, {"moment": 0.3}])
+def test_a_free_body_with_friction_that_is_off_is_found(tmp_path, change):
+    found = hunted(
+        tmp_path, LOOKED_UP.replace("friction slider K 0.1", "friction pins 0.1 diameter 9 mm")
+    )
+    assert list(REFUTERS["bodies"](found)) == []
+    *others, last = found.compilation.free_bodies
+    assert last.motion == "tightening"
+    body = next(b for b in last.bodies if b.forces[0].kind in ("pin", "ground"))
+    forces = (body.forces[0]._replace(**change), *body.forces[1:])
+    bodies = (b._replace(forces=forces) if b is body else b for b in last.bodies)
+    found.compilation.__dict__["free_bodies"] = (*others, last._replace(bodies=tuple(bodies)))
+    said = " ".join(REFUTERS["bodies"](found))
+    assert "k tightening: the " in said
+    assert f"on {body.name} come to" in said
 
 
 def test_an_order_of_lines_that_changes_a_result_is_found(tmp_path):

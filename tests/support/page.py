@@ -36,9 +36,9 @@ DIGITS = 2e-5
 class Page:
     """The equations of a report, and what its names stand for."""
 
-    def __init__(self, compilation: Compilation) -> None:
+    def __init__(self, compilation: Compilation, by: str = "power") -> None:
         self.compilation = compilation
-        (emitted,) = TARGET.emit(compilation, Options("page", numbers=False))
+        (emitted,) = TARGET.emit(compilation, Options("page", numbers=False, by=by))
         self.tex = emitted.text
         results = compilation.derivation.results
         style = style_of(compilation.mechanism, results, notation("en"))

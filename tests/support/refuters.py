@@ -5,6 +5,7 @@ Each yields what is false, in words; nothing where all holds, or where it does n
 
 import re
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from math import isclose
 from random import Random
 
@@ -13,6 +14,7 @@ import numpy as np
 import branchings
 import conclusions
 import extents
+import free_bodies_shown
 import friction_statements
 import reference_kinematics
 import reference_strokes
@@ -22,6 +24,7 @@ import stroke_statements
 from compiled_ratios import in_c, library
 from homogeneous import uneven
 from hunted import Hunted
+from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.target import Options
@@ -195,12 +198,7 @@ def statuses(made: Compilation) -> Iterator[str]:
 
 
 def page(found: Hunted) -> Iterator[str]:
-    """Every formula of a report with its numbers and units, read back from LaTeX.
-
-    How choices and tables are printed is not among what is read.
-    """
-    if any(isinstance(s, ast.Table | ast.Sizes) for s in found.tree.statements):
-        return
+    """Every formula of a report with its numbers and units, read back from LaTeX."""
     read = Page(found.compilation)
     yield from read.wrong()
     (document,) = LATEX.emit(found.compilation, Options("page"))
@@ -211,10 +209,21 @@ def page(found: Hunted) -> Iterator[str]:
     yield from displaced(document.text)
 
 
+def sums(found: Hunted) -> Iterator[str]:
+    """Every formula of a derivation by sums of forces and moments, with friction behind it."""
+    with suppress(MechcError):  # where no sums lead to a load
+        yield from Page(found.compilation, by="equilibrium").wrong()
+
+
+def bodies(found: Hunted) -> Iterator[str]:
+    """The free bodies that pictures show, with friction and without it."""
+    return free_bodies_shown.refuted(found.compilation)
+
+
 REFUTERS: dict[str, Callable[[Hunted], Iterator[str]]] = {
     one.__name__.replace("_", " "): one
     for one in (
         free_bodies, limits, left_out, causes, friction, ranges, stroke, branches,
-        motion, lengths, order, names, code, page,
+        motion, lengths, order, names, code, page, sums, bodies,
     )
 }  # fmt: skip

@@ -110,6 +110,9 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
 }
 """The functions of this module on floats."""
 
+LOOKED_UP = frozenset({"choose", "interpolate", "row", "next"})
+"""Functions that have their tables, or their cases, for arguments."""
+
 
 def equal_within(left: Formula, right: Formula) -> tuple[Formula, Formula]:
     """Return by how much two sides differ, and how much they may where they are to be equal."""
@@ -122,6 +125,11 @@ def equal_within(left: Formula, right: Formula) -> tuple[Formula, Formula]:
 def is_choice(formula: Formula) -> TypeGuard[Call]:
     """Return whether a formula chooses between values."""
     return is_call(formula, "choose")
+
+
+def is_looked_up(formula: Formula) -> bool:
+    """Return whether a formula chooses, or takes a value from a table or a list."""
+    return isinstance(formula, Call) and formula.function in LOOKED_UP
 
 
 def chosen(parts: Sequence[Part], value: Callable[[Part], float]) -> Part | None:

@@ -4,10 +4,11 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
+from ..formula.choices import is_looked_up
 from ..formula.evaluate import equations
 from ..formula.layout import decimal, short_decimal
 from ..formula.tree import ZERO, Constant, Formula, Implicit, Number, Product, Symbol
-from ..formula.walk import substitute
+from ..formula.walk import substitute, walk
 from ..frozen import frozen
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
 from ..model.result import Definition, Result
@@ -15,6 +16,20 @@ from ..model.values import is_constant
 from ..named import NamedTuple
 from ..units import ANGLE, NUMBER, UNITS, si_unit
 from . import book_forms
+
+
+def looked_up(mechanism: Mechanism) -> Iterator[Parameter]:
+    """Yield what choices, tables and lists give: people read these where they are given."""
+    for parameter in mechanism.parameters:
+        if parameter.dependent and any(map(is_looked_up, walk(parameter.value or ZERO))):
+            yield parameter
+
+
+def stated_above(mechanism: Mechanism) -> Iterator[Parameter]:
+    """Yield the parameters that stand whole in what is given: nothing defines them again."""
+    yield from filter(is_constant, mechanism.parameters)
+    yield from looked_up(mechanism)
+
 
 FREE_FALL = Symbol("g")
 """The letter of :data:`GRAVITY`; where a description has weights, no other quantity bears it."""

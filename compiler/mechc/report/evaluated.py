@@ -13,7 +13,7 @@ from ..model.values import Chain, completed, defaults, dependent, is_constant, u
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
-from .definitions import FREE_FALL, given_loads, usual_weights
+from .definitions import FREE_FALL, given_loads, looked_up, usual_weights
 from .dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
 from .put_in import Quantity, has_units, in_numbers, usual_unit, values_of, without_rounding
@@ -55,9 +55,11 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     turned = [section for section in whole.results if not _is_as_printed(section, given)]
     usual = usual_length(mechanism)
     known = Known(given, usual)
+    yield from _of_looked_up(whole, mechanism, given)
     for name, formula in _definitions(whole, turned):
         yield from _of_definition(name, formula, known)
     shown, early = _named(whole, mechanism), _own_met_early(whole)
+    shown |= {parameter.name for parameter in looked_up(mechanism)}
     for section in whole.results:
         for name, formula in _accounted(section, shown):
             if section not in turned:
@@ -73,6 +75,19 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
                 numbers = Known({}, usual) if section in turned else known
                 yield from _of_result(result, numbers, unit)
                 given |= _value(result, unit)
+
+
+def _of_looked_up(
+    whole: Outline, mechanism: Mechanism, given: Mapping[str, Quantity]
+) -> Iterator[Evaluated]:
+    """Yield what choices, tables and lists come to, where nothing else of the report defines it."""
+    where = list(_definitions(whole))
+    results = (r.formula for section in whole.results for r in section.results)
+    used = symbols(*(d.formula for d in where), *results) - {d.name for d in where}
+    for parameter in looked_up(mechanism):
+        if parameter.name in used & given.keys():
+            value = without_rounding(given[parameter.name])
+            yield Evaluated(Symbol(parameter.name), None, value, value.unit == "deg")
 
 
 def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
@@ -227,6 +242,8 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     units = {name: _unit(p) for name, p in named.items()}
     units |= dict.fromkeys(usual_g, "m/s^2") | _of_loads(where, mechanism)
     usual = usual_length(mechanism)
+    bare = (p for p in looked_up(mechanism) if not p.unit)
+    units |= {p.name: usual_unit(p.dimension, usual) for p in bare}
     units |= {r.name: usual_unit(r.dimension, usual) for r in whole.ratios}
     angles = {name for name, unit in units.items() if unit == "deg"}
     constants = (*mechanism.literals, *loads)

@@ -69,7 +69,7 @@ def outline(
     """
     of_position = [d for step in derivation.position for d in step.definitions]
     shown, known = Shown(), letters(mechanism, derivation.results, of_position)
-    shown.definitions(Definition(p.name, p.value) for p in given if p.value is not None)
+    shown.stated(given)
     position = tuple(_position(derivation, mechanism, shown, known))
     shown.definitions(Definition(r.name, r.formula) for r in derivation.ratios)
     results = tuple(_results(derivation, mechanism, shown, known))
@@ -121,6 +121,7 @@ class Shown:
         self._ratios: dict[Formula, str] = {}
         self._conditions: dict[tuple[tuple[Formula, str, Formula], ...], str] = {}
         self._accounted: set[str] = set()
+        self._stated: set[str] = set()
 
     def of(self, result: Analysis, lines: Collection[str] = ()) -> list[Definition]:
         """Return the new ones of a result's definitions, and note them.
@@ -159,6 +160,13 @@ class Shown:
             is_known = known != result.name and len(holds) > 1
             yield replace(result, holds_as=known) if is_known else result
 
+    def stated(self, given: Iterable[Parameter]) -> None:
+        """Note quantities that stand whole in what is given, whatever form results have them in."""
+        for parameter in given:
+            if parameter.value is not None:
+                self._known[parameter.name] = parameter.value
+                self._stated.add(parameter.name)
+
     def definitions(self, where: Iterable[Definition]) -> None:
         """Note names with what they stand for."""
         self._known |= {d.name: d.formula for d in where}
@@ -194,7 +202,7 @@ class Shown:
         used = {name for formula in formulas for name in symbols(formula)}
         needed = []
         for definition in reversed(where):
-            if definition.name in used - self._results:
+            if definition.name in used - self._results - self._stated:
                 needed.append(definition)
                 used |= symbols(definition.formula)
         return needed[::-1]

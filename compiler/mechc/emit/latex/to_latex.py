@@ -9,9 +9,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from ...formula.tree import ZERO
 from ...model.mechanism import Mechanism, Parameter
 from ...model.statements import is_sheet
-from ...model.values import is_constant
 from ...report.brief import at_length, needed, relations, short
-from ...report.definitions import given_loads
+from ...report.definitions import given_loads, stated_above
 from ...report.evaluated import constants_shown, evaluated, has_atan2, hides_units
 from ...report.languages import registry
 from ...report.languages.locale import Locale
@@ -164,7 +163,7 @@ def report(
 ) -> Report:
     """Return all that a report says, with a derivation of what was asked for."""
     mechanism, verdict = compiled.mechanism, compiled.verdict
-    whole = outline(derivation, mechanism, filter(is_constant, mechanism.parameters))
+    whole = outline(derivation, mechanism, stated_above(mechanism))
     found = evaluated(whole, mechanism) if options.numbers else ()
     aside, full = at_length(found, whole)
     shown = {*constants_shown(whole, mechanism), *(e.left for e in full)}

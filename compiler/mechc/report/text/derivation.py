@@ -8,11 +8,11 @@ from ...formula.tree import ZERO, Symbol
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.statements import is_sheet
-from ...model.values import is_constant, own_stroke
+from ...model.values import own_stroke
 from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit, si_unit
 from ..brief import needed, relations, short
-from ..definitions import Solved, given_loads, grouped
+from ..definitions import Solved, given_loads, grouped, stated_above
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
@@ -42,7 +42,7 @@ def render(
     spell = speller(derivation.results, mechanism, unicode, language, width)
     if is_sheet(mechanism):
         return note.render(mechanism, derivation.results, spell)
-    whole = outline(derivation, mechanism, filter(is_constant, mechanism.parameters))
+    whole = outline(derivation, mechanism, stated_above(mechanism))
     tables = note.tables(mechanism.tables, spell)
     lines = [
         *_title(mechanism, spell),
