@@ -28,7 +28,7 @@ ELSEWHERE = {
     "W594": "study/test_stroke_ends.py",
     "E597": "emit/test_points.py",
     "E340": "pose/test_driven.py",
-    "E540": "friction/test_telescopes.py",
+    "E540": "statics/test_counted.py",
     "E601": "statics/test_referee.py",
     "E602": "statics/test_referee.py",
     "E603": "statics/test_closure.py",
