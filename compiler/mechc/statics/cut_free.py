@@ -59,7 +59,8 @@ def cut_free(solution: Solution, places: Sweep) -> tuple[FreeBody, ...]:
     acts.balance_couples()
     acts.forget(solution.bearings)
     bodies = [_shared(body, solution.common) for body in _Drawn(acts).bodies()]
-    for rod in (body for body in bodies if body.name in acts.frames and acts.frames[body.name].arc):
+    frames = acts.members.frames
+    for rod in (body for body in bodies if body.name in frames and frames[body.name].arc):
         bodies = list(_slotted(rod, bodies))
     return tuple(_rounded([_held(body, places) for body in bodies]))
 
@@ -158,17 +159,17 @@ class _Drawn:
     def bodies(self) -> Iterator[FreeBody]:
         """Yield links, slides, then pins."""
         twins = self.acts.assembly.twins
-        for name in self.acts.frames:
+        for name in self.acts.members.frames:
             direct = (self._named(a) for a in self.acts.on_bodies[name])
-            at_pins = (a for p in self.acts.frames[name].points for a in self._at(p, name))
+            at_pins = (a for p in self.acts.members.frames[name].points for a in self._at(p, name))
             forces = (*at_pins, *direct)
-            slides = name in self.acts.slides
+            slides = name in self.acts.members.slides
             yield FreeBody(name, "slide" if slides else "link", forces, name in twins)
         for point, acts in self.acts.on_pins.items():
             free = {kind for kind, _ in acts} != {"ground"}
             if free and point not in self.merged and not self._is_plain(point):
                 forces = tuple(acts.values())
-                guided = point in self.acts.guides
+                guided = point in self.acts.members.guides
                 yield FreeBody(point, "slider" if guided else "pin", forces, point in twins)
 
     def _carriers(self, point: str) -> list[str]:
@@ -177,7 +178,7 @@ class _Drawn:
     def _carrier(self, point: str) -> str:
         """Return the only link that carries a pin, empty for one that is a body of its own."""
         carriers = self._carriers(point)
-        return carriers[0] if len(carriers) == 1 and point not in self.acts.guides else ""
+        return carriers[0] if len(carriers) == 1 and point not in self.acts.members.guides else ""
 
     def _is_plain(self, point: str) -> bool:
         """Return whether a pin joins two links and nothing else acts on it."""
