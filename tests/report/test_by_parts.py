@@ -1,13 +1,15 @@
 """Numbers put into a formula too long for a line: the sums named on the page have theirs."""
 
 import re
+from fractions import Fraction
 
 import mechc
 from mechc.formula.evaluate import evaluate
-from mechc.formula.tree import Symbol, product, total
+from mechc.formula.tree import Symbol, number, product, total
 from mechc.report.by_parts import by_parts
 from mechc.report.evaluated import Evaluated, Known
 from mechc.report.put_in import Quantity
+from mechc.report.text.printer import UNICODE, print_formula
 
 A, B, Z = map(Symbol, ("a", "b", "Z_1"))
 SUM = total([A, B])
@@ -33,9 +35,26 @@ def test_a_named_sum_has_its_value_once_and_before_what_rests_on_it():
     assert all(each.numbers is not None for each in found)
 
 
-def test_a_formula_without_named_sums_comes_as_it_is():
-    alone = item("R")
-    assert list(by_parts([alone], {}, numbers_fit)) == [alone]
+def test_a_product_without_named_sums_has_the_values_of_its_sums():
+    """R = a (a + b)² = 40 mm · (70 mm)²."""
+    (found,) = by_parts([item("R")], {}, numbers_fit)
+    assert found.numbers is not None
+    assert print_formula(found.numbers, UNICODE) == "40 mm · (70 mm)²"
+
+
+def test_a_sum_has_the_values_of_its_terms_unless_rounding_would_be_seen():
+    """a + b² / a, and a difference of which no digit is left."""
+    whole = total([A, product([(B, 2), (A, -1)])])
+    near = total([whole, product([(number(Fraction(-624999999, 10**10)), 1), (A, 1), (A, -1)])])
+    values = {"a": 0.04, "b": 0.03}
+    items = [
+        Evaluated(Symbol("R"), None, Quantity(evaluate(f, values), "mm"), False, f, KNOWN)
+        for f in (whole, near)
+    ]
+    first, second = by_parts(items, {}, numbers_fit)
+    assert first.numbers is not None
+    assert print_formula(first.numbers, UNICODE) == "40 mm + 22.5 mm"
+    assert second.numbers is None
 
 
 def test_what_does_not_fit_with_names_either_has_no_values_of_sums_before_it():
@@ -46,7 +65,7 @@ def test_what_does_not_fit_with_names_either_has_no_values_of_sums_before_it():
 def test_sums_named_on_a_page_have_their_numbers_there() -> None:
     page = mechc.load("examples/gripper/linkage.mech").emit("latex")
     numbers = page.split(r"\section*{Numerical values}")[1]
-    values = dict(re.findall(r"(Z_\d)&=([\d.]+\\,\\text\{mm\}\^2)", numbers))
+    values = dict(re.findall(r"(Z_\d)&=[^\n]*?([\d.]+\\,\\text\{mm\}\^2)(?=\\\\|&|\n)", numbers))
     assert len(values) == 2
     for value in values.values():  # S_KA = Z_2/(a² − ρ²)
         assert rf"=\frac{{{value}}}" in numbers

@@ -607,7 +607,7 @@ def test_a_nut_locks_below_the_pitch_that_friction_holds():
     pitch, mu = found["p"].high, found["mu"].low
     assert pitch is not None
     assert mu is not None
-    assert [text(b.exact) for b in (pitch, mu) if b.exact] == ["pi*d*mu", "p/(pi*d)"]
+    assert [text(b.exact) for b in (pitch, mu) if b.exact] == ["pi*mu*d", "p/(pi*d)"]
     assert pitch.x == pytest.approx(math.pi * 0.02 * 0.1)
     assert mu.x == pytest.approx(0.004 / (math.pi * 0.02))
 

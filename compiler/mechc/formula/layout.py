@@ -7,7 +7,6 @@ stand in degrees. Both are decided here once, for LaTeX and for the terminal.
 
 from collections.abc import Iterable, Set
 from fractions import Fraction
-from itertools import pairwise
 
 from ..named import NamedTuple
 from .names import split_name
@@ -101,14 +100,14 @@ def unstacked(whole: Fractions) -> tuple[Fractions, tuple[Formula, ...]]:
 def diameters_behind(factors: Iterable[Formula]) -> list[Formula]:
     """Return factors with each diameter behind its coefficient of friction: f·d, never d·f.
 
-    >>> b, d, f, rest = map(Symbol, ("b", "d_O", "f_1", "S"))
-    >>> diameters_behind((b, d, f, rest)) == [b, f, d, rest]
+    >>> b, d, f, f_c, rest = map(Symbol, ("b", "d_O", "f", "f_c", "S"))
+    >>> diameters_behind((b, d, f, f_c, rest)) == [b, f, f_c, d, rest]
     True
     """
     row = list(factors)
-    for i, (factor, behind) in enumerate(pairwise(tuple(row))):
-        if _head(factor) == "d" and _head(behind) in _COEFFICIENTS:
-            row[i : i + 2] = behind, factor
+    for i in range(len(row) - 1):
+        if _head(row[i]) == "d" and _head(row[i + 1]) in _COEFFICIENTS:
+            row[i : i + 2] = row[i + 1], row[i]
     return row
 
 

@@ -1,18 +1,23 @@
 """Numbers put into long formulas part by part, as they stand on a page: ``Z_1`` before ``R_O``."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from math import isfinite
+from fractions import Fraction
+from math import isclose, isfinite
 
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula, Symbol
+from ..formula.tree import Call, Formula, Number, Power, Product, Sum, Symbol, power, product
 from ..formula.walk import children, rebuild, symbols
 from ..model.result import Definition
 from .dimensions import names_in
 from .evaluated import Evaluated, Known, found_unit
-from .put_in import Quantity, in_numbers, values_of
+from .put_in import DIGITS, Quantity, in_numbers, values_of
 
 Named = Mapping[Formula, Symbol]
 """The sums that have got names of their own on a page."""
+
+
+ROUNDED = 5e-6
+"""The part of a value that rounding of printed numbers may make."""
 
 
 def by_parts(
@@ -20,21 +25,25 @@ def by_parts(
 ) -> Iterator[Evaluated]:
     """Yield values; before one whose numbers do not fit, those of the named sums in its formula.
 
-    Each sum stands once. A formula that has none, or does not fit with them, comes as it is.
+    Each sum stands once. A formula that has none, or does not fit with them, has the values of its
+    terms, or of the sums among its factors; where that does not fit either it comes as it is.
     """
     shown = set[str]()
     for item in found:
-        if not named or item.formula is None or item.known is None or fits(item):
+        if item.formula is None or item.known is None or fits(item):
             yield item
             continue
         formula = _in_names(item.formula, named)
         known = {**item.known.quantities, **_values(named, item.known)}
         shorter = item._replace(numbers=_numbers(formula, item.value, known))
         if formula == item.formula or not fits(shorter):
-            yield item
+            yield _shortened(item, item.formula, item.known, fits)
             continue
         parts = [part for part in _parts(formula, named) if part[0].name not in shown]
-        yield from (_evaluated(symbol, part, known) for symbol, part in parts)
+        more = item.known._replace(quantities=known)
+        for symbol, part in parts:
+            evaluated = _evaluated(symbol, part, known)
+            yield evaluated if fits(evaluated) else _shortened(evaluated, part, more, fits)
         shown.update(symbol.name for symbol, _ in parts)
         yield shorter
 
@@ -60,18 +69,8 @@ def _parts(formula: Formula, named: Named) -> Iterator[tuple[Symbol, Formula]]:
 
 def _values(named: Named, known: Known) -> dict[str, Quantity]:
     """Return the values of the named sums that have one, each in a unit that suits it."""
-    values = values_of(known.quantities)
-    units = {name: quantity.unit for name, quantity in known.quantities.items()}
-    angles = [name for name, unit in units.items() if unit == "deg"]
-    found = dict[str, Quantity]()
-    for whole, symbol in named.items():
-        if names_in(whole) <= known.quantities.keys():
-            definition = Definition(symbol.name, whole)
-            unit = found_unit(definition, known.lengths, angles, values, units)
-            value = evaluate(whole, values)
-            if unit is not None and isfinite(value):
-                found[symbol.name] = Quantity(value, unit)
-    return found
+    found = ((symbol.name, _value(whole, known)) for whole, symbol in named.items())
+    return {name: value for name, value in found if value is not None}
 
 
 def _evaluated(symbol: Symbol, formula: Formula, known: Mapping[str, Quantity]) -> Evaluated:
@@ -81,3 +80,59 @@ def _evaluated(symbol: Symbol, formula: Formula, known: Mapping[str, Quantity]) 
 
 def _numbers(formula: Formula, value: Quantity, known: Mapping[str, Quantity]) -> Formula | None:
     return in_numbers(formula, known, value.unit in ("", "deg"))
+
+
+def _shortened(
+    item: Evaluated, formula: Formula, known: Known, fits: Callable[[Evaluated], bool]
+) -> Evaluated:
+    """Return an item with the values of its formula's parts put in, if that fits."""
+    found = item._replace(numbers=_in_values(formula, item.value, known))
+    return found if found.numbers and fits(found) else item
+
+
+def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | None:
+    """Return a sum by the values of its terms, a product by those of the sums among its factors.
+
+    None where there is nothing to be shortened, or so little is left of a difference that it has
+    another value with the digits printed.
+    """
+    found = dict[str, Quantity]()
+
+    def valued(part: Formula) -> Formula:
+        if isinstance(part, Power):
+            return power(valued(part.base), part.exponent)
+        if isinstance(part, Symbol | Number) or (
+            isinstance(formula, Product) and not _is_sum(part)
+        ):
+            return part
+        quantity = _value(part, known)
+        if quantity is None:
+            return part
+        name, sign = f"_{len(found) + 1}", -1 if quantity.value < 0 else 1
+        found[name] = quantity._replace(value=sign * quantity.value)
+        return product([(Symbol(name), 1), (Number(Fraction(sign)), 1)])
+
+    if not isinstance(formula, Sum | Product):
+        return None
+    shorter = rebuild(formula, tuple(valued(part) for part in children(formula)))
+    as_printed = {n: q.value for n, q in known.quantities.items()}
+    as_printed |= {n: float(f"{q.value:.{DIGITS}g}") for n, q in found.items()}
+    if not found or not isclose(evaluate(shorter, as_printed), value.value, rel_tol=ROUNDED):
+        return None
+    return _numbers(shorter, value, {**known.quantities, **found})
+
+
+def _is_sum(part: Formula) -> bool:
+    return isinstance(part, Sum) or (isinstance(part, Call) and part.function in ("sqrt", "hypot"))
+
+
+def _value(part: Formula, known: Known) -> Quantity | None:
+    """Return the value of a part in a unit that suits it, None where it has none."""
+    values = values_of(known.quantities)
+    units = {name: quantity.unit for name, quantity in known.quantities.items()}
+    angles = [name for name, unit in units.items() if unit == "deg"]
+    if not names_in(part) <= known.quantities.keys():
+        return None
+    unit = found_unit(Definition("_", part), known.lengths, angles, values, units)
+    value = evaluate(part, values)
+    return Quantity(value, unit) if unit is not None and isfinite(value) else None

@@ -12,6 +12,7 @@ from ...model.values import own_stroke
 from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit, si_unit
 from ..brief import needed, relations, short
+from ..by_parts import by_parts
 from ..definitions import Solved, given_loads, grouped, stated_above
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
@@ -100,7 +101,7 @@ def render_brief(
 
 def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
     """Yield the values of formulas at the default pose, with the numbers put in."""
-    found = tuple(values)
+    found = tuple(by_parts(values, {}, lambda item: item.numbers is not None))
     if found:
         yield from ("", spell.locale.numbers, f"     {spell.locale.at_default}:")
     for left, numbers, value, angle, *_ in found:
