@@ -9,6 +9,7 @@ from mechc.cli.show import text_of
 from mechc.driver import VIEWS, Compilation
 from mechc.files import find, read
 from mechc.source import Source
+from sources import in_thirds
 
 
 def opened(name: str) -> Compilation:
@@ -96,7 +97,9 @@ def test_a_description_without_a_result_shows_what_it_can() -> None:
     assert "    Pivot(point=O)" in text_of("syntax", Compilation(source))
 
 
-@pytest.mark.parametrize("name", ["wheelbarrow", "triad_press", "peaucellier", "scissor_2"])
+@pytest.mark.parametrize(
+    "name", in_thirds(["wheelbarrow", "triad_press", "peaucellier", "scissor_2"])
+)
 def test_no_record_of_python_is_shown(name: str) -> None:
     shown = "".join(text_of(stage, opened(name)) for stage in VIEWS)
     for sign in ("Angle(", "Product(", "Fraction(", "Span(", "None", "=<", "Number(", "object at"):

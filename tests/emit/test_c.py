@@ -51,8 +51,10 @@ slow = pytest.mark.slow
     ("language", "single"),
     [
         ("c99", False),
-        ("c++20", True),
-        *(pytest.param(n, single, marks=slow) for n, single in (("c11", True), ("c++", False))),
+        *(
+            pytest.param(n, single, marks=slow)
+            for n, single in (("c++20", True), ("c11", True), ("c++", False))
+        ),
     ],
 )
 def test_everything_compiles_without_a_warning(language: str, single: bool, tmp_path: Path) -> None:

@@ -56,7 +56,7 @@ def test_systems_compile_without_a_warning(compiler, level, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("part", "compiler"), enumerate(COMPILERS))
+@pytest.mark.parametrize(("part", "compiler"), [*enumerate(COMPILERS)])
 def test_the_library_compiles_without_a_warning(part, compiler, tmp_path):
     """Each compiler sees another part of the library."""
     compile_all([*SAMPLES, *LIBRARY[part :: len(COMPILERS)]], compiler, LEVELS[compiler], tmp_path)

@@ -17,6 +17,7 @@ from mechc.routine.steps import programs
 from mechc.source import Source
 from paths import LIBRARY
 from routine_samples import solved
+from sources import in_thirds
 
 NAMES = ("crank_rocker", "fedoriv_fig2a_with_friction", "triad_closed", "grip_force")
 TYPES = {"double": ctypes.c_double, "int": ctypes.c_int}
@@ -74,7 +75,7 @@ def called(
     return [call(*given, *map(ctypes.byref, outputs)), *(output.value for output in outputs)]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", in_thirds(NAMES))
 def test_the_struct_gives_the_same_bits_as_numbers_in_order(name: str, tmp_path: Path) -> None:
     found = read(name)
     code, functions, struct = built(found, tmp_path), heads(found), struct_of(found)
@@ -94,7 +95,7 @@ def test_the_struct_gives_the_same_bits_as_numbers_in_order(name: str, tmp_path:
             np.testing.assert_array_equal(called(code, taking, kind, [of_struct], filled), expected)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", in_thirds(NAMES))
 def test_an_array_of_structs_gives_what_each_gives_alone(name: str, tmp_path: Path) -> None:
     found = read(name)
     code, functions, struct = built(found, tmp_path), heads(found), struct_of(found)

@@ -15,6 +15,7 @@ from mechc.routine.evaluate import evaluate
 from paths import LIBRARY
 from routine_samples import solved
 from run_targets import POSES, companions, poses, sensitivity
+from sources import in_thirds
 
 EPSILON = 2.0**-23
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
@@ -64,13 +65,13 @@ def agree(name, folder, compiler):
 
 
 @pytest.mark.skipif("gcc" not in COMPILERS, reason="no gcc")
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", in_thirds(NAMES))
 def test_float_is_close_to_double(name, tmp_path):
     agree(name, tmp_path, "gcc")
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("part", "compiler"), enumerate(COMPILERS))
+@pytest.mark.parametrize(("part", "compiler"), [*enumerate(COMPILERS)])
 def test_much_of_the_library_is_close_to_double(part, compiler, tmp_path):
     for name in ALL[part :: 2 * len(COMPILERS)]:
         (tmp_path / name).mkdir()

@@ -14,6 +14,7 @@ from mechc.emit.c.to_c import TARGET
 from mechc.emit.target import Options
 from routine_samples import solved
 from run_targets import span
+from sources import in_thirds
 
 GCC = shutil.which("gcc")
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2")
@@ -47,7 +48,7 @@ def values(library: ctypes.CDLL, sample: str, poses: int) -> list[np.ndarray]:
     return found
 
 
-@pytest.mark.parametrize("sample", ["clamp", "crank_rocker", "triad_closed"])
+@pytest.mark.parametrize("sample", in_thirds(["clamp", "crank_rocker", "triad_closed"]))
 def test_values_do_not_depend_on_threads(sample: str, tmp_path: Path) -> None:
     plain = built(sample, tmp_path, threads=False)
     serial = built(sample, tmp_path, threads=True)

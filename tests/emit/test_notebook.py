@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import mechc
+from good_mechanisms import loaded
 from paths import ROOT
 
 SHOWN = ("crank_rocker", "fedoriv_fig1_with_friction", "karpenko_fig9_packet_clamp", "cylinder")
@@ -26,7 +27,7 @@ def balanced(markdown: str) -> bool:
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_mechanisms_results_and_derivations_show_themselves(name: str) -> None:
-    mechanism = mechc.load(name)
+    mechanism = loaded(name)
     whole = mechanism._repr_markdown_()
     derivation = mechanism.derivation._repr_markdown_()
     assert balanced(whole)
@@ -39,7 +40,7 @@ def test_mechanisms_results_and_derivations_show_themselves(name: str) -> None:
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_what_a_printed_notebook_shows_is_latex(name: str, typeset: Callable[[str], str]) -> None:
-    mechanism = mechc.load(name)
+    mechanism = loaded(name)
     shown = [mechanism, mechanism.derivation, *mechanism.results.values()]
     log = typeset("\n\n".join(one._repr_latex_() for one in shown))
     assert "Overfull" not in log
@@ -83,14 +84,14 @@ def test_texts_of_the_user_are_text_in_a_notebook() -> None:
 
 
 def test_a_result_shows_all_that_it_rests_on() -> None:
-    shown = mechc.load("crank_rocker").results["k"]._repr_markdown_()
+    shown = loaded("crank_rocker").results["k"]._repr_markdown_()
     assert r"\boxed{k=\frac{M}{F}=" in shown
     for name in (r"\psi&=", r"\theta&=", r"\mu_B&="):
         assert shown.count(name) == 1
 
 
 def test_a_derivation_is_in_order() -> None:
-    shown = mechc.load("crank_rocker").derivation._repr_markdown_()
+    shown = loaded("crank_rocker").derivation._repr_markdown_()
     places = [shown.index(f"**{title}**") for title in ("Position", "Velocities", "Results")]
     assert places == sorted(places)
 
@@ -111,7 +112,7 @@ class Cells(HTMLParser):
 
 
 def test_a_stroke_is_a_table() -> None:
-    stroke = mechc.load("crank_rocker").stroke(5)
+    stroke = loaded("crank_rocker").stroke(5)
     cells = Cells()
     cells.feed(stroke._repr_html_())
     assert cells.rows == [4] * 6
@@ -134,7 +135,7 @@ def test_a_mechanism_with_forces_at_joints_shows_itself(friction: str) -> None:
 
 
 def test_a_step_alone_has_no_number() -> None:
-    crank, rocker = mechc.load("bell_crank"), mechc.load("crank_rocker")
+    crank, rocker = loaded("bell_crank"), loaded("crank_rocker")
     assert r"\begin{enumerate}" not in crank.emit("latex")
     assert r"\begin{enumerate}" in rocker.emit("latex")
     assert "1\\. " not in crank.derivation._repr_markdown_()

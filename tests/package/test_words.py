@@ -3,6 +3,7 @@
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 
 from paths import PACKAGE, TESTS
 from sources import tree_of
@@ -30,6 +31,7 @@ def names(tree: ast.AST) -> Iterator[str]:
                 yield name
 
 
+@cache
 def parts(name: str) -> list[str]:
     """Return the words of a name.
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import mechc
+from good_mechanisms import loaded
 from mechc.cli import main
 from mechc.diagnostics import MechcError
 from mechc.drawing.axes import GRID, PAPER, ZERO
@@ -63,7 +64,7 @@ def clamp():
 
 @pytest.fixture(scope="module")
 def rocker():
-    return mechc.load("crank_rocker")
+    return loaded("crank_rocker")
 
 
 def columns(plot):
@@ -142,7 +143,7 @@ def test_along_a_constraint_as_figure_5_of_karpenko():
 
 
 def test_over_the_stroke_of_the_drive():
-    found = mechc.load("claw_closed").plot(y=["k", "gamma", "beta"]).plot
+    found = loaded("claw_closed").plot(y=["k", "gamma", "beta"]).plot
     assert [[c.name for c in p.curves] for p in found.panels] == [["k"], ["gamma", "beta"]]
     assert (found.x.name, found.x.unit, found.low, found.high) == ("phi", "rad", 1.0, 2.0)
     least = next(m.at for m in found.curves[0].marks if m.kind == "minimum")
@@ -152,7 +153,7 @@ def test_over_the_stroke_of_the_drive():
 
 
 def test_with_friction_and_of_a_sheet():
-    clamp = mechc.load("karpenko_fig9_with_friction")
+    clamp = loaded("karpenko_fig9_with_friction")
     _, k, k_f = columns(clamp.plot("alpha", ["k", "k_f"]).plot)
     assert (k_f > k).all()
     found = mechc.load(EXAMPLES / "pin.mech").plot("F", "tau", range=("1 kN", "4 kN")).plot
@@ -198,7 +199,7 @@ def test_the_path_of_a_point_keeps_its_shape(rocker):
 
 def test_the_zone_in_which_a_condition_holds():
     """Manzhosov and Samsonov: rational where gamma is at least 1.5 rad."""
-    claw = mechc.load("claw_closed")
+    claw = loaded("claw_closed")
     picture = claw.plot(y="k", where="gamma >= 1.5 rad")
     assert picture.plot.zone.stretches == (pytest.approx((1.305764, 1.441927), abs=1e-6),)
     for place in picture.plot.zone.stretches[0]:
@@ -375,13 +376,13 @@ def test_a_stroke_without_a_drive_points_here(capsys):
 
 
 def test_dead_centres_are_no_loads_across_a_velocity():
-    rocker = mechc.load("crank_rocker").plot(language="uk")
+    rocker = loaded("crank_rocker").plot(language="uk")
     (curve,) = rocker.plot.curves
     assert list(curve.dead_centres) == [m.at.x for m in curve.marks if m.kind == "zero"]
     assert "phi = 24,15° (мертве положення)" in rocker.alt
-    (cylinder,) = mechc.load("oscillating_cylinder").plot().plot.curves
+    (cylinder,) = loaded("oscillating_cylinder").plot().plot.curves
     assert (len([m for m in cylinder.marks if m.kind == "zero"]), cylinder.dead_centres) == (1, ())
-    (limit,) = mechc.load("double_rocker").plot(range=("60 deg", "100 deg")).plot.curves
+    (limit,) = loaded("double_rocker").plot(range=("60 deg", "100 deg")).plot.curves
     assert limit.dead_centres == limit.poles != ()
 
 

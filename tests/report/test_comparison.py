@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-import mechc
+from good_mechanisms import loaded
 from mechc.cli import main
 from tex import compile_tex, needs_cyrillic
 
@@ -42,7 +42,7 @@ def test_each_row_has_the_scheme_and_the_formulas_of_the_report(language, head, 
     assert head in text
     rows = re.split(r"^\\midrule$", text, flags=re.M)[1:]
     for number, (name, row) in enumerate(zip(SCHEMES, rows, strict=True), start=1):
-        report = mechc.load(name).emit("latex", language=language)
+        report = loaded(name).emit("latex", language=language)
         assert f"{number} &" in row
         assert row.count(r"\begin{tikzpicture}") == 1
         formulas = re.findall(r"\\boxed\{.*\}", row)

@@ -6,6 +6,7 @@ from functools import cache
 import pytest
 
 import mechc
+from good_mechanisms import loaded
 from mechc.cli.checked import report
 from mechc.driver import compile_source
 from mechc.files import find, read
@@ -22,7 +23,7 @@ def docstring(code: str, name: str) -> str:
 
 @pytest.mark.parametrize("result", ["k_f", "k_hold"])
 def test_a_docstring_shows_the_printed_case(result):
-    shown = docstring(mechc.load("karpenko_fig1_with_friction").emit("python"), result)
+    shown = docstring(loaded("karpenko_fig1_with_friction").emit("python"), result)
     assert "sigma" not in shown
     assert "sign(" not in shown
     assert f"{result} = 2*" in shown
@@ -68,7 +69,7 @@ def test_a_report_shows_the_structure_of_what_is_iterated():
 def test_json_gives_the_conditions_of_a_case():
     import json
 
-    document = json.loads(mechc.load("karpenko_fig1_with_friction").emit("json"))
+    document = json.loads(loaded("karpenko_fig1_with_friction").emit("json"))
     found = next(r for r in document["results"] if r["name"] == "k_f")
     assert [c["operator"] for c in found["holds"]] == [">"]
     account = next(a for a in document["derivation"]["accounts"] if a["results"] == ["k_f"])
@@ -101,7 +102,7 @@ def test_json_gives_the_conditions_of_a_case():
     ],
 )
 def test_friction_is_among_what_is_given(name, said):
-    given = mechc.load(name).emit("latex").partition("begin{longtable}")[0]
+    given = loaded(name).emit("latex").partition("begin{longtable}")[0]
     assert said in given
     assert re.search(r"With friction the motion is (along|against) the arrow of \$\w\$", given)
 
@@ -125,7 +126,7 @@ def test_friction_is_among_what_is_given(name, said):
     ],
 )
 def test_headings_set_results_with_friction_apart(language, tightening, releasing, first):
-    shown = mechc.load("karpenko_fig2_with_friction").emit("latex", language=language)
+    shown = loaded("karpenko_fig2_with_friction").emit("latex", language=language)
     assert rf"{tightening} ($k_f$):}}" in shown
     hold = {"en": r"\mathrm{hold}", "uk": r"\text{утр}", "ru": r"\text{уд}"}[language]
     assert f"{releasing} ($k_{{{hold}}}$):}}" in shown
@@ -158,13 +159,13 @@ def test_headings_set_results_with_friction_apart(language, tightening, releasin
     ],
 )
 def test_a_couple_that_drives_is_a_moment(language: str, said: list[str]) -> None:
-    shown = mechc.load("d45_11_screw_lever_with_friction").emit("latex", language=language)
+    shown = loaded("d45_11_screw_lever_with_friction").emit("latex", language=language)
     assert [sentence for sentence in said if sentence not in shown] == []
 
 
 @pytest.mark.parametrize(("language", "said"), [("uk", "Момент:"), ("ru", "Момент:")])
 def test_a_couple_that_is_asked_for_is_headed_as_one(language: str, said: str) -> None:
-    assert rf"\textbf{{{said}}}" in mechc.load("band_brake").emit("latex", language=language)
+    assert rf"\textbf{{{said}}}" in loaded("band_brake").emit("latex", language=language)
 
 
 @pytest.mark.parametrize(
@@ -287,7 +288,7 @@ def test_derivation_golden(name, golden):
 
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
 def test_report_golden(language, golden):
-    shown = mechc.load("karpenko_fig2_with_friction").emit("latex", language=language)
+    shown = loaded("karpenko_fig2_with_friction").emit("latex", language=language)
     golden(f"latex/friction_{language}.tex", shown.partition("section*{")[2])
 
 
@@ -338,13 +339,13 @@ find Q
     ],
 )
 def test_code_has_no_square_of_a_sign(name):
-    code = mechc.load(name).emit("python")
+    code = loaded(name).emit("python")
     assert not re.search(r"\b((s|sigma)_\w*)(\*\*2|\*\1\b)", code)
 
 
 def test_what_follows_from_no_equation_is_not_said_to_follow():
     """M_f1 = M_f is what the sentence above says; no "hence" begins after its full stop."""
-    page = mechc.load("plate_clutch").emit("latex")
+    page = loaded("plate_clutch").emit("latex")
     first = page.partition("to first order")[2].partition(r"\boxed{M_{f1}")[0]
     assert "gives the same" in first
     assert "hence" not in first

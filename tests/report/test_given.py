@@ -1,7 +1,7 @@
 """What a report says is given."""
 
 import mechc
-from good_mechanisms import compiled
+from good_mechanisms import compiled, loaded
 from mechc.report.text.derivation import render
 
 DRAWN = """
@@ -29,14 +29,14 @@ def test_lengths_of_a_drawing_that_formulas_name_are_given_with_their_values():
 
 
 def test_a_length_that_a_vector_is_written_with_stands_with_the_vector_alone():
-    given = mechc.load("jansen_leg").emit("latex").split(r"\section*{Position}")[0]
+    given = loaded("jansen_leg").emit("latex").split(r"\section*{Position}")[0]
     assert given.count("61.9") == 1 + given.count("k 61.9")
 
 
 def test_a_radius_has_no_minus_and_a_rack_has_its_side():
     first, second = (
         line
-        for line in mechc.load("d45_09_racks_pinion").emit("latex").splitlines()
+        for line in loaded("d45_09_racks_pinion").emit("latex").splitlines()
         if "The rack at" in line and "item" in line
     )
     assert first.endswith("(radius $r$).")
@@ -44,7 +44,7 @@ def test_a_radius_has_no_minus_and_a_rack_has_its_side():
 
 
 def test_a_load_given_by_a_number_is_no_result_and_is_put_in():
-    text = mechc.load("band_brake").emit("latex")
+    text = loaded("band_brake").emit("latex")
     given, found = text.split(r"\section*{Results}")
     assert any(r"$P$" in row and r"89\,\text{N}" in row for row in given.splitlines())
     assert r"\boxed{P=" not in found
@@ -52,7 +52,7 @@ def test_a_load_given_by_a_number_is_no_result_and_is_put_in():
 
 
 def test_a_weight_has_its_value_and_is_put_in():
-    numbers = mechc.load("wheelbarrow").emit("latex").split(r"\section*{Numerical values}")[1]
+    numbers = loaded("wheelbarrow").emit("latex").split(r"\section*{Numerical values}")[1]
     assert r"W&=60\,\text{kg}\cdot 9.80665\,\text{m}/\text{s}^2=588.399\,\text{N}" in numbers
     assert r"588.399\,\text{N}" in numbers.split("P&=")[1]
 
@@ -89,25 +89,25 @@ def test_a_force_in_a_rod_has_a_heading_of_its_own():
 
 
 def test_a_rod_has_two_pins_and_a_screw_has_one():
-    given = mechc.load("screw_jack_with_collar").emit("latex").split(r"\section*{Velocities}")[0]
+    given = loaded("screw_jack_with_collar").emit("latex").split(r"\section*{Velocities}")[0]
     assert r"Rigid links: $OE$." in given
     assert "Links with two pins" not in given
-    crank = mechc.load("crank_slider").emit("latex")
+    crank = loaded("crank_slider").emit("latex")
     assert r"Links with two pins: $OA$ and $AB$." in crank
 
 
 def test_a_stroke_that_is_not_the_range_of_its_parameter_is_given():
     """Extrema are looked for along the stroke, which the table of ranges does not show."""
-    page, found = mechc.load("hoeken").emit("latex", language="uk"), compiled("hoeken")
+    page, found = loaded("hoeken").emit("latex", language="uk"), compiled("hoeken")
     assert r"Ведуча координата — $\varphi$, від $100^\circ$ до $260^\circ$." in page
     assert "The drive is φ, from 100° to 260°." in render(found.derivation, found.mechanism)
-    assert "Ведуча координата" not in mechc.load("jansen_leg").emit("latex", language="uk")
+    assert "Ведуча координата" not in loaded("jansen_leg").emit("latex", language="uk")
 
 
 def test_radians_that_were_written_have_degrees_beside_them():
     """Formulas put degrees in: 1.2 rad is met as 68.7549°, and what follows is in degrees."""
     found = compiled("claw_closed")
-    text, page = render(found.derivation, found.mechanism), mechc.load("claw_closed").emit("latex")
+    text, page = render(found.derivation, found.mechanism), loaded("claw_closed").emit("latex")
     assert "φ = 1.2 rad (68.7549°), range 1 rad … 2 rad" in text
     assert r"$1.2\,\text{rad}$ $(68.7549^\circ)$" in page  # a narrow column may part them
     assert "γ = arcsin(sin 79.4982°) = 79.4982°" in text

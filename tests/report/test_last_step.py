@@ -3,7 +3,7 @@
 import pytest
 
 import mechc
-from good_mechanisms import CLOSED, compiled
+from good_mechanisms import CLOSED, compiled, loaded
 from mechc.algebra.equality import equal
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
@@ -86,5 +86,5 @@ def test_loads_that_are_tied_are_put_into_the_ratio_with_their_factor():
 
 def test_a_quotient_of_two_negative_sums_has_no_minus():
     """Both jaws move against what presses on them."""
-    text = mechc.load("d45_09_racks_pinion").emit("latex")
+    text = loaded("d45_09_racks_pinion").emit("latex")
     assert r"\frac{N}{P}&=\frac{V_A}{V_A+V_B}" in text.replace(r"\frac{N}{P}=", r"\frac{N}{P}&=")

@@ -10,6 +10,7 @@ import pytest
 from jinja2 import meta
 
 import mechc
+from good_mechanisms import loaded
 from mechc.emit.latex.blocks import Report
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.make_templates import EMIT, environment
@@ -80,15 +81,15 @@ def template(name: str) -> str:
 def test_library_reports_say_no_more_than_there_is() -> None:
     text = find("three_claw_gripper").read_text("utf-8").split("translate:")[0]
     plain = mechc.loads(re.sub(r"  # .*", "", text), "claw.yaml").emit("latex")
-    labelled = mechc.load("wheelbarrow").emit("latex")
+    labelled = loaded("wheelbarrow").emit("latex")
     assert "Quantity" not in plain
-    assert "Range" not in mechc.load("shoe_brake").emit("latex")
+    assert "Range" not in loaded("shoe_brake").emit("latex")
     assert "Quantity" in labelled
     assert "W=mg$, $g=9.80665" in labelled
 
 
 def test_a_length_between_points_keeps_off_the_speed() -> None:
-    assert r"V_A=O_{1}A\cdot \omega_{O_{1}A}" in mechc.load("stephenson_six_bar").emit("latex")
+    assert r"V_A=O_{1}A\cdot \omega_{O_{1}A}" in loaded("stephenson_six_bar").emit("latex")
 
 
 OFFSET_SLIDER = """
@@ -140,7 +141,7 @@ def test_a_direction_is_in_degrees_and_a_radius_has_its_unit() -> None:
 
 
 def test_signed_speeds_are_not_called_magnitudes() -> None:
-    clamp = mechc.load("equalising_clamp").emit("latex")
+    clamp = loaded("equalising_clamp").emit("latex")
     assert en.LOCALE.signed in clamp
     assert en.LOCALE.magnitudes not in clamp
 
@@ -155,7 +156,7 @@ def test_a_long_power_equation_is_broken() -> None:
 
 @pytest.mark.parametrize("name", ["double_butterfly", "jansen_leg", "triad_closed"])
 def test_a_name_made_up_for_a_sum_is_defined_once(name: str) -> None:
-    text = mechc.load(name).emit("latex").split(r"\section*{Numerical values}")[0]
+    text = loaded(name).emit("latex").split(r"\section*{Numerical values}")[0]
     made = re.findall(r"([YZ]_\d|[YZ]_\{\d+\})&?=", text)
     assert made
     assert len(made) == len(set(made))
@@ -163,7 +164,7 @@ def test_a_name_made_up_for_a_sum_is_defined_once(name: str) -> None:
 
 
 def test_a_name_made_up_for_a_sum_is_no_point() -> None:
-    leg = mechc.load("jansen_leg").emit("latex")
+    leg = loaded("jansen_leg").emit("latex")
     assert "Z_1" not in leg  # whose rocker turns about Z
     assert "Y_1" in leg
 
@@ -250,7 +251,7 @@ def test_long_formulas_stay_on_the_page(tmp_path: Path) -> None:
 
 def about_the_checks(before: str, folder: Path) -> list[float]:
     """Return how full the page is above and below the heading of the checks of a note."""
-    text = mechc.load("groove_size").emit("latex")
+    text = loaded("groove_size").emit("latex")
     heading, how_far = r"\section*{Checks}", r"\typeout{page: \the\pagetotal}"
     text = text.replace(r"\par\penalty-100 ", rf"\par{before}\penalty-100 {how_far}")
     log = compile_tex("pdflatex", text.replace(heading, f"{heading}{how_far}"), folder)

@@ -2,13 +2,13 @@
 
 import pytest
 
-import mechc
+from good_mechanisms import loaded
 from mechc.frozen import replace
 from mechc.report.latex.notation import notation, translated
 
 
 def page(name: str, language: str = "en") -> str:
-    return mechc.load(name).emit("latex", language=language)
+    return loaded(name).emit("latex", language=language)
 
 
 @pytest.mark.parametrize(
@@ -87,13 +87,13 @@ def test_words_of_letters_that_are_no_points_stay():
 
 
 def test_letters_have_one_shape_on_a_page():
-    text = mechc.load("crank_rocker").emit("latex", pictures=True)
+    text = loaded("crank_rocker").emit("latex", pictures=True)
     assert r"\phi" not in text
     assert r"\varphi" in text
 
 
 def test_two_types_in_an_index_are_one_index():
-    text = mechc.load("crank_rocker").emit("latex", pictures=True)
+    text = loaded("crank_rocker").emit("latex", pictures=True)
     assert r"\mathit{R}_{\mathit{O}_{1}}" in text
     assert "}_{1}_{" not in text
 
@@ -105,12 +105,12 @@ def test_a_single_letter_is_a_word_in_english_alone():
 
 
 def test_words_in_an_index_are_as_small_as_it_is():
-    text = mechc.load("block_and_tackle").emit("latex", language="uk", pictures=True)
+    text = loaded("block_and_tackle").emit("latex", language="uk", pictures=True)
     assert r"\text{\mechccyr{с}}" in text
     assert r"\mbox{\mechccyr" not in text
 
 
 def test_the_value_of_a_choice_is_apart_from_its_cases():
-    text = mechc.load("jaw_sizes").emit("latex")
+    text = loaded("jaw_sizes").emit("latex")
     assert text.count(r"\end{cases}=") == 0
     assert r"\end{cases}\qquad D=10\,\text{mm} \]" in text

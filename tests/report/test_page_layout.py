@@ -6,7 +6,7 @@ from functools import cache
 import pytest
 
 import mechc
-from good_mechanisms import OF_LIBRARY, compiled
+from good_mechanisms import OF_LIBRARY, compiled, loaded
 from mechc.emit.latex.tables import tabular
 from mechc.formula.tree import Call, Symbol, product
 from mechc.plot.query import rows
@@ -17,7 +17,7 @@ from mechc.report.latex.printer import box, row
 
 @cache
 def page(name: str) -> str:
-    return mechc.load(name).emit("latex", pictures=True)
+    return loaded(name).emit("latex", pictures=True)
 
 
 def test_free_bodies_and_plots_may_go_to_the_next_page():
@@ -36,7 +36,7 @@ def test_the_check_is_before_the_table():
 
 @pytest.mark.parametrize("name", ["band_brake", "jansen_leg", "toggle_press", "double_butterfly"])
 def test_short_tables_are_not_parted(name):
-    text = mechc.load(name).emit("latex")
+    text = loaded(name).emit("latex")
     for table in re.findall(r"\\endhead\n(.*?)\\bottomrule", text, re.DOTALL):
         found = table.splitlines()
         assert len(found) >= 16 or all(line.endswith(r"\\*") for line in found)
@@ -44,7 +44,7 @@ def test_short_tables_are_not_parted(name):
 
 
 def test_what_directions_are_is_said_before_they_are_used():
-    text = mechc.load("block_and_tackle").emit("latex")
+    text = loaded("block_and_tackle").emit("latex")
     assert text.index("Directions are angles") < text.index("in the direction")
 
 
@@ -53,13 +53,13 @@ def test_what_directions_are_is_said_before_they_are_used():
     [("en", "driving coordinate"), ("uk", "ведуча координата"), ("ru", "ведущая координата")],
 )
 def test_the_parameter_of_the_drive_is_called_so(language, said):
-    text = mechc.load("crank_rocker").emit("latex", language=language)
+    text = loaded("crank_rocker").emit("latex", language=language)
     assert re.search(rf"\$\\varphi\$ & .*{said}", text)
-    assert said not in mechc.load("four_bar").emit("latex", language=language)
+    assert said not in loaded("four_bar").emit("latex", language=language)
 
 
 def test_lines_of_a_sheet_begin_with_a_capital_letter():
-    sheet = mechc.load("grip_force")
+    sheet = loaded("grip_force")
     assert r"\noindent Force of one jaw:" in sheet.emit("latex")
     assert "{Сила" in sheet.emit("latex", language="uk")
 
@@ -81,7 +81,7 @@ def test_tables_have_round_steps(name, x, count):
 
 
 def test_formulas_of_sources_are_formulas():
-    text = mechc.load("four_bar").emit("latex")
+    text = loaded("four_bar").emit("latex")
     assert r"\ensuremath{\omega}\ensuremath{{}_4}/\ensuremath{\omega}" in text
     texts = (path.read_text(encoding="utf-8") for path in OF_LIBRARY)
     sources = [found[1] for text in texts if (found := re.search(r"(?m)^source:? (.*)", text))]

@@ -5,7 +5,7 @@ import re
 import pytest
 
 import mechc
-from good_mechanisms import begun
+from good_mechanisms import begun, loaded
 from mechc.cli import main
 from mechc.report.languages import registry
 from readable_drawings import lettering
@@ -23,7 +23,7 @@ CAPTIONS = {
 
 @pytest.fixture(scope="module")
 def clamp():
-    return mechc.load("karpenko_fig9_packet_clamp")
+    return loaded("karpenko_fig9_packet_clamp")
 
 
 @pytest.mark.parametrize("language", CAPTIONS)
@@ -86,14 +86,14 @@ def test_none_unless_asked_for(clamp, capsys):
 
 
 def test_with_friction_both_are_plotted_and_over_the_stroke_of_a_drive():
-    text = mechc.load("karpenko_fig9_with_friction").emit("latex", pictures=True)
+    text = loaded("karpenko_fig9_with_friction").emit("latex", pictures=True)
     assert "against $\\alpha$" in text
     assert "& $k$ & $" in text
-    assert "$k$ against $\\varphi$" in mechc.load("crank_rocker").emit("latex", pictures=True)
+    assert "$k$ against $\\varphi$" in loaded("crank_rocker").emit("latex", pictures=True)
 
 
 def test_what_has_no_range_has_no_plot_and_a_sheet_no_pictures(tmp_path):
-    lever = mechc.load("lever_first_class").emit("latex", pictures=True)
+    lever = loaded("lever_first_class").emit("latex", pictures=True)
     assert lever.count(r"\begin{tikzpicture}") == 2
-    sheet = mechc.load("pin_joint").emit("latex", pictures=True)
+    sheet = loaded("pin_joint").emit("latex", pictures=True)
     assert "tikzpicture" not in sheet

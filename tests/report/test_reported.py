@@ -3,6 +3,7 @@
 import pytest
 
 import mechc
+from good_mechanisms import loaded
 from mechc.cli import main
 
 SLOPE = r"$\mathrm{d}k/\mathrm{d}\varphi$"
@@ -149,7 +150,7 @@ def test_a_load_that_is_asked_for_is_a_result():
 
 
 def test_a_ratio_that_is_another_one_is_shown_once():
-    text = mechc.load("crank_slider").emit("latex")
+    text = loaded("crank_slider").emit("latex")
     speed = text.partition(r"\textbf{Velocity ratio:}")[2]
     assert "$i$ = $k$: what is said of $k$ holds for it, too." in speed
     assert "vanishes" not in speed
@@ -157,6 +158,6 @@ def test_a_ratio_that_is_another_one_is_shown_once():
 
 
 def test_what_is_nothing_but_rounding_is_zero_in_a_table():
-    table = mechc.load("crank_slider").emit("latex", pictures=True).rpartition(r"\toprule")[2]
+    table = loaded("crank_slider").emit("latex", pictures=True).rpartition(r"\toprule")[2]
     assert r"$165$ & $0.000$ \\" in table
     assert "10^{" not in table

@@ -4,7 +4,7 @@ from typing import get_args
 
 import pytest
 
-import mechc
+from good_mechanisms import loaded
 from mechc.report.languages.registry import locale
 from mechc.report.text.stroke import ENDS, KINDS, to_table
 from mechc.study.analysis import NoCentre
@@ -29,7 +29,7 @@ def test_all_that_a_stroke_can_meet_has_words(language):
 
 
 def test_a_stroke_in_ukrainian_has_its_units_and_decimal_commas():
-    table = to_table(mechc.load("crank_rocker").stroke(3), language="uk")
+    table = to_table(loaded("crank_rocker").stroke(3), language="uk")
     head, first, *_ = table.splitlines()
     assert head.split() == ["phi", "[град]", "k", "[мм]", "i", "mu_B", "[град]"]
     assert "-53,3333333" in first
@@ -38,12 +38,12 @@ def test_a_stroke_in_ukrainian_has_its_units_and_decimal_commas():
 
 
 def test_efficiencies_and_jams_in_russian():
-    table = to_table(mechc.load("claw_with_friction").stroke(3), language="ru")
+    table = to_table(loaded("claw_with_friction").stroke(3), language="ru")
     assert "eta_k изменяется от 0,974 до 0,977; в пределах 0,9…0,95: нигде" in table
     assert "phi [рад]" in table
 
 
 def test_english_is_said_as_ever():
-    table = to_table(mechc.load("crank_rocker").stroke(3))
+    table = to_table(loaded("crank_rocker").stroke(3))
     assert "k = 0 at phi = 24.1468 deg: dead centre, B stands still while O1A moves" in table
     assert "Looked at 721 places: zeros, poles, extrema" in table

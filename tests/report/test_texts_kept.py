@@ -3,6 +3,7 @@
 import pytest
 
 import mechc
+from good_mechanisms import loaded
 from mechc.driver import Compilation
 from mechc.report.text.derivation import render
 from mechc.source import Source
@@ -66,4 +67,4 @@ def test_a_picture_names_links_in_its_language(language: str) -> None:
 
 
 def test_a_quantity_that_a_text_names_is_set_as_in_formulas() -> None:
-    assert "force $F$ &" in mechc.load("tongs_fig4_9_forces").emit("latex")
+    assert "force $F$ &" in loaded("tongs_fig4_9_forces").emit("latex")

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import mechc
-from good_mechanisms import compiled
+from good_mechanisms import compiled, loaded
 from mechc.drawing.drawing import Run
 from mechc.drawing.lettering import name
 from mechc.drawing.letters import spelled
@@ -180,7 +180,7 @@ def test_so_are_those_of_a_derivation_in_the_terminal(language: str) -> None:
 def test_a_report_is_headed_by_what_it_is_about(name: str, subject: str) -> None:
     for language in LANGUAGES:
         subjects = locale(language).subjects
-        head = mechc.load(name).emit("latex", language=language)[:2500]
+        head = loaded(name).emit("latex", language=language)[:2500]
         assert [key for key, said in subjects.items() if said in head] == [subject]
 
 

@@ -664,7 +664,7 @@ find k = F / M
 """
 
 
-@pytest.mark.parametrize("with_friction", [False, True])
+@pytest.mark.parametrize("with_friction", in_thirds([False, True]))
 def test_a_pole_that_is_looked_at_is_no_extremum(with_friction):
     """A place of the stroke is φ = 180°, where the rod and the crank lie on one line."""
     friction = "friction pins 0.1 diameter 10 mm" if with_friction else ""

@@ -5,6 +5,7 @@ import math
 import pytest
 
 import mechc
+from good_mechanisms import loaded
 from grown import Grown
 from mechc.driver import Compilation, checked, warnings
 from mechc.formula.roots import roots
@@ -200,9 +201,9 @@ def test_two_zeros_in_one_cell_are_two():
 
 
 def test_a_stroke_says_at_how_many_places_it_was_looked_at() -> None:
-    table = to_table(mechc.load("crank_rocker").stroke(3))
+    table = to_table(loaded("crank_rocker").stroke(3))
     assert table.splitlines()[-1].startswith("Looked at 721 places: zeros, poles, extrema")
-    found = mechc.load("crank_rocker").stroke(3)
+    found = loaded("crank_rocker").stroke(3)
     iterated = replace(found, looked=(("k", 721), ("k_f", 62), ("k_hold", 62)))
     assert "Looked at 721 places; k_f, k_hold at 62: zeros" in to_table(iterated)
 

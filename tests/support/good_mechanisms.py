@@ -2,6 +2,7 @@
 
 from functools import cache
 
+import mechc
 from mechc.diagnostics import Report
 from mechc.driver import Compilation, complete
 from mechc.source import Source
@@ -19,6 +20,12 @@ def begun(name: str) -> Compilation:
     """Return a mechanism whose stages run as they are asked for, each once for all tests."""
     path = ALL[name]
     return Compilation(Source(path.name, path.read_text(encoding="utf-8")))
+
+
+@cache
+def loaded(name: str) -> "mechc.Mechanism":
+    """Return a mechanism of the library as a user has it, solved once for all tests."""
+    return mechc.load(name)
 
 
 def compiled(name: str) -> Compilation:
