@@ -4,7 +4,6 @@ Newton's method by shortest steps, the drive being an unknown as well, leads to 
 nearby that close; from there each branch is followed to where it turns back.
 """
 
-import math
 from collections.abc import Iterator
 from random import Random
 
@@ -59,8 +58,7 @@ def _closed(block: Block, state: State, curve: Curve) -> Iterator[tuple[list[flo
     size = size_of(rows_of(block), sorted(block.unknown), state.base)
     for _ in range(STARTS):
         start = [draw(name in state.angles, size, dice) for name in sorted(block.unknown)]
-        found = curve.near(start, x)
-        if found is not None and all(map(math.isfinite, found[0])):
+        if found := curve.near(start, x):
             yield found
 
 
