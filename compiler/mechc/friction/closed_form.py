@@ -70,7 +70,7 @@ class ClosedFormSolver(Protocol):
         ...
 
     def solve(self) -> Product:
-        """Return the driving load. Raises :class:`~.bodies.EquationsCoupled` where it cannot."""
+        """Return the driving load. Raises :class:`~.free_bodies.EquationsCoupled` else."""
         ...
 
 

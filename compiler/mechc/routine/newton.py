@@ -1,6 +1,6 @@
 """Newton's method along a path, for many poses at a time.
 
-What :func:`mechc.formula.newton.follow` does for one pose, correction by correction; poses that
+What :func:`mechc.formula.newton.Way.follow` does for one pose, correction by correction; poses that
 are done wait for the others.
 """
 

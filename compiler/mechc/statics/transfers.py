@@ -28,7 +28,7 @@ def transfers(halves: Halves) -> Iterator[Transfer]:
                 couples = Couple(guided, 1.0), Couple(link, -1.0)
                 yield from both(halves, Transfer("slot", joint.id, couples))
             case Pivot() | Slider() | Slot() | Contact():
-                pass  # they press on one point: see :mod:`.unfolded`
+                pass  # they press on one point: see :mod:`.unfold`
             case _:
                 assert_never(joint)
 

@@ -1,6 +1,6 @@
 """Quantities of a description: those that are given, asked for, required and expected.
 
-Formulas in here are in SI, as in :mod:`.mechanism`, which hands these classes on.
+Formulas in here are in SI, as in :mod:`..mechanism`, which hands these classes on.
 """
 
 from collections.abc import Container, Mapping

@@ -1,7 +1,7 @@
 """What people wrote, for people: formulas with the numbers and units that stand in them.
 
 Formulas that are computed with are in SI. Here a number that has a unit or a point is a
-:class:`~..formula.tree.Constant` whose name is the text of it: ``5 mm``, ``0.25``.
+:class:`~...formula.tree.Constant` whose name is the text of it: ``5 mm``, ``0.25``.
 """
 
 from collections.abc import Iterable
