@@ -191,3 +191,12 @@ def test_numbers_of_a_derivation_have_decimal_commas(language):
     assert "9,80665" in shown
     assert "= 213,853 " in shown
     assert not re.search(r"\d\.\d", shown)
+
+
+def test_a_prefix_is_translated(tmp_path: Path) -> None:
+    (tmp_path / "pin.mech").write_text(NAMES, encoding="utf-8")
+    whole = 'sheet whole\nuse "pin.mech" as rod_pin\ntranslate "rod_pin" uk "вісь"\n'
+    (tmp_path / "whole.mech").write_text(whole, encoding="utf-8")
+    page = _plain(mechc.load(tmp_path / "whole.mech").emit("latex", language="uk"))
+    assert r"F_{\text{вісь}}" in page
+    assert r"\text{rod pin}" not in page

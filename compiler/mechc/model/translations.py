@@ -55,7 +55,9 @@ def words(statements: Iterable[ast.Statement]) -> Set[str]:
 
     A name that something else brings in has a prefix, and stands as it does there.
     """
+    statements = tuple(statements)
     given = {name.text for statement in statements for name in _named(statement)}
+    given |= {s.prefix for s in statements if isinstance(s, ast.Brought)}
     ends = {name[at.end() :] for name in given for at in _UNDERSCORE.finditer(name)}
     return given | ends | {word for name in given for word in words_in(name)}
 

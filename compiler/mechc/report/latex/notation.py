@@ -278,7 +278,9 @@ def _of_part(symbol: str, prefix: str, style: Notation) -> str:
     >>> _of_part("R_A_on_AOB_x", "pivot_pin", style)
     '{R_{A,x,\\text{pivot pin}}^{AOB}}'
     """
-    part = _text(prefix.replace("_", " ")) if "_" in prefix else _index(prefix)
+    called = style.texts.get(prefix, prefix)
+    is_text = "_" in prefix or called != prefix
+    part = _text(escape(called.replace("_", " "))) if is_text else _index(prefix)
     if symbol.startswith("len_"):
         return f"{{{points(symbol.removeprefix('len_'))}}}_{{{part}}}"
     own, link, is_direction = split_force(symbol) or JointForce(symbol, "", False)

@@ -108,7 +108,7 @@ def print_name(name: str, signs: Signs) -> str:
         return name
     if name.startswith("len_"):
         return print_point(name.removeprefix("len_"), signs)
-    head, primes, indices = split_name(signs.texts.get(name, name))
+    head, primes, indices = split_name(_called(name, signs.texts))
     words = {**GREEK, **{w: signs.texts[w] for w in words_in(name) if w in signs.texts}}
     letter = words.get(head, head) + primes
     if indices and indices[0].isdigit():
@@ -116,6 +116,19 @@ def print_name(name: str, signs: Signs) -> str:
         indices = indices[1:]
     words = words if name in signs.own else {**words, **signs.subscripts}
     return "_".join((letter, *(words.get(i) or print_point(i, signs) for i in indices)))
+
+
+def _called(name: str, texts: Mapping[str, str]) -> str:
+    """Return what a name is called, or the prefix under which something else brings it in.
+
+    >>> texts = {"F_C": "F_з", "rod_pin": "вісь"}
+    >>> _called("F_C", texts), _called("rod_pin_d_min", texts), _called("F_D", texts)
+    ('F_з', 'вісь_d_min', 'F_D')
+    """
+    if name in texts:
+        return texts[name]
+    prefix = max((t for t in texts if name.startswith(f"{t}_")), key=len, default="")
+    return texts[prefix] + name.removeprefix(prefix) if "_" in prefix else name
 
 
 def print_quantity(quantity: str, signs: Signs) -> str:
