@@ -119,7 +119,7 @@ def print_name(name: str, signs: Signs) -> str:
 
 
 def _called(name: str, texts: Mapping[str, str]) -> str:
-    """Return what a name is called, or the prefix under which something else brings it in.
+    """Return a name as texts have it, or with the prefix as they have it.
 
     >>> texts = {"F_C": "F_з", "rod_pin": "вісь"}
     >>> _called("F_C", texts), _called("rod_pin_d_min", texts), _called("F_D", texts)
