@@ -254,7 +254,7 @@ def test_what_is_long_multiplied_out_keeps_the_names_of_its_parts():
     text = source + "\nparam f = 0.1\nfriction pins f diameter 20 mm\n"
     compilation = compile_source(Source("lift.mech", text))
     shown = " ".join(render(compilation.derivation, compilation.mechanism).split())
-    assert "k_f = k + ρ · n_AAMD · Ω_AAMD + " in shown
+    assert "k_f = k + ρ · n_A_AMD · Ω_A_AMD + " in shown
     assert "k_f₁ = k + ρ · r_AAMD · Ω_AAMD + ρk · Ω_AAE + " in shown
     assert "k_hold = k − ρ · n_AAMD_hold" in shown
     assert shown.count("Ω_AAMD = ") == 2  # the definition, and its number

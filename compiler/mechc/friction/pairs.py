@@ -46,9 +46,10 @@ class FrictionPair(NamedTuple):
     """A pair of surfaces: ``factor · |force of the joint|`` resists its ``slip``.
 
     The factor is the radius of a friction circle in metres, against a relative rotation,
-    or a number, against a sliding speed. ``name`` differs from those of the others: ``O``, ``BAB``,
-    ``A_guide``. The mechanism has ``number`` of them: one in each half or branch. Frictions
-    ``besides`` press it by themselves, each by so much of it, and not through the joint alone.
+    or a number, against a sliding speed. ``name`` differs from those of the others: ``O``,
+    ``B_AB``, ``A_guide``. The mechanism has ``number`` of them: one in each half or branch.
+    Frictions ``besides`` press it by themselves, each by so much of it, and not through the joint
+    alone.
     Where there is a ``thrust``, that is the force, whatever the joint passes on. Of a rope
     ``tensions`` are to each other, one on either side of a pulley.
     """
@@ -173,7 +174,7 @@ def _face(point: str, factor: Formula, pose: Pose) -> FrictionPair:
 def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:
     links = [name for name in pose.mechanism.turning_at(pin.point) if name != pin.carrier]
     for link in links:
-        name = pin.point if len(links) == 1 else f"{pin.point}{link}"
+        name = pin.point if len(links) == 1 else f"{pin.point}_{link}"
         slip = _turning(link, pin.carrier)
         joint = JointRef("pin", pin.point, link)
         yield FrictionPair(name, joint, to_product(pin.radius), slip)
