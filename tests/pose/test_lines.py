@@ -32,6 +32,19 @@ def test_a_difference_on_one_line_points_from_one_end_to_the_other(a, b, ahead, 
 
 def test_a_force_along_a_difference_acts_the_way_that_it_is_drawn():
     """C is on the left of AB, so that P along AB turns the bar clockwise: P·OC = M."""
-    text = COLLINEAR.format(a="a", b="b", line="AB") + "param a = {} mm\nparam b = 200 mm\n"
-    assert mechc.loads(text.format(100)).evaluate()["k"] == pytest.approx(1 / 0.05)
-    assert mechc.loads(text.format(300)).evaluate()["k"] == pytest.approx(-1 / 0.05)
+    for a, sign in ((100, 1), (300, -1)):
+        text = COLLINEAR.format(a=f"{a} mm", b="200 mm", line="AB")
+        assert mechc.loads(text).evaluate()["k"] == pytest.approx(sign / 0.05)
+
+
+@pytest.mark.parametrize("range_", ["", " in 80 mm .. 400 mm"])
+def test_it_acts_so_wherever_the_ends_may_change_places(range_):
+    text = COLLINEAR.format(a="a", b="b", line="AB")
+    bar = mechc.loads(f"{text}param a = 100 mm{range_}\nparam b = 200 mm\n")
+    assert list(bar.evaluate(a=[0.1, 0.19, 0.3])["k"]) == pytest.approx([20, 20, -20])
+
+
+def test_its_direction_has_no_name_where_ranges_keep_the_ends_apart():
+    text = COLLINEAR.format(a="a", b="b", line="AB")
+    ranges = "param a = 100 mm in 80 mm .. 150 mm\nparam b = 200 mm in 160 mm .. 400 mm\n"
+    assert str(mechc.loads(text + ranges).k) == "1/len_OC"

@@ -8,6 +8,7 @@ from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..formula.walk import symbols
 from ..frozen import replace
+from ..model.boxes import allowed_box
 from ..model.mechanism import ForcePair, Link, Mechanism, Slider
 from ..model.results import failures
 from ..model.values import holds
@@ -116,7 +117,7 @@ def _pose(read: _Read, closed: Closed) -> Pose:
     """Return all directions and frames, read in the order of their definitions."""
     mechanism, terms, directions, vectors, missing, report = read
     poses = partial(poses_nearby, mechanism, terms.definitions)
-    named = lines.Lines(directions, vectors, missing, poses, report)
+    named = lines.Lines(directions, vectors, missing, poses, allowed_box(mechanism), report)
     guides, axis = lines.guides(mechanism, named), lines.mirror_line(mechanism, named)
     of_loads = {**lines.forces(mechanism, named), **_thrusts(read, axis)}
     held = tuple(contacts(mechanism, directions, vectors, named.of))

@@ -3,18 +3,21 @@
 from collections.abc import Callable, Mapping
 
 from ..algebra.angle import Angle
+from ..algebra.intervals import Box, sign
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..model.mechanism import Along, Direction, Force, Mechanism, Slider
 from .directions import Directions
+from .pose import Vector
 from .samples import Values, is_behind
+from .vector_graph import mentioned
 from .vectors import Missing, Vectors
 
 
 class Lines:
     """Directions as angles; one that nothing gives is reported, once for all that ask for it.
 
-    ``poses`` gives the default pose and some near it.
+    ``poses`` gives the default pose and some near it, ``box`` what values may be.
     """
 
     def __init__(
@@ -23,10 +26,11 @@ class Lines:
         vectors: Vectors,
         missing: Missing,
         poses: Callable[[], list[Values]],
+        box: Box,
         report: Report,
     ) -> None:
         self._directions, self._vectors = directions, vectors
-        self._missing, self._poses, self._report = missing, poses, report
+        self._missing, self._poses, self._box, self._report = missing, poses, box, report
 
     def of(self, direction: Direction, name: str, for_what: str) -> Angle:
         """Return a direction, of whose angle ``name`` is the name where it has to have one."""
@@ -39,7 +43,7 @@ class Lines:
     def _along_path(self, direction: Along, for_what: str) -> Angle | None:
         """Return the direction of a vector that is a sum, named where it is no single arm.
 
-        That of a difference on one line is as it lies at the default pose.
+        A difference on one line has a name, too, where its ends may change places.
         """
         tail, head, quarter = direction.tail, direction.head, direction.quarter
         vector = self._vectors.path(tail, head)
@@ -49,12 +53,23 @@ class Lines:
                 self._report.add(message)
         elif not vector or (len(vector) > 1 and self._vectors.is_open(vector)):
             self._report.add(messages.no_direction_of_its_own(direction.span, f"{tail}{head}"))
-        elif len(vector) > 1:
-            return self._vectors.straighten(tail, head) + Angle.constant(90 * quarter)
+        elif sense := self._sense(vector):
+            return vector[0].angle + Angle.constant(90 * quarter + (0 if sense > 0 else 180))
         else:
-            turned = 180 if is_behind(vector[0].length, self._poses()) else 0
-            return vector[0].angle + Angle.constant(90 * quarter + turned)
+            return self._vectors.straighten(tail, head) + Angle.constant(90 * quarter)
         return None
+
+    def _sense(self, vector: Vector) -> int:
+        """Return whether a vector of one arm points ahead, 1, or back; 0 where it may do either.
+
+        Of a length that the pose finds it is as at the default pose. Of several arms it is 0.
+        """
+        if len(vector) > 1:
+            return 0
+        length, names = vector[0].length, mentioned(vector) - vector[0].angle.names
+        if len(names) > 1 and names <= self._box.keys():
+            return sign(length, self._box) or 0
+        return -1 if is_behind(length, self._poses()) else 1
 
 
 def guides(mechanism: Mechanism, lines: Lines) -> Mapping[str, Angle]:
