@@ -5,6 +5,7 @@
 """
 
 import re
+from functools import lru_cache
 
 from ..named import NamedTuple
 from ..patterns import pattern
@@ -54,6 +55,7 @@ class JointForce(NamedTuple):
     is_direction: bool
 
 
+@lru_cache(maxsize=4096)
 def split_name(name: str) -> Name:
     """Split a name at underscores and at the digits that end its head.
 

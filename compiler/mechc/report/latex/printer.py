@@ -17,6 +17,7 @@ be, so that ``latex_display`` can break what no line would hold.
 import re
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import pairwise
 
 from ...formula.layout import TRIGONOMETRIC, in_degrees
@@ -67,6 +68,7 @@ def signed(term: Formula, style: Notation, first: bool, angle: bool = False) -> 
     return _Latex(style).term(term, first, angle)
 
 
+@lru_cache(maxsize=4096)
 def plain(tex: str, tall: bool = False) -> Box:
     r"""Return a box for ready LaTeX, its width counted from what will be seen.
 
