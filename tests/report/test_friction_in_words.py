@@ -255,9 +255,9 @@ def test_what_is_long_multiplied_out_keeps_the_names_of_its_parts():
     compilation = compile_source(Source("lift.mech", text))
     shown = " ".join(render(compilation.derivation, compilation.mechanism).split())
     assert "k_f = k + ρ · n_A_AMD · Ω_A_AMD + " in shown
-    assert "k_f₁ = k + ρ · r_AAMD · Ω_AAMD + ρk · Ω_AAE + " in shown
-    assert "k_hold = k − ρ · n_AAMD_hold" in shown
-    assert shown.count("Ω_AAMD = ") == 2  # the definition, and its number
+    assert "k_f₁ = k + ρ · r_A_AMD · Ω_A_AMD + ρk · Ω_A_AE + " in shown
+    assert "k_hold = k − ρ · n_A_AMD_hold" in shown
+    assert shown.count("Ω_A_AMD = ") == 2  # the definition, and its number
     assert "η_k = k/k_f - This holds while k > 0." in shown
     assert shown.count("under the same conditions as k_f.") == 1
 
