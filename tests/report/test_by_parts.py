@@ -1,6 +1,7 @@
 """Numbers put into a formula too long for a line: the sums named on the page have theirs."""
 
 import re
+import sys
 from fractions import Fraction
 
 import mechc
@@ -33,6 +34,15 @@ def test_a_named_sum_has_its_value_once_and_before_what_rests_on_it():
     assert [each.left.name for each in found] == ["Z_1", "R", "S"]
     assert found[0].value.text(6) == "70 mm"
     assert all(each.numbers is not None for each in found)
+
+
+def test_the_value_of_a_named_sum_is_found_once_for_all_formulas_of_a_page(monkeypatch):
+    asked = []
+    module = sys.modules[by_parts.__module__]
+    whole = module.found_unit
+    monkeypatch.setattr(module, "found_unit", lambda *about: asked.append(about) or whole(*about))
+    assert len(list(by_parts([item(name) for name in "RSTU"], {SUM: Z}, numbers_fit))) == 5
+    assert len(asked) == 1
 
 
 def test_a_product_without_named_sums_has_the_values_of_its_sums():

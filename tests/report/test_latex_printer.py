@@ -4,11 +4,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechc.formula.tree import Call, Constant, Power, Product, Symbol, negative, number
+from mechc.formula.tree import (
+    Call,
+    Constant,
+    Power,
+    Product,
+    Symbol,
+    negative,
+    number,
+    product,
+    total,
+)
 from mechc.frozen import replace
 from mechc.report.latex.display import LINE, Line, display
 from mechc.report.latex.notation import name, notation, points, spellings
-from mechc.report.latex.printer import latex, plain
+from mechc.report.latex.printer import Boxes, box, latex, plain
 from mechc.report.latex.text import escape
 from report_samples import LONG, formula
 
@@ -217,3 +227,15 @@ def test_a_number_below_zero_stands_in_brackets_behind_a_function() -> None:
     below = Constant("-0.5", number(-1))
     assert latex(Call("sign", (below,)), EN) == r"\operatorname{sgn}(-0.5)"
     assert latex(Call("sin", (Symbol("alpha"),)), EN) == r"\sin\alpha"
+
+
+def test_boxes_of_formulas_with_parts_in_common_set_each_part_once(monkeypatch):
+    names = []
+    inner = total([Symbol("a"), Call("sin", (Symbol("alpha"),))])
+    formulas = [product([(inner, 1), (Symbol("b"), n)]) for n in (1, 2, -1)]
+    expected = [box(one, EN) for one in formulas]
+    plainly = Boxes.name
+    monkeypatch.setattr(Boxes, "name", lambda self, name: names.append(name) or plainly(self, name))
+    boxes = Boxes(EN)
+    assert [boxes.whole(one) for one in formulas] == expected
+    assert names.count("a") == names.count("alpha") == 1

@@ -28,13 +28,13 @@ def by_parts(
     Each sum stands once. A formula that has none, or does not fit with them, has the values of its
     terms, or of the sums among its factors; where that does not fit either it comes as it is.
     """
-    shown = set[str]()
+    shown, sums = set[str](), _Sums(named)
     for item in found:
         if item.formula is None or item.known is None or fits(item):
             yield item
             continue
         formula = _in_names(item.formula, named)
-        known = {**item.known.quantities, **_values(named, item.known)}
+        known = {**item.known.quantities, **sums.values(item.known)}
         shorter = item._replace(numbers=_numbers(formula, item.value, known))
         if formula == item.formula or not fits(shorter):
             yield _shortened(item, item.formula, item.known, fits)
@@ -67,10 +67,31 @@ def _parts(formula: Formula, named: Named) -> Iterator[tuple[Symbol, Formula]]:
             yield symbol, inside
 
 
-def _values(named: Named, known: Known) -> dict[str, Quantity]:
-    """Return the values of the named sums that have one, each in a unit that suits it."""
-    found = ((symbol.name, _value(whole, known)) for whole, symbol in named.items())
-    return {name: value for name, value in found if value is not None}
+class _Sums:
+    """The values of named sums, each found once: what it rests on keeps its value on a page."""
+
+    def __init__(self, named: Named) -> None:
+        self._named = named
+        self._needs: dict[str, frozenset[str]] = {}
+        self._found: dict[str, Quantity | None] = {}
+
+    def values(self, known: Known) -> dict[str, Quantity]:
+        """Return the values of those that have one, each in a unit that suits it."""
+        found = (
+            (symbol.name, self._value(symbol.name, whole, known))
+            for whole, symbol in self._named.items()
+        )
+        return {name: value for name, value in found if value is not None}
+
+    def _value(self, name: str, whole: Formula, known: Known) -> Quantity | None:
+        """Return the value of a sum; None where not all is known that it rests on."""
+        if name not in self._needs:
+            self._needs[name] = names_in(whole)
+        if not self._needs[name] <= known.quantities.keys():
+            return None
+        if name not in self._found:
+            self._found[name] = _value(whole, known)
+        return self._found[name]
 
 
 def _evaluated(symbol: Symbol, formula: Formula, known: Mapping[str, Quantity]) -> Evaluated:

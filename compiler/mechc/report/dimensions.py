@@ -30,25 +30,41 @@ def is_homogeneous(
     >>> is_homogeneous(total([w, number(8)]), {"w": 2.0}, {"w": LENGTH})
     False
     """
-    return all(_is_power_of(base, formula, values, dimensions) for base in (LENGTH, MASS, TIME))
+    known = _Scaled(formula, values, dimensions)
+    return all(map(known.is_power_of, (LENGTH, MASS, TIME)))
 
 
-def _is_power_of(
-    base: Dimension,
-    formula: Formula,
-    values: Mapping[str, float],
-    dimensions: Mapping[str, Dimension],
-) -> bool:
-    """Return whether a unit that is twice so small changes the value by one factor squared."""
+class _Scaled:
+    """A formula where base units are smaller."""
 
-    def value(times: int) -> float:
-        scaled = {n: v * _SCALE ** (times * _share(dimensions[n], base)) for n, v in values.items()}
-        return evaluate(formula, scaled)
+    def __init__(
+        self, formula: Formula, values: Mapping[str, float], dimensions: Mapping[str, Dimension]
+    ) -> None:
+        self._formula, self._values, self._dimensions = formula, values, dimensions
+        self._first = evaluate(formula, values)
 
-    first, second, third = map(value, range(3))
-    return not math.isfinite(first) or math.isclose(
-        second * second, first * third, rel_tol=SAME_RATIO
-    )
+    def _value(self, base: Dimension, times: int) -> float:
+        """Return the value where a base unit is so many times smaller by a factor."""
+        shares = {name: _share(self._dimensions[name], base) for name in self._values}
+        if not any(shares.values()):
+            return self._first
+        scaled = {n: v * _SCALE ** (times * shares[n]) for n, v in self._values.items()}
+        return evaluate(self._formula, scaled)
+
+    def is_power_of(self, base: Dimension) -> bool:
+        """Return whether a unit that is twice so small changes the value by one factor squared."""
+        first = self._first
+        if not math.isfinite(first):
+            return True
+        second, third = self._value(base, 1), self._value(base, 2)
+        return math.isclose(second * second, first * third, rel_tol=SAME_RATIO)
+
+    def exponent(self, base: Dimension) -> Fraction | None:
+        """Return the exponent of a base unit in the formula; halves and thirds are exact."""
+        first, second = self._first, self._value(base, 1)
+        if not (first and second and math.isfinite(first) and math.isfinite(second)):
+            return None
+        return Fraction(math.log(second / first) / math.log(_SCALE)).limit_denominator(6)
 
 
 def dimension_of(
@@ -65,27 +81,14 @@ def dimension_of(
     Dimension(length=Fraction(2, 1), mass=Fraction(0, 1), time=Fraction(0, 1), angle=0)
     >>> dimension_of(total([w, f]), {"w": 2.0, "f": 0.1}, {"w": LENGTH, "f": Dimension()})
     """
+    known = _Scaled(formula, values, dimensions)
     bases = (LENGTH, MASS, TIME)
-    if not all(_is_power_of(base, formula, values, dimensions) for base in bases):
+    if not all(map(known.is_power_of, bases)):
         return None
-    length, mass, time = (_exponent(base, formula, values, dimensions) for base in bases)
+    length, mass, time = map(known.exponent, bases)
     if length is None or mass is None or time is None:
         return None
     return Dimension(length, mass, time)
-
-
-def _exponent(
-    base: Dimension,
-    formula: Formula,
-    values: Mapping[str, float],
-    dimensions: Mapping[str, Dimension],
-) -> Fraction | None:
-    """Return the exponent of a base unit in a formula; halves and thirds are exact."""
-    scaled = {n: v * _SCALE ** _share(dimensions[n], base) for n, v in values.items()}
-    first, second = evaluate(formula, values), evaluate(formula, scaled)
-    if not (first and second and math.isfinite(first) and math.isfinite(second)):
-        return None
-    return Fraction(math.log(second / first) / math.log(_SCALE)).limit_denominator(6)
 
 
 def _share(dimension: Dimension, base: Dimension) -> float:

@@ -15,7 +15,7 @@ from ...formula.tree import Formula, Product, Sum, negative
 from ...formula.walk import children, rebuild, symbols
 from ...named import NamedTuple
 from .notation import Notation
-from .printer import Box, box, plain, row, signed
+from .printer import Box, Boxes, box, plain, row, signed
 
 LINE = 38.0
 """Room in a line, in em: A4 with margins of 25 mm at 11 pt, less some air; reports have more."""
@@ -50,6 +50,7 @@ class _Display:
 
     def __init__(self, style: Notation, shown: Iterable[Formula]) -> None:
         self._names = style.made
+        self.box = Boxes(style).whole
         self._names.take(name for formula in shown for name in symbols(formula))
         self.made: list[tuple[Formula, Formula]] = []
 
@@ -74,7 +75,7 @@ def _row(line: Line, style: Notation, names: _Display) -> tuple[Box, list[Box]]:
     if line.chain is None:
         return line.left, _fitted(line, style, names)
     whole = row((line.left, plain("="), line.chain))
-    if whole.width + box(line.right, style, line.angle).width + _INDENT <= LINE:
+    if whole.width + names.box(line.right, line.angle).width + _INDENT <= LINE:
         return whole, _fitted(line._replace(left=whole), style, names)
     first, *others = _fitted(line._replace(left=plain("")), style, names)
     return line.left, [line.chain, row((plain("="), first)), *others]
@@ -180,7 +181,7 @@ def _aligned(left: Box, parts: list[Box]) -> str:
 def _fitted(line: Line, style: Notation, names: _Display) -> list[Box]:
     """Return the right side as the lines that it takes."""
     room = max(LINE - line.left.width - _INDENT, LINE / 2)
-    whole = box(line.right, style, line.angle)
+    whole = names.box(line.right, line.angle)
     if whole.width <= room:
         return [row((whole, Box(line.unit, 0.0))) if line.unit else whole]
     if not isinstance(line.right, Sum):
@@ -213,11 +214,11 @@ def _pack(pieces: list[Box], room: float) -> list[Box]:
 
 def _named(formula: Formula, room: float, style: Notation, names: _Display) -> Formula:
     """Name inner sums in reading order, wide ones first, until the formula fits."""
-    while box(formula, style).width > room:
+    while names.box(formula).width > room:
         inner = [s for s in _inner_sums(formula) if not is_angle(s, style.angles)]
         if not inner:
             break
-        wide = [s for s in inner if box(s, style).width > room / 4] or inner
+        wide = [s for s in inner if names.box(s).width > room / 4] or inner
         formula = _replace(formula, wide[0], names.name(wide[0]))
     return formula
 
@@ -225,7 +226,7 @@ def _named(formula: Formula, room: float, style: Notation, names: _Display) -> F
 def _term(term: Formula, room: float, style: Notation, names: _Display) -> Formula:
     """Return a term that fits a line of its own, under a name where nothing else helps."""
     shorter = _named(term, room, style, names)
-    return shorter if box(shorter, style).width <= room else names.name(shorter)
+    return shorter if names.box(shorter).width <= room else names.name(shorter)
 
 
 def _inner_sums(formula: Formula) -> Iterator[Sum]:

@@ -22,7 +22,7 @@ from itertools import pairwise
 
 from ...formula.layout import TRIGONOMETRIC, in_degrees
 from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
-from ...formula.typesetting import Row, Typesetter
+from ...formula.typesetting import Around, Row, Typesetter
 from ...named import NamedTuple
 from ...patterns import pattern
 from ...syntax.vocabulary import split_quantity
@@ -225,6 +225,21 @@ class _Latex(Typesetter[Box]):
         first, *others = (row((zero, plain("=0"))) for zero in zeros)
         rest = (row((plain(r",\;"), line)) for line in others)
         return row((plain(name_of(unknown, self.style) + r":\;"), first, *rest))
+
+
+class Boxes(_Latex):
+    """Sets formulas that have much in common, each part of them once."""
+
+    def __init__(self, style: Notation) -> None:
+        super().__init__(style)
+        self._known: dict[tuple[Formula, Around, bool], Box] = {}
+
+    def set(self, formula: Formula, around: Around, angle: bool) -> Box:
+        """Return a formula as it stands inside another."""
+        key = formula, around, angle
+        if key not in self._known:
+            self._known[key] = super().set(formula, around, angle)
+        return self._known[key]
 
 
 class _Raised(_Latex):
