@@ -22,7 +22,7 @@ from .inputs import (
     settings_option,
     stdin_option,
 )
-from .outputs import Output, makefile_rule, outputs, placed
+from .outputs import Output, makefile_rule, outputs, placed, refuse_idle
 from .session import session, session_options
 from .terminal import give
 from .usage import Word, beginning, paths
@@ -138,6 +138,11 @@ def command(
     mechc compile toggle_press --emit c -o build/ -D theta=5deg
     """
     wanted = outputs(paths, target)
+    given = {
+        "--gradient": gradient, "--c-real": c_real != "double", "--c-openmp": c_openmp,
+        "--fragment": fragment, "--brief": brief, "--pictures": pictures,
+    }  # fmt: skip
+    refuse_idle(given, wanted)
     compilation = checked(opened(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     options = Options(

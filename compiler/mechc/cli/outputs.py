@@ -1,6 +1,6 @@
 """Where output goes: which target for which path, and which file under which name."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ..emit import registry
@@ -55,6 +55,37 @@ def refuse_pictures(path: Path) -> None:
             f"{str(path)!r} would hold no {path.suffix}: write LaTeX to {latex!r}"
             " and set it with pdflatex, or draw the scheme with `mechc draw`"
         )
+
+
+def refuse_other_texts(path: Path) -> None:
+    """Raise a usage error where LaTeX would be written to what the suffix calls another text."""
+    refuse_pictures(path)
+    if path.suffix.lower() not in ("", ".tex", ".ltx", ".latex"):
+        latex = path.with_suffix(".tex").name
+        raise usage.UsageError(f"{str(path)!r} would hold LaTeX: write it to {latex!r}")
+
+
+OF_TARGETS: Mapping[str, frozenset[str]] = {
+    "--gradient": frozenset({"c", "python"}),
+    "--c-real": frozenset({"c"}),
+    "--c-openmp": frozenset({"c"}),
+    "--fragment": frozenset({"latex"}),
+    "--brief": frozenset({"latex"}),
+    "--pictures": frozenset({"latex"}),
+}
+"""The formats that options are about; any other one is the same without them."""
+
+
+def refuse_idle(given: Mapping[str, bool], wanted: Iterable[Output]) -> None:
+    """Raise a usage error for an option that is about none of the formats that are written."""
+    targets = {output.target for output in wanted}
+    if not targets <= registry.BUILT_IN.keys():
+        return
+    for option, is_given in given.items():
+        if is_given and not targets & OF_TARGETS[option]:
+            formats = " and ".join(sorted(OF_TARGETS[option]))
+            written = ", ".join(sorted(targets))
+            raise usage.UsageError(f"{option} is about {formats}, and {written} is asked for")
 
 
 def _choose(reason: str) -> str:

@@ -10,7 +10,7 @@ from . import usage
 from .collisions import refuse_collisions
 from .compilations import opened
 from .inputs import NAMELESS, claim_of, expanded
-from .outputs import refuse_pictures
+from .outputs import refuse_other_texts
 from .session import session, session_options
 from .terminal import give
 from .usage import Word, descriptions, paths
@@ -41,7 +41,7 @@ def command(
     mechc report karpenko_fig1_parallel_levers karpenko_fig2_scissor_tongs -o table.tex
     """
     if path is not None:
-        refuse_pictures(path)
+        refuse_other_texts(path)
     names = list(expanded(files))
     table = [_compared(checked(opened(name, NAMELESS, {})), schemes) for name in names]
     text = to_table(table, language, fragment)
