@@ -12,6 +12,7 @@ from mechc.files import library
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.to_yaml import to_yaml
+from sources import in_thirds
 
 MISTAKEN = {"mm": "kg", "deg": "mm", "kg": "mm", "m": "deg", "N": "deg", "kN": "mm"}
 QUANTITY = re.compile(r"(?<![\w.])(?!0 )(\d[\d.]*)\s+(mm|deg|kN|kg|N|m)(?![\w^/*])")
@@ -131,7 +132,7 @@ KINDS = (
 
 
 @pytest.mark.parametrize(("name", "meant", "written", "code"), KINDS, ids=str)
-@pytest.mark.parametrize("notation", ["mech", "yaml"])
+@pytest.mark.parametrize("notation", in_thirds(["mech", "yaml"]))
 def test_kinds_of_mistakes_are_named(name, meant, written, code, notation):
     text = TOGGLE if name == "toggle" else library()[name].read_text("utf-8")
     assert meant in text

@@ -14,6 +14,7 @@ from mechc.model.values import completed
 from mechc.power.loads import given_size
 from mechc.source import Source
 from mechc.statics.poses import candidates
+from sources import in_thirds
 
 EACH_JOINT = (
     "karpenko_fig9_packet_clamp",  # rods, a lever, halves
@@ -120,7 +121,9 @@ def is_held(name, point, mechanism):
     )
 
 
-@pytest.mark.parametrize("name", ["double_butterfly", "watt_closed", "tilted_gravity_linkage"])
+@pytest.mark.parametrize(
+    "name", in_thirds(["double_butterfly", "watt_closed", "tilted_gravity_linkage"])
+)
 def test_forces_at_pins_between_links_are_those_of_virtual_power(name):
     """One component pair each, as loops of several links have many."""
     text, mechanism = ALL[name].read_text(encoding="utf-8").rstrip(), begun(name).mechanism

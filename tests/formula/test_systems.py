@@ -70,7 +70,7 @@ def by_small_steps(triad: Triad, phi: float, steps: int = 2000) -> list[float] |
 
 
 @pytest.mark.parametrize(
-    "seed", [0, 1, *(pytest.param(n, marks=pytest.mark.slow) for n in range(2, 6))]
+    "seed", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(1, 6))]
 )
 def test_a_triad_keeps_its_branch(seed: int) -> None:
     made = triad(seed)
@@ -85,7 +85,7 @@ def test_a_triad_keeps_its_branch(seed: int) -> None:
             assert max(map(abs, made.residuals(found, phi=phi))) < 1e-14
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(6))
 def test_continuation_comes_to_the_solutions_of_whole_ways_in_any_order(seed: int) -> None:
     made, chance = triad(seed), random.Random(seed)
     turns = [chance.uniform(-4, 4) for _ in range(24)] + [0.0, 1 / 32, -1 / 32, 9.0, math.nan]

@@ -19,6 +19,7 @@ from mechc.formula.tree import Symbol, System, negative, number, power, product,
 from mechc.source import Source
 from mechc.study import from_solution
 from mechc.work import LIMIT, Allowance, WorkLimitError, at_most, spend, within_part
+from sources import in_thirds
 
 ROD = """
 slider A along x
@@ -143,7 +144,7 @@ def test_a_part_of_the_allowance_is_taken_from_the_whole():
 LONG = ["double_butterfly", "jansen_leg", "class_four_block", "karpenko_fig4_with_friction"]
 
 
-@pytest.mark.parametrize("name", LONG)
+@pytest.mark.parametrize("name", in_thirds(LONG))
 def test_the_longest_formulas_take_less_than_a_tenth_and_always_the_same(name):
     taken = []
     for _ in range(2):

@@ -14,6 +14,7 @@ from good_mechanisms import ALL, CLOSED, PARTS, compiled, tree_of
 from mechc.formula.evaluate import evaluate
 from mechc.model.mechanism import LoadRatio
 from mechc.power.numbers import value_of
+from sources import in_thirds
 
 
 def values_at(name, part):
@@ -26,7 +27,7 @@ def values_at(name, part):
     return {**values, drive.parameter: low + (high - low) * part}
 
 
-@pytest.mark.parametrize("name", CLOSED)
+@pytest.mark.parametrize("name", in_thirds(CLOSED))
 def test_k_along_the_stroke(name):
     compilation, tree = compiled(name), tree_of(name)
     result = next(r for r in compilation.solution.results if isinstance(r.target, LoadRatio))

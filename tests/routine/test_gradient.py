@@ -19,6 +19,7 @@ from mechc.routine.functions import operations
 from mechc.routine.gradient import gradient, gradients
 from routine_samples import SAMPLES, solved
 from run_targets import poses
+from sources import in_thirds
 
 CLOSED = ("crank_rocker", "karpenko_fig9_with_friction")
 
@@ -37,7 +38,7 @@ def test_slopes_are_those_of_sympy(name):
         assert found[f"dk_d{item.name}"] == pytest.approx(wanted, rel=1e-12)
 
 
-@pytest.mark.parametrize("name", [*SAMPLES, *CLOSED])
+@pytest.mark.parametrize("name", in_thirds([*SAMPLES, *CLOSED]))
 def test_slopes_are_those_of_differences(name):
     for function, program in gradients(solved(name).routine.functions):
         values = {n: array[:5] for n, array in poses(function).items()}
@@ -76,7 +77,7 @@ def test_where_a_condition_fails_there_are_no_slopes():
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize("name", ["clamp", "karpenko_fig9_with_friction", "badly_named"])
+@pytest.mark.parametrize("name", in_thirds(["karpenko_fig9_with_friction", "clamp", "badly_named"]))
 def test_targets_agree(name, tmp_path):
     found = solved(name)
     (module,) = PYTHON.emit(found, Options("own", gradient=True))
