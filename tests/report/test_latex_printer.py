@@ -49,6 +49,8 @@ PIECES = {
     "sin(alpha)*a": r"a\sin\alpha",
     "sin(alpha)*V_B*(b + c)/a": r"\frac{V_B(b+c)}{a}\sin\alpha",
     "(a + b)*cos(alpha)": r"(a+b)\cos\alpha",
+    "b*sqrt(2*(5 + a)/9)": r"b\frac{\sqrt{2(5+a)}}{3}",
+    "sqrt(a/8)": r"\sqrt{\frac{a}{8}}",
     "a - (b - c)": "a-b+c",
     "a*(-2)*b + c": "-2ab+c",
     "c - 2*a*b": "c-2ab",

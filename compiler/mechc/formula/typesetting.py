@@ -10,6 +10,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from enum import IntEnum
 from fractions import Fraction
+from math import isqrt
 from typing import Generic, TypeVar, assert_never
 
 from .choices import SIGNS
@@ -36,6 +37,7 @@ from .tree import (
     Sum,
     Symbol,
     power,
+    product,
 )
 
 Piece = TypeVar("Piece")
@@ -275,13 +277,24 @@ class Typesetter(Look[Piece]):
             case _, Number(value) if value < 0:
                 return self._held(self._fraction((), (power(base, Number(-value)),)), around)
             case _, Number() if exponent == HALF:
-                return self.root(self.set(base, Around.SUM, False))
+                return self._root(base, around)
             case Call(function, (argument,)), Number(value) if (
                 self.raised and function in TRIGONOMETRIC and value.denominator == 1
             ):
                 return self.applied(function, str(value), argument, self.whole(argument, True))
         raised = self.set(exponent, Around.SUM if self.built else Around.BASE, False)
         return self.power(self._base(base), raised)
+
+    def _root(self, inner: Formula, around: Around) -> Piece:
+        """Return a square root, the root of a square number below its line in front: √a/3."""
+        match inner:
+            case Product((Number(value), *rest)) if (size := isqrt(value.denominator)) > 1 and (
+                size**2 == value.denominator
+            ):
+                above = product([(Number(Fraction(value.numerator)), 1), *((f, 1) for f in rest)])
+                root = self.root(self.set(above, Around.SUM, False))
+                return self._held(self.over(root, self.numeral(str(size)), False), around)
+        return self.root(self.set(inner, Around.SUM, False))
 
     def _base(self, base: Formula) -> Piece:
         """Return the base of a power, in parentheses where it needs them."""
@@ -305,6 +318,8 @@ class Typesetter(Look[Piece]):
                 return self._call("sign", (value,))
             case "hypot", _:
                 return self.root(self.set(squares(arguments), Around.SUM, False))
+            case "sqrt", (argument,) if self.built:  # its line holds a fraction together
+                return self._root(argument, Around.SUM)
             case "sqrt", (argument,):
                 return self.root(self.set(argument, Around.SUM, False))
             case "abs", (argument,):
