@@ -3,7 +3,9 @@
 import pytest
 
 from good_mechanisms import CLOSED, compiled
-from mechc.driver import Compilation
+from mechc.driver import Compilation, emit
+from mechc.emit.latex.to_latex import TARGET
+from mechc.emit.target import Options
 from mechc.formula.to_text import text
 from mechc.formula.walk import symbols
 from mechc.report.sections import outline
@@ -132,3 +134,31 @@ def test_a_length_that_stands_in_velocities_by_its_formula_is_found_before_them(
     assert text(derivation.steps[0].relations[0].left) == "g*omega_OB/cos(phi)"
     by_sums = Compilation(Source("slot.mech", SLOT)).by_equilibrium
     assert by_sums.position == derivation.position
+
+
+LOOKED_UP = """
+param v = 1.2 in 0 .. 3
+list sizes = 80 mm, 120 mm, 200 mm
+let a = 50 mm when v < 2 else 30 mm
+let b = next 2*a in sizes
+pivot O
+slider K along y
+link OB
+link BK
+OB = a @ 70 deg
+BK = b @ 100 deg
+torque M on OB
+force F at K along -y
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize("brief", [False, True])
+def test_what_choices_and_lists_give_is_not_defined_again_without_its_units(brief):
+    """``a = 0.05 when v < 2`` is no length, and ``next(2a, 0.08)`` is no formula for people."""
+    compilation = Compilation(Source("m.mech", LOOKED_UP))
+    (emitted,) = emit(compilation, TARGET, Options("m", brief=brief))
+    page = emitted.text.partition(r"\begin{document}")[2].replace("&", "")
+    assert "0.05," not in page
+    assert "operatorname{next}" not in page
+    assert r"a=50\,\text{mm}" in page

@@ -20,12 +20,12 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Definition, Result
-from ..report.definitions import Letters, Solved, as_written, grouped, letters
+from ..report.definitions import Letters, Solved, as_written, grouped, letters, looked_up
 from ..report.note import own_lines
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
-from ..report.text.note import in_brief, in_language
+from ..report.text.note import as_given, in_brief, in_language
 from ..report.text.overview import overview
 from ..report.text.printer import WRITTEN
 from ..report.text.speller import Speller, speller
@@ -126,13 +126,16 @@ def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
     own = own_lines(compilation.mechanism, compilation.results)
     before: Analysis | None = None
     for result in compilation.results:
-        where = [d for d in earlier.of(result) if d.name not in given]
+        fresh = earlier.of(result)
+        read_up = [q for q in looked_up(compilation.mechanism) if q.name in {d.name for d in fresh}]
+        where = [d for d in fresh if d.name not in given | {q.name for q in read_up}]
         formulas = [d.formula for d in where] + ([] if result.name in own else [result.formula])
         literals = [*earlier.new_literals(formulas, compilation.mechanism)]
         shown = in_short(result, compilation.results)
         unit = scale_of(result, compilation.mechanism)
         formula = in_language(own[result.name]) if result.name in own else text(shown.formula)
-        yield from _of_result(shown, formula, where, literals, known, before, unit, spell)
+        looked = [_where(as_given(quantity, spell), spell) for quantity in read_up]
+        yield from _of_result(shown, formula, where, literals, known, before, unit, spell, looked)
         before = result
         remarks = friction_remarks(result, spell.locale, spell)
         yield from (f"    {spell.units(line)}" for line in remarks)
@@ -153,6 +156,7 @@ def _of_result(
     before: Analysis | None,
     unit: str,
     spell: Speller,
+    looked: Iterable[str],
 ) -> Iterator[str]:
     """Yield the lines on a result, without those that the one before has just shown."""
     words = spell.locale.checked
@@ -161,6 +165,7 @@ def _of_result(
         return
     yield f"  {result.name} = {formula}"
     yield from _of_literals(literals, spell)
+    yield from looked
     for group in grouped(as_written(where, known)):
         yield from _of_definition(group, known, spell)
     yield from _of_iterated(result, before, words)

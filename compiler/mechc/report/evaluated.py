@@ -8,6 +8,7 @@ from ..formula.rounding import Rounding
 from ..formula.tree import Formula, Symbol, is_call
 from ..formula.walk import symbols, walk
 from ..model.mechanism import GRAVITY, LoadRatio, Mechanism, Parameter, Torque, WithFriction
+from ..model.parts import written
 from ..model.result import Definition
 from ..model.values import Chain, completed, defaults, dependent, is_constant, usual_length
 from ..named import NamedTuple
@@ -243,7 +244,7 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     units |= dict.fromkeys(usual_g, "m/s^2") | _of_loads(where, mechanism)
     usual = usual_length(mechanism)
     bare = (p for p in looked_up(mechanism) if not p.unit)
-    units |= {p.name: usual_unit(p.dimension, usual) for p in bare}
+    units |= {p.name: _written_unit(p) or usual_unit(p.dimension, usual) for p in bare}
     units |= {r.name: usual_unit(r.dimension, usual) for r in whole.ratios}
     angles = {name for name, unit in units.items() if unit == "deg"}
     constants = (*mechanism.literals, *loads)
@@ -255,6 +256,12 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
             angles |= {definition.name} if unit == "deg" else set()
     known = {name: value for name, value in values.items() if math.isfinite(value)}
     return {name: Quantity(known[name], unit) for name, unit in units.items() if name in known}
+
+
+def _written_unit(parameter: Parameter) -> str:
+    """Return the first unit of its dimension that a quantity is written with, '' without one."""
+    found = written.units(parameter.written.formula) if parameter.written else []
+    return next((u for u in found if u in UNITS and UNITS[u].dimension == parameter.dimension), "")
 
 
 def _zeros(chain: Chain, given: Mapping[str, float]) -> Iterator[str]:

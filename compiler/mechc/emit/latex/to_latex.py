@@ -10,7 +10,7 @@ from ...formula.tree import ZERO
 from ...model.mechanism import Mechanism, Parameter
 from ...model.statements import is_sheet
 from ...report.brief import at_length, needed, relations, short
-from ...report.definitions import given_loads, stated_above
+from ...report.definitions import given_loads, looked_up, stated_above
 from ...report.evaluated import constants_shown, evaluated, has_atan2, hides_units
 from ...report.languages import registry
 from ...report.languages.locale import Locale
@@ -220,7 +220,7 @@ def brief(
 ) -> Brief:
     """Return the formulas of a report alone: of the position, the speeds, the loads, results."""
     mechanism = compiled.mechanism
-    whole = outline(derivation, mechanism)
+    whole = outline(derivation, mechanism, looked_up(mechanism))
     found = (
         tuple(short(evaluated(whole, mechanism), derivation, mechanism)) if options.numbers else ()
     )

@@ -13,7 +13,7 @@ from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit, si_unit
 from ..brief import needed, relations, short
 from ..by_parts import by_parts
-from ..definitions import Solved, given_loads, grouped, stated_above
+from ..definitions import Solved, given_loads, grouped, looked_up, stated_above
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
@@ -86,7 +86,7 @@ def render_brief(
     spell = speller(derivation.results, mechanism, unicode, language, width)
     if is_sheet(mechanism):
         return note.render(mechanism, derivation.results, spell)
-    whole = outline(derivation, mechanism)
+    whole = outline(derivation, mechanism, looked_up(mechanism))
     position = [line for p in whole.position for line in _where(p.literals, p.where, spell, {})]
     results = _equations(needed(derivation), spell)
     for section in whole.results:

@@ -121,6 +121,11 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
     return Row(f"{print_name(parameter.name, signs)} = {said}", "; ".join(texts))
 
 
+def as_given(parameter: Parameter, spell: Speller) -> str:
+    """Return the line of a parameter among what is given: ``b = next 2*a in sizes``."""
+    return _given(parameter, spell).said
+
+
 def _table(table: WrittenTable, signs: Signs) -> Row:
     rows = (": ".join(_set(cell, signs) for cell in row) for row in table.rows)
     return Row(f"{print_name(table.name, signs)} = {', '.join(rows)}", table.source)
