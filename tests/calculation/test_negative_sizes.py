@@ -1,0 +1,37 @@
+"""A size below zero is doubted in the sheet whose line gives it, once, and not where it is used."""
+
+from pathlib import Path
+
+import pytest
+
+from mechc.driver import Compilation, complete
+from mechc.files import read
+
+TUBE = """sheet tube
+param D = {outer} mm
+param t = 12 mm
+let d = D - 2*t in mm
+let A = pi*d^2/4 in mm^2
+"""
+
+
+def warned(path: Path) -> list[str]:
+    return [d.code for d in complete(Compilation(read(path))).report.sorted()]
+
+
+def tube(folder: Path, outer: int) -> Path:
+    path = folder / "tube.mech"
+    path.write_text(TUBE.format(outer=outer), "utf-8")
+    return path
+
+
+@pytest.mark.parametrize(("outer", "codes"), [(20, ["W290"]), (30, [])])
+def test_a_size_below_zero_is_doubted_once(tmp_path: Path, outer: int, codes: list[str]) -> None:
+    assert warned(tube(tmp_path, outer)) == codes
+
+
+def test_one_of_a_used_sheet_is_doubted_there(tmp_path: Path) -> None:
+    tube(tmp_path, 20)
+    user = tmp_path / "user.mech"
+    user.write_text('sheet user\nuse "tube.mech" as T\nlet w = T_A + T_A in mm^2\n', "utf-8")
+    assert warned(user) == []
