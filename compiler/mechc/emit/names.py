@@ -38,6 +38,8 @@ def transliterate(name: str) -> str:
 
     >>> transliterate("β1"), transliterate("V_A'"), transliterate("кут")
     ('beta1', 'V_A_prime', 'kut')
+    >>> transliterate("Länge"), transliterate("a-b"), transliterate("力"), transliterate("2")
+    ('Lange', 'a_b', 'u529b', 'x_2')
     """
     plain = "".join(_LETTERS.get(c) or _ascii(c) for c in name)
     plain = re.sub(r"_{2,}", "_", plain).lstrip("_") or "x"
