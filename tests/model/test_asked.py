@@ -177,7 +177,7 @@ def test_a_load_that_is_tied_by_a_direction():
     ("lines", "code", "part"),
     [
         ("let x = phi_AX\n", "E202", "X"),
-        ("let x = phi_O2b\n", "E201", "did you mean 'phi_O2B'?"),
+        ("let x = phi_O2b\n", "E201", "phi_O2B, not phi_O2b"),
         ("let x = fi_AB\n", "E201", "did you mean 'phi_AB'?"),
         ("let x = len_ABO2\n", "E201", "len_ABO2"),
         ("param e = 2*len_O1B\nlet x = e\n", "E207", "follows from the description"),
