@@ -67,6 +67,13 @@ def test_a_sum_has_the_values_of_its_terms_unless_rounding_would_be_seen():
     assert second.numbers is None
 
 
+def test_a_product_with_a_force_that_has_no_value_on_the_page_has_none():
+    """S_AB (a + b), of which the report gives no S_AB."""
+    formula = product([(Symbol("S_AB"), 1), (SUM, 1)])
+    (found,) = by_parts([item("R")._replace(formula=formula)], {}, numbers_fit)
+    assert found.numbers is None
+
+
 def test_what_does_not_fit_with_names_either_has_no_values_of_sums_before_it():
     alone = item("R")
     assert list(by_parts([alone], {SUM: Z}, lambda _: False)) == [alone]

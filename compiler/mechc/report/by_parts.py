@@ -114,8 +114,8 @@ def _shortened(
 def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | None:
     """Return a sum by the values of its terms, a product by those of the sums among its factors.
 
-    None where there is nothing to be shortened, or so little is left of a difference that it has
-    another value with the digits printed.
+    None where there is nothing to be shortened, where something in it has no value on the page, or
+    where so little is left of a difference that it has another value with the digits printed.
     """
     found = dict[str, Quantity]()
 
@@ -138,7 +138,9 @@ def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | Non
     shorter = rebuild(formula, tuple(valued(part) for part in children(formula)))
     as_printed = {n: q.value for n, q in known.quantities.items()}
     as_printed |= {n: float(f"{q.value:.{DIGITS}g}") for n, q in found.items()}
-    if not found or not isclose(evaluate(shorter, as_printed), value.value, rel_tol=ROUNDED):
+    if not found or not names_in(shorter) <= as_printed.keys():
+        return None
+    if not isclose(evaluate(shorter, as_printed), value.value, rel_tol=ROUNDED):
         return None
     return _numbers(shorter, value, {**known.quantities, **found})
 
