@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 from mechc.driver import Compilation
 from mechc.pose.places import Plane
 from mechc.statics.diagram import Acting, Diagram, FreeBody
 
 BALANCED = 1e-7
-"""What the sums on a body may come to, by the largest force on it and how far it is off."""
+"""What sums may come to, as a part of the largest force and moment of all bodies together."""
 
 CENTRE = Plane(0.013, -0.007)
 """A place about which moments are taken; none of a mechanism is there."""
@@ -21,13 +22,28 @@ def refuted(compilation: Compilation) -> Iterator[str]:
         return
     for diagram in compilation.free_bodies:
         case = f"{diagram.result} {diagram.motion}".strip()
+        sizes = _sizes(diagram, figure.points)
         for body in diagram.bodies:
-            yield from (f"{case}: {said}" for said in _out_of_balance(body, figure.points))
-        yield from (f"{case}: {said}" for said in _one_sided(diagram))
+            yield from (f"{case}: {said}" for said in _out_of_balance(body, figure.points, sizes))
+        yield from (f"{case}: {said}" for said in _one_sided(diagram, sizes))
         yield from (f"{case}: {said}" for said in _loads(diagram, compilation))
 
 
-def _out_of_balance(body: FreeBody, places: Mapping[str, Plane]) -> Iterator[str]:
+class Sizes(NamedTuple):
+    """The largest force and the largest moment in a diagram: beside them others are rounding."""
+
+    force: float
+    moment: float
+
+
+def _sizes(diagram: Diagram, places: Mapping[str, Plane]) -> Sizes:
+    acting = [a for body in diagram.bodies for a in body.forces if not a.gap]
+    forces = (math.hypot(*a.force) for a in acting if a.force)
+    moments = (abs(a.about(CENTRE, places)) for a in acting)
+    return Sizes(max(forces, default=0.0), max(moments, default=0.0))
+
+
+def _out_of_balance(body: FreeBody, places: Mapping[str, Plane], sizes: Sizes) -> Iterator[str]:
     """Yield the sums of forces, and of moments, that are not zero."""
     if any(acting.gap for acting in body.forces):
         return
@@ -35,31 +51,29 @@ def _out_of_balance(body: FreeBody, places: Mapping[str, Plane]) -> Iterator[str
     x = math.fsum(a.force.x for a in known if a.force)
     y = math.fsum(a.force.y for a in known if a.force)
     moments = [a.about(CENTRE, places) for a in body.forces]
-    size = max((math.hypot(*a.force) for a in known if a.force), default=0.0)
-    if math.hypot(x, y) > BALANCED * size:
+    if math.hypot(x, y) > BALANCED * sizes.force:
         yield f"the forces on {body.name} come to ({x:.3g}, {y:.3g})"
-    if abs(math.fsum(moments)) > BALANCED * max(map(abs, moments), default=0.0):
+    if abs(math.fsum(moments)) > BALANCED * sizes.moment:
         yield f"the moments on {body.name} come to {math.fsum(moments):.3g}"
 
 
-def _one_sided(diagram: Diagram) -> Iterator[str]:
+def _one_sided(diagram: Diagram, sizes: Sizes) -> Iterator[str]:
     """Yield the pins at which two bodies do not give one another the same force."""
     found = {
         (b.name, a.by, a.point): a for b in diagram.bodies for a in b.forces if a.kind == "pin"
     }
     for (body, by, point), here in found.items():
         there = found.get((by, body, point))
-        if there is not None and body < by and not _are_opposite(here, there):
+        if there is not None and body < by and not _are_opposite(here, there, sizes):
             yield f"{body} and {by} give one another at {point} {here.force} and {there.force}"
 
 
-def _are_opposite(here: Acting, there: Acting) -> bool:
+def _are_opposite(here: Acting, there: Acting, sizes: Sizes) -> bool:
     if here.force is None or there.force is None:
         return here.force is there.force
-    size = max(math.hypot(*here.force), math.hypot(*there.force))
     gap = math.hypot(here.force.x + there.force.x, here.force.y + there.force.y)
     turn = abs(here.moment + there.moment)
-    return gap <= BALANCED * size and turn <= BALANCED * max(abs(here.moment), abs(there.moment))
+    return gap <= BALANCED * sizes.force and turn <= BALANCED * sizes.moment
 
 
 def _loads(diagram: Diagram, compilation: Compilation) -> Iterator[str]:
