@@ -74,6 +74,25 @@ def test_a_product_with_a_force_that_has_no_value_on_the_page_has_none():
     assert found.numbers is None
 
 
+def test_a_named_sum_that_has_no_value_is_passed_over():
+    """Z_2 = Z_1 + S_AB has none where the report gives no S_AB, though Z_1 in it has one."""
+    force = Symbol("S_AB")
+    named = {total([SUM, force]): Symbol("Z_2"), SUM: Z}
+    formula = product([(A, 1), (SUM, 1), (total([SUM, force]), 1)])
+    whole = item("R")._replace(formula=formula)
+    found = by_parts([whole], named, lambda each: each is not whole)
+    assert [each.left.name for each in found] == ["Z_1", "R"]
+
+
+def test_a_named_sum_that_another_mentions_too_has_its_value_once():
+    """R = a Z_1 Z_2, and Z_2 = b + Z_1²/a."""
+    outer = total([B, product([(SUM, 2), (A, -1)])])
+    formula = product([(A, 1), (SUM, 1), (outer, 1)])
+    named = {SUM: Z, outer: Symbol("Z_2")}
+    found = list(by_parts([item("R")._replace(formula=formula)], named, numbers_fit))
+    assert [each.left.name for each in found] == ["Z_1", "Z_2", "R"]
+
+
 def test_what_does_not_fit_with_names_either_has_no_values_of_sums_before_it():
     alone = item("R")
     assert list(by_parts([alone], {SUM: Z}, lambda _: False)) == [alone]

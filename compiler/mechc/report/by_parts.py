@@ -5,7 +5,7 @@ from fractions import Fraction
 from math import isclose, isfinite
 
 from ..formula.evaluate import evaluate
-from ..formula.tree import Call, Formula, Number, Power, Product, Sum, Symbol, power, product
+from ..formula.tree import Formula, Number, Power, Product, Sum, Symbol, is_call, power, product
 from ..formula.walk import children, rebuild, symbols
 from ..model.result import Definition
 from .dimensions import names_in
@@ -25,8 +25,9 @@ def by_parts(
 ) -> Iterator[Evaluated]:
     """Yield values; before one whose numbers do not fit, those of the named sums in its formula.
 
-    Each sum stands once. A formula that has none, or does not fit with them, has the values of its
-    terms, or of the sums among its factors; where that does not fit either it comes as it is.
+    Each sum that has a value stands once. A formula without such sums, or that does not fit with
+    them, has the values of its terms, or of the sums among its factors; where that does not fit
+    either it comes as it is.
     """
     shown, sums = set[str](), _Sums(named)
     for item in found:
@@ -39,12 +40,13 @@ def by_parts(
         if formula == item.formula or not fits(shorter):
             yield _shortened(item, item.formula, item.known, fits)
             continue
-        parts = [part for part in _parts(formula, named) if part[0].name not in shown]
+        valued = known.keys() - shown
+        parts = {s: part for s, part in _parts(formula, named) if s.name in valued}
         more = item.known._replace(quantities=known)
-        for symbol, part in parts:
+        for symbol, part in parts.items():
             evaluated = _evaluated(symbol, part, known)
             yield evaluated if fits(evaluated) else _shortened(evaluated, part, more, fits)
-        shown.update(symbol.name for symbol, _ in parts)
+        shown.update(symbol.name for symbol in parts)
         yield shorter
 
 
@@ -146,7 +148,7 @@ def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | Non
 
 
 def _is_sum(part: Formula) -> bool:
-    return isinstance(part, Sum) or (isinstance(part, Call) and part.function in ("sqrt", "hypot"))
+    return isinstance(part, Sum) or is_call(part, "sqrt", "hypot")
 
 
 def _value(part: Formula, known: Known) -> Quantity | None:
