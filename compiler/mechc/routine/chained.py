@@ -14,8 +14,8 @@ from typing import TypeVar
 from ..formula.tree import Formula
 from ..frozen import replace
 from ..named import NamedTuple
-from .functions import operations
-from .many import Output, Program
+from .functions import Output, operations
+from .many import Program
 from .steps import Common, Function, Statement, formulas_of, mentioned, names_in, names_of
 
 T = TypeVar("T")

@@ -51,9 +51,9 @@ def program(
     other = Scope(mechanism, changed, definitions or {}) if changed != results else scope
     elsewhere = [asked(r.elsewhere, other, inputs, loops) for r in needed if r.elsewhere]
     coupled = _separate(elsewhere, other, names)
-    beside = (coupled.get(r.name) for r in needed)
+    otherwise = (coupled.get(r.name) for r in needed)
     companions = Companions(scope, tuple(inputs.values()))
-    functions = tuple(starmap(companions.joined, zip(made, beside, listed, strict=True)))
+    functions = tuple(starmap(companions.joined, zip(made, otherwise, listed, strict=True)))
     pose = _pose(scope, inputs, loops)
     points = _points(mechanism, motion, inputs, definitions or {}) if motion else None
     tests = checks(scope, inputs, names) if is_sheet(mechanism) else None

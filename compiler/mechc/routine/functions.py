@@ -110,11 +110,30 @@ def _guard(require: Require, names: Mapping[str, str], balance: str) -> Guard:
     return Guard(left, require.operator, right, balance=balance)
 
 
-def functions(group: Sequence[Asked], scope: Scope, names: Iterable[str]) -> Iterator[Function]:
-    """Yield functions that compute all that they need themselves, their steps found together.
+class Output(NamedTuple):
+    """A result in the terms of steps that compute several."""
 
-    What several results rest on is worked out once, which pays where that is a large system.
-    """
+    asked: Asked
+    formula: Formula
+    guards: tuple[Guard, ...]
+    value: Formula
+
+    @property
+    def ends(self) -> tuple[Formula, ...]:
+        """Return the formulas computed from the steps: the value, and the sides of the guards."""
+        return (self.value, *sides_of(self.guards))
+
+
+class Computation(NamedTuple):
+    """The steps that compute several results, what each makes of them, and their definitions."""
+
+    steps: tuple[Statement, ...]
+    outputs: tuple[Output, ...]
+    definitions: tuple[tuple[str, Formula], ...]
+
+
+def computation(group: Sequence[Asked], scope: Scope, names: Iterable[str]) -> Computation:
+    """Return the steps of several results: what these rest on is worked out once for all."""
     known = scope.together({one.result.name: one.needed for one in group})
     called = [known.names[one.result.name] for one in group]
     formulas = [rename(one.result.formula, n) for one, n in zip(group, called, strict=True)]
@@ -122,25 +141,26 @@ def functions(group: Sequence[Asked], scope: Scope, names: Iterable[str]) -> Ite
     ends = [[f, *_sides_of_balances(gs)] for f, gs in zip(formulas, guards, strict=True)]
     others = [guard for gs in guards for guard in gs if not guard.balance]
     steps, values = steps_to(known.formulas, [e for each in ends for e in each], others, names)
-    left = iter(values)
+    left, outputs = iter(values), list[Output]()
     for one, formula, gs, each in zip(group, formulas, guards, ends, strict=True):
-        output, *sides = islice(left, len(each))
-        yield _computing(one, scope, formula, _with_sides(gs, sides), output, steps)
+        value, *sides = islice(left, len(each))
+        outputs.append(Output(one, formula, _with_sides(gs, sides), value))
+    return Computation(steps, tuple(outputs), known.formulas)
 
 
-def _computing(
-    asked: Asked,
-    scope: Scope,
-    formula: Formula,
-    guards: tuple[Guard, ...],
-    output: Formula,
-    known: Sequence[Statement],
-) -> Function:
-    """Return the function that computes an output by those of the known steps that it needs."""
-    steps = leading_to(names_in([output, *sides_of(guards)]), known)
+def functions(group: Sequence[Asked], scope: Scope, names: Iterable[str]) -> Iterator[Function]:
+    """Yield functions that compute all that they need themselves, their steps found together."""
+    steps, outputs, _ = computation(group, scope, names)
+    return (_by_itself(output, scope, steps) for output in outputs)
+
+
+def _by_itself(output: Output, scope: Scope, known: Sequence[Statement]) -> Function:
+    """Return the function of an output by those of the known steps that it needs."""
+    asked, formula, guards, value = output
+    steps = leading_to(names_in(output.ends), known)
     shown = scope.definitions(asked.result.name, asked.read).formulas
     read = _readable(asked.result, formula, shown, scope.inside)
-    return written(asked, steps, output, guards, read, operations(steps))
+    return written(asked, steps, value, guards, read, operations(steps))
 
 
 def _sides_of_balances(guards: Iterable[Guard]) -> Iterator[Formula]:

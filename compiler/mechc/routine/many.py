@@ -5,38 +5,17 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..named import NamedTuple
-from .functions import Asked, Read, steps_to, written
-from .scope import Scope, rename
+from .functions import Asked, Output, Read, computation, written
+from .scope import Scope
 from .steps import Function, Guard, Statement, Step, sides_of
-
-
-class Output(NamedTuple):
-    """A result in the terms of a program of many."""
-
-    asked: Asked
-    formula: Formula
-    guards: tuple[Guard, ...]
-    value: Formula
-
-    @property
-    def ends(self) -> tuple[Formula, ...]:
-        """Return the formulas computed from the steps: the value, and the sides of the guards."""
-        return (self.value, *sides_of(self.guards))
 
 
 class Program:
     """One program that computes many results: its steps, and what each result makes of them."""
 
     def __init__(self, group: Sequence[Asked], scope: Scope, names: Sequence[str]) -> None:
-        known = scope.together({one.result.name: one.needed for one in group})
-        called = [known.names[one.result.name] for one in group]
-        formulas = [rename(one.result.formula, n) for one, n in zip(group, called, strict=True)]
-        guards = [one.guards(n) for one, n in zip(group, called, strict=True)]
-        compared = [g for gs in guards for g in gs]
-        self.steps, values = steps_to(known.formulas, formulas, compared, names)
-        self.outputs = tuple(map(Output, group, formulas, guards, values))
-        self._defined, self._results = dict(known.formulas), frozenset(scope.results)
+        self.steps, self.outputs, definitions = computation(group, scope, names)
+        self._defined, self._results = dict(definitions), frozenset(scope.results)
 
     @property
     def ends(self) -> Iterator[Formula]:
