@@ -193,7 +193,7 @@ class SolvedMechanism(Plotting):
 
         drawing = self._compilation.drawn_scheme(language, figure=self.figure(**values))
         assert drawing is not None, "a figure has a scheme"
-        texts = self._compilation.mechanism.translations.get(language, {})
+        texts = self._compilation.mechanism.texts(language)
         return Picture(in_letters(drawing, letters(locale(language), texts)))
 
     def free_bodies(self, **values: float | str) -> "tuple[Diagram, ...]":

@@ -161,7 +161,7 @@ class Compilation(Pipeline):
     def titled(self, language: str) -> str:
         """Return the title in a language, if it is translated; the name where there is none."""
         mechanism = self.mechanism
-        texts = mechanism.translations.get(language, {})
+        texts = mechanism.texts(language)
         return texts.get(mechanism.title, mechanism.title or mechanism.name)
 
     def drawn_scheme(
@@ -192,7 +192,7 @@ class Compilation(Pipeline):
         from .figure.figure import with_links_called
         from .report.languages.registry import locale
 
-        texts = self.mechanism.translations.get(language, {})
+        texts = self.mechanism.texts(language)
         called = figure and with_links_called(figure, texts)
         titled = called and replace(called, title=self.titled(language))
         return titled, locale(language).pictures

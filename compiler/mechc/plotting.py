@@ -63,7 +63,7 @@ class Plotting:
         )
         plotted, words = self._compilation.along(settings).plot(query), locale(language)
         found = replace(plotted, title=self._compilation.titled(language))
-        known = letters(words, self._compilation.mechanism.translations.get(language, {}))
+        known = letters(words, self._compilation.mechanism.texts(language))
         return PlotPicture(found, picture(found, words.pictures), words.pictures, known)
 
     def plans(self, language: str = "en") -> "Picture | None":
@@ -83,7 +83,7 @@ class Plotting:
 
         words = locale(language)
         drawing = self._compilation.drawn_plans(language)
-        known = letters(words, self._compilation.mechanism.translations.get(language, {}))
+        known = letters(words, self._compilation.mechanism.texts(language))
         return Picture(in_letters(drawing, known)) if drawing else None
 
 

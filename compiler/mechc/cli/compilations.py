@@ -58,6 +58,6 @@ def title_source_and_result(source: Source, language: str) -> tuple[str, str, st
     """Return the title of a description, where it is from, and its first result."""
     compilation = Compilation(source)
     mechanism, (first, *_) = compilation.mechanism, compilation.found
-    texts = mechanism.translations.get(language, {})
+    texts = mechanism.texts(language)
     title, origin = (texts.get(t, t) for t in (mechanism.title, mechanism.source))
     return title, origin, f"{first.name} = {text(first.formula)}"

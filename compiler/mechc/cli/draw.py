@@ -92,7 +92,7 @@ def command(
     """
     _refuse_several(asked)
     compilation = opened(file, stdin_name, settings)
-    texts = compilation.mechanism.translations.get(language, {})
+    texts = compilation.mechanism.texts(language)
     drawing = in_letters(_drawing(compilation, asked, language), letters(locale(language), texts))
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in paths if path != STANDARD_OUTPUT]

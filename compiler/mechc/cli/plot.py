@@ -165,7 +165,7 @@ def command(
     words = locale(language)
     plot = checked(compilation).along(along).plot(query, _watched)
     found = replace(plot, title=compilation.titled(language))
-    known = letters(words, compilation.mechanism.translations.get(language, {}))
+    known = letters(words, compilation.mechanism.texts(language))
     plotted = PlotPicture(found, picture(found, words.pictures), words.pictures, known)
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in outputs if path != STANDARD_OUTPUT]

@@ -179,6 +179,10 @@ class Mechanism:
         """Return the drive that moves, if there is one, then those that are held."""
         return (*([self.drive] if self.drive else []), *self.held)
 
+    def texts(self, language: str) -> Mapping[str, str]:
+        """Return the translations of texts and names into a language, none where there are none."""
+        return self.translations.get(language, {})
+
     @property
     def drive_name(self) -> str:
         """Return the parameter that the drive moves, '' where there is none."""

@@ -153,7 +153,7 @@ def speller(
     """Return the speller of mathematics, with the names that are angles in this mechanism."""
     words = locale_of(language)
     signs = UNICODE if unicode else ASCII
-    texts = mechanism.translations.get(language, {})
+    texts = mechanism.texts(language)
     functions = {name: _OPERATOR.sub(r"\1", word) for name, word in words.functions.items()}
     signs = replace(
         signs,
