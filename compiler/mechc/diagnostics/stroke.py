@@ -123,12 +123,16 @@ def not_assembled(
     """
     unit, size = ("deg", math.pi / 180) if dimension == ANGLE else ("mm", 1e-3)
     shown = " and ".join(f"from {a / size:.7g} to {b / size:.7g} {unit}" for a, b in parts)
-    what = f"the mechanism {why}" if why.startswith("cannot") else why
     return Message(
         span,
-        f"{what} for {name} {shown}, seen at {places} places",
+        f"{_sentence(why)} for {name} {shown}, seen at {places} places",
         "shorten the stroke, or change the lengths",
     )
+
+
+def _sentence(why: str) -> str:
+    """Return why there is no pose as a sentence, what ``cannot be assembled`` with its subject."""
+    return f"the mechanism {why}" if why.startswith("cannot") else why
 
 
 @coded("W284")
@@ -143,8 +147,7 @@ def range_not_assembled(span: Span, name: str, low: str, high: str, why: str) ->
         param r = 50 mm in 30 mm .. 150 mm     # right
     """
     parts = [f"below {low}"] * bool(low) + [f"above {high}"] * bool(high)
-    what = f"the mechanism {why}" if why.startswith("cannot") else why
-    message = f"within the range of {name}, {' and '.join(parts)}, {what}"
+    message = f"within the range of {name}, {' and '.join(parts)}, {_sentence(why)}"
     return Message(span, message, "narrow the range, or change the lengths")
 
 

@@ -106,7 +106,7 @@ def diameters_behind(factors: Iterable[Formula]) -> list[Formula]:
     """
     row = list(factors)
     for i in range(len(row) - 1):
-        if _head(row[i]) == "d" and _head(row[i + 1]) in _COEFFICIENTS:
+        if letter_of(row[i]) == "d" and letter_of(row[i + 1]) in _COEFFICIENTS:
             row[i : i + 2] = row[i + 1], row[i]
     return row
 
@@ -114,7 +114,8 @@ def diameters_behind(factors: Iterable[Formula]) -> list[Formula]:
 _COEFFICIENTS = ("f", "mu")
 
 
-def _head(factor: Formula) -> str:
+def letter_of(factor: Formula) -> str:
+    """Return the letter of a factor that is a quantity, '' of others."""
     return split_name(factor.name).head if isinstance(factor, Symbol) else ""
 
 

@@ -42,9 +42,15 @@ class _Scaled:
     ) -> None:
         self._formula, self._values, self._dimensions = formula, values, dimensions
         self._first = evaluate(formula, values)
+        self._known: dict[tuple[Dimension, int], float] = {}
 
     def _value(self, base: Dimension, times: int) -> float:
         """Return the value where a base unit is so many times smaller by a factor."""
+        if (base, times) not in self._known:
+            self._known[base, times] = self._found(base, times)
+        return self._known[base, times]
+
+    def _found(self, base: Dimension, times: int) -> float:
         shares = {name: _share(self._dimensions[name], base) for name in self._values}
         if not any(shares.values()):
             return self._first

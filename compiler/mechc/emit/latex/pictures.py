@@ -44,17 +44,15 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     known = _letters(compiled, locale, style)
     along = _stroke(compiled)
     others = [plot for plot in plots if along is None or plot.x.name != along.drive]
+    scheme = compiled.drawn_scheme(style.language) if "scheme" in named else None
     drawings = {
-        "scheme": compiled.drawn_scheme(style.language) if "scheme" in named else None,
         "bodies": compiled.drawn_bodies(style.language) if "bodies" in named else None,
         "plans": compiled.drawn_plans(style.language) if "plans" in named else None,
     }
-    drawn = {
-        name: tuple((_drawn if name == "scheme" else _afloat)(d, words[name], known, words))
-        for name, d in drawings.items()
-    }
+    afloat = {n: tuple(_afloat(d, words[n], known, words)) for n, d in drawings.items()}
     return Pictures(
-        **drawn,
+        scheme=tuple(_drawn(scheme, words["scheme"], known)),
+        **afloat,
         plot=tuple(line for plot in plots for line in _plotted(plot, known, locale, style)),
         table=(
             *(along_stroke(along, locale, style) if along else ()),
@@ -66,8 +64,8 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
 def scheme_alone(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     """Return the scheme of a mechanism as its only picture."""
     drawing = compiled.drawn_scheme(style.language)
-    words, known = locale.pictures, _letters(compiled, locale, style)
-    return NO_PICTURES._replace(scheme=tuple(_drawn(drawing, words["scheme"], known, words)))
+    known = _letters(compiled, locale, style)
+    return NO_PICTURES._replace(scheme=tuple(_drawn(drawing, locale.pictures["scheme"], known)))
 
 
 def _letters(compiled: Compiled, locale: Locale, style: Notation) -> Letters:
@@ -107,7 +105,7 @@ def _queries(compiled: Compiled) -> Iterator[Query]:
         yield from (first,) if first else ()
 
 
-def _drawn(drawing: Drawing | None, caption: str, known: Letters, _: Words) -> Iterator[str]:
+def _drawn(drawing: Drawing | None, caption: str, known: Letters) -> Iterator[str]:
     """Yield a drawing, if there is one, in the letters of a language."""
     if drawing is not None:
         yield from _centred(_picture(in_letters(drawing, known)), caption)

@@ -17,7 +17,7 @@ from fractions import Fraction
 from itertools import pairwise
 from types import MappingProxyType
 
-from ...formula.layout import TRIGONOMETRIC, decimal
+from ...formula.layout import TRIGONOMETRIC, decimal, letter_of
 from ...formula.names import GREEK, split_name, words_in
 from ...formula.tree import Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
@@ -258,11 +258,12 @@ DIFFERENTIAL = "d"
 
 
 def _is_apart(before: Formula, factor: Formula) -> bool:
-    """Return whether letters are read as one sign, ``df``, or are told apart, ``f·d``."""
-    head = split_name(factor.name).head if isinstance(factor, Symbol) else ""
-    return isinstance(before, Symbol) and (
-        before.name == DIFFERENTIAL or (before.name == "f" and head == DIFFERENTIAL)
-    )
+    """Return whether a dot keeps letters from being one sign, ``d·f``, or stands by habit, ``f·d``.
+
+    The latter is a coefficient of friction by a diameter.
+    """
+    name = before.name if isinstance(before, Symbol) else ""
+    return name == DIFFERENTIAL or (name == "f" and letter_of(factor) == "d")
 
 
 def _is_letter(factor: Formula) -> bool:
