@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechc.drawing.arrange import WIDE, below_each_other, in_rows
+from mechc.drawing.arrange import WIDE, below_each_other, in_rows, joined
 from mechc.drawing.drawing import SYMBOL, Arc, Drawing, Label, Run
 from mechc.drawing.panels import kept
 from mechc.drawing.parted import parted
@@ -34,30 +34,48 @@ def test_a_line_is_drawn_by_the_places_that_another_would_miss():
     assert list(kept(bent[:2])) == [0, 1]
 
 
-def ring(height: float) -> Arc:
-    return Arc(Plane(0, height), 4.0, SYMBOL)
+def ring(height: float, *names: float) -> Drawing:
+    """A body around a height, names above or below it, and the margin of a sheet around all."""
+    labels = tuple(Label(Plane(0, y), (Run("O"),), SYMBOL, 3.9, 4.0, 4.0) for y in names)
+    low, high = min((height - 4, *names)) - 5, max((height + 4, *names)) + 5
+    return Drawing(
+        "", "", (Arc(Plane(0, height), 4.0, SYMBOL),), labels, Plane(-4, low), Plane(4, high)
+    )
 
 
-def test_a_drawing_that_is_too_high_is_cut_where_nothing_stands():
-    """Rings at 50, 41 and 9, and two that overlap at 24 and 28: cut at 35 and at 16.5."""
-    heights = [50, 41, 28, 24, 9]
-    whole = Drawing("", "", tuple(map(ring, heights)), (), Plane(-4, 0), Plane(4, 54))
-    parts = parted(whole, 20.0)
-    assert [[s.centre.y for s in part.shapes] for part in parts] == [[50, 41], [28, 24], [9]]
-    assert [part.high.y for part in parts] == [54, 34.5, 16.5]
-    assert [part.low.y for part in parts] == [34.5, 16.5, 0]
-    assert parted(whole, 54.0) == (whole,)
+def sizes(parts: tuple[Drawing, ...]) -> list[tuple[int, int, float]]:
+    """How many shapes and labels are in each part, and how high it is."""
+    return [(len(p.shapes), len(p.labels), p.high.y - p.low.y) for p in parts]
 
 
-def test_a_heading_goes_with_what_is_below_it():
-    """Bodies at 50 and 10, each with its name above it, and a heading between them."""
-    names = [Label(Plane(0, y), (Run("O"),), SYMBOL, 3.9, 4.0, 4.0) for y in (57, 31, 17)]
-    whole = Drawing("", "", (ring(50), ring(10)), tuple(names), Plane(-4, 0), Plane(4, 60))
-    upper, lower = parted(whole, 45.0)
-    assert [label.at.y for label in upper.labels] == [57]
-    assert [label.at.y for label in lower.labels] == [31, 17]
+def test_a_drawing_that_is_too_high_is_cut_where_rows_meet():
+    """Four rows of 18 mm: two and two, or three and one, or each by itself."""
+    whole = below_each_other([ring(0)] * 4)
+    assert parted(whole, 72.0) == (whole,)
+    assert sizes(parted(whole, 54.0)) == [(3, 0, 54.0), (1, 0, 18.0)]
+    assert sizes(parted(whole, 40.0)) == [(2, 0, 36.0), (2, 0, 36.0)]
+    assert sizes(parted(whole, 20.0)) == [(1, 0, 18.0)] * 4
+    assert [shape.centre.y for part in parted(whole, 40.0) for shape in part.shapes] == [
+        *(-9, -27, -45, -63)
+    ]
 
 
-def test_a_row_that_is_too_high_by_itself_stays_whole():
-    whole = Drawing("", "", (ring(20), ring(9)), (), Plane(-4, 0), Plane(4, 24))
-    assert [len(part.shapes) for part in parted(whole, 5.0)] == [1, 1]
+def test_names_stay_with_what_they_are_of_however_far_they_stand_from_it():
+    """Names 20 mm above and below their body, though nothing stands between: rows of 50 mm."""
+    whole = below_each_other([ring(0, 20, -20)] * 3)
+    assert sizes(parted(whole, 60.0)) == [(1, 2, 50.0)] * 3
+    assert sizes(parted(whole, 10.0)) == [(1, 2, 50.0)] * 3
+
+
+def test_bodies_next_to_each_other_are_one_row_whatever_rows_they_have():
+    high = joined([sheet(0, 5), below_each_other([ring(0)] * 3)])
+    assert high.between == (-28, -46)
+    assert in_rows([high, ring(0)]).between == ()
+
+
+def test_a_heading_goes_with_the_row_below_it():
+    """Two headings of 10 mm, each over two rows of 18 mm."""
+    heading = sheet(0, 5)
+    whole = below_each_other([joined([heading, below_each_other([ring(0)] * 2)])] * 2)
+    assert [part.high.y for part in parted(whole, 56.0)] == [0, -46]
+    assert [part.high.y for part in parted(whole, 40.0)] == [0, -28, -46, -74]

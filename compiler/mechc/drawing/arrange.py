@@ -1,6 +1,6 @@
 """Several drawings on one sheet, side by side in rows."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal, assert_never
 
 from ..frozen import replace
@@ -35,12 +35,29 @@ def line_of_text(runs: tuple[Run, ...]) -> Drawing:
 
 
 def below_each_other(drawings: Sequence[Drawing]) -> Drawing:
-    """Return drawings one below the other; no title."""
-    top, moved = 0.0, list[Drawing]()
+    """Return drawings one below the other, each of them a row or several; no title."""
+    moved = list(_lowered(drawings))
+    between = [height for drawing in moved for height in (*drawing.between, drawing.low.y)]
+    return replace(_together(moved), between=tuple(between[:-1]))
+
+
+def joined(drawings: Sequence[Drawing]) -> Drawing:
+    """Return drawings one below the other as one row, but for rows within them; no title.
+
+    A heading is joined to the first row of what it is of.
+    """
+    moved = list(_lowered(drawings))
+    between = tuple(height for drawing in moved for height in drawing.between)
+    return replace(_together(moved), between=between)
+
+
+def _lowered(drawings: Iterable[Drawing]) -> Iterator[Drawing]:
+    """Yield drawings that begin at one line, each where the one before it ends."""
+    top = 0.0
     for drawing in drawings:
-        moved.append(_moved(drawing, Plane(-drawing.low.x, top - drawing.high.y)))
-        top = moved[-1].low.y
-    return _together(moved)
+        moved = _moved(drawing, Plane(-drawing.low.x, top - drawing.high.y))
+        top = moved.low.y
+        yield moved
 
 
 def _beside(drawings: Sequence[Drawing], level: Side) -> Drawing:
@@ -72,6 +89,7 @@ def _moved(drawing: Drawing, by: Plane) -> Drawing:
         labels=tuple(_moved_labels(drawing.labels, by)),
         low=drawing.low.plus(by),
         high=drawing.high.plus(by),
+        between=tuple(height + by.y for height in drawing.between),
     )
 
 

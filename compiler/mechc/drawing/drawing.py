@@ -102,7 +102,8 @@ class Label(NamedTuple):
 class Drawing:
     """Shapes in the order in which they cover each other, labels, and what the picture shows.
 
-    ``low`` and ``high`` are the corners of the paper.
+    ``low`` and ``high`` are the corners of the paper. At the heights ``between``, from the top
+    down, rows of pictures meet.
     """
 
     title: str
@@ -111,3 +112,4 @@ class Drawing:
     labels: tuple[Label, ...]
     low: Plane
     high: Plane
+    between: tuple[float, ...] = ()

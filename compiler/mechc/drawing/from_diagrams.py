@@ -8,7 +8,7 @@ from ..frozen import frozen, replace
 from ..pose.places import NOWHERE, Plane, direction
 from ..statics.diagram import AT_PINS, Acting, Diagram, FreeBody
 from . import symbols
-from .arrange import below_each_other, in_rows, line_of_text
+from .arrange import below_each_other, in_rows, joined, line_of_text
 from .bodies import link, slide
 from .drawing import AXIS, FORCE, SYMBOL, Arc, Drawing, Run, Shape
 from .labels import Around, Beside
@@ -63,7 +63,7 @@ class _Maker:
         """Return a heading over all bodies."""
         head = line_of_text(heading(self.forces.diagram, self.forces.words))
         bodies = [self._body(body) for body in self.forces.described]
-        return below_each_other([head, in_rows(bodies)]) if bodies else head
+        return joined([head, in_rows(bodies)]) if bodies else head
 
     def _body(self, body: FreeBody) -> Drawing:
         sheet = Sheet()

@@ -8,7 +8,7 @@ from ..figure.velocities import Velocities
 from ..frozen import replace
 from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import Diagram, FreeBody
-from .arrange import below_each_other, in_rows, line_of_text
+from .arrange import below_each_other, in_rows, joined, line_of_text
 from .describe import say_forces, say_velocities
 from .drawing import SYMBOL, Drawing, Run
 from .force_polygon import force_polygon, is_known, visible
@@ -62,7 +62,7 @@ def _of_velocities(
     head = words["velocities"] + (f", {several}" if several else "")
     unit = speeds.name(velocities.per) if velocities.per else (Run("m/s", unit=True),)
     spins = filter(None, map(speeds.spin, velocities.spins))
-    return below_each_other(
+    return joined(
         [
             line_of_text((Run(head),)),
             polygon.drawing,
@@ -89,7 +89,7 @@ def _of_forces(forces: Forces) -> Drawing:
     open_ = ", ".join(forces.called(b.name) for b in forces.described if not is_known(b))
     left_out = [line_of_text((Run(forces.words["open"].format(bodies=open_)),))] if open_ else []
     head = line_of_text(heading(forces.diagram, forces.words))
-    return below_each_other([head, *polygons, *left_out])
+    return joined([head, *polygons, *left_out])
 
 
 def _drawn(forces: Forces) -> Iterator[FreeBody]:
@@ -101,7 +101,7 @@ def _drawn(forces: Forces) -> Iterator[FreeBody]:
 
 def _polygon(forces: Forces, body: FreeBody, scale: float) -> Drawing:
     title = line_of_text(name(forces.called(body.name)))
-    return below_each_other([title, force_polygon(forces, body, scale)])
+    return joined([title, force_polygon(forces, body, scale)])
 
 
 LONGEST = 30.0
