@@ -76,10 +76,10 @@ BY_HAND: dict[str, tuple[str, dict[str, str]]] = {
     ),
     "double_butterfly": (
         "a*(len_AF*sin(phi - phi_EG)*sin(phi_AF - phi_CF)"
-        " + len_AG*sin(phi - phi_CF)*cos(phi_AF - phi_EG - deg(10)))"
-        "/(len_AF*len_QE*n*sin(phi_AF - phi_CF)*cos(phi_EG - phi_QD + deg(10))"
-        " + len_AG*len_PC*cos(phi_AF - phi_EG - deg(10))*sin(phi_CF - phi_PC))",
-        {"n": "len_PB*cos(phi_BD - phi_PC + deg(20))/(len_QD*sin(phi_BD - phi_QD))"},
+        " + len_AG*sin(phi_CF - phi)*sin(phi_AF - phi_EG - deg(100)))"
+        "/(len_AF*len_QE*n*sin(phi_AF - phi_CF)*sin(phi_EG - phi_QD - deg(80))"
+        " + len_AG*len_PC*sin(phi_AF - phi_EG - deg(100))*sin(phi_PC - phi_CF))",
+        {"n": "len_PB*sin(phi_BD - phi_PC - deg(70))/(len_QD*sin(phi_BD - phi_QD))"},
     ),
 }
 """k of six-bars, straight-line and quick-return mechanisms, triads and an eight-bar, by hand."""

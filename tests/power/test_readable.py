@@ -11,7 +11,7 @@ from mechc.formula.to_text import text
 LONGEST = {
     "crank_shaper": 11,
     "crimping_tool": 15,
-    "double_butterfly": 50,
+    "double_butterfly": 54,  # its angles of 100°, 80° and 70°
     "hoeken": 11,
     "jansen_leg": 35,
     "peaucellier_closed": 24,

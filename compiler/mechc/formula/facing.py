@@ -6,8 +6,7 @@ delta − psi + 23° is made of its sine.
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
-from fractions import Fraction
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from .evaluate import Evaluation
 from .layout import has_minus, in_degrees
@@ -37,14 +36,17 @@ LONG = 400
 Values = Callable[[], Mapping[str, float]]
 
 
-def facing(formula: Formula, values: Values, constants: Set[Fraction] = frozenset()) -> Formula:
+Quarter = Callable[[Formula], int]
+"""By how many degrees an angle is to be turned to be one that a person knows: 90, −90 or 0."""
+
+
+def facing(formula: Formula, values: Values, quarter: Quarter | None = None) -> Formula:
     """Write sin(a − b)/sin(c − b) as sin(b − a)/sin(b − c) where both are negative at the values.
 
     So are more of them, with a minus in front or in pairs; the formula's value is the same. A
     product with a minus and one such sine above the line is written without the minus. The
-    ``values`` are asked for only where there are such sines. A sine or cosine is turned by a
-    quarter where its constant is none of ``constants`` in degrees, and then becomes one, if the
-    formula grows no longer.
+    ``values`` are asked for only where there are such sines. A sine or cosine of an angle that a
+    ``quarter`` turns becomes the other one, if the formula grows no longer.
 
     >>> from .tree import Symbol, quotient
     >>> from .to_text import text
@@ -57,17 +59,22 @@ def facing(formula: Formula, values: Values, constants: Set[Fraction] = frozense
     >>> text(facing(negative(sines[0]), lambda: {"a": 0.5, "b": 0.1}))
     'sin(b - a)'
     >>> angle = total([a, negative(b), degrees(23)])
-    >>> turned = facing(Call("cos", (angle,)), lambda: {"a": 0.1, "b": 0.5}, {Fraction(67)})
-    >>> text(turned)
+    >>> text(facing(Call("cos", (angle,)), lambda: {"a": 0.1, "b": 0.5}, lambda angle: -90))
     'sin(b - a + 67*pi/180)'
     """
     if count_operations(formula) > LONG:
         return formula
     faced = _positive(formula, values)
-    turned = _of_directions(formula, constants) if constants else formula
+    turned = _turned_by(formula, quarter) if quarter else formula
     if turned is formula or turned == formula:
         return faced
-    return min(_positive(turned, values), faced, key=count_operations)
+    return min(_positive(turned, values), faced, key=_length)
+
+
+def _length(formula: Formula) -> int:
+    """Return how many operations a formula has outside its constants."""
+    sizes = (degrees(abs(size)) for node in walk(formula) if (size := in_degrees(node)))
+    return count_operations(formula) - sum(map(count_operations, sizes))
 
 
 def _positive(formula: Formula, values: Values) -> Formula:
@@ -93,17 +100,19 @@ def _without_minus(formula: Formula) -> Formula:
     return product([(number(-1), 1), *((factor, 1) for factor in factors)])
 
 
-def condition(factor: Formula, values: Values, constants: Set[Fraction]) -> Formula:
+def condition(factor: Formula, values: Values, quarter: Quarter | None) -> Formula:
     """Return a formula that is zero where a factor is, written as that is; its sign is free."""
     if not isinstance(factor, Sum):
-        other = facing(negative(factor), values, constants)
+        other = facing(negative(factor), values, quarter)
         if not has_minus(other):
             return other
-    return facing(factor, values, constants)
+    return facing(factor, values, quarter)
 
 
 def led(formula: Formula) -> Formula:
     """Return a formula in whose sums a term without a minus leads; what is squared has none.
+
+    A component of which all terms have a minus has one before it.
 
     >>> from .tree import Symbol
     >>> from .to_text import text
@@ -111,8 +120,14 @@ def led(formula: Formula) -> Formula:
     'b - a'
     >>> text(led(Power(negative(Symbol("a")), number(2))))
     'a^2'
+    >>> both = Sum((negative(Symbol("a")), negative(Symbol("b"))))
+    >>> text(led(Call("hypot", (both, both)))), text(led(Call("atan2", (both, Symbol("c")))))
+    ('hypot(a + b, a + b)', 'atan2(-(a + b), c)')
     """
     parts = tuple(map(led, children(formula)))
+    if isinstance(formula, Call) and formula.function in ("hypot", "atan2"):
+        is_even = formula.function == "hypot"
+        parts = tuple(_after_minus(part, is_even) for part in parts)
     if isinstance(formula, Power) and _is_even(formula.exponent) and has_minus(parts[0]):
         return Power(negative(parts[0]), formula.exponent)
     if isinstance(formula, Sum) and has_minus(parts[0]):
@@ -121,17 +136,25 @@ def led(formula: Formula) -> Formula:
     return rebuild(formula, parts) if parts != children(formula) else formula
 
 
+def _after_minus(formula: Formula, is_even: bool) -> Formula:
+    """Return a sum with its minuses before it, if it has nothing else, or without where even."""
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    if not all(map(has_minus, terms)):
+        return formula
+    return negative(formula) if is_even else product([(number(-1), 1), (negative(formula), 1)])
+
+
 def _is_even(exponent: Formula) -> bool:
     return isinstance(exponent, Number) and exponent.value % 2 == 0
 
 
-def _of_directions(formula: Formula, constants: Set[Fraction]) -> Formula:
-    return _rewritten(formula, lambda whole: _quarter_turned(whole, constants))
+def _turned_by(formula: Formula, quarter: Quarter) -> Formula:
+    return rewritten(formula, lambda whole: quarter_turned(whole, quarter))
 
 
-def _rewritten(formula: Formula, turned: Callable[[Formula], Formula | None]) -> Formula:
-    """Return a formula with functions turned, their signs put together."""
-    parts = tuple(_rewritten(part, turned) for part in children(formula))
+def rewritten(formula: Formula, turned: Callable[[Formula], Formula | None]) -> Formula:
+    """Return a formula with what is turned in place of its parts, their signs put together."""
+    parts = tuple(rewritten(part, turned) for part in children(formula))
     if isinstance(formula, Power) and isinstance(formula.exponent, Number):
         sign, base = _without_sign(parts[0])
         if sign < 0 and formula.exponent.value.denominator == 1:
@@ -155,7 +178,7 @@ def as_in(formula: Formula, model: Formula) -> Formula:
     arguments = (node.arguments[0] for node in walk(model) if isinstance(node, Call))
     sums = (argument for argument in arguments if isinstance(argument, Sum))
     known = {frozenset(argument.terms): argument for argument in sums}
-    return _rewritten(formula, lambda whole: _turned_as(whole, known))
+    return rewritten(formula, lambda whole: _turned_as(whole, known))
 
 
 _ODD, _EVEN = frozenset({"sin", "tan", "cot", "csc"}), frozenset({"cos", "sec"})
@@ -179,22 +202,31 @@ def _without_sign(formula: Formula) -> tuple[int, Formula]:
     return 1, formula
 
 
-def _quarter_turned(formula: Formula, constants: Set[Fraction]) -> Formula | None:
-    """Return a sine as a cosine, or the other way round, where its constant is then known."""
+def quarter_turned(formula: Formula, quarter: Quarter) -> Formula | None:
+    """Return a sine as a cosine, or the other way round, of its angle turned by a quarter.
+
+    None where it is not to be turned, and for what is neither.
+
+    >>> from .to_text import text
+    >>> text(quarter_turned(Call("cos", (degrees(35),)), lambda angle: -90))
+    'sin(11*pi/36)'
+    """
     match formula:
-        case Call("sin" | "cos" as function, (Sum(terms),)):
-            *others, last = terms
-            constant = in_degrees(last)
-            if constant is None or abs(constant) in constants:
-                return None
-            for turn in sorted((90, -90), key=lambda turn: abs(constant + turn)):
-                if abs(constant + turn) in constants:
-                    # cos x = sin(x + 90°), sin x = −cos(x + 90°)
-                    sign = (1 if function == "cos" else -1) * (1 if turn > 0 else -1)
-                    other = "sin" if function == "cos" else "cos"
-                    inside = total([*others, degrees(constant + turn)])
-                    return product([(number(sign), 1), (Call(other, (inside,)), 1)])
+        case Call("sin" | "cos" as function, (angle,)) if turn := quarter(angle):
+            # cos x = sin(x + 90°), sin x = −cos(x + 90°)
+            sign = (1 if function == "cos" else -1) * (1 if turn > 0 else -1)
+            other = "sin" if function == "cos" else "cos"
+            turned = _plus(angle, turn)
+            if in_degrees(turned) and has_minus(turned):
+                turned, sign = negative(turned), sign * (1 if other == "cos" else -1)
+            return product([(number(sign), 1), (Call(other, (turned,)), 1)])
     return None
+
+
+def _plus(angle: Formula, turn: int) -> Formula:
+    """Return an angle with degrees added to the constant that it ends with."""
+    *others, last = angle.terms if isinstance(angle, Sum) else (angle,)
+    return total([*others, degrees((in_degrees(last) or 0) + turn)])
 
 
 def _faced(formula: Formula, at: Evaluation) -> Formula:

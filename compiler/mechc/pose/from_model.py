@@ -20,6 +20,7 @@ from .closure import Closure, Condition, across
 from .directions import Directions
 from .drawn import drawn_elsewhere, given_by_hand, moved_from_drawing
 from .force_pairs import Pairing, thrust_line
+from .given_angles import in_given_angles
 from .idle import contradictions, remarks
 from .loops.closed import Closed
 from .loops.closing import close
@@ -66,7 +67,7 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     _remark(pose, vectors, closed, report)
     moved = moved_from_drawing(pruned(pose), report)
     _remark_on_conditions(moved, closed, report)
-    return moved
+    return in_given_angles(moved)
 
 
 def _remark_on_conditions(pose: Pose, closed: Closed, report: Report) -> None:

@@ -12,7 +12,7 @@ from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
 from ...kinematics.plan import Plan
-from ...pose.directions import constants_of
+from ...pose.given_angles import given_lines
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
 from ..steps import Derivation, Equation, LastStep
@@ -64,11 +64,11 @@ class Facing:
 
     def __init__(self, plan: Plan) -> None:
         self._values = cache(partial(default_values, plan))
-        self._constants = constants_of(plan.graph.pose)
+        self._quarter = given_lines(plan.graph.pose)
 
     def of(self, formula: Formula) -> Formula:
         """Return a formula with its sines of differences turned, its sums led by a plus."""
-        faced = facing(formula, self._values, self._constants)
+        faced = facing(formula, self._values, self._quarter)
         return faced if count_operations(faced) > LONG else led(faced)
 
     def relation(self, equation: Equation) -> Equation:
@@ -86,8 +86,8 @@ class Facing:
         """Return a condition under which a formula is zero or infinite as the formula has it."""
         if limit.factor in walk(formula):
             return limit
-        factor = condition(limit.factor, self._values, self._constants)
-        but = (condition(other, self._values, self._constants) for other in limit.but)
+        factor = condition(limit.factor, self._values, self._quarter)
+        but = (condition(other, self._values, self._quarter) for other in limit.but)
         return limit._replace(factor=factor, but=tuple(but))
 
 

@@ -1,0 +1,97 @@
+"""Sines and cosines of the angles that a description gives, whatever form the algebra has."""
+
+import pytest
+
+import mechc
+from mechc.algebra.angle import Angle
+from mechc.algebra.trigonometry import cosine, sine
+from mechc.formula.facing import quarter_turned, rewritten
+from mechc.formula.to_text import text
+from mechc.pose.given_angles import GivenLines
+
+THETA, PHI = Angle.of("theta"), Angle.of("phi")
+
+
+def at(angle: Angle, degrees: int) -> Angle:
+    return angle + Angle.constant(degrees)
+
+
+def written(product, *lines: Angle) -> str:
+    """Return a product in the angles between lines, each of them written as an arrow."""
+    quarter = GivenLines({Angle(), *lines}, {*lines}, {Angle(), *lines}).quarter
+    return text(rewritten(product.formula(), lambda whole: quarter_turned(whole, quarter)))
+
+
+@pytest.mark.parametrize(
+    ("degrees", "expected"),
+    [
+        (60, "cos(theta + pi/3)"),
+        (-67, "cos(theta - 67*pi/180)"),
+        (-120, "cos(theta - 2*pi/3)"),
+        (100, "cos(theta + 5*pi/9)"),
+        (30, "cos(theta + pi/6)"),
+        (-90, "sin(theta)"),
+        (180, "-cos(theta)"),
+    ],
+)
+def test_a_component_has_the_angle_of_its_vector(degrees, expected):
+    line = at(THETA, degrees)
+    assert written(cosine(line), line) == expected
+
+
+def test_a_projection_has_the_angle_between_two_lines():
+    """A ternary link's arm at phi − 100°, projected across a rod at theta."""
+    arm = at(PHI, -100)
+    assert written(sine(arm - THETA), arm, THETA) == "sin(phi - theta - 5*pi/9)"
+    assert written(sine(arm - THETA), at(PHI, 80), THETA) == "-sin(phi - theta + 4*pi/9)"
+
+
+def test_an_angle_between_other_lines_stays_as_it_is():
+    assert written(cosine(at(THETA, 20)), at(THETA, 60)) == "cos(theta + pi/9)"
+
+
+def test_a_constant_angle_is_a_given_one():
+    assert written(sine(Angle.constant(60)), PHI, at(PHI, 60)) == "sin(pi/3)"
+    assert written(cosine(Angle.constant(110)), at(PHI, 110), PHI) == "cos(11*pi/18)"
+    assert written(sine(Angle.constant(60)), PHI, at(PHI, 30)) == "cos(pi/6)"
+    assert written(sine(Angle.constant(60)), Angle.constant(60)) == "cos(pi/6)"
+
+
+FOUR_BAR = """
+mechanism m
+param theta = 20 deg in 5 deg .. 40 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (-60 mm, -12 mm)
+link OA
+link AK
+link QK
+OA = 35 mm
+QK = 20 mm @ theta + 60 deg
+AK = 40 mm
+assembly OAK ccw
+drive theta
+torque M on OA
+force P at K along {along}
+find k = M/P
+"""
+
+
+@pytest.mark.parametrize("along", ["-y", "perp QK", "perp AK"])
+def test_loops_are_closed_by_the_angles_of_the_links(along):
+    """A force across a link, or along an axis, gives no angle of its own."""
+    found = mechc.loads(FOUR_BAR.format(along=along), "m.mech").results["k"]
+    definitions = {name: text(formula) for name, formula in found.where}
+    assert (
+        definitions["len_KO"]
+        == "hypot(len_QK*cos(theta + pi/3) + x_Q, len_QK*sin(theta + pi/3) + y_Q)"
+    )
+    assert "pi/6" not in str(definitions)
+
+
+def test_equations_that_are_solved_together_have_the_given_angles():
+    page = mechc.load("double_butterfly").emit("latex")
+    position = page.partition("Position")[2].partition("Numerical")[0]
+    assert r"\cos(\varphi_{AF}-100^\circ)" in position
+    assert r"\sin(\varphi_{AF}-\varphi_{EG}-100^\circ)" in position
+    assert r"10^\circ)" not in position
+    assert r"20^\circ)" not in position
