@@ -21,7 +21,7 @@ from ..model.values import range_of
 from .ranges import moved, shown, spans, turns
 from .ratios import sizes
 from .sampling import looked_at
-from .states import Moving
+from .states import Moving, Ratios
 from .sweep import Sweep
 from .tolerances import DIFFERENCE
 
@@ -88,7 +88,7 @@ class _Comparison:
 
     def _moving(self, name: str) -> Moving:
         sweep = Sweep(self._solution.plan, name, self._loads or {})
-        return Moving(sweep, self._ideal, self._real, self._sense)
+        return Moving(sweep, Ratios(self._ideal, self._real, self._sense))
 
     def _given(self, moving: Moving, x: float) -> float:
         efficiency, values = self._mechanism.friction.efficiency, moving.sweep.values(x)

@@ -13,7 +13,7 @@ from ..model.values import range_of
 from .intervals import USUAL, EfficiencyRange, Range
 from .ranges import moved, spans, unit_of, varying
 from .sampling import looked_at
-from .states import Moving
+from .states import Moving, Ratios
 from .sweep import Code, Sweep
 from .tolerances import SAME_EFFICIENCY
 
@@ -25,6 +25,7 @@ class Study:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
         self._code = Code(solution.plan)
+        self._ratios: dict[tuple[str, Sense], Ratios] = {}
         self._moving: dict[tuple[str, Sense, str], Moving] = {}
         self._sweep: dict[tuple[str, frozenset[str]], Sweep] = {}
 
@@ -45,7 +46,8 @@ class Study:
         if loads is None:
             return None
         if key not in self._moving:
-            self._moving[key] = Moving(self._along(parameter, loads), ideal, real, sense)
+            ratios = self._ratios.setdefault(key[:2], Ratios(ideal, real, sense))
+            self._moving[key] = Moving(self._along(parameter, loads), ratios)
         return self._moving[key]
 
     def _along(self, parameter: str, loads: dict[str, float]) -> Sweep:

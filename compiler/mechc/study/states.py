@@ -46,17 +46,13 @@ Way = tuple[Set[str], Callable[[Values], Status]]
 NOWHERE = Found(None, math.nan, None)
 
 
-class Moving:
-    """A ratio with friction next to the one without, along one parameter."""
+class Ratios:
+    """A ratio with friction next to the one without, and what of them is looked at everywhere."""
 
-    def __init__(self, sweep: Sweep, ideal: Result, real: FrictionResult, sense: Sense) -> None:
-        self.sweep, self.ideal, self.real = sweep, ideal, real
-        self._sign = SIGNS[sense]
-        self._known: dict[float, Found] = {}
+    def __init__(self, ideal: Result, real: FrictionResult, sense: Sense) -> None:
+        self.ideal, self.real = ideal, real
+        self.sign = SIGNS[sense]
         self._ways: dict[int, list[Way]] = {}
-        self._driven: dict[float, bool | None] = {}
-        self._signs: dict[float, tuple[float, ...]] = {}
-        self._factors: dict[float, tuple[float, ...]] = {}
 
     @cached_property
     def is_iterated(self) -> bool:
@@ -68,6 +64,36 @@ class Moving:
         """Return whether friction or the pose is found by iteration."""
         return any(isinstance(f, Implicit) for d in self.real.where for f in walk(d.formula))
 
+    @cached_property
+    def signs(self) -> Result:
+        """Return a result that has all signs in the ratio with friction."""
+        parts = (part for d in self.real.where for part in walk(d.formula))
+        return parts_of(self.real, filter(is_sign, parts))
+
+    @cached_property
+    def factors(self) -> Result:
+        """Return a result that has the factors of the ratio without friction."""
+        return parts_of(self.ideal, factors(self.ideal.formula, dict(self.ideal.where)))
+
+    def ways(self, result: Result) -> list[Way]:
+        """Return the ways to the solutions of a result's systems."""
+        if id(result) not in self._ways:
+            unknowns = {id(unknown.system): unknown for unknown in solutions(result)}
+            self._ways[id(result)] = [(symbols(u), status_along(u)) for u in unknowns.values()]
+        return self._ways[id(result)]
+
+
+class Moving:
+    """A ratio with friction next to the one without, along one parameter."""
+
+    def __init__(self, sweep: Sweep, ratios: Ratios) -> None:
+        self.sweep, self.ideal, self._ratios = sweep, ratios.ideal, ratios
+        self.is_iterated, self.is_slow = ratios.is_iterated, ratios.is_slow
+        self._known: dict[float, Found] = {}
+        self._driven: dict[float, bool | None] = {}
+        self._signs: dict[float, tuple[float, ...]] = {}
+        self._factors: dict[float, tuple[float, ...]] = {}
+
     def at(self, x: float) -> Found:
         """Return the state at a value of the parameter."""
         if x not in self._known:
@@ -78,7 +104,7 @@ class Moving:
         """Return whether the motion is the one that the load drives; None at a dead centre."""
         if x not in self._driven:
             is_dead = self.is_dead_centre(x)
-            self._driven[x] = None if is_dead else self._sign * self.without(x) < 0
+            self._driven[x] = None if is_dead else self._ratios.sign * self.without(x) < 0
         return self._driven[x]
 
     def is_dead_centre(self, x: float) -> bool:
@@ -110,26 +136,15 @@ class Moving:
     def signs(self, x: float) -> tuple[float, ...]:
         """Return the signs of slips and forces: where one changes, friction may jump."""
         if x not in self._signs:
-            self._signs[x] = self.sweep.parts(self._signed, x)
+            self._signs[x] = self.sweep.parts(self._ratios.signs, x)
         return self._signs[x]
-
-    @cached_property
-    def _signed(self) -> Result:
-        """Return a result that has all signs in the ratio with friction."""
-        parts = (part for d in self.real.where for part in walk(d.formula))
-        return parts_of(self.real, filter(is_sign, parts))
 
     def factors(self, x: float) -> tuple[float, ...]:
         """Return the factors of the ratio without friction: each is zero at a dead centre."""
         if x not in self._factors:
             is_dead = self.driven(x) is None
-            self._factors[x] = () if is_dead else self.sweep.parts(self._factored, x)
+            self._factors[x] = () if is_dead else self.sweep.parts(self._ratios.factors, x)
         return self._factors[x]
-
-    @cached_property
-    def _factored(self) -> Result:
-        """Return a result that has the factors of the ratio without friction."""
-        return parts_of(self.ideal, factors(self.ideal.formula, dict(self.ideal.where)))
 
     def _look(self, x: float) -> Found:
         driven = self.driven(x)
@@ -145,9 +160,10 @@ class Moving:
 
     def _real(self, x: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
-        found = self._value(self.real, x)
-        if found is None and self.real.elsewhere:
-            return self._value(self.real.elsewhere, x)
+        real = self._ratios.real
+        found = self._value(real, x)
+        if found is None and real.elsewhere:
+            return self._value(real.elsewhere, x)
         return found
 
     def _value(self, result: Result, x: float) -> float | None:
@@ -156,15 +172,8 @@ class Moving:
         if math.isfinite(found):
             return found
         values = self.sweep.named(result, x)
-        ways = {way(values) for needed, way in self._ways_of(result) if needed <= values.keys()}
+        ways = {way(values) for needed, way in self._ratios.ways(result) if needed <= values.keys()}
         return math.nan if ways and 2 not in ways else None
-
-    def _ways_of(self, result: Result) -> list[Way]:
-        """Return the ways to the solutions of a result's systems."""
-        if id(result) not in self._ways:
-            unknowns = {id(unknown.system): unknown for unknown in solutions(result)}
-            self._ways[id(result)] = [(symbols(u), status_along(u)) for u in unknowns.values()]
-        return self._ways[id(result)]
 
     def efficiency(self, x: float) -> float:
         """Return the efficiency, 0 where nothing moves, NaN at a dead centre."""
