@@ -82,6 +82,8 @@ class Angle(Hashed):
         >>> str(Angle.of("psi").put({"psi": Angle.of("phi") + Angle.constant(90)}))
         'phi + 90°'
         """
+        if values.keys().isdisjoint(name for name, _ in self.terms):
+            return self
         result = Angle((), self.degrees)
         for name, c in self.terms:
             result = result + values.get(name, Angle.of(name)) * c

@@ -8,7 +8,7 @@ from ..formula.roots import narrowed
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Result
-from ..model.values import own_unit, range_of, usual_length
+from ..model.values import own_unit, usual_length
 from ..units import ANGLE, LENGTH, in_unit, si_unit
 from .intervals import Range
 from .tolerances import EXACT, NEARLY
@@ -45,8 +45,9 @@ def moving_first(mechanism: Mechanism) -> list[str]:
 
 def with_range(mechanism: Mechanism) -> frozenset[str]:
     """Return the parameters that have a range, or a stroke."""
-    names = (p.name for p in mechanism.parameters)
-    return frozenset(name for name in names if range_of(name, mechanism) is not None)
+    drive = mechanism.drive
+    moved = {drive.parameter} if drive and drive.low and drive.high else set[str]()
+    return frozenset(moved.union(p.name for p in mechanism.parameters if p.range is not None))
 
 
 def _used(mechanism: Mechanism, results: Sequence[Result]) -> set[str]:

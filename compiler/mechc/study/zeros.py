@@ -39,7 +39,7 @@ def zeros(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Va
     The load above the line needs no force there: the point of the load below stands
     still (a dead centre), or moves across it.
     """
-    return tuple(_conditions(item, balance, near, 1))
+    return tuple(_conditions(_Sought(item, balance, near, 1)))
 
 
 def poles(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Vanishing, ...]:
@@ -48,130 +48,126 @@ def poles(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Va
     The point of the load above stands still while the other moves (the other dead centre),
     or moves across its load.
     """
-    return tuple(_conditions(item, balance, near, -1))
+    return tuple(_conditions(_Sought(item, balance, near, -1)))
 
 
-def _conditions(
-    item: Solved, balance: Balance, near: Mapping[str, float], side: int
-) -> Iterator[Vanishing]:
+class _Sought:
+    """A ratio, the side of its line on which factors vanish, and what is asked for each of them."""
+
+    def __init__(
+        self, item: Solved, balance: Balance, near: Mapping[str, float], side: int
+    ) -> None:
+        assert item.value is not None
+        self.item, self.value, self.balance = item, item.value, balance
+        self.near, self.side = near, side
+        self.defined = dict(item.result.where)
+        self.chain = Chain({**self.defined, _SIZE: item.result.formula})
+        mechanism = balance.plan.graph.pose.mechanism
+        self.box, self._ranged = stroke_box(mechanism), with_range(mechanism)
+        self.moving_first = moving_first(mechanism)
+
+    def cause(self, factor: Factor, roots: tuple[Root, ...] = ()) -> Cause:
+        """Return what stands still where a factor vanishes, or at some of its roots."""
+        return cause(factor, roots, self.item, self.balance, self.side)
+
+    def is_outside(self, factor: Factor) -> bool:
+        """Prove that a factor does not vanish within the ranges given, whatever has none."""
+        ranged = symbols(factor.formula()) & self._ranged
+        return bool(ranged) and is_free_of_zeros(Product.of(factor), self.box)
+
+
+def _conditions(of: _Sought) -> Iterator[Vanishing]:
     """Yield the conditions, each proved by the order that the whole value has there.
 
     None is known where something that loops find is infinite.
     """
-    assert item.value is not None
-    where = resting_on(balance.plan, item.value.formula(), [item.value])
-    found = (*where, *balance.plan.graph.pose.put_in)
+    where = resting_on(of.balance.plan, of.value.formula(), [of.value])
+    found = (*where, *of.balance.plan.graph.pose.put_in)
     far = {factor for _, formula in found for factor in divisors(formula)}
-    chain = _chain(item)
-    for factor, exponent in item.value.factors.items():
-        if exponent * side > 0 and factor not in far and may_vanish(factor, near):
+    for factor, exponent in of.value.factors.items():
+        if exponent * of.side > 0 and factor not in far and may_vanish(factor, of.near):
             match factor:
                 case Trig():
-                    yield from _at_roots(factor, item, balance, near, side, chain)
+                    yield from _at_roots(factor, of)
                 case _:
-                    yield from _of_sum(factor, item, balance, near, side, chain)
+                    yield from _of_sum(factor, of)
 
 
-def _of_sum(
-    factor: Factor,
-    item: Solved,
-    balance: Balance,
-    near: Mapping[str, float],
-    side: int,
-    chain: Chain,
-) -> Iterator[Vanishing]:
+def _of_sum(factor: Factor, of: _Sought) -> Iterator[Vanishing]:
     """Yield the rest of a sum; where that is not known, all of it but for what it shares.
 
     At what it shares it may have the higher order: cos(3t/2)/(1 - 2 cos t)² is infinite at 60°.
     """
-    assert item.value is not None
-    why = cause(factor, (), item, balance, side)
-    across = _roots_across(factor, item.value)
+    why = of.cause(factor)
+    across = _roots_across(factor, of.value)
     shared = [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
-    left = _without_shared(factor, across, shared, near)
-    but = () if left else tuple(t.formula() for t in _across_the_line(factor, item.value))
+    left = _without_shared(factor, across, shared, of.near)
+    but = () if left else tuple(t.formula() for t in _across_the_line(factor, of.value))
     for part in left or (factor,):
         if isinstance(part, Trig):
-            yield from _at_roots(part, item, balance, near, side, chain)
-        elif may_vanish(part, near):
-            yield Vanishing(part.formula(), None, why, _is_outside(part, balance), but)
+            yield from _at_roots(part, of)
+        elif may_vanish(part, of.near):
+            yield Vanishing(part.formula(), None, why, of.is_outside(part), but)
     for root in shared:
         in_rest = any(order(Product.of(part), root.name, root.value) != 0 for part in left)
-        if not in_rest and _has_order(item, root, near, side, chain):
-            there = cause(root.factor, (root,), item, balance, side)
-            yield _vanishing(root.factor, there, item, balance, near)
+        if not in_rest and _has_order(root, of):
+            yield _vanishing(root.factor, of.cause(root.factor, (root,)), of)
 
 
-def _at_roots(
-    trig: Trig,
-    item: Solved,
-    balance: Balance,
-    near: Mapping[str, float],
-    side: int,
-    chain: Chain,
-) -> Iterator[Vanishing]:
+def _at_roots(trig: Trig, of: _Sought) -> Iterator[Vanishing]:
     """Yield a sine or cosine where every root has one order and one cause; else single roots.
 
     cos 3a/cos² a vanishes at 30° and at 150°, not at 90°; where cos(45° + a)·cos(45° - a) is
     zero, that is cos 2a/2, a point may stand still at -45° only.
     """
-    found = _roots(trig, item, balance, side)
-    proved = [r for r in found if _has_order(item, r, near, side, chain)]
-    causes = [cause(r.factor, (r,), item, balance, side) for r in proved]
+    found = _roots(trig, of)
+    proved = [r for r in found if _has_order(r, of)]
+    causes = [of.cause(r.factor, (r,)) for r in proved]
     if len(proved) == len(found) and len({*causes}) == 1:
-        yield _vanishing(trig, causes[0], item, balance, near)
+        yield _vanishing(trig, causes[0], of)
     else:
         for root, why in zip(proved, causes, strict=True):
-            yield _vanishing(root.factor, why, item, balance, near)
+            yield _vanishing(root.factor, why, of)
     for root in found:
         if root not in proved:
-            yield from _but_by_chance(root, item, balance, near, side)
+            yield from _but_by_chance(root, of)
 
 
-def _roots(trig: Trig, item: Solved, balance: Balance, side: int) -> list[Root]:
+def _roots(trig: Trig, of: _Sought) -> list[Root]:
     """Return the roots of a sine or cosine that the value tells apart, or what stands still."""
-    assert item.value is not None
-    across = across_of(item, balance, side)
-    return (roots(trig, item.value, across) if across else []) or roots(trig, item.value)
+    across = across_of(of.item, of.balance, of.side)
+    return (roots(trig, of.value, across) if across else []) or roots(trig, of.value)
 
 
-def _but_by_chance(
-    root: Root, item: Solved, balance: Balance, near: Mapping[str, float], side: int
-) -> Iterator[Vanishing]:
+def _but_by_chance(root: Root, of: _Sought) -> Iterator[Vanishing]:
     """Yield a root at which something across the line is zero, too, for the values given only.
 
     With β = 0 it is sin(α + β) where sin(α - β) is, and k = sin(α + β)/sin(α - β) is 1.
     """
-    assert item.value is not None
-    known = order(item.value, root.name, root.value)
-    across = [f for f, e in item.value.factors.items() if e * side < 0]
-    nil = tuple(f.formula() for f in across if _is_nil(f, root, near))
-    if nil and known is not None and known * side > 0:
-        why = cause(root.factor, (root,), item, balance, side)
-        yield Vanishing(root.factor.formula(), None, why, _is_outside(root.factor, balance), nil)
+    known = order(of.value, root.name, root.value)
+    across = [f for f, e in of.value.factors.items() if e * of.side < 0]
+    nil = tuple(f.formula() for f in across if _is_nil(f, root, of.near))
+    if nil and known is not None and known * of.side > 0:
+        why = of.cause(root.factor, (root,))
+        yield Vanishing(root.factor.formula(), None, why, of.is_outside(root.factor), nil)
 
 
-def _vanishing(
-    trig: Trig, why: Cause, item: Solved, balance: Balance, near: Mapping[str, float]
-) -> Vanishing:
+def _vanishing(trig: Trig, why: Cause, of: _Sought) -> Vanishing:
     """Return a condition solved for what moves; not for, nor by, what loops find."""
-    mechanism = balance.plan.graph.pose.mechanism
-    found = trig.angle.names & {d.name for d in item.result.where}
-    box = stroke_box(mechanism)
-    at = None if found else vanishing_value(trig, near, box, moving_first(mechanism))
-    but = tuple(t.formula() for t in _at_folds(trig, item, near))
-    return Vanishing(trig.formula(), at, why, _is_outside(trig, balance), but)
+    found = trig.angle.names & of.defined.keys()
+    at = None if found else vanishing_value(trig, of.near, of.box, of.moving_first)
+    but = tuple(t.formula() for t in _at_folds(trig, of))
+    return Vanishing(trig.formula(), at, why, of.is_outside(trig), but)
 
 
-def _at_folds(trig: Trig, item: Solved, near: Mapping[str, float]) -> list[Trig]:
+def _at_folds(trig: Trig, of: _Sought) -> list[Trig]:
     """Return the sines across the line that may vanish with one where equal sides fold.
 
     Of β = arcsin(sin T) the cosine is zero at T = 90°, and there sin(T + β) is zero as well.
     """
-    assert item.value is not None
-    found = dict(item.result.where)
-    folds = any(_is_fold(found[name], near) for name in trig.angle.names & found.keys())
-    return _across_the_line(trig, item.value) if folds else []
+    found = trig.angle.names & of.defined.keys()
+    folds = any(_is_fold(of.defined[name], of.near) for name in found)
+    return _across_the_line(trig, of.value) if folds else []
 
 
 def _is_fold(formula: Formula, near: Mapping[str, float]) -> bool:
@@ -188,26 +184,14 @@ def _is_fold(formula: Formula, near: Mapping[str, float]) -> bool:
     return False
 
 
-def _is_outside(factor: Factor, balance: Balance) -> bool:
-    """Prove that a factor does not vanish within the ranges given, whatever has none."""
-    mechanism = balance.plan.graph.pose.mechanism
-    ranged = symbols(factor.formula()) & with_range(mechanism)
-    return bool(ranged) and is_free_of_zeros(Product.of(factor), stroke_box(mechanism))
-
-
-def _has_order(
-    item: Solved, root: Root, near: Mapping[str, float], side: int, chain: Chain
-) -> bool:
+def _has_order(root: Root, of: _Sought) -> bool:
     """Prove that a value is zero (infinite) at a root, with the values given, too."""
-    assert item.value is not None
-    found = order(item.value, root.name, root.value)
-    there = found is not None and found * side > 0
-    return there and not _is_refuted(item, root, near, side, chain)
+    found = order(of.value, root.name, root.value)
+    there = found is not None and found * of.side > 0
+    return there and not _is_refuted(root, of)
 
 
-def _is_refuted(
-    item: Solved, root: Root, near: Mapping[str, float], side: int, chain: Chain
-) -> bool:
+def _is_refuted(root: Root, of: _Sought) -> bool:
     """Return whether a value does something else where lengths are just as they are given.
 
     With a = b, sin α/(a − b cos α) is infinite where it would vanish. And what is found by
@@ -215,29 +199,23 @@ def _is_refuted(
     parallel to its guide.
     """
     names = {root.name, *root.value.names}
-    if not names <= near.keys() or any(d.name in names for d in item.result.where):
+    if not names <= of.near.keys() or not names.isdisjoint(of.defined):
         return False
-    x = root.value.evaluate(near)
-    defined = {d.name for d in item.result.where}
-    given = {name: value for name, value in near.items() if name not in defined}
+    x = root.value.evaluate(of.near)
+    given = {name: value for name, value in of.near.items() if name not in of.defined}
 
     def is_otherwise(step: float) -> bool:
         here = ({**given, root.name: x + h} for h in (step, step / 2))
-        sizes = [abs(chain.complete(values).get(_SIZE, math.nan)) for values in here]
+        sizes = [abs(of.chain.complete(values).get(_SIZE, math.nan)) for values in here]
         if not all(math.isfinite(size) and size for size in sizes):
             return False
-        return math.log2(sizes[0] / sizes[1]) * side < 0.5
+        return math.log2(sizes[0] / sizes[1]) * of.side < 0.5
 
     return all(map(is_otherwise, STEPS))
 
 
 _SIZE = ""
 """What a result is called among its definitions."""
-
-
-def _chain(item: Solved) -> Chain:
-    """Return a result with what it rests on, to be found at many values."""
-    return Chain({**dict(item.result.where), _SIZE: item.result.formula})
 
 
 def _without_shared(
