@@ -18,7 +18,7 @@ from math import gcd, lcm
 
 from ..formula.walk import symbols
 from ..named import NamedTuple
-from ..work import spend
+from ..work import kept, spend
 from .angle import RADIAN, Angle, Rational
 from .factors import Factor, Length, Opaque, Trig
 from .halving import Anything
@@ -85,7 +85,8 @@ def roots(trig: Trig, *products: Product) -> list[Root]:
 
 def _common_step(trig: Trig, product: Product) -> Fraction:
     """Return of what all coefficients are multiples, in angles that share a symbol with a trig."""
-    inside = [a for a in angles(product) if a.names & trig.angle.names]
+    names = trig.angle.names
+    inside = [a for a in angles(product) if not names.isdisjoint(n for n, _ in a.terms)]
     step = _gcd(c for a in (trig.angle, *inside) for n, c in a.terms if n != RADIAN)
     return step / 2 if any(isinstance(f, Sum | Bound) for f in product.factors) else step
 
@@ -97,6 +98,7 @@ def _gcd(values: Iterable[Rational]) -> Fraction:
     return Fraction(gcd(*(int(p * below) for p in parts)), below)
 
 
+@kept
 def angles(product: Product) -> tuple[Angle, ...]:
     """Return the angles that a product depends on, those inside of its sums included.
 

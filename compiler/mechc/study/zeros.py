@@ -61,6 +61,7 @@ class _Sought:
         self.item, self.value, self.balance = item, item.value, balance
         self.near, self.side = near, side
         self.defined = dict(item.result.where)
+        self.given = {name: value for name, value in near.items() if name not in self.defined}
         self.chain = Chain({**self.defined, _SIZE: item.result.formula})
         mechanism = balance.plan.graph.pose.mechanism
         self.box, self._ranged = stroke_box(mechanism), with_range(mechanism)
@@ -202,10 +203,9 @@ def _is_refuted(root: Root, of: _Sought) -> bool:
     if not names <= of.near.keys() or not names.isdisjoint(of.defined):
         return False
     x = root.value.evaluate(of.near)
-    given = {name: value for name, value in of.near.items() if name not in of.defined}
 
     def is_otherwise(step: float) -> bool:
-        here = ({**given, root.name: x + h} for h in (step, step / 2))
+        here = ({**of.given, root.name: x + h} for h in (step, step / 2))
         sizes = [abs(of.chain.complete(values).get(_SIZE, math.nan)) for values in here]
         if not all(math.isfinite(size) and size for size in sizes):
             return False
