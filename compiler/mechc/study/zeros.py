@@ -68,7 +68,7 @@ class _Sought:
         self.moving_first = moving_first(mechanism)
 
     def cause(self, factor: Factor, roots: tuple[Root, ...] = ()) -> Cause:
-        """Return what stands still where a factor vanishes, or at some of its roots."""
+        """Return the point or link that stands still at some roots of a factor, or at all of them."""
         return cause(factor, roots, self.item, self.balance, self.side)
 
     def is_outside(self, factor: Factor) -> bool:
