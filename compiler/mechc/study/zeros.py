@@ -68,7 +68,7 @@ class _Sought:
         self.moving_first = moving_first(mechanism)
 
     def cause(self, factor: Factor, roots: tuple[Root, ...] = ()) -> Cause:
-        """Return the point or link that stands still at some roots of a factor, or at all of them."""
+        """Return the point or link that stands still at a zero of a factor, or at some roots."""
         return cause(factor, roots, self.item, self.balance, self.side)
 
     def is_outside(self, factor: Factor) -> bool:
