@@ -46,3 +46,16 @@ def test_the_formula_says_so():
         "W > 0",
         "b - 2*h*mu > 0",
     ]
+
+
+def pressing(description: str) -> str:
+    results = compile_source(Source("crate.mech", description)).derivation.results
+    return next(text(r.formula) for r in results if r.name == "N_A_f")
+
+
+def test_supports_are_solved_together():
+    assert pressing(CRATE) == "W*(b - 2*h*mu)/(2*b)"
+
+
+def test_no_closed_form_is_printed_where_it_tips_over():
+    assert "n_A_guide" in pressing(CRATE.replace("h = 700 mm", "h = 1100 mm"))

@@ -80,7 +80,7 @@ def closed_form(
     """Return the driving load times a factor, with signs that follow from the pose."""
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
-    return Named(formula, tuple(signs.definitions), _positive(solver))
+    return Named(formula, tuple(signs.definitions), positive(solver))
 
 
 def printed_form(
@@ -90,10 +90,10 @@ def printed_form(
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
     where, steps = tuple(signs.definitions), tuple(solver.steps)
-    return Printed(formula, where, conditions(signs), steps, _positive(solver))
+    return Printed(formula, where, conditions(signs), steps, positive(solver))
 
 
-def _positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
+def positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
     """Return the formulas that must be positive for the forces to keep their senses."""
     kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
     return tuple(force.formula() for force in kept if bare(force).factors)

@@ -8,7 +8,7 @@ from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..model.boxes import POSITIVE, allowed_box
 from ..model.result import Definition
-from ..model.values import Chain
+from ..model.values import Chain, completed
 from ..power.numbers import default_values
 from .closed_form import Printed
 from .free_bodies import EquationsCoupled
@@ -55,6 +55,11 @@ class DefaultPose:
             if symbols(formula) <= known:
                 known.add(name)
                 yield Definition(name, formula)
+
+    def balances(self, printed: Printed) -> bool:
+        """Return whether forces have at the pose the senses that a printed result gives them."""
+        known = completed(self.values(), printed.where)
+        return all(evaluate(force, known) > 0 for force in printed.positive)
 
     def values(self) -> dict[str, float]:
         """Return the values, with loads of unknown size near 1, none like another.

@@ -32,13 +32,13 @@ class ForceLines:
         """Yield the forces on a body, those of rods under a unit of force."""
         yield from self._bodies.loads_on(body)
         for rod, point in self._bodies.rods_at(body):
-            yield self._rod_force(rod, point)
+            yield self.of_rod(rod, point)
         for contact, is_under in self._bodies.contacts_at(body):
             line = self._face(contact)
             place, ahead = (under(contact), line + HALF_TURN) if is_under else (contact.point, line)
             yield BodyForce(f"R_{contact.point}", place, ahead)
 
-    def _rod_force(self, rod: Link, point: str) -> BodyForce:
+    def of_rod(self, rod: Link, point: str) -> BodyForce:
         """Return the force of a rod, under a unit axial force, on the body at a point."""
         line, surface = self._line(rod), surfaces.of_rod(self._bodies, rod, point)
         sense, counted = self.sense_of(rod), self.counted(rod)

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from ..algebra.determinant import determinant, with_column
+from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
 from ..formula.tree import Formula, Symbol, product, total
@@ -30,27 +31,41 @@ class LinearSolver:
         if len(loaded) > MOST or any(len(p.components) != 1 for p in loaded):
             raise EquationsCoupled
         self._driving, self._ideal = driving, ideal
-        self._loaded, self._signs, self._sense = loaded, signs, sense
+        self.loaded, self._signs, self._sense = loaded, signs, sense
+        self._sizes: Mapping[str, Product] = {}
+        self._balances: Sequence[tuple[Formula, Formula]] = ()
         self.conditions: list[Condition] = []
         self.steps: tuple[Step, ...] = ()
 
     def solve(self) -> Product:
         """Return the driving load."""
-        sides = [self._side(p) for p in self._loaded]
+        sides = [self._side(p) for p in self.loaded]
         sizes = self._solved(sides)
+        self._sizes = {p.pair.name: size for p, size in zip(self.loaded, sizes, strict=True)}
         self.conditions += [Condition(ONE, size) for size in sizes]
         if self._signs.is_read:
             self.steps = (self._step(sides, sizes),)
             self._keep(sizes)
         parts = (
             p.pair.factor * self._slip(p) * p.slip * size
-            for p, size in zip(self._loaded, sizes, strict=True)
+            for p, size in zip(self.loaded, sizes, strict=True)
         )
         return canonical(add((self._ideal, *(part.scaled(self._sense) for part in parts))))
 
+    def pressing(self) -> Step:
+        """Return the step of the forces that press, once they are solved."""
+        return Step("pressing", equations=tuple(self._balances))
+
+    def friction(self, loaded: LoadedPair, *, named: bool) -> Product:
+        """Return a friction as a load on its slip; ``named``, in the name of what presses."""
+        size = self._sizes[loaded.pair.name]
+        if named:
+            size = to_product(_size(loaded)) * _mean(loaded)
+        return (loaded.pair.factor * self._slip(loaded) * size).scaled(-self._sense)
+
     def _keep(self, sizes: Sequence[Product]) -> None:
         """Note that each size stays positive; one that is not balances nothing."""
-        for loaded, size in zip(self._loaded, sizes, strict=True):
+        for loaded, size in zip(self.loaded, sizes, strict=True):
             if self._signs.of(f"s_{loaded.pair.name}", size).coefficient < 0:
                 raise EquationsCoupled
 
@@ -66,14 +81,14 @@ class LinearSolver:
 
     def _solved(self, sides: Sequence[Product]) -> list[Product]:
         """Return the sizes of the pressing forces by Cramer's rule."""
-        places = {p.pair.name: i for i, p in enumerate(self._loaded)}
+        places = {p.pair.name: i for i, p in enumerate(self.loaded)}
         matrix = []
-        for i, (loaded, side) in enumerate(zip(self._loaded, sides, strict=True)):
+        for i, (loaded, side) in enumerate(zip(self.loaded, sides, strict=True)):
             by = loaded.components[0].by
             row = [self._share(by, name, side) for name in places]
             row[i] = add((ONE, row[i]))
             matrix.append(row)
-        right = [p.components[0].ideal * s for p, s in zip(self._loaded, sides, strict=True)]
+        right = [p.components[0].ideal * s for p, s in zip(self.loaded, sides, strict=True)]
         whole = determinant(matrix)
         return [
             canonical(determinant(with_column(matrix, i, right)) / whole) for i in range(len(right))
@@ -83,30 +98,31 @@ class LinearSolver:
         """Return by how much a unit of another pressing force presses less here."""
         if name not in by:
             return ZERO
-        other = next(p for p in self._loaded if p.pair.name == name)
+        other = next(p for p in self.loaded if p.pair.name == name)
         return (side * by[name] * other.pair.factor * self._slip(other)).scaled(self._sense)
 
     def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> Step:
         """Return the forces that press, the slips, and what frictions add to the driving load."""
-        balances = [self._balance(*pair) for pair in zip(self._loaded, sides, strict=True)]
-        sizes = [canonical(size / _mean(p)) for p, size in zip(self._loaded, sizes, strict=True)]
-        found = zip(map(_size, self._loaded), (size.formula() for size in sizes), strict=True)
+        balances = [self._balance(*pair) for pair in zip(self.loaded, sides, strict=True)]
+        sizes = [canonical(size / _mean(p)) for p, size in zip(self.loaded, sizes, strict=True)]
+        found = zip(map(_size, self.loaded), (size.formula() for size in sizes), strict=True)
         equations = dict.fromkeys((*balances, *found))
+        self._balances = tuple(equations)
         equations |= {
-            (_slip(p), (self._slip(p) * p.slip_of_one).formula()): None for p in self._loaded
+            (_slip(p), (self._slip(p) * p.slip_of_one).formula()): None for p in self.loaded
         }
         powers = (
             power(self._sense * p.times, _factor(p).formula(), _size(p), _slip(p))
-            for p in self._loaded
+            for p in self.loaded
         )
         whole = total([self._ideal.formula(), *powers])
-        kind: Kind = "ropes" if all(p.pair.tensions for p in self._loaded) else "straight"
+        kind: Kind = "ropes" if all(p.pair.tensions for p in self.loaded) else "straight"
         return Step(kind, equations=(*equations, (Symbol(self._driving), whole)))
 
     def _balance(self, loaded: LoadedPair, side: Product) -> tuple[Formula, Formula]:
         """Return a pressing force less what frictions change in it, and the ideal one."""
         (component,) = loaded.components
-        shares = ((self._share(component.by, p.pair.name, side), p) for p in self._loaded)
+        shares = ((self._share(component.by, p.pair.name, side), p) for p in self.loaded)
         if loaded.pair.tensions:
             parts = ((add((ONE, share)) if p is loaded else share, p) for share, p in shares)
             terms = [(canonical(part * _mean(p)), p) for part, p in parts]

@@ -28,6 +28,7 @@ from ..power.definitions import bound_sums
 from ..power.loads import given_size
 from ..power.reactions import Reactions
 from .assumptions import assumptions
+from .closed_forces import Drive
 from .closed_form import Named
 from .coupled import Coupled, coupled, true_sizes
 from .default import DefaultPose
@@ -168,6 +169,19 @@ class Problem:
         if (ideal, sense) not in self._exact:
             self._exact[ideal, sense] = solve()
         return self._exact[ideal, sense]
+
+    def drive(self, sense: Sense) -> Drive | None:
+        """Return the driving load by the name of its result with friction, if that is known."""
+        wanted = WithFriction(LoadForm(self.driving), sense)
+        finds = self.mechanism.finds
+        name = next((f.name for f in finds if f.target == wanted), "")
+        ideal = next((f.name for f in finds if f.target == wanted.of), "")
+        found = self._exact.get((ideal, sense))
+        if not name or found is None or found.case is None:
+            return None
+        case = found.case
+        own = Definition(name, case.formula)
+        return Drive(Product.symbol(name), (*case.where, own))
 
     def remark_on_pins(self, case: Case, *, exact: bool) -> None:
         """Remark on pins whose friction depends on the link that they are fast in."""

@@ -1,7 +1,7 @@
 """Results with friction: ratios and forms of loads, efficiencies, and forces at joints."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache, partial
 
 from ..formula.tree import ZERO, Formula
@@ -22,8 +22,10 @@ from ..model.result import Definition, Drive, FrictionResult, Result
 from ..power.definitions import bound_sums, intermediates, open_lengths
 from ..power.magnitudes import magnitude
 from ..power.numbers import value_of
+from ..power.reactions import Transmitted
 from .assumptions import asks_for_loads
-from .closed_form import ClosedFormSolver, Named, Printed, closed_form, printed_form
+from .closed_forces import Asked, Way, closed_force
+from .closed_form import Named, Printed, closed_form, printed_form
 from .efficiency import Drives
 from .free_bodies import EquationsCoupled
 from .iterated import exact, exact_case, first_order, first_order_case
@@ -34,7 +36,7 @@ from .normal_forces import scaled
 from .pairs import LoadedPair
 from .problem import Case, Loaded, Problem, case_of_force, case_of_loads, without_friction
 from .sequential import SequentialSolver
-from .signs import AtAnyPose, Signs
+from .signs import AtAnyPose
 from .solution import SolvedWithFriction, Step
 
 
@@ -208,9 +210,7 @@ def in_closed_form(
     return None
 
 
-def ways(
-    problem: Problem, case: Case, loaded: Loaded, sense: int
-) -> Iterator[Callable[[Signs], ClosedFormSolver]]:
+def ways(problem: Problem, case: Case, loaded: Loaded, sense: int) -> Iterator[Way]:
     """Yield the ways in which the driving load may be found in closed form."""
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, False), signs, sense)
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, True), signs, sense)
@@ -239,7 +239,9 @@ def force_with_friction(
     found = ForceWithFriction(force, problem.plan, problem.driving, loaded, sizes)
     if found.transmitted is None:
         return None
-    printed = problem.default.printed(found.at_one_pose, endings)
+    asked = Asked(find.name, force, problem.plan.graph.pose, problem.driving, problem.drive(sense))
+    in_steps = _in_steps(problem, asked, found.transmitted, case, loaded, sense, endings)
+    printed = in_steps or problem.default.printed(found.at_one_pose, endings)
     named = replace(found.at_any_pose(), case=printed)
     result = result_of(problem, find, replace(ideal, where=()), loaded, named)
     without = without_friction(case, problem.equations)
@@ -247,4 +249,23 @@ def force_with_friction(
     drive = Drive(without.formula(), load)
     known = resting_on(problem, ideal, drive.ideal, bound_sums(problem.plan, [without]))
     where = tuple(dict.fromkeys((*found.sums(), *known, *result.where)))
-    return SolvedWithFriction(replace(result, where=where, drive=drive), (Step("iterated"),))
+    steps = in_steps.steps if in_steps else (Step("iterated"),)
+    return SolvedWithFriction(replace(result, where=where, drive=drive), steps)
+
+
+def _in_steps(
+    problem: Problem,
+    asked: Asked,
+    transmitted: Transmitted,
+    case: Case,
+    loaded: Loaded,
+    sense: Sense,
+    endings: Sequence[str],
+) -> Printed | None:
+    """Return a force as it follows from bodies that are solved one after another, if it does."""
+    for way in ways(problem, case, loaded, SIGNS[sense]):
+        by = partial(closed_force, asked, transmitted, way)
+        printed = problem.default.printed(by, endings)
+        if printed is not None:
+            return printed if problem.default.balances(printed) else None
+    return None

@@ -20,6 +20,7 @@ from typing import assert_never
 from ..algebra.factors import Opaque
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
+from ..model.mechanism import Link
 from . import surfaces
 from .closed_form import Condition
 from .force_lines import ForceLines
@@ -45,6 +46,11 @@ class SequentialSolver:
         self._forces: dict[str, list[BodyForce]] = {}
 
     @property
+    def bodies(self) -> Bodies:
+        """Return the free bodies that are solved."""
+        return self._bodies
+
+    @property
     def steps(self) -> list[Step]:
         """Return the steps taken so far."""
         return self._notes.steps
@@ -61,7 +67,7 @@ class SequentialSolver:
 
     def _solves(self, body: str) -> bool:
         """Solve a body if it has no more unknowns than equations."""
-        kind, forces = self._bodies.kind(body), self._on(body)
+        kind, forces = self._bodies.kind(body), self.on(body)
         unknown = [p for p in forces if p.name not in self.sizes]
         if len(unknown) != (2 if kind == "pin" else 1):
             return False
@@ -73,11 +79,15 @@ class SequentialSolver:
             self._notes.balance(kind, body, free, friction, found, self._squared.get(body))
         return True
 
-    def _on(self, body: str) -> list[BodyForce]:
+    def on(self, body: str) -> list[BodyForce]:
         """Return the forces on a body, which do not change as their sizes are found."""
         if body not in self._forces:
             self._forces[body] = list(self._lines.on(body))
         return self._forces[body]
+
+    def of_rod(self, rod: Link, point: str) -> BodyForce:
+        """Return the force of a rod, under a unit of its size, on the body at one of its pins."""
+        return self._lines.of_rod(rod, point)
 
     def _balance(
         self, kind: Kind, body: str, unknown: Sequence[BodyForce], known: Sequence[BodyForce]

@@ -25,8 +25,15 @@ Kind = Literal[
     "efficiency",
     "first order",
     "iterated",
+    "pressing",
+    "added",
+    "rod part",
+    "normal part",
+    "across",
+    "balance",
 ]
-"""What a step is: the tangent that a rod's force takes, a body in balance, a way to sum up."""
+"""What a step is: the tangent that a rod's force takes, a body in balance, a way to sum up;
+at the end how a force at a joint follows from what is solved."""
 
 
 @frozen

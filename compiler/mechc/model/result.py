@@ -81,8 +81,8 @@ class FrictionResult(Result):
     Names of ``where`` that are ``inside`` a system are its many coefficients, of which people
     read the structure only. Whether a force at a joint is one of a mechanism that moves, its
     ``drive`` states.
-    A load is ``driven`` where the others drive the motion at the default pose, and it holds them
-    back; None where that is not known, and at a dead centre.
+    A load is ``driven`` where the others drive the motion at the default pose, or would without
+    friction, and it holds them back; None where that is not known, and at a dead centre.
     """
 
     case: Case | None = None

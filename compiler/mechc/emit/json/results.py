@@ -203,8 +203,9 @@ RESULT: Kind[Analysis] = record(
     member("locking", "Where friction holds it.", optional(LOCKING), lambda r: r.locking),
     member(
         "driven",
-        "Of a load with friction, and its efficiency: whether the others drive the motion at "
-        "the default pose; null where that is not known, and at a dead centre.",
+        "Of a load with friction, and its efficiency: whether the others drive the motion at the "
+        "default pose, or would without friction; null where that is not known, and at a dead "
+        "centre.",
         optional(TRUTH),
         lambda r: r.driven,
     ),

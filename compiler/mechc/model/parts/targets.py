@@ -155,3 +155,19 @@ def drives_from_below(target: Target | None, name: str, driven: bool | None) -> 
             return bool(driven) and not name.endswith(HOLDING)
         case _:
             return False
+
+
+def drives_the_return(target: Target | None, driven: bool | None, value: float | None) -> bool:
+    """Return whether a load that others would drive back has to drive itself: they are held.
+
+    Its power, that of a unit of its motion, is positive then, as that of k_hold < 0 is.
+
+    >>> k_hold = WithFriction(LoadRatio("P", "F"), "releasing")
+    >>> drives_the_return(k_hold, True, 0.2), drives_the_return(k_hold, True, -0.2)
+    (False, True)
+    """
+    match target:
+        case WithFriction(LoadRatio() | LoadForm(), sense, "exact") if value is not None:
+            return bool(driven) and SIGNS[sense] * value > 0
+        case _:
+            return False

@@ -31,6 +31,7 @@ class EarlierSteps:
         self._lines: set[tuple[str, str]] = set()
         self._found: dict[str, Formula] = dict(iterated)
         self._sentences: set[SentenceKind] = set()
+        self._equations: set[tuple[Formula, Formula]] = set()
 
     def enter_forces(
         self, steps: Sequence[Step], asked: WithFriction, result: str
@@ -49,6 +50,15 @@ class EarlierSteps:
         names = {name: Symbol(name + ending) for name in others}
         self._found |= {names.get(n, Symbol(n)).name: formula for n, formula in found.items()}
         return [renamed(step, names) for step in steps] if names else steps
+
+    def enter_equations(self, steps: Sequence[Step], asked: WithFriction) -> Sequence[Step]:
+        """Enter the equations of steps; return those of a force at a joint that say something new.
+
+        A load is derived as a whole, what came before it or not.
+        """
+        new = [s for s in steps if not s.equations or not self._equations.issuperset(s.equations)]
+        self._equations |= {equation for step in steps for equation in step.equations}
+        return steps if driving(asked) else new
 
     def _others(self, found: Mapping[str, Formula]) -> set[str]:
         """Return the names that mean something else already, and those that rest on them."""

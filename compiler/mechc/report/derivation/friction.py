@@ -6,9 +6,10 @@ from typing import assert_never
 
 from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, is_call, product, total
 from ...formula.walk import symbols, walk
-from ...friction.solution import Solution, SolvedWithFriction, Step
+from ...friction.solution import Kind, Solution, SolvedWithFriction, Step
 from ...frozen import replace
 from ...model.mechanism import (
+    Axial,
     LoadForm,
     LoadRatio,
     Mechanism,
@@ -16,7 +17,7 @@ from ...model.mechanism import (
     WithFriction,
     tension_share,
 )
-from ...model.parts.targets import Sense, drives_from_below, whole
+from ...model.parts.targets import Sense, drives_from_below, drives_the_return, whole
 from ...model.result import FrictionResult, Result
 from ...power.balance import Solved
 from ...study.analysis import Analysis
@@ -31,6 +32,16 @@ _LINES: Mapping[str, SentenceKind] = {
     "parallel": SentenceKind.PARALLEL,
     "single": SentenceKind.SINGLE,
     "face": SentenceKind.FACE,
+}
+
+_OF_JOINTS: Mapping[tuple[Kind, bool], SentenceKind] = {
+    ("added", False): SentenceKind.ADDED_BY_FRICTION,
+    ("added", True): SentenceKind.ADDED_BY_FRICTION,
+    ("rod part", True): SentenceKind.PART_ALONG_ROD,
+    ("rod part", False): SentenceKind.WHOLE_OF_ROD,
+    ("normal part", False): SentenceKind.PART_ALONG_NORMAL,
+    ("across", False): SentenceKind.ACROSS,
+    ("balance", False): SentenceKind.BALANCE,
 }
 
 _AT_PINS = ("internal", "external", "parallel", "single")
@@ -69,14 +80,22 @@ def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Exp
         if solved[0].steps[0].kind == "iterated" and not _are_iterated(names, results):
             yield Explanation(names, ())
             continue
-        steps = earlier.enter_forces(solved[0].steps, place, names[0])
+        steps = earlier.enter_forces(_steps(solved), place, names[0])
         steps = [_with_result(step, place, names[0]) for step in steps]
+        steps = earlier.enter_equations(steps, place)
         paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place)]
         first = solved[0].result
         if steps[0].kind == "iterated" and driving(place):
             shown = next(r for r in results if r.name == names[0])
             paragraphs += earlier.enter_sentences(_powers(place, [d.name for d in shown.where]))
         yield Explanation(names, (*_opening(place, first, steps, mechanism, earlier), *paragraphs))
+
+
+def _steps(solved: Sequence[SolvedWithFriction]) -> Sequence[Step]:
+    """Return the steps to all parts of one force: the last one has an equation for each."""
+    (*before, last), others = solved[0].steps, solved[1:]
+    parts = [e for other in others for e in other.steps[-1].equations]
+    return (*before, replace(last, equations=tuple(dict.fromkeys((*last.equations, *parts)))))
 
 
 def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
@@ -119,11 +138,17 @@ def _with_result(step: Step, asked: WithFriction, result: str) -> Step:
 # ------------------------------------------------------------------------------- opening
 
 
-_WAYS: Mapping[tuple[Sense, bool], SentenceKind] = {
-    ("tightening", False): SentenceKind.TIGHTENING,
-    ("tightening", True): SentenceKind.TIGHTENING_HELD_BACK,
-    ("releasing", False): SentenceKind.RELEASING,
-    ("releasing", True): SentenceKind.RELEASING_HELD_BACK,
+_WAYS: Mapping[Sense, SentenceKind] = {
+    "tightening": SentenceKind.TIGHTENING,
+    "releasing": SentenceKind.RELEASING,
+}
+_HELD_BACK: Mapping[Sense, SentenceKind] = {
+    "tightening": SentenceKind.TIGHTENING_HELD_BACK,
+    "releasing": SentenceKind.RELEASING_HELD_BACK,
+}
+_RETURNS: Mapping[Sense, SentenceKind] = {
+    "tightening": SentenceKind.TIGHTENING_THE_RETURN,
+    "releasing": SentenceKind.RELEASING_THE_RETURN,
 }
 
 
@@ -151,11 +176,15 @@ def _opening(
 
 
 def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragraph:
-    """Say which way the mechanism moves, and which load drives it."""
-    if isinstance(target.of, LoadRatio) and drives_from_below(target, result.name, result.driven):
+    """Say which way the mechanism moves, and which load drives it at the values given."""
+    is_by_other = drives_from_below(target, result.name, result.driven)
+    ways = _HELD_BACK if result.driven else _WAYS
+    if drives_the_return(target, result.driven, result.default):
+        ways = _WAYS if is_by_other else _RETURNS
+    elif is_by_other and isinstance(target.of, LoadRatio):
         named = {"drive": Symbol(target.of.below), "load": drive}
         return Paragraph(SentenceKind.RELEASING_BY_LOAD, formulas=named)
-    return Paragraph(_WAYS[target.sense, bool(result.driven)], formulas={"drive": drive})
+    return Paragraph(ways[target.sense], formulas={"drive": drive})
 
 
 def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:
@@ -179,8 +208,7 @@ def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
     sides = (side for step in steps for pair in step.equations for side in pair)
     used = frozenset[str]().union(*map(symbols, sides))
     if any(f"S_{link.name}" in used for link in mechanism.links):
-        sizes = {"force": Symbol("S"), "whole": Symbol("N")}
-        yield Paragraph(SentenceKind.ROD_FORCES, formulas=sizes)
+        yield Paragraph(SentenceKind.ROD_FORCES, formulas={"force": Symbol("S")})
     if mechanism.symmetries:
         yield Paragraph(SentenceKind.PART)
 
@@ -234,8 +262,25 @@ def _paragraphs(step: Step, earlier: EarlierSteps, asked: WithFriction) -> Itera
             yield from _first_order((*new, *found), asked, earlier)
         case "iterated":
             yield Paragraph(SentenceKind.ITERATED, formulas=_ITERATED)
+        case "pressing":
+            pressing = {"force": Symbol("n")}
+            yield Paragraph(SentenceKind.PRESSING, tuple(equations), formulas=pressing)
+        case "added" | "rod part" | "normal part" | "across" | "balance":
+            yield _of_joint(step, equations, asked)
         case _:
             assert_never(step.kind)
+
+
+def _of_joint(step: Step, equations: Sequence[Equation], asked: WithFriction) -> Paragraph:
+    """Return how a force at a joint follows from what is solved."""
+    names = {"link": (step.body,), "point": (step.pivot,)} if step.body else {}
+    whole = {"rod part": "S_", "normal part": "R_"}.get(step.kind, "")
+    met = (n for e in equations for n in symbols(e.right) if n.startswith(whole))
+    formulas = {}
+    if whole and equations:
+        formulas = {"whole": Symbol(next(met, whole)), "force": equations[0].left}
+    sentence = _OF_JOINTS[step.kind, isinstance(asked.of, Axial)]
+    return Paragraph(sentence, tuple(equations), names, formulas)
 
 
 def _powers(asked: WithFriction, names: Sequence[str]) -> Iterator[Paragraph]:

@@ -30,13 +30,19 @@ ENGLISH = {
     "every joint.",
     "releasing, held back": "The motion is against the arrow of {drive}, which only just holds "
     "it back; friction opposes the sliding in every joint.",
+    "tightening, the return": "The motion is along the arrow of {drive}: at the values given the "
+    "mechanism is self-locking, so that {drive} has to drive it back; friction opposes the sliding "
+    "in every joint.",
+    "releasing, the return": "The motion is against the arrow of {drive}: at the values given the "
+    "mechanism is self-locking, so that {drive} has to drive it back; friction opposes the sliding "
+    "in every joint.",
     "releasing, by the load": "{drive} drives, and the motion is against the arrow of {load}; "
     "friction opposes the sliding in every joint.",
     "pin friction": "The friction in a pin is a couple: the force on the pin times the radius "
     "{radius} of the friction circle.",
     "guide friction": "The friction of a guide is its coefficient times the normal force.",
-    "rod forces": "{force} is the magnitude of the force in a rod ({whole} without its sign), "
-    "whether compressive or tensile.",
+    "rod forces": "{force} is the magnitude of the whole force that a rod passes on from pin to "
+    "pin, whether compressive or tensile.",
     "part": "By symmetry one of the equal parts is considered.",
     "unit": "Forces are given per unit of {load}.",
     "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",
@@ -86,6 +92,17 @@ ENGLISH = {
     "efficient": "The efficiency is given: the part of the driving power that reaches the load.",
     "powers of friction": "Each joint with friction adds its coefficient times the force {force} "
     "times the sliding velocity, per unit of the drive’s velocity.",
+    "pressing": "Each friction force is its coefficient times the normal force {force}, which "
+    "itself depends on the friction forces:",
+    "added by friction": "The force without friction, and what each friction force adds to it:",
+    "part along the rod": "{force} is the component along the rod of {whole}, the whole force that "
+    "it passes on, and is positive in tension:",
+    "whole of the rod": "The force on {link} at {point} is the whole force that the rod passes on; "
+    "its components are:",
+    "part along the normal": "{force} is the component along the normal of {whole}, the whole "
+    "force on {point}:",
+    "across": "Forces on {point} across its guide:",
+    "balance": "The force on {link} at {point} balances all other forces on it:",
     "iterated again": "The forces {sizes} follow likewise.",
     "iterated": "Here each friction force depends on the others. With {sizes} the forces at the "
     "joints, {parts} their components without friction and {changes} the changes that all "
@@ -121,14 +138,20 @@ UKRAINIAN = {
     "ковзанню в кожному з’єднанні.",
     "releasing, held back": "Рух відбувається проти {of_drive:сили|моменту} {drive}, "
     "{of_drive:яка|який} його ледь стримує; тертя протидіє ковзанню в кожному з’єднанні.",
+    "tightening, the return": "Рух відбувається в напрямку {of_drive:сили|моменту} {drive}: "
+    "за наведених значень механізм самогальмівний, тому у зворотний бік його рухає "
+    "{of_drive:сама сила|сам момент} {drive}; тертя протидіє ковзанню в кожному з’єднанні.",
+    "releasing, the return": "Рух відбувається проти стрілки {of_drive:сили|моменту} {drive}: "
+    "за наведених значень механізм самогальмівний, тому у зворотний бік його рухає "
+    "{of_drive:сама сила|сам момент} {drive}; тертя протидіє ковзанню в кожному з’єднанні.",
     "releasing, by the load": "{of_drive:Рушійна сила|Рушійний момент} — {drive}, рух відбувається "
     "проти {of_load:сили|моменту|навантажень} {load}; тертя протидіє ковзанню в кожному з’єднанні.",
     "pin friction": "Тертя в шарнірі зводиться до пари, момент якої дорівнює реакції в шарнірі, "
     "помноженій на радіус {radius} круга тертя.",
     "guide friction": "Сила тертя в напрямній дорівнює коефіцієнту тертя, помноженому на "
     "нормальну силу.",
-    "rod forces": "{force} — модуль зусилля {whole} у стрижні: у стиснутому — стискального, "
-    "у розтягнутому — розтягувального.",
+    "rod forces": "{force} — модуль повної сили, яку стрижень передає від шарніра до шарніра: "
+    "у стиснутому — стискальної, у розтягнутому — розтягувальної.",
     "part": "Через симетрію розглядаємо одну з однакових частин.",
     "unit": "Усі сили віднесено до {load}.",
     "unit and drive": "Усі сили віднесено до {load}, тож {drive} — це {ratio}.",
@@ -179,6 +202,18 @@ UKRAINIAN = {
     "до навантаження.",
     "powers of friction": "Кожне з’єднання з тертям додає добуток коефіцієнта тертя, сили "
     "{force} і швидкості ковзання, віднесеної до швидкості привода.",
+    "pressing": "Кожна сила тертя дорівнює коефіцієнту тертя, помноженому на нормальну силу "
+    "{force}, яка сама залежить від сил тертя:",
+    "added by friction": "Сила без тертя разом із тим, що додає до неї кожна сила тертя:",
+    "part along the rod": "{force} — складова вздовж стрижня повної сили {whole}, яку він передає; "
+    "за розтягу вона додатна:",
+    "whole of the rod": "Сила, що діє на {link} у точці {point}, — це повна сила, яку передає "
+    "стрижень; її складові:",
+    "part along the normal": "{force} — складова вздовж нормалі повної реакції {whole}, що діє на "
+    "{point}:",
+    "across": "Рівняння рівноваги повзуна {point} у проєкції на перпендикуляр до напрямної:",
+    "balance": "Сила, що діє на ланку {link} у точці {point}, зрівноважує всі інші сили, "
+    "прикладені до неї:",
     "iterated again": "Сили {sizes} знаходимо так само.",
     "iterated": "Тут кожна сила тертя залежить від інших. Якщо {sizes} — сили тиску в "
     "шарнірах, {parts} — їхні складові без тертя, а {changes} — те, що змінюють у них усі "
@@ -216,6 +251,14 @@ RUSSIAN = {
     "releasing, held back": "Движение происходит против {of_drive:силы|момента} {drive}, "
     "{of_drive:которая|который} его едва сдерживает; трение противодействует скольжению в каждом "
     "соединении.",
+    "tightening, the return": "Движение происходит в направлении {of_drive:силы|момента} {drive}: "
+    "при приведённых значениях механизм самотормозящий, поэтому в обратную сторону его движет "
+    "{of_drive:сама сила|сам момент} {drive}; трение противодействует скольжению в каждом "
+    "соединении.",
+    "releasing, the return": "Движение происходит против стрелки {of_drive:силы|момента} {drive}: "
+    "при приведённых значениях механизм самотормозящий, поэтому в обратную сторону его движет "
+    "{of_drive:сама сила|сам момент} {drive}; трение противодействует скольжению в каждом "
+    "соединении.",
     "releasing, by the load": "{of_drive:Движущая сила|Движущий момент} — {drive}, движение "
     "происходит против {of_load:силы|момента|нагрузок} {load}; трение противодействует "
     "скольжению в каждом соединении.",
@@ -223,8 +266,8 @@ RUSSIAN = {
     "умноженной на радиус {radius} круга трения.",
     "guide friction": "Сила трения в направляющей равна коэффициенту трения, умноженному на "
     "нормальную силу.",
-    "rod forces": "{force} — модуль усилия {whole} в стержне: в сжатом — сжимающего, в "
-    "растянутом — растягивающего.",
+    "rod forces": "{force} — модуль полной силы, которую стержень передаёт от шарнира к шарниру: "
+    "в сжатом — сжимающей, в растянутом — растягивающей.",
     "part": "В силу симметрии рассматриваем одну из одинаковых частей.",
     "unit": "Все силы отнесены к {load}.",
     "unit and drive": "Все силы отнесены к {load}, поэтому {drive} — это {ratio}.",
@@ -276,6 +319,18 @@ RUSSIAN = {
     "до нагрузки.",
     "powers of friction": "Каждое соединение с трением добавляет произведение коэффициента "
     "трения, силы {force} и скорости скольжения, отнесённой к скорости привода.",
+    "pressing": "Каждая сила трения равна коэффициенту трения, умноженному на нормальную силу "
+    "{force}, которая сама зависит от сил трения:",
+    "added by friction": "Сила без трения вместе с тем, что добавляет к ней каждая сила трения:",
+    "part along the rod": "{force} — составляющая вдоль стержня полной силы {whole}, которую он "
+    "передаёт; при растяжении она положительна:",
+    "whole of the rod": "Сила, действующая на {link} в точке {point}, — это полная сила, которую "
+    "передаёт стержень; её составляющие:",
+    "part along the normal": "{force} — составляющая вдоль нормали полной реакции {whole}, "
+    "действующей на {point}:",
+    "across": "Уравнение равновесия ползуна {point} в проекции на перпендикуляр к направляющей:",
+    "balance": "Сила, действующая на звено {link} в точке {point}, уравновешивает все остальные "
+    "силы, приложенные к нему:",
     "iterated again": "Силы {sizes} находим так же.",
     "iterated": "Здесь каждая сила трения зависит от остальных. Если {sizes} — силы давления "
     "в шарнирах, {parts} — их составляющие без трения, а {changes} — то, что меняют в них все "

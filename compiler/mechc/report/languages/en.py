@@ -210,6 +210,7 @@ LOCALE = Locale(
     with_friction={
         "drives": "With friction, {drive} drives",
         "driven": "With friction, {drive} is back-driven",
+        "returns": "With friction, {drive} drives the return",
         "tightening": "With friction, the motion along the arrow of {drive}",
         "releasing": "With friction, the motion against the arrow of {drive}",
         "first": "With friction, to first order",

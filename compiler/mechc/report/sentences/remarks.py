@@ -20,7 +20,7 @@ from ...model.mechanism import (
     WithFriction,
 )
 from ...model.names.forms import form_of_pose
-from ...model.parts.targets import drives_from_below
+from ...model.parts.targets import drives_from_below, drives_the_return
 from ...model.parts.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
 from ..languages.locale import Locale
@@ -84,15 +84,8 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
             return locale.speed_ratio
         case Reaction() | Normal() | Axial():
             return _capital(force_words(result.target, locale, spell))
-        case WithFriction(LoadRatio(_, load)) if drives_from_below(
-            result.target, result.name, result.driven
-        ):
-            return _said_of("drives", load, locale, spell)
-        case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
-            ways = {None: sense, True: "driven", False: "drives"}
-            return _said_of(
-                "first" if order == "first" else ways[result.driven], drive, locale, spell
-            )
+        case WithFriction(LoadRatio() | LoadForm()):
+            return _said_of(*_way(result, result.target), locale, spell)
         case WithFriction(force):
             assert not isinstance(force, LoadRatio | LoadForm)  # both stand above
             said = locale.at_joints["with friction"]
@@ -103,6 +96,21 @@ def kind(result: Analysis, locale: Locale, spell: Speller) -> str:
             return ""
         case _:
             assert_never(result.target)
+
+
+def _way(result: Analysis, target: WithFriction) -> tuple[str, str]:
+    """Return how friction is met, and the load of which that is said, at the values given."""
+    assert isinstance(target.of, LoadRatio | LoadForm)
+    drive = target.of.above if isinstance(target.of, LoadRatio) else target.of.load
+    is_by_other = drives_from_below(target, result.name, result.driven)
+    if target.order == "first":
+        return "first", drive
+    if drives_the_return(target, result.driven, result.default):
+        return target.sense if is_by_other else "returns", drive
+    if is_by_other and isinstance(target.of, LoadRatio):
+        return "drives", target.of.below
+    ways = {None: target.sense, True: "driven", False: "drives"}
+    return ways[result.driven], drive
 
 
 def _said_of(way: str, drive: str, locale: Locale, spell: Speller) -> str:

@@ -1,0 +1,323 @@
+"""Forces at joints with friction in closed form, where the driving load has one.
+
+What a joint passes on follows from the bodies that the chain has solved, or, where nothing but
+guides and faces has friction, from what presses them.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Protocol
+
+from ..algebra.angle import Angle
+from ..algebra.product import ONE, Product
+from ..algebra.sums import add, canonical
+from ..formula.operations import count_operations
+from ..formula.tree import ZERO as NOTHING
+from ..formula.tree import Call, Formula, Sum, Symbol, negative, total
+from ..formula.walk import symbols
+from ..frozen import replace
+from ..kinematics.forms import QUARTER
+from ..kinematics.joint_refs import JointRef, members
+from ..model.mechanism import ForceAtJoint, Reaction
+from ..model.result import Definition
+from ..named import NamedTuple
+from ..pose.pose import Arm, Pose, Vector
+from ..power.definitions import bound_names
+from ..power.joint_forces import component, joint_of, line_of
+from ..power.reactions import Transmitted
+from .closed_form import Printed, conditions, positive, readable
+from .free_bodies import Bodies, BodyForce, EquationsCoupled
+from .linear import LinearSolver
+from .normal_forces import load_of
+from .sequential import SequentialSolver
+from .signs import AtOnePose, Signs
+from .solution import Kind, Step
+
+X, Y = (Arm(ONE, Angle()),), (Arm(ONE, QUARTER),)
+
+
+class Drive(NamedTuple):
+    """The driving load by the name of its result with friction, and what that rests on."""
+
+    size: Product
+    where: tuple[Definition, ...]
+
+
+class Asked(NamedTuple):
+    """The force that is asked for, under its name, and the driving load where that has a name."""
+
+    name: str
+    target: ForceAtJoint
+    pose: Pose
+    driving: str
+    drive: Drive | None
+
+
+class Components(Protocol):
+    """A force at a joint by its components, and the steps that lead to it."""
+
+    @property
+    def steps(self) -> Sequence[Step]:
+        """Return the steps up to what the force is made of."""
+        ...
+
+    @property
+    def step(self) -> Step:
+        """Return the step of the force itself, its equations still empty."""
+        ...
+
+    def along(self, line: Vector) -> Product:
+        """Return a component."""
+        ...
+
+    def shown(self, line: Vector) -> Formula:
+        """Return a component in the names of what it is made of."""
+        ...
+
+    def size(self) -> Product | None:
+        """Return the size of the force where it is that of one force."""
+        ...
+
+
+Way = Callable[[Signs], SequentialSolver | LinearSolver]
+
+
+def closed_force(asked: Asked, transmitted: Transmitted, way: Way, signs: AtOnePose) -> Printed:
+    """Return a force at a joint as one way of solving gives it, for the signs of one pose.
+
+    Raises :class:`EquationsCoupled` where it does not.
+    """
+    solver = way(signs)
+    solver.solve()
+    if isinstance(solver, SequentialSolver):
+        found: Components = OfBodies(solver, asked)
+    else:
+        found = OfFrictions(solver, transmitted)
+    formula = _formula(asked, found)
+    step = replace(found.step, equations=_equations(asked, found))
+    drive = asked.drive.where if asked.drive and _rests_on(formula, asked.drive) else ()
+    where = (*signs.definitions, *drive)
+    steps = (*found.steps, step)
+    return Printed(formula, tuple(dict.fromkeys(where)), conditions(signs), steps, positive(solver))
+
+
+def _rests_on(formula: Formula, drive: Drive) -> bool:
+    return not symbols(formula).isdisjoint(d.name for d in drive.where)
+
+
+def _formula(asked: Asked, found: Components) -> Formula:
+    """Return the force, or the part of it that is asked for."""
+
+    def along(line: Vector) -> Formula:
+        return _written(found.along(line))
+
+    match asked.target:
+        case Reaction(part="size"):
+            if (whole := found.size()) is not None:
+                return readable(canonical(whole))
+            parts = [part for part in (along(X), along(Y)) if part != NOTHING]
+            return Call("hypot", (*parts,)) if len(parts) == 2 else Call("abs", (*parts,))
+        case Reaction(part="direction"):
+            return Call("atan2", (along(Y), along(X)))
+        case _:
+            return along(line_of(asked.target, asked.pose))
+
+
+def _written(value: Product) -> Formula:
+    """Return a component; a sum with a minus before it is one of the opposite terms."""
+    found, turned = (readable(v) for v in (canonical(value), -canonical(value)))
+    return negative(turned) if isinstance(turned, Sum) else found
+
+
+def _equations(asked: Asked, found: Components) -> tuple[tuple[Formula, Formula], ...]:
+    """Return the equation of the step: a component in the names of what it is made of."""
+    if isinstance(asked.target, Reaction) and asked.target.part in ("size", "direction"):
+        return ()
+    shown = found.shown(line_of(asked.target, asked.pose))
+    return ((Symbol(asked.name), shown),)
+
+
+# ------------------------------------------------------------------------------ free bodies
+
+
+class OfBodies:
+    """A force at a joint as the sum of forces on a body that the chain has solved."""
+
+    def __init__(self, solver: SequentialSolver, asked: Asked) -> None:
+        self._solver, self._asked, self._bodies = solver, asked, solver.bodies
+        joint = joint_of(asked.target, asked.pose)
+        if solver.bodies.mechanism.is_on_the_line(members(asked.pose, joint)):
+            raise EquationsCoupled
+        kind, body, self._forces, self._line = _acting(joint, solver)
+        self.step = Step(kind, body, joint.point)
+
+    @property
+    def steps(self) -> Sequence[Step]:
+        """Return the steps up to the last that gives one of the forces."""
+        needed = {Symbol(f.name) for f, _ in self._forces if f.name not in self._given()}
+        ends = [
+            i
+            for i, step in enumerate(self._solver.steps)
+            if any(left in needed for left, _ in step.equations)
+        ]
+        return tuple(self._solver.steps[: max(ends, default=-1) + 1])
+
+    def _given(self) -> Mapping[str, Product]:
+        """Return the forces that need no step: the loads, the driving one by its result's name."""
+        drive = self._asked.drive
+        known = {self._asked.driving: drive.size} if drive else {}
+        return {**self._bodies.task.given, **known}
+
+    def along(self, line: Vector) -> Product:
+        """Return a component."""
+        return self._along(line, named=False)
+
+    def shown(self, line: Vector) -> Formula:
+        """Return a component in the names of forces."""
+        return _written(self._along(line, named=True))
+
+    def _along(self, line: Vector, *, named: bool) -> Product:
+        """Return a component; of a guide the one across it alone counts."""
+        if len(line) != 1:
+            raise EquationsCoupled
+        turned = line[0].angle
+        if self._line is None:
+            return add(self._part(f, sign, turned, named) for f, sign in self._forces)
+        across = add(self._part(f, sign, self._line, named) for f, sign in self._forces)
+        return BodyForce("", "", self._line, canonical(across)).along(turned)
+
+    def size(self) -> Product | None:
+        """Return the size of a single force, which counts positive."""
+        if len(self._forces) == 1 and self._line is None:
+            return self._size(self._forces[0][0].name, named=False)
+        return None
+
+    def _part(self, force: BodyForce, sign: int, line: Angle, named: bool) -> Product:
+        return force.scaled(self._size(force.name, named=named)).along(line).scaled(sign)
+
+    def _size(self, name: str, *, named: bool) -> Product:
+        """Return the size of a force that is known, by its name or as it is."""
+        if name not in self._solver.sizes:
+            raise EquationsCoupled
+        size = self._solver.sizes[name]
+        if name == self._asked.driving:
+            drive = self._asked.drive
+            is_short = not named and count_operations(size.formula()) <= SHORT
+            return size if is_short or drive is None else drive.size
+        if name in self._bodies.task.given:
+            return self._bodies.task.given[name]
+        return Product.symbol(name) if named else size
+
+
+SHORT = 8
+"""Operations of a driving load that is put in; one that has more keeps its name."""
+
+Signed = Sequence[tuple[BodyForce, int]]
+
+
+def _acting(joint: JointRef, solver: SequentialSolver) -> tuple[Kind, str, Signed, Angle | None]:
+    """Return how a joint's force is found, on which body, and its parts with their signs.
+
+    Where there is a line the joint presses along that alone.
+    """
+    bodies = solver.bodies
+    match joint.kind:
+        case "pin":
+            return *_at_pin(joint, solver), None
+        case "ground" if joint.point in bodies.guides:
+            return _of_guide(joint.point, solver)
+        case "slide":
+            return _of_guide(joint.of, solver)
+        case "ground":
+            return *_of_pivot(joint.point, solver), None
+        case "contact":
+            contact = next(t for t in bodies.pose.contacts if t.point == joint.point)
+            forces = [f for f in solver.on(_carrier(joint.point, bodies)) if f.point == joint.point]
+            own = [(f, 1) for f in forces if f.name == f"R_{joint.point}"]
+            return "normal part", joint.point, own, contact.normal
+        case _:
+            raise EquationsCoupled
+
+
+def _of_guide(body: str, solver: SequentialSolver) -> tuple[Kind, str, Signed, Angle]:
+    """Return the force that balances all others on a slider across its guide."""
+    if solver.bodies.kind(body) != "slider":
+        raise EquationsCoupled
+    across = solver.bodies.guide(body) + QUARTER
+    return "across", body, [(force, -1) for force in solver.on(body)], across
+
+
+def _carrier(point: str, bodies: Bodies) -> str:
+    """Return the body that carries the point of a contact."""
+    body = next((b for b in bodies.solvable() if point in bodies.points(b)), None)
+    if body is None:
+        raise EquationsCoupled
+    return body
+
+
+def _at_pin(joint: JointRef, solver: SequentialSolver) -> tuple[Kind, str, Signed]:
+    """Return the force on a link at one of its pins."""
+    bodies = solver.bodies
+    if joint.of in bodies.levers:
+        if joint.point != bodies.pivot(joint.of):
+            return "rod part", joint.of, _of_only_rod(joint.point, joint.of, solver)
+        return "balance", joint.of, [(force, -1) for force in solver.on(joint.of)]
+    rod = bodies.rod(f"S_{joint.of}")
+    if rod is None:
+        raise EquationsCoupled
+    return "rod part", rod.name, [(solver.of_rod(rod, joint.point), -1)]
+
+
+def _of_only_rod(point: str, lever: str, solver: SequentialSolver) -> Signed:
+    """Return the force of the only rod, and nothing else, that acts on a lever at a point."""
+    forces = [force for force in solver.on(lever) if force.point == point]
+    if len(forces) != 1 or solver.bodies.rod(forces[0].name) is None:
+        raise EquationsCoupled
+    return [(forces[0], 1)]
+
+
+def _of_pivot(point: str, solver: SequentialSolver) -> tuple[Kind, str, Signed]:
+    """Return the force of the ground on the only link at a pivot."""
+    links = [k for k in solver.bodies.mechanism.links if point in k.points]
+    if len(links) != 1:
+        raise EquationsCoupled
+    return _at_pin(JointRef("pin", point, links[0].name), solver)
+
+
+# -------------------------------------------------------------------------------- frictions
+
+
+class OfFrictions:
+    """A force at a joint as it is without friction, and what each friction adds to it."""
+
+    step = Step("added")
+
+    def __init__(self, solver: LinearSolver, transmitted: Transmitted) -> None:
+        self._solver, self._transmitted = solver, transmitted
+
+    @property
+    def steps(self) -> Sequence[Step]:
+        """Return the step of what presses."""
+        return (self._solver.pressing(),)
+
+    def along(self, line: Vector) -> Product:
+        """Return a component."""
+        return add(self._terms(line, named=False))
+
+    def shown(self, line: Vector) -> Formula:
+        """Return a component, a term for each load and each friction."""
+        return total(canonical(term).formula() for term in self._terms(line, named=True))
+
+    def _terms(self, line: Vector, *, named: bool) -> list[Product]:
+        """Return the terms of a component."""
+        friction = partial(self._solver.friction, named=named)
+        frictions = {load_of(p.pair): friction(p) for p in self._solver.loaded}
+        amounts = component(self._transmitted, line)
+        if any(any(bound_names(amount)) for amount in amounts.values()):
+            raise EquationsCoupled
+        loads = {load: frictions.get(load, Product.symbol(load)) for load in amounts}
+        return [amount * loads[load] for load, amount in amounts.items() if amount]
+
+    def size(self) -> Product | None:
+        """Return None: there are as many forces as frictions."""
+        return None

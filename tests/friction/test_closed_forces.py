@@ -1,0 +1,102 @@
+"""Forces at joints with friction in closed form, against the forces that code iterates."""
+
+import math
+from math import cos, radians, sin, tan
+
+import pytest
+
+import mechc
+from mechc.driver import compile_source
+from mechc.formula.to_text import text
+from mechc.source import Source
+
+ROD = """
+mechanism rod "A rod between two guides"
+param beta = 12 deg in 2 deg .. 40 deg
+param l = 200 mm
+slider A along y
+slider B along x
+link AB
+AB = l @ 180 deg - beta
+force P at A along -y
+force F at B along -x
+friction pins 0.1 diameter 20 mm
+friction slider B 0.1
+find P
+find N_AB
+find N_B
+find R_B on AB
+"""
+
+CRANK = """
+mechanism crank "A crank that is driven by a force"
+param beta = 12 deg in 2 deg .. 40 deg
+pivot O
+slider B along x
+link AB
+link OAC
+OA = 50 mm @ 80 deg
+AB = 200 mm @ -beta
+OC = 150 mm @ 170 deg
+force P at C along -y
+force F at B along -x
+friction pins 0.1 diameter 20 mm
+find P
+find N_AB
+find R_O
+find R_A on OAC
+"""
+
+DELTA = math.asin(2 * 0.001 / 0.2)
+F = 1000.0
+
+
+def printed(description: str) -> dict[str, str]:
+    results = compile_source(Source("printed.mech", description)).derivation.results
+    return {result.name: text(result.formula) for result in results}
+
+
+def test_a_rod_passes_on_a_component_of_its_force():
+    found = printed(ROD)
+    assert found["N_AB_f"] == ("F*cos(delta_AB)/(cos(beta + delta_AB) - f*sin(beta + delta_AB))")
+    assert found["N_B_f"] == "F/(cot(beta + delta_AB) - f)"
+    assert found["R_B_on_AB_f"] == "F/(cos(beta + delta_AB) - f*sin(beta + delta_AB))"
+
+
+@pytest.mark.parametrize("beta", [5.0, 12.0, 31.0])
+def test_it_is_what_is_iterated(beta):
+    found = mechc.loads(ROD).evaluate(F=F, beta=radians(beta))
+    turned = radians(beta) + DELTA
+    whole = F / (cos(turned) - 0.1 * sin(turned))
+    assert found["N_AB_f"] == pytest.approx(whole * cos(DELTA))
+    assert found["N_B_f"] == pytest.approx(whole * sin(turned))
+    assert found["R_B_on_AB_x_f"] == pytest.approx(-whole * cos(turned))
+
+
+def test_a_pivot_balances_the_load_with_friction():
+    """The driving load is that of its result with friction, not the one without it."""
+    found = printed(CRANK)
+    assert found["N_AB_f"] == "-F*cos(delta_AB)/cos(beta - delta_AB)"
+    assert found["R_O_y_f"] == "P_f - F*tan(beta - delta_AB)"
+    assert found["R_A_on_OAC_y_f"] == "F*tan(beta - delta_AB)"
+    values = mechc.loads(CRANK).evaluate(F=F)
+    across = F * tan(radians(12) - DELTA)
+    assert values["R_O_y_f"] == pytest.approx(values["P_f"] - across)
+    assert values["R_A_on_OAC_y_f"] == pytest.approx(across)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "is the component along the rod of $S_{AB}$, the whole force that it passes on"),
+        ("uk", "складова вздовж стрижня повної сили $S_{AB}$, яку він передає"),
+        ("ru", "составляющая вдоль стержня полной силы $S_{AB}$, которую он передаёт"),
+    ],
+)
+def test_a_report_says_what_each_force_of_a_rod_is(language, said):
+    shown = mechc.loads(CRANK).emit("latex", language=language)
+    assert said in shown
+    assert r"N_{AB,f}=-S_{AB}\cos\delta_{AB}" in shown.replace(r"\text{т}", "f").replace(
+        r"\text{тер}", "f"
+    )
+    assert "Newton" not in shown
