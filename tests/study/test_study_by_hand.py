@@ -304,8 +304,10 @@ class ByHand(Moving):
 
     is_slow = False
 
-    def __init__(self, ratio: Callable[[float], float]) -> None:
-        self._ratio = ratio
+    def __init__(
+        self, ratio: Callable[[float], float], divisor: Callable[[float], float] = abs
+    ) -> None:
+        self._ratio, self._divisor = ratio, divisor
 
     def without(self, x: float) -> float:
         return self._ratio(x)
@@ -315,6 +317,9 @@ class ByHand(Moving):
 
     def factors(self, x: float) -> tuple[float, ...]:
         return ()
+
+    def divisors(self, x: float) -> tuple[float, ...]:
+        return (self._divisor(x),)
 
     def signs(self, x: float) -> tuple[float, ...]:
         return ()
@@ -329,3 +334,14 @@ def test_a_dead_centre_that_is_only_touched_is_looked_at(power: int) -> None:
     moving = ByHand(lambda x: (x - 0.31) ** power if x != 0.31 else 0.0)
     found = values_looked_at(moving, 0.0, 1.0)
     assert min(abs(x - 0.31) for x in found) < 1e-6
+
+
+def test_a_zero_hides_next_to_the_pole_of_a_term() -> None:
+    """1 + 1e-4/(x − 0.3117) is nearly 1 at the ends of a cell, and nearly straight over it."""
+    zero, pole = 0.3116, 0.3117
+    moving = ByHand(
+        lambda x: (x - zero) / (x - pole) if x != pole else math.inf, lambda x: x - pole
+    )
+    found = values_looked_at(moving, 0.0, 1.0)
+    for place in (zero, pole):
+        assert min(abs(x - place) for x in found) < 1e-6

@@ -132,6 +132,13 @@ def _alone(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
 
 def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> Iterator[float]:
     """Yield the dead centres between two values; ``depth`` falls with every halving."""
+    pole = _pole_of_a_term(moving, a, b)
+    if pole is not None and depth:
+        beside = NEAREST * (b - a)
+        yield pole
+        yield from _dead_centres(moving, a, max(a, pole - beside), depth - 1)
+        yield from _dead_centres(moving, min(b, pole + beside), b, depth - 1)
+        return
     several = list(_of_several_factors(moving, a, b))
     if several:
         yield from several
@@ -151,6 +158,17 @@ def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> I
         yield from _dead_centres(moving, middle, b, depth - 1)
     else:
         yield from _touched(moving, a, b)
+
+
+def _pole_of_a_term(moving: Moving, a: float, b: float) -> float | None:
+    """Return where a divisor in a term changes its sign first; None where none does.
+
+    The ratio, a sum, may be zero so near to that pole that its ends, and its middle, show nothing.
+    """
+    signs = [d > 0 for d in moving.divisors(a)]
+    if not signs or signs == [d > 0 for d in moving.divisors(b)]:
+        return None
+    return last(lambda x: [d > 0 for d in moving.divisors(x)] == signs, a, b)
 
 
 def _of_several_factors(moving: Moving, a: float, b: float) -> Iterator[float]:

@@ -16,7 +16,7 @@ from functools import cached_property
 
 from ..formula.evaluate import status_along
 from ..formula.newton import Status
-from ..formula.tree import ZERO, Formula, Implicit, Power, Product, Symbol, is_call
+from ..formula.tree import ZERO, Formula, Implicit, Number, Power, Product, Symbol, is_call
 from ..formula.walk import symbols, walk
 from ..frozen import replace
 from ..model.parts.targets import SIGNS, Sense
@@ -75,6 +75,11 @@ class Ratios:
         """Return a result that has the factors of the ratio without friction."""
         return parts_of(self.ideal, factors(self.ideal.formula, dict(self.ideal.where)))
 
+    @cached_property
+    def divisors(self) -> Result:
+        """Return a result that has the divisors in the terms of the ratio without friction."""
+        return parts_of(self.ideal, divisors(self.ideal.formula, dict(self.ideal.where)))
+
     def ways(self, result: Result) -> list[Way]:
         """Return the ways to the solutions of a result's systems."""
         if id(result) not in self._ways:
@@ -93,6 +98,7 @@ class Moving:
         self._driven: dict[float, bool | None] = {}
         self._signs: dict[float, tuple[float, ...]] = {}
         self._factors: dict[float, tuple[float, ...]] = {}
+        self._divisors: dict[float, tuple[float, ...]] = {}
 
     def at(self, x: float) -> Found:
         """Return the state at a value of the parameter."""
@@ -145,6 +151,12 @@ class Moving:
             is_dead = self.driven(x) is None
             self._factors[x] = () if is_dead else self.sweep.parts(self._ratios.factors, x)
         return self._factors[x]
+
+    def divisors(self, x: float) -> tuple[float, ...]:
+        """Return the divisors in terms of the ratio without friction: each is 0 at a pole."""
+        if x not in self._divisors:
+            self._divisors[x] = self.sweep.parts(self._ratios.divisors, x)
+        return self._divisors[x]
 
     def _look(self, x: float) -> Found:
         driven = self.driven(x)
@@ -220,6 +232,31 @@ def factors(formula: Formula, where: Mapping[str, Formula]) -> Iterator[Formula]
             yield from factors(where[name], where)
         case _:
             yield formula
+
+
+def divisors(formula: Formula, where: Mapping[str, Formula]) -> Iterator[Formula]:
+    """Yield what is divided by within the factors of a formula, names of definitions taken apart.
+
+    A factor that is a sum has a pole where such a divisor is zero, and may be zero next to it.
+
+    >>> from ..formula.tree import Call, quotient, total
+    >>> k = quotient(total((Symbol("e"), quotient(Symbol("c"), Symbol("i")))), Symbol("r"))
+    >>> list(divisors(k, {"i": Call("sin", (Symbol("t"),))}))
+    [Call(function='sin', arguments=(Symbol(name='t'),))]
+    """
+    for factor in factors(formula, where):
+        yield from _divisors_in(factor, where)
+
+
+def _divisors_in(formula: Formula, where: Mapping[str, Formula]) -> Iterator[Formula]:
+    for part in walk(formula):
+        match part:
+            case Power(base, Number(exponent)) if exponent < 0:
+                yield from factors(base, where)
+            case Symbol(name) if name in where:
+                yield from _divisors_in(where[name], where)
+            case _:
+                pass
 
 
 def parts_of(result: Result, parts: Iterable[Formula]) -> Result:
