@@ -12,6 +12,7 @@ from branchings import Flat, dyad, folding, four_bar, refuted, slider_crank, tog
 from mechc.api import SolvedMechanism
 from mechc.diagnostics import MechcError
 from mechc.frozen import replace
+from mechc.study.stroke.extrema import parted
 from mechc.study.stroke.stroke import ZeroInterval
 from other_kinds import other, put_toggle
 from stroke_statements import zero_throughout
@@ -122,3 +123,23 @@ def test_beside_a_branch_point_rounding_makes_no_extrema():
     stroke = mechc.loads(folding(98030056).text).stroke(3)
     (branch,) = stroke.branches
     assert not [e for e in stroke.extrema if abs(e.drive - branch.drive) < 1e-3]
+
+
+def test_up_to_a_branch_point_a_result_is_no_greatest_at_the_last_place_looked_at():
+    """k rises from 47.3088 mm at 139.972 to 47.3175 at 140 deg, and is 0.3861 and rises beyond."""
+    stroke = mechc.loads(folding(103001836).text).stroke(3)
+    assert stroke.branches
+    assert not stroke.extrema
+
+
+def test_where_a_result_passes_nil_on_its_way_over_a_jump_it_has_no_zero():
+    """k is 11.3 mm up to the branch point and -35.3 beyond: 0 for 3e-8 of a radian of rounding."""
+    (jump,) = mechc.loads(folding(103002078).text).stroke(3).singular
+    assert (jump.value, jump.kind) == ("undetermined", "jump")
+
+
+def test_parts_between_breaks_end_where_rounding_is_small():
+    grid = [0.0, 1.0, 2.0, 3.0, 4.0]
+    assert list(parted(grid, [], 0.125)) == [grid]
+    assert list(parted(grid, [2.0, 9.0], 0.125)) == [[0, 1, 1.875], [2.125, 3, 4]]
+    assert list(parted(grid, [0.0625, 4.0], 0.125)) == [[0.1875, 1, 2, 3, 3.875]]

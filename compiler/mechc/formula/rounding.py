@@ -153,7 +153,7 @@ def beyond_rounding(
         return Size(number)
     if formula is None:
         return Size(number + 0.0)
-    return without_rounding(number, _with_error(formula, where, rounding))
+    return without_rounding(number, with_error(formula, where, rounding))
 
 
 def without_rounding(number: float, size: Rounded) -> Size:
@@ -169,15 +169,16 @@ def without_value(
     formula: Formula, where: Iterable[tuple[str, Formula]], rounding: Rounding
 ) -> Size:
     """Return the size of a formula whose value is NaN: infinite, 0/0, or unknown."""
-    size = _with_error(formula, where, rounding)
+    size = with_error(formula, where, rounding)
     if size.is_infinite:
         return Size(math.inf)
     return Size(None if size.is_undetermined else math.nan, size.is_undetermined)
 
 
-def _with_error(
+def with_error(
     formula: Formula, where: Iterable[tuple[str, Formula]], rounding: Rounding
 ) -> Rounded:
+    """Return the value of a formula with its error, after the definitions that it rests on."""
     new = [definition for definition in where if definition[0] not in rounding.values]
     if not new:
         return rounding.of(formula)

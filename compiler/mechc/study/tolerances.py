@@ -109,6 +109,9 @@ NEARBY = (1e-7, 1e-6, 1e-5, 1e-4)
 Farther away another zero or pole, so near as 1e-6 of the stroke, hides it; nearer, rounding.
 """
 
+BEYOND_BRANCH_POINT = (2e-5, 1e-4)
+"""The same at a branch point: a sixteenth of each is still farther than what lies on that."""
+
 STEADY = 1e-3
 """What a function that is finite changes by from one side of a value to the other, at most."""
 

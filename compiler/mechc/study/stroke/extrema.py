@@ -11,7 +11,7 @@ from ..analysis import Analysis
 from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT
 from .along import Along
 from .friction import is_shown, some
-from .rounded import is_nil, rounded
+from .rounded import is_nil, is_turning, rounded
 from .run import SAMPLES, Run
 from .singular import order_of, roots_at
 from .stroke import Branch, Extremum, Singular, StrokeInterval
@@ -26,30 +26,49 @@ def extrema_along(
     branches: Sequence[Branch],
 ) -> tuple[Extremum, ...]:
     """Return the extrema along a stroke; beside a branch point what looks like one is rounding."""
+    near = BESIDE_BRANCH_POINT * run.range
+    breaks = [b.drive for b in branches]
+    breaks += [s.drive for s in singular if s.value == "undetermined"]
     found = [
         one
         for stretch, result in product(stretches, run.results)
         if not is_nil(result, run.along, stretch)
-        for one in _on_stretch(run, result, stretch, singular)
+        for part in parted(some(run.within(stretch), result), breaks, near)
+        for one in _on_part(run, result, stretch, singular, part)
     ]
-    near = BESIDE_BRANCH_POINT * run.range
-    others = [b.drive for b in branches]
-    others += [s.drive for s in singular if s.value == "undetermined"]
-    apart = [e for e in found if all(abs(e.drive - other) > near for other in others)]
-    return tuple(sorted(apart, key=lambda e: e.drive))
+    return tuple(sorted(found, key=lambda e: e.drive))
 
 
-def _on_stretch(
-    run: Run, result: Analysis, stretch: StrokeInterval, singular: Sequence[Singular]
+def parted(grid: Sequence[float], breaks: Sequence[float], near: float) -> Iterator[list[float]]:
+    """Yield the parts of a grid between breaks, each up to as ``near`` as rounding is small enough.
+
+    What is on the other side of a break says nothing of whether a result turns on this one.
+    """
+    low, high = grid[0], grid[-1]
+    inner = sorted(x for x in breaks if low <= x <= high)
+    begins, ends = [low, *(x + near for x in inner)], [*(x - near for x in inner), high]
+    for first, last in zip(begins, ends, strict=True):
+        if first < last:
+            yield [first, *(x for x in grid if first < x < last), last]
+
+
+def _on_part(
+    run: Run,
+    result: Analysis,
+    stretch: StrokeInterval,
+    singular: Sequence[Singular],
+    part: Sequence[float],
 ) -> Iterator[Extremum]:
-    """Yield the extrema of a result on a stretch.
+    """Yield the extrema of a result on a part of a stretch.
 
     Where a value that is looked at is a pole, what is next to it may be none.
     """
-    along, within = run.along, run.within(stretch)
+    along = run.along
     poles = [*_poles(run, result, singular), *_own_poles(run, result, stretch)]
-    for one in extrema(result, run.drive.name, along, some(within, result)):
+    for one in extrema(result, run.drive.name, along, part):
         if not is_shown(one, result) or order_of(run, result, one.drive) == "infinite":
+            continue
+        if not is_turning(one, result, along, part):
             continue
         near_by = [p for p in poles if abs(one.drive - p) <= 2 * run.range / SAMPLES]
         if not near_by or turns_between(one, near_by, result, along):

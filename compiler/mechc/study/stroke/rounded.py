@@ -4,16 +4,20 @@ A result is zero all over a part where a loop folds, and what it leads rests.
 """
 
 import math
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
 from ...formula.roots import spaced
-from ...formula.rounding import beyond_rounding
+from ...formula.rounding import beyond_rounding, with_error
 from ...model.result import Result
 from ..tolerances import BRANCH_POINT, LOST, NEGLIGIBLE
 from .along import Along
 from .run import Run
 from .stroke import Branch, Extremum, Singular, StrokeInterval, ZeroInterval
+
+ASIDE = (2, 4)
+"""So many values away an extremum is compared with what is beside it, if nearer ones are equal."""
 
 FEW, MANY = 8, 180
 """Parts of a stretch between which a result shows that it is not zero, and that it seems to be."""
@@ -31,6 +35,31 @@ def rounded(
         return
     if number or abs(found.value) <= LOST * _usual(result, along, grid):
         yield found._replace(value=number)
+
+
+def is_turning(found: Extremum, result: Result, along: Along, grid: Sequence[float]) -> bool:
+    """Return whether a result turns by more than what rounding may have made of its values.
+
+    Beside a branch point rounding may be larger than what the result changes by.
+    """
+    sense = 1 if found.kind == "minimum" else -1
+    least, last = found.value + sense * _error(found.drive, result, along), len(grid) - 1
+
+    def is_beyond(x: float) -> bool:
+        beside = along.of(result.formula, result, x) - sense * _error(x, result, along)
+        return sense * beside > sense * least
+
+    left, right = bisect_left(grid, found.drive), bisect_right(grid, found.drive) - 1
+    return any(
+        is_beyond(grid[max(left - step, 0)]) and is_beyond(grid[min(right + step, last)])
+        for step in ASIDE
+    )
+
+
+def _error(x: float, result: Result, along: Along) -> float:
+    """Return what rounding may have made of a result's value at most, 0 where that is not known."""
+    error = with_error(result.formula, result.where, along.rounding(x)).error
+    return error if math.isfinite(error) else 0.0
 
 
 def is_nil(result: Result, along: Along, stretch: StrokeInterval) -> bool:

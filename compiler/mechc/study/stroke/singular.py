@@ -1,7 +1,7 @@
 """Singular poses: where a ratio of loads is zero or infinite, and what stands still there."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from functools import partial
 from itertools import pairwise
 from typing import Literal
@@ -11,7 +11,16 @@ from ...formula.roots import Function, Jump, Root, jumps, roots, spaced
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import symbols
 from ..analysis import Analysis, Break, Vanishing
-from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_VALUE, SIDE, STEADY
+from ..tolerances import (
+    BEYOND_BRANCH_POINT,
+    BRANCH_POINT,
+    DIFFERENCE,
+    JUMP_SIDES,
+    NEARBY,
+    SAME_VALUE,
+    SIDE,
+    STEADY,
+)
 from .along import Along
 from .rounded import is_nil, is_nothing
 from .run import Run
@@ -21,6 +30,9 @@ Value = Literal["0", "infinite"]
 
 Order = Literal["0", "infinite", "finite", "jump"]
 """What a result does at a value; ``jump``: it is finite on either side, but not the same."""
+
+OrderAt = Callable[[float, Sequence[float]], Order | None]
+"""Returns what a result does at a value, as it is seen at some parts of the stroke from there."""
 
 ALIKE, VARIES = 0.1, 0.3
 """What two exponents of one power may differ by, and which is none of a constant."""
@@ -62,10 +74,10 @@ def _zeros_of_load(load: Analysis, run: Run, stretch: StrokeInterval) -> Iterato
         yield Singular(load.name, "0", "other", *root, None)
 
 
-def order_of(run: Run, result: Analysis, x: float) -> Order | None:
+def order_of(run: Run, result: Analysis, x: float, parts: Sequence[float] = NEARBY) -> Order | None:
     """Return the order of a result at a value of the drive: zero, infinite, finite or a jump."""
     size = run.values(result.formula, result)
-    found, step = order_at(size, x, run.range), SIDE * run.range
+    found, step = order_at(size, x, run.range, parts), SIDE * run.range
     if found == "jump":
         sides = {side: size(side) for side in (x - step, x + step)}
         if is_nothing(sides, result, run.along, spaced(run.low, run.high, PLACES)):
@@ -154,13 +166,17 @@ def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formul
     return shifted if math.isclose(value + turns * math.pi, root.x, abs_tol=SAME_VALUE) else None
 
 
-def order_at(function: Function, x: float, range_: float) -> Order | None:
+def order_at(
+    function: Function, x: float, range_: float, parts: Sequence[float] = NEARBY
+) -> Order | None:
     """Return the order of a function at ``x``; None where it is no power of the distance.
+
+    The ``parts`` of the range are the distances at which that is seen, the first that shows it.
 
     >>> order_at(lambda x: (1e-6 - x) / x, 0.0, 1.0)
     'infinite'
     """
-    for part in NEARBY:
+    for part in parts:
         sides = (_exponent(function, x, side * part * range_) for side in (-1, 1))
         if exponents := [e for e in sides if e is not None]:
             if max(exponents) < -VARIES:
@@ -187,9 +203,12 @@ def distinguished(
     found: Iterable[Singular],
     branches: Sequence[Branch],
     range_: float,
-    orders: Mapping[str, Callable[[float], Order | None]],
+    orders: Mapping[str, OrderAt],
 ) -> tuple[Singular, ...]:
     """Return singular poses in their order, those left out that only a branch point makes.
+
+    What is left at one is seen from farther away than rounding reaches: where a triangle is flat
+    but for rounding, a result may pass 0 on its way over a jump.
 
     ``orders`` say of each result what it does there: which of a zero and a pole that are
     at one value, where neither of them leaves it undetermined; or that what vanishes there
@@ -208,16 +227,21 @@ def distinguished(
         if len({one.value for one in ones}) == 1:
             kept.append(ones[0]._replace(drive=branch.drive, bracket=branch.bracket))
     kept.sort(key=lambda s: (s.result, s.drive))
-    merged = _merged(kept, SAME_VALUE * range_, orders)
+    flat = {branch.drive for branch in branches}
+    merged = _merged(kept, SAME_VALUE * range_, orders, flat)
     return tuple(sorted(merged, key=lambda s: s.drive))
 
 
 def _merged(
     found: Sequence[Singular],
     width: float,
-    orders: Mapping[str, Callable[[float], Order | None]],
+    orders: Mapping[str, OrderAt],
+    flat: Set[float],
 ) -> Iterator[Singular]:
-    """Yield singular poses, those of a result at one value as its order there."""
+    """Yield singular poses, those of a result at one value as its order there.
+
+    ``flat`` are the values at which a loop is flat.
+    """
     groups: list[list[Singular]] = []
     for one in found:
         last = groups[-1][-1] if groups else None
@@ -230,7 +254,8 @@ def _merged(
         if first.sides:
             yield first
             continue
-        value = orders[first.result](first.drive)
+        parts = BEYOND_BRANCH_POINT if first.drive in flat else NEARBY
+        value = orders[first.result](first.drive, parts)
         if any(one.kind == "far" for one in ones):
             yield from _at_what_is_far(first, value)
             continue
