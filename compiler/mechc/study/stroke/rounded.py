@@ -57,7 +57,7 @@ def is_turning(found: Extremum, result: Result, along: Along, grid: Sequence[flo
 
 
 def _error(x: float, result: Result, along: Along) -> float:
-    """Return what rounding may have made of a result's value at most, 0 where that is not known."""
+    """Return a bound of the rounding error in a result's value, 0 where none is known."""
     error = with_error(result.formula, result.where, along.rounding(x)).error
     return error if math.isfinite(error) else 0.0
 
