@@ -7,11 +7,15 @@ arrives is the inverse quotient. At a dead centre nothing arrives.
 
 from functools import cached_property
 
+from ..algebra.factors import Trig
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box, sign
-from ..algebra.product import Product
+from ..algebra.product import ONE, Product
+from ..algebra.sums import canonical
+from ..algebra.trigonometry import cosine, sine
 from ..formula.operations import count_operations
-from ..formula.tree import ZERO, Call, Formula, Power, Symbol, number, product, quotient
+from ..formula.tree import ZERO, Call, Formula, Power, Symbol, is_call, number, product, quotient
+from ..formula.walk import symbols, walk
 from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box
@@ -21,7 +25,7 @@ from ..model.result import Case, Definition, FrictionResult, Result
 from ..power.numbers import default_values, value_of
 from ..source import Span
 from ..units import NUMBER
-from .closed_form import Named, Operator, Printed
+from .closed_form import Named, Operator, Printed, readable
 from .iterated import SHORT
 from .solution import Step
 
@@ -106,6 +110,10 @@ class Drives:
         if count_operations(self._ideal.formula) > SHORT:
             above, below = (self._k, Symbol(name))[:: self._exponent]
             here, where = quotient(above, below), self._with_ideal(where)
+        elif not _has_roots(case):
+            put_in = self._put_in(case)
+            if count_operations(put_in) <= count_operations(here) + LOOKED_UP:
+                here, where = put_in, case.where
         if self._exponent < 0:
             value = value_of(real, default_values(self._plan))
             if value is not None and value * self._here < 0:
@@ -116,6 +124,12 @@ class Drives:
             where = self._with_ideal(where)
             holds += tuple(Require(f, o, ZERO, span) for f, o in self._condition(self._k))
         return Case(here, where, holds, case.guards)
+
+    def _put_in(self, case: Case) -> Formula:
+        """Return the efficiency with the printed ratio in it, not its name: tan β/tan(β + ρ)."""
+        without, real = to_product(self._ideal.formula), to_product(case.formula)
+        share = canonical((without / real) ** self._exponent)
+        return min((_in_tangents(share), readable(share)), key=count_operations)
 
     def _with_ideal(self, where: tuple[Definition, ...]) -> tuple[Definition, ...]:
         """Return definitions with that of the ratio without friction."""
@@ -146,6 +160,30 @@ class Drives:
 
     def _definition(self) -> Definition:
         return Definition(self._ideal.name, self._ideal.formula)
+
+
+def _has_roots(case: Case) -> bool:
+    """Return whether a ratio, or what it rests on, is a root of a quadratic equation."""
+    used = symbols(case.formula)
+    rests_on = (d.formula for d in case.where if d.name in used)
+    return any(
+        is_call(f, "sqrt", "hypot") for whole in (case.formula, *rests_on) for f in walk(whole)
+    )
+
+
+def _in_tangents(share: Product) -> Formula:
+    """Return a share of sines and cosines alone with tangents below its line: tan β/tan(β + ρ)."""
+    trigs = {f: e for f, e in share.factors.items() if isinstance(f, Trig)}
+    below = ONE
+    if len(trigs) == len(share.factors):
+        for angle in (f.angle for f, e in trigs.items() if f.function == "sin" and e < 0):
+            if trigs.get(Trig("cos", angle), 0) > 0:
+                below *= sine(angle) / cosine(angle)
+    return quotient((share * below).formula(), below.formula())
+
+
+LOOKED_UP = 2
+"""Operations that a ratio counts for which the reader has to look up by its name."""
 
 
 def _not_negative(share: Formula) -> Formula:

@@ -5,7 +5,7 @@ from typing import assert_never
 
 from ...formula.layout import is_angle
 from ...formula.names import split_ratio
-from ...formula.tree import ZERO, Call, Formula, Power, Symbol, is_call, product, quotient
+from ...formula.tree import ZERO, Call, Formula, Symbol, is_call, product, quotient
 from ...formula.walk import symbols, walk
 from ...model.mechanism import (
     Axial,
@@ -155,11 +155,12 @@ def ratio(result: Analysis) -> Formula | None:
 
 def _share(result: Analysis) -> Formula:
     """Return ``k/k_f``, or ``k_f/k`` where the load drives; 0 where friction then holds it."""
+    assert isinstance(result.target, Efficiency)
     name = result.name.removeprefix("eta_")
     ideal, real = Symbol(name), Symbol(f"{name}_f")
-    below = any(isinstance(f, Power) and f.base == real for f in walk(result.formula))
-    below = below or result.formula == ZERO
-    share = quotient(ideal, real) if below else quotient(real, ideal)
+    drives = result.target.sense == "tightening" if result.driven is None else not result.driven
+    is_below = drives or result.formula == ZERO
+    share = quotient(ideal, real) if is_below else quotient(real, ideal)
     is_held = is_call(result.formula, "max")
     return Call("max", (share, ZERO)) if is_held else share
 
