@@ -8,18 +8,21 @@ put in where algebra proves it equal.
 from collections.abc import Iterable, Iterator, Set
 from fractions import Fraction
 
+from ..algebra.angle import Angle
 from ..algebra.factors import Constant, Factor, Length
-from ..algebra.from_formula import is_transparent, to_product
+from ..algebra.from_formula import is_transparent, to_angle, to_product
 from ..algebra.product import Product
 from ..algebra.product import Sum as FactoredSum
 from ..algebra.sums import add
 from ..formula.evaluate import evaluate
+from ..formula.facing import quarter_turned, rewritten
 from ..formula.layout import has_minus
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Sum, is_call, negative, number, power, quotient, total
-from ..formula.walk import children, rebuild
+from ..formula.walk import children, rebuild, walk
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
+from ..pose.given_angles import GivenLines
 from ..units import LENGTH
 
 LONGEST_SIDE = 3
@@ -54,12 +57,16 @@ def book_form(formula: Formula, positive: Set[str]) -> Formula:
     ``positive`` are the names of lengths that are never negative. What is no triangle stays.
 
     >>> from ..formula.to_text import text
-    >>> from ..formula.tree import Symbol, negative, product
+    >>> from ..formula.tree import Symbol, degrees, negative, product
     >>> a, d, phi = Symbol("a"), Symbol("d"), Symbol("phi")
     >>> across = product([(a, 1), (Call("sin", (phi,)), 1)])
     >>> along = total([d, negative(product([(a, 1), (Call("cos", (phi,)), 1)]))])
     >>> text(book_form(Call("hypot", (along, across)), {"a", "d"}))
     'sqrt(a^2 + d^2 - 2*a*d*cos(phi))'
+    >>> lean = total([phi, degrees(60)])
+    >>> across, along = (product([(a, 1), (Call(f, (lean,)), 1)]) for f in ("sin", "cos"))
+    >>> text(book_form(Call("hypot", (total([along, d]), across)), {"a", "d"}))
+    'sqrt(a^2 + d^2 + 2*a*d*cos(phi + pi/3))'
     """
     parts = tuple(book_form(part, positive) for part in children(formula))
     whole = rebuild(formula, parts) if parts else formula
@@ -81,7 +88,16 @@ def _by_cosines(x: Formula, y: Formula) -> Iterator[Formula]:
     terms = list(_multiplied_out(square))
     if is_transparent(square) and len(terms) <= LONGEST_SIDE:
         ordered = sorted(terms, key=lambda t: (t.coefficient < 0, len(t.factors)))
-        yield Call("sqrt", (total(t.formula() for t in ordered),))
+        yield Call("sqrt", (_in_angles_of((x, y), total(t.formula() for t in ordered)),))
+
+
+def _in_angles_of(components: Iterable[Formula], square: Formula) -> Formula:
+    """Return a square by the cosine of an angle between the arms that the components have."""
+    calls = (part for one in components for part in walk(one) if is_call(part, "sin", "cos"))
+    found = (to_angle(call.arguments[0]) for call in calls)
+    arms = {angle for angle in found if angle is not None}
+    quarter = GivenLines({Angle(), *arms}, arms, {Angle(), *arms}).quarter
+    return rewritten(square, lambda part: quarter_turned(part, quarter))
 
 
 def _operations(distance: Formula) -> int:
