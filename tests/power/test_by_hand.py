@@ -32,9 +32,7 @@ BY_HAND: dict[str, tuple[str, dict[str, str]]] = {
     ),
     "peaucellier": ("r*sin(delta + gamma)/sin(delta - gamma)", {}),
     "peaucellier_closed": (
-        "r*(sin(phi - phi_AB)*sin(phi_AB - mu_B - phi_AC)*cos(phi_AB)/sin(mu_B)"
-        " - sin(phi - phi_AC)*sin(phi_AB - mu_C - phi_AC)*cos(phi_AC)/sin(mu_C))"
-        "/sin(phi_AC - phi_AB)",
+        "r*sin(phi_AB - mu_B - phi_AC)*cos(phi_AB + phi_AC - phi)/sin(mu_B)",
         {},
     ),
     "watt_six_bar": (

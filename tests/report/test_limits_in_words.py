@@ -43,13 +43,15 @@ def test_what_is_neither_zero_nor_infinite_is_stated_once():
     lines = said("toggle_clamp")
     assert sum("sampling finds none for 2° ≤ θ ≤ 40°" in line for line in lines) == 2
     assert not any("neither 0 nor infinite" in line for line in lines)
-    assert any("neither 0 nor infinite" in line for line in said("peaucellier_closed"))
+    assert any("neither 0 nor infinite" in line for line in said("triad_closed"))
 
 
-def test_a_place_that_is_rounding_beside_its_range_is_zero():
+@pytest.mark.parametrize("place", [1.3e-14, 3.5e-8, -3.5e-8])
+def test_a_place_that_is_rounding_beside_its_range_is_zero(place):
+    """An extremum is found to the root of what its values are rounded by."""
     found = good_mechanisms.compiled("peaucellier_closed")
     (k,) = (r for r in found.reported.results if r.extents)
-    least = k.extents[0].least._replace(x=1.3e-14)
+    least = k.extents[0].least._replace(x=place)
     extent = replace(k.extents[0], least=least)
     spell = speller([k], found.mechanism, True, "en")
     (line,) = extent_remarks(replace(k, extents=(extent,)), "k", spell.locale, spell)

@@ -8,7 +8,9 @@ from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.to_text import text
 from mechc.formula.walk import symbols
+from mechc.report.languages.registry import locale
 from mechc.report.sections import outline
+from mechc.report.sentences.wording import position_sentences
 from mechc.source import Source
 
 
@@ -32,6 +34,32 @@ def test_a_four_bar_is_one_triangle_and_its_vertices_state_the_assembly():
 )
 def test_each_loop_is_of_its_kind(name, kinds):
     assert [step.kind for step in steps(name)] == kinds
+
+
+def test_congruent_triangles_are_solved_once():
+    first, second = steps("peaucellier_closed")
+    assert [d.name for d in first.definitions] == ["len_OA", "phi_OA", "mu_B", "phi_AB"]
+    assert (second.kind, second.points) == ("congruent", ("A", "C", "O"))
+    assert second.like == first.points == ("A", "B", "O")
+    assert [d.name for d in second.definitions] == ["phi_AC"]
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        (
+            "en",
+            "Triangles ACO and ABO are congruent by their three sides: their angles at C and B "
+            "are equal.",
+        ),
+        ("uk", "Трикутники ACO та ABO рівні за трьома сторонами: їхні кути при C та B рівні."),
+        ("ru", "Треугольники ACO и ABO равны по трём сторонам: их углы при C и B равны."),
+    ],
+)
+def test_it_is_said_by_what_triangles_are_congruent(language, sentence):
+    found = position_sentences(steps("peaucellier_closed"), locale(language), lambda name: name)
+    said = list(found)
+    assert said[1] == sentence
 
 
 @pytest.mark.parametrize("name", CLOSED)

@@ -83,13 +83,16 @@ class SolvedLoop(NamedTuple):
     """A loop as it was solved: its points, what kind it is, the names it gave, in order.
 
     The points of a triangle are its vertices, the pin between the unknown sides the second;
-    ``is_clockwise`` is how they lie, None for other loops.
+    ``is_clockwise`` is how they lie, None for other loops. One that is congruent to an earlier
+    one has ``again`` what that gave, and ``like`` are the earlier one's points.
     """
 
     kind: LoopKind
     points: tuple[str, ...]
     names: tuple[str, ...]
     is_clockwise: bool | None = None
+    like: tuple[str, ...] = ()
+    again: frozenset[str] = frozenset()
 
 
 class PointContact(NamedTuple):

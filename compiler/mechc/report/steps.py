@@ -23,13 +23,15 @@ class PositionStep:
     """The position by one loop, or of one vector: directions and lengths, in order.
 
     ``points`` is what the loop goes through (see ``SolvedLoop``), or the ends of the vector;
-    ``definitions`` are those of its names that the derivation needs.
+    ``definitions`` are those of its names that the derivation needs; ``like`` are the points of
+    the triangle that this one is congruent to.
     """
 
     kind: PositionKind
     points: tuple[str, ...]
     is_clockwise: bool | None
     definitions: tuple[Definition, ...]
+    like: tuple[str, ...] = ()
 
 
 class Equation(NamedTuple):

@@ -46,6 +46,7 @@ POSITION: Kind[PositionStep] = record(
     member("kind", "How the loop is solved.", one_of(*get_args(PositionKind)), lambda s: s.kind),
     member("points", "Of the loop.", list_of(TEXT), lambda s: s.points),
     member("definitions", "In order.", list_of(DEFINITION), lambda s: s.definitions),
+    member("like", "The triangle that one is congruent to.", list_of(TEXT), lambda s: s.like),
 )
 
 TERM: Kind[PowerTerm] = record(

@@ -230,12 +230,13 @@ class _Closing:
         familiar = self._familiar(cycle)
         candidates = [recognised(c, wanted, familiar, state) for c in group.closures]
         chosen = self._choice.choose(candidates, group, within)
-        state.limits += [group.limit] if group.limit else []
-        if group.root is not None and any(chosen is each for each in group.closures):
+        is_new = not sides.again
+        state.limits += [group.limit] if group.limit and is_new else []
+        if group.root is not None and is_new and any(chosen is each for each in group.closures):
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
         points = group.triples()[0] if group.kind == "triangle" else points_around(cycle)
         side = tuple(arm for edge in cycle for arm in edge.arms)
-        state.take(unwound(chosen, state), wanted, [side], group.kind, points)
+        state.take(unwound(chosen, state), wanted, [side], group.kind, points, sides.again)
         return True
 
     def _familiar(self, cycle: Cycle) -> list[Angle]:

@@ -144,8 +144,7 @@ def _hinged(
     """Return a closure of a triangle: the angle at its base names or gives a direction."""
     (first, second), (outside, sign, base) = turns, lead
     if len(loop.known) > 1 or first.name in sides.kept:
-        turn = base if sign > 0 else negative(base)
-        named = [Definition(first.name, total([outside.formula(), turn]))]
+        named = [Definition(first.name, _turned(outside, sign, base, sides))]
         other = second.angle_at(first.direction + HALF_TURN - inner_angle)
         return _closure(named, {second.name: other}, sides)
     gamma = sides.angle("gamma", loop.base_point(first.name) or first.name, base)
@@ -153,6 +152,14 @@ def _hinged(
     direction = first.direction.put({first.name: angle})
     other = second.angle_at(direction + HALF_TURN - inner_angle)
     return _closure([], {first.name: angle, second.name: other}, sides)
+
+
+def _turned(outside: Angle, sign: int, base: Formula, sides: Sides) -> Formula:
+    """Return a direction turned by the angle at a triangle's base, one way or the other."""
+    known = sides.turn_by(base)
+    if known is not None:
+        return principal(outside + known * sign).formula()
+    return total([outside.formula(), base if sign > 0 else negative(base)])
 
 
 # -------------------------------------------------------------------- a turn and a length

@@ -4,14 +4,15 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 
 from ...algebra.angle import Angle
+from ...algebra.from_formula import to_angle
 from ...algebra.product import Product
 from ...algebra.trigonometry import cosine
-from ...formula.tree import Call, Formula
+from ...formula.tree import Call, Formula, Sum, negative, total
 from ..pose import Arm, Definition, Vector, components, gathered
 from ..samples import Values, is_behind
 from ..vector_graph import Names, known_span, mentioned
 from .dyads import Loop
-from .triangle import common_turn, is_of_vector
+from .triangle import common_turn, is_of_vector, is_same_angle
 
 HALF_TURN = Angle.constant(180)
 
@@ -38,6 +39,7 @@ class Sides:
 
     ``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
     ``signed`` lengths may be negative somewhere on the stroke; ``defined`` was found before.
+    ``again`` are names of angles found before that are those of this triangle, too.
     """
 
     def __init__(
@@ -51,8 +53,10 @@ class Sides:
     ) -> None:
         self.name, self.kept, self.fixed = name, kept, fixed
         self._values, self._signed = values, signed
-        self._vectors = {d.name for d in defined if is_of_vector(d.formula)}
+        self._defined = tuple(defined)
+        self._vectors = {d.name for d in self._defined if is_of_vector(d.formula)}
         self.definitions: list[Definition] = []
+        self.again: set[str] = set()
 
     def polar(self, vector: Vector, name: str, positive: bool = False) -> tuple[Product, Angle]:
         """Return a vector as one length and one direction, both named where it is a sum.
@@ -91,8 +95,29 @@ class Sides:
         return self.polar(loop.known, name, positive)
 
     def angle(self, letter: str, of: str, formula: Formula) -> Angle:
-        """Return an angle of the triangle under a name of its own."""
-        stem = f"{letter}_{of}"
-        if all(d.formula != formula for d in self.definitions):
-            self.definitions.append(Definition(self.name(stem), formula))
-        return Angle.of(next(d.name for d in self.definitions if d.formula == formula))
+        """Return an angle of the triangle under a name of its own, or of a congruent triangle."""
+        known = (
+            d for d in (*self._defined, *self.definitions) if is_same_angle(d.formula, formula)
+        )
+        named = next(known, None)
+        if named is None:
+            named = Definition(self.name(f"{letter}_{of}"), formula)
+            self.definitions.append(named)
+        elif named not in self.definitions:
+            self.again.add(named.name)
+        return Angle.of(named.name)
+
+    def turn_by(self, formula: Formula) -> Angle | None:
+        """Return an angle as the turn between two directions that a congruent triangle has.
+
+        None where there is none: ``phi_AB = phi_OA + 180° − formula`` is one.
+        """
+        for name, found in self._defined:
+            *lead, last = found.terms if isinstance(found, Sum) else (found,)
+            outside = to_angle(total(lead))
+            for sign in (1, -1):
+                turn = last if sign > 0 else negative(last)
+                if lead and outside and is_same_angle(turn, formula):
+                    self.again.add(name)
+                    return (Angle.of(name) - outside) * sign
+        return None

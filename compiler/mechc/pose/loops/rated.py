@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from types import MappingProxyType
 
 from ...algebra.angle import Angle
 from ...algebra.factors import Length
@@ -58,14 +59,24 @@ class Rated:
         elif moving := [self.rates[n].scaled(c) for n, c in angle.terms if n in self.rates]:
             self.rates[name] = add(moving)
 
-    def enter(self, found: Sequence[Definition], loops: Sequence[Vector]) -> None:
-        """Enter the rates of what closing loops found; note what moves at one that is not known."""
+    def enter(
+        self,
+        found: Sequence[Definition],
+        loops: Sequence[Vector],
+        twins: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
+        """Enter the rates of what closing loops found; note what moves at one that is not known.
+
+        ``twins`` are in the loops for what has the same value, and a name, already.
+        """
         met = frozenset().union(*map(mentioned, loops))
         fresh = {d.name for d in found} & met
+        fresh |= twins.keys() & met if fresh else set()
         if len(fresh) > 2 * len(loops):
             fresh -= self._rate_turns(found, fresh)
         if self.unknown.isdisjoint(met):
-            self.rates |= loop_rates(loops, sorted(fresh), self.rates)
+            rates = loop_rates(loops, sorted(fresh), self.rates)
+            self.rates |= {n: _by_name(r, twins) for n, r in rates.items() if n not in twins}
         self._rate_twins(found)
         self._rates_by_one_name(found)
         for name, formula in found:
@@ -100,8 +111,14 @@ class Rated:
 
     def _rates_by_one_name(self, found: Sequence[Definition]) -> None:
         """Write a side that is another one by the name of that one in all rates."""
-        twins = {d.name: d.formula for d in found if isinstance(d.formula, Symbol)}
+        twins = {d.name: d.formula.name for d in found if isinstance(d.formula, Symbol)}
         for name, rate in self.rates.items() if twins else ():
-            formula = rate.formula()
-            if not twins.keys().isdisjoint(symbols(formula)):
-                self.rates[name] = to_product(substitute(formula, twins))
+            self.rates[name] = _by_name(rate, twins)
+
+
+def _by_name(rate: Product, twins: Mapping[str, str]) -> Product:
+    """Return a rate in which names stand for their twins."""
+    formula = rate.formula() if twins else None
+    if formula is None or twins.keys().isdisjoint(symbols(formula)):
+        return rate
+    return to_product(substitute(formula, {n: Symbol(name) for n, name in twins.items()}))

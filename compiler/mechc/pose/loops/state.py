@@ -1,11 +1,12 @@
 """What closing the loops has found so far: definitions, directions, numbers."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ...algebra.angle import Angle
 from ...formula.evaluate import evaluate
 from ...formula.names import another
 from ...formula.tree import Formula
+from ...formula.walk import symbols
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ...units import LENGTH
@@ -105,13 +106,19 @@ class State:
         loops: Sequence[Vector],
         kind: LoopKind,
         points: tuple[str, ...],
+        again: Set[str] = frozenset(),
     ) -> None:
         """Enter a closure for good, with the rates that the loops it closes give it.
 
-        ``kind`` and ``points`` are those of the loop that it closes.
+        ``kind`` and ``points`` are those of the loop that it closes; ``again`` may be names of
+        a congruent triangle.
         """
-        moving = [turned_by(loop, closure.directions) for loop in loops]
-        self.rated.enter(closure.definitions, moving)
+        known = _mentioned(closure) & again
+        twins = {f"{name} again": name for name in known}
+        apart = {name: Angle.of(twin) for twin, name in twins.items()}
+        own = {n: angle.put(apart) for n, angle in closure.directions.items()}
+        moving = [turned_by(loop, own) for loop in loops]
+        self.rated.enter(closure.definitions, moving, twins)
         self.values = [self.tried(closure, values) for values in self.values]
         self.definitions.extend(closure.definitions)
         directions = dict(closure.directions)
@@ -125,7 +132,8 @@ class State:
         self.found.update(unknown)
         self.graph.sought.difference_update(unknown)
         names = (*(d.name for d in closure.definitions), *self._name_directions())
-        self.solved.append(SolvedLoop(kind, points, names, turn))
+        like = next((loop.points for loop in self.solved if not known.isdisjoint(loop.names)), ())
+        self.solved.append(SolvedLoop(kind, points, names, turn, like, known))
 
     def _name_directions(self) -> Iterator[str]:
         """Name the directions that are sums of many angles, all of them known by now."""
@@ -155,6 +163,12 @@ class State:
         places = self.graph.places(points[0], self.base)
         (_, _), (bx, by), (cx, cy) = (places[p] for p in points)
         return bx * cy < by * cx
+
+
+def _mentioned(closure: Closure) -> frozenset[str]:
+    """Return the names in the formulas of a closure."""
+    angles = (angle.names for angle in closure.directions.values())
+    return symbols(*(d.formula for d in closure.definitions)).union(*angles)
 
 
 def _passing_zero(mechanism: Mechanism) -> Iterator[str]:

@@ -5,6 +5,7 @@ from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine
 from ...formula.tree import Call, Formula, is_call, product
+from ...formula.tree import Product as Factors
 from ..pose import Vector
 
 
@@ -36,3 +37,15 @@ def heron(d: Product, p: Product, q: Product) -> Call:
 def is_of_vector(formula: Formula) -> bool:
     """Return whether something is the length or the direction of a vector between two points."""
     return is_call(formula, "hypot", "atan2")
+
+
+def is_same_angle(one: Formula, other: Formula) -> bool:
+    """Return whether two angles are those of a triangle of the same three sides, in any order."""
+    if one == other:
+        return True
+    match one, other:
+        case Call("atan2", (Call("sqrt", (Factors(here),)), x)), Call(
+            "atan2", (Call("sqrt", (Factors(there),)), y)
+        ):
+            return x == y and frozenset(here) == frozenset(there)
+    return False

@@ -17,9 +17,16 @@ def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]
     """Return the loops and sums that a derivation rests on, with what each gives of it."""
     formulas = {d.name: d.formula for d in pose.definitions}
     order = {name: place for place, name in enumerate(formulas)}
+    solved = {loop.points: loop for loop in pose.solved}
+
+    def place(step: PositionStep) -> int:
+        """Return where a step stands: one that gives nothing new after the one it is like."""
+        names = [d.name for d in step.definitions] or solved[step.points].again
+        return min(order[name] for name in names)
+
     steps = [*_of_loops(pose, derivation, formulas), *_of_sums(pose, derivation, formulas)]
     at_once = list(_put_in(pose, derivation))
-    return [*at_once, *sorted(steps, key=lambda step: order[step.definitions[0].name])]
+    return [*at_once, *sorted(steps, key=place)]
 
 
 Formulas = Mapping[str, Formula]
@@ -29,9 +36,9 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
     needed = reached([*_mentioned(derivation), *_in_conditions(derivation)], formulas)
     for loop in pose.solved:
         names = [n for n in loop.names if n in needed]
-        if names:
+        if names or not loop.again.isdisjoint(needed):
             found = tuple(Definition(n, formulas[n]) for n in names)
-            yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found)
+            yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found, loop.like)
 
 
 def _put_in(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]:
@@ -79,8 +86,11 @@ _SOLVED = frozenset({"acos", "asin", "atan", "atan2", "hypot", "sqrt"})
 def _kind(loop: SolvedLoop, found: Sequence[Definition]) -> PositionKind:
     """Return how a loop is solved: by equal lengths where none of its laws was needed.
 
-    Lengths may be equal by their numbers alone, as in a parallelogram of four numbers.
+    One that is like an earlier one is not solved again. Lengths may be equal by their numbers
+    alone, as in a parallelogram of four numbers.
     """
+    if loop.like:
+        return "congruent"
     parts = (part for definition in found for part in walk(definition.formula))
     is_solved = any(
         isinstance(part, Implicit)

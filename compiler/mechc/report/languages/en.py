@@ -110,6 +110,8 @@ LOCALE = Locale(
         "aligned": "Loop {loop}: the line of the slot has the direction of the vector between its"
         " ends, the place on it is the length of that vector.",
         "equal": "Loop {loop}: lengths in it are equal, so that its directions follow at once.",
+        "congruent": "Triangles {loop} and {like} are congruent by their three sides: their angles "
+        "at {pins} are equal.",
         "lengths": "Loop {loop}: its projections give two lengths.",
         "length": "Loop {loop}: its projection gives a length.",
         "sum": "The vector {loop} is a sum of vectors: its projections give direction and length.",

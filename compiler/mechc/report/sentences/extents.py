@@ -17,8 +17,11 @@ MANY = 8
 DIGITS = 5
 """Significant digits of an extreme value."""
 
-AS_NOTHING = 1e-8
-"""Places are found to so small a part of the range: one that is less than that is 0."""
+AS_NOTHING = 1e-6
+"""Places are found to so small a part of the range: one that is less than that is 0.
+
+An extremum lies anywhere where its values are alike but for rounding, of which that is the root.
+"""
 
 
 def extent_remarks(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:

@@ -83,8 +83,15 @@ def position_sentences(
 
 def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
     turn = locale.turns["cw" if step.is_clockwise else "ccw"]
-    loop = spell("".join(step.points))
-    return template.format(loop=loop, turn=turn, all=enumeration(map(spell, step.points), locale))
+    loop, like = (spell("".join(points)) for points in (step.points, step.like))
+    pins = dict.fromkeys(points[1] for points in (step.points, step.like) if points)
+    return template.format(
+        loop=loop,
+        like=like,
+        turn=turn,
+        pins=enumeration(map(spell, pins), locale),
+        all=enumeration(map(spell, step.points), locale),
+    )
 
 
 def enumeration(items: Iterable[str], locale: Locale) -> str:
