@@ -2,6 +2,7 @@
 
 import pytest
 
+import mechc
 from mechc.driver import compile_source
 from mechc.source import Source
 
@@ -28,3 +29,30 @@ def test_a_load_may_rest_on_formulas_of_the_user_s_one_behind_the_other():
     }
     assert found["F"] == pytest.approx(7000 * 60 / 90)
     assert found["F_f"] > found["F"]
+
+
+THROUGH_THE_PIVOT = """
+param t = 105 deg in 8 deg .. 188 deg
+pivot O
+slider A along 180 deg
+link AB
+link OBC
+AB = 64.5 mm @ 315 deg
+OB = 98.4 mm @ 105 deg
+OC = 74 mm @ t
+force P at A along 180 deg
+force F at C along 105 deg
+friction pins 0.232 diameter 17.1 mm
+friction slider A 0.168
+find k = P/F
+"""
+"""F passes through O: the rod AB is loaded by the friction at O alone, with either sign."""
+
+
+def test_what_rests_on_a_sign_that_rounding_makes_is_not_nil():
+    """The case printed has the sign of the load on AB, 1e-17; all links together have none."""
+    results = mechc.loads(THROUGH_THE_PIVOT).results
+    beside = mechc.loads(THROUGH_THE_PIVOT.replace("105 deg in", "105.0001 deg in")).results
+    assert results["k"].default == 0
+    assert results["k_f"].default == pytest.approx(0.0389900075, rel=1e-8)
+    assert results["k_f"].default == pytest.approx(beside["k_f"].default, rel=1e-3)

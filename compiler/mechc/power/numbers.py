@@ -57,7 +57,8 @@ class DefaultNumbers:
         """Return the value of a result there; no number where something it needs has none.
 
         NaN that no condition makes is 0/0 or a pole. What has conditions may have a form for
-        elsewhere, in which names mean something else: it shares none of them.
+        elsewhere, in which names mean something else: it shares none of them. Where a form is 0
+        but for rounding, a sign in it may be what is rounded: the one for elsewhere has none such.
         """
         is_shared = not result.guards and self._chained.takes(result.where)
         values = self._chained.values if is_shared else self.values
@@ -66,7 +67,11 @@ class DefaultNumbers:
         nowhere = number is not None and math.isnan(number) and not result.guards
         if nowhere:
             return without_value(result.formula, result.where, rounding)
-        return beyond_rounding(number, result.formula, result.where, rounding)
+        form = standing(result, values) or result
+        size = beyond_rounding(number, form.formula, form.where, rounding)
+        if number and size.number == 0 and form.elsewhere:
+            return self.of(form.elsewhere)
+        return size
 
 
 class _Chained:

@@ -11,6 +11,7 @@ from itertools import chain, pairwise
 from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding, with_error
 from ...model.result import Result
+from ...model.values import standing
 from ..tolerances import BRANCH_POINT, LOST, NEGLIGIBLE
 from .along import Along
 from .run import Run
@@ -58,7 +59,8 @@ def is_turning(found: Extremum, result: Result, along: Along, grid: Sequence[flo
 
 def _error(x: float, result: Result, along: Along) -> float:
     """Return a bound of the rounding error in a result's value, 0 where none is known."""
-    error = with_error(result.formula, result.where, along.rounding(x)).error
+    form = _form(result, along, x)
+    error = with_error(form.formula, form.where, along.rounding(x)).error
     return error if math.isfinite(error) else 0.0
 
 
@@ -90,9 +92,21 @@ def is_nothing(
 
 
 def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:
-    """Return a result's value at ``x`` without what is nothing but rounding."""
-    rounding = along.rounding(x)
-    return beyond_rounding(number, result.formula, result.where, rounding).number
+    """Return a result's value at ``x`` without what is nothing but rounding.
+
+    In one form that may be a sign, which the form for elsewhere has not.
+    """
+    form = _form(result, along, x)
+    size = beyond_rounding(number, form.formula, form.where, along.rounding(x))
+    if number and size.number == 0 and form.elsewhere:
+        other = form.elsewhere
+        return _beyond(along.of(other.formula, other, x), x, other, along)
+    return size.number
+
+
+def _form(result: Result, along: Along, x: float) -> Result:
+    """Return the form of a result that has a value at ``x``: the one for elsewhere, perhaps."""
+    return standing(result, along.values(x)) or result if result.elsewhere else result
 
 
 def _usual(result: Result, along: Along, grid: Sequence[float]) -> float:
