@@ -134,18 +134,14 @@ def _shortest(whole: Product, others: Iterable[Product]) -> Product:
     Another form is divided by nothing that cancels when it is multiplied out: it has a value
     wherever that has one. Nor does it mention what cancels.
     """
-    safe = [form for form in others if _is_safe(form, whole)]
-    short = min(safe, key=_length, default=whole)
-    return short if _length(short) < _length(whole) else whole
-
-
-def _is_safe(form: Product, whole: Product) -> bool:
-    names = symbols(form.formula()) <= symbols(whole.formula())
-    return names and _divisors(form) <= _divisors(whole)
-
-
-def _length(product: Product) -> int:
-    return count_operations(product.formula())
+    found, formula, divisors = whole, whole.formula(), _divisors(whole)
+    names, length = symbols(formula), count_operations(formula)
+    for form in others:
+        written = form.formula()
+        is_safe = symbols(written) <= names and _divisors(form) <= divisors
+        if is_safe and (shorter := count_operations(written)) < length:
+            found, length = form, shorter
+    return found
 
 
 def _divisors(product: Product) -> Counter[Factor]:
