@@ -5,6 +5,9 @@ import math
 import pytest
 
 import mechc
+from mechc.driver import compile_source
+from mechc.formula.to_text import text
+from mechc.source import Source
 
 JACK = """
 param p = {pitch} mm
@@ -148,3 +151,25 @@ def test_words_of_collars_are_names_elsewhere():
     assert found["k_f"] == pytest.approx(
         10e-3 * math.tan(math.atan(6 / (20 * math.pi)) + math.atan(0.14))
     )
+
+
+@pytest.mark.parametrize(
+    ("given", "pitch", "coefficient", "printed"),
+    [
+        ("param p = 4 mm\nparam f = 0.1", "p", "f", "d*(p + pi*f*d)/(2*(pi*d - f*p)) + f_c*d_c/2"),
+        (
+            "param psi = 4 deg\nparam rho = 6 deg",
+            "pi*d*tan(psi)",
+            "tan(rho)",
+            "(d*tan(psi + rho) + f_c*d_c)/2",
+        ),
+    ],
+)
+def test_a_collar_stands_next_to_the_thread(given, pitch, coefficient, printed):
+    """M = Q·(r₂·tg(ψ + ρ) + f·r), and not one line under all of it."""
+    friction = f"friction screw A {coefficient} thread d\nfriction collar A f_c mean d_c"
+    jack = JACK.format(pitch=4, friction=friction).replace("param p = 4 mm", given)
+    jack = jack.replace("pitch p", f"pitch {pitch}")
+    jack = f"param d_c = 40 mm\nparam f_c = 0.15\n{jack}"
+    results = compile_source(Source("jack.mech", jack)).derivation.results
+    assert next(text(r.formula) for r in results if r.name == "k_f") == printed

@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import combinations
 from typing import Literal, Protocol
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
-from ..algebra.sums import canonical
+from ..algebra.sums import add, canonical
 from ..formula.operations import count_operations
 from ..formula.to_text import text
 from ..formula.tree import Formula, number, product, total
@@ -69,8 +70,11 @@ class ClosedFormSolver(Protocol):
         """Return the steps taken so far."""
         ...
 
-    def solve(self) -> Product:
-        """Return the driving load. Raises :class:`~.free_bodies.EquationsCoupled` else."""
+    def solve(self) -> Sequence[Product]:
+        """Return the parts that the driving load is the sum of.
+
+        Raises :class:`~.free_bodies.EquationsCoupled` where there is no closed form.
+        """
         ...
 
 
@@ -79,7 +83,7 @@ def closed_form(
 ) -> Named:
     """Return the driving load times a factor, with signs that follow from the pose."""
     solver = way(signs)
-    formula = readable(canonical(solver.solve() * factor))
+    formula = shortest(solver.solve(), factor)
     return Named(formula, tuple(signs.definitions), positive(solver))
 
 
@@ -88,7 +92,7 @@ def printed_form(
 ) -> Printed:
     """Return the driving load times a factor, for the signs of one pose."""
     solver = way(signs)
-    formula = readable(canonical(solver.solve() * factor))
+    formula = shortest(solver.solve(), factor)
     where, steps = tuple(signs.definitions), tuple(solver.steps)
     return Printed(formula, where, conditions(signs), steps, positive(solver))
 
@@ -112,6 +116,26 @@ def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
 def power(times: Fraction, factor: Formula, force: Formula, slip: Formula) -> Formula:
     """Return the part of the driving load that frictions add which are there so many times."""
     return product([(number(times), 1), (factor, 1), (force, 1), (slip, 1)])
+
+
+def shortest(parts: Sequence[Product], factor: Product) -> Formula:
+    """Return a sum of parts times a factor, each apart or with the first, as is shorter.
+
+    Over one line are a thread and its load, next to them a collar: d·tan(ψ + ρ)/2 + f·r.
+    """
+    first, *others = parts
+    places = range(len(others))
+    ways = [c for n in reversed((*places, len(others))) for c in combinations(places, n)]
+    return min((_apart(first, others, way, factor) for way in ways), key=count_operations)
+
+
+def _apart(
+    first: Product, others: Sequence[Product], together: Sequence[int], factor: Product
+) -> Formula:
+    """Return a sum in which some of the others are put together with the first."""
+    whole = add((first, *(others[i] for i in together)))
+    rest = (part for i, part in enumerate(others) if i not in together)
+    return total(readable(canonical(part * factor)) for part in (whole, *rest))
 
 
 def readable(value: Product) -> Formula:

@@ -37,8 +37,8 @@ class LinearSolver:
         self.conditions: list[Condition] = []
         self.steps: tuple[Step, ...] = ()
 
-    def solve(self) -> Product:
-        """Return the driving load."""
+    def solve(self) -> Sequence[Product]:
+        """Return the driving load without friction, and what each friction adds to it."""
         sides = [self._side(p) for p in self.loaded]
         sizes = self._solved(sides)
         self._sizes = {p.pair.name: size for p, size in zip(self.loaded, sizes, strict=True)}
@@ -46,11 +46,11 @@ class LinearSolver:
         if self._signs.is_read:
             self.steps = (self._step(sides, sizes),)
             self._keep(sizes)
-        parts = (
+        parts = [
             p.pair.factor * self._slip(p) * p.slip * size
             for p, size in zip(self.loaded, sizes, strict=True)
-        )
-        return canonical(add((self._ideal, *(part.scaled(self._sense) for part in parts))))
+        ]
+        return (self._ideal, *(part.scaled(self._sense) for part in parts))
 
     def pressing(self) -> Step:
         """Return the step of the forces that press, once they are solved."""

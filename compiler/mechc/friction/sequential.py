@@ -55,15 +55,15 @@ class SequentialSolver:
         """Return the steps taken so far."""
         return self._notes.steps
 
-    def solve(self) -> Product:
-        """Return the driving load. Raises :class:`EquationsCoupled` where the chain ends."""
+    def solve(self) -> Sequence[Product]:
+        """Return the driving load alone. Raises :class:`EquationsCoupled` where the chain ends."""
         left = list(self._bodies.solvable())
         while self._driving not in self.sizes:
             body = next(filter(self._solves, left), None)
             if body is None:
                 raise EquationsCoupled
             left.remove(body)
-        return canonical(self.sizes[self._driving])
+        return (canonical(self.sizes[self._driving]),)
 
     def _solves(self, body: str) -> bool:
         """Solve a body if it has no more unknowns than equations."""
