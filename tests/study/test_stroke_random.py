@@ -5,6 +5,7 @@ from functools import lru_cache
 import pytest
 
 from grown import Grown, wide
+from hunted import Hunted, made
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.frozen import replace
@@ -114,3 +115,11 @@ def test_a_zero_that_is_left_out_would_be_seen():
     stroke = replace(compilation.stroke(3), singular=())
     (seen,) = curves(compilation, stroke)
     assert list(changes_of_sign(seen))
+
+
+@pytest.mark.parametrize("seed", [103001117, 104001391])
+def test_what_is_said_to_be_zero_throughout_does_not_change_its_sign(seed, tmp_path):
+    """A toggle that folds stands still on a third, or most, of its stroke, but for 1e-14."""
+    found = Hunted(made("joined", seed), seed, tmp_path)
+    assert found.stroke.nil
+    assert list(refuted(found.compilation, found.stroke)) == []

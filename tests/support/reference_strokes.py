@@ -14,6 +14,9 @@ from mechc.routine.evaluate import evaluate
 CLOSED = 1e-15
 """A gap below this, in square metres, is closed."""
 
+BENT, STILL = 0.25, 1e-9
+"""The part of a step by which a motion may bend in it, and what is none, in metres."""
+
 STEPS = 25
 WIDE = {"phi": 0.25, "s": 0.01}
 LAX = 1e-9
@@ -120,8 +123,13 @@ class Strokes:
         return np.sum(u * w, axis=2), slopes[:, :, self.loose].reshape(len(x), len(w[0]), -1)
 
     def _closed(self, x, values):
-        """Return the places by Newton's method, the last Jacobian, and which ones close."""
-        for _ in range(12):
+        """Return the places by Newton's method, the last Jacobian, and which ones close.
+
+        Its first step goes along the motion. Where what it adds later is no small part of that
+        the stroke may have come to another closure: there it is not followed any farther.
+        """
+        start = ahead = x
+        for turn in range(12):
             found, jacobian = self._jacobian(x)
             gap = found - values
             if np.max(np.abs(gap)) < CLOSED / 50:
@@ -130,8 +138,11 @@ class Strokes:
             step = np.linalg.solve(jacobian, gap[:, :, None])[:, :, 0]
             x = x.copy()
             x[:, self.loose] -= np.nan_to_num(step).reshape(len(x), -1, 2)
+            ahead = ahead if turn else x
         found, jacobian = self._jacobian(x)
-        return x, jacobian, np.max(np.abs(found - values), axis=1) < CLOSED
+        moved, bent = (np.max(np.abs(d), axis=(1, 2)) for d in (ahead - start, x - ahead))
+        is_closed = np.max(np.abs(found - values), axis=1) < CLOSED
+        return x, jacobian, is_closed & (bent <= BENT * moved + STILL)
 
     @np.errstate(over="ignore", invalid="ignore")
     def followed(self, drives, cranks):

@@ -29,8 +29,11 @@ ULP = 2.0**-52
 POSES = 40
 
 
-NIL = 1e-40
-"""What is smaller is rounding of a zero, in SI."""
+NIL = 1e-30
+"""What is smaller is rounding of a zero, in SI: two roundings multiplied are 5e-32.
+
+A load that does no work presses joints by 1e-16 of itself, and friction makes 1e-16 of that.
+"""
 
 NOISE, DRAWS = 1e-10, 6
 """The part of itself by which an operation is off, and how often that is drawn."""

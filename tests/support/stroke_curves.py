@@ -39,14 +39,21 @@ class Curve:
         self.places = np.linspace(stroke.low, stroke.high, PLACES)
         self.cell = self.places[1] - self.places[0]
         found = self.at(self.places)
-        self.k = np.where(np.abs(found) < NIL, 0.0, found)
-        finite = np.abs(self.k[np.isfinite(self.k)])
+        nil = self.where_nil()
+        self.k = np.where((np.abs(found) < NIL) | (nil & np.isfinite(found)), 0.0, found)
+        finite = np.abs(self.k[np.isfinite(self.k) & ~nil])
         self.size = float(np.median(finite)) if finite.size else 0.0
         self.singular = [s for s in stroke.singular if s.result == name]
         self.extrema = [e for e in stroke.extrema if e.result == name]
         self.branches = [b.drive for b in stroke.branches]
         self.poles = [s.drive for s in self.singular if s.value != "0"]
         self.jumps = [s for s in self.singular if s.sides]
+
+    def where_nil(self) -> Array:
+        """Return at which places the result is said to be zero throughout, which others refute."""
+        parts = [n for n in self.stroke.nil if n.result == self.name]
+        inside = [(self.places >= n.low) & (self.places <= n.high) for n in parts]
+        return np.any(inside, axis=0) if inside else np.zeros(PLACES, bool)
 
     def inputs(self, part: Function | Pose, places: Array) -> dict[str, Array | float | None]:
         drive = self.stroke.drive
@@ -173,19 +180,24 @@ def sides_of_jumps(seen: Curve) -> Iterator[str]:
             yield f"{beside} beside {jump}: no jump"
 
 
-@np.errstate(invalid="ignore")
 def jumps(seen: Curve) -> Iterator[str]:
     """Wherever k differs much more between two places than beside them, and keeps doing so."""
     stated = [*(s.drive for s in seen.singular), *seen.branches]
     stated += [end for s in seen.stroke.stretches for end in (s.low, s.high)]
     for i in range(1, PLACES - 2):
-        before, step, after = np.abs(np.diff(seen.k[i - 1 : i + 3]))
+        before, step, after = apart(seen.k[i - 1 : i + 3])
         if step > 5 * max(before, after) and step > 1e-6 * seen.size:
             place = between(seen, i)
             sides = seen.at(np.array([-1e-8, 1e-8]) * seen.range + place)
-            is_jump = abs(sides[0] - sides[1]) > 0.1 * step
+            is_jump = apart(sides)[0] > 0.1 * step
             if is_jump and not seen.is_near(place, stated, 1.0):
                 yield f"k jumps at {place}"
+
+
+@np.errstate(invalid="ignore")
+def apart(values: Array) -> Array:
+    """Return by how much each value differs from the next; NaN where both are infinite."""
+    return np.abs(np.diff(values))
 
 
 @np.errstate(invalid="ignore")
