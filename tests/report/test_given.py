@@ -1,5 +1,7 @@
 """What a report says is given."""
 
+import pytest
+
 import mechc
 from good_mechanisms import compiled, loaded
 from mechc.report.text.derivation import render
@@ -111,3 +113,56 @@ def test_radians_that_were_written_have_degrees_beside_them():
     assert "φ = 1.2 rad (68.7549°), range 1 rad … 2 rad" in text
     assert r"$1.2\,\text{rad}$ $(68.7549^\circ)$" in page  # a narrow column may part them
     assert "γ = arcsin(sin 79.4982°) = 79.4982°" in text
+
+
+WHEELS = {
+    "en": (
+        r"The wheel of radius $\frac{mz_S}{2}$ on $O$ is fixed to $OS$.",
+        r"The wheel on $A$ is fixed to $AP$.",
+        r"The wheel of radius $\frac{mz_R}{2}$ on $O$ is fixed to the ground.",
+    ),
+    "uk": (
+        r"Колесо радіуса $\frac{mz_S}{2}$ з віссю $O$ закріплене на ланці $OS$.",
+        r"Колесо з віссю $A$ закріплене на ланці $AP$.",
+        r"Колесо радіуса $\frac{mz_R}{2}$ з віссю $O$ нерухоме.",
+    ),
+    "ru": (
+        r"Колесо радиуса $\frac{mz_S}{2}$ с осью $O$ закреплено на звене $OS$.",
+        r"Колесо с осью $A$ закреплено на звене $AP$.",
+        r"Колесо радиуса $\frac{mz_R}{2}$ с осью $O$ неподвижно.",
+    ),
+}
+
+
+@pytest.mark.parametrize("language", WHEELS)
+def test_of_two_wheels_about_one_axis_the_radius_says_which_one_is_meant(language):
+    page = loaded("planetary_gear").emit("latex", language=language)
+    assert all(rf"\item {sentence}" in page for sentence in WHEELS[language])
+
+
+FOLLOWING = """
+mechanism m
+param a = 30 mm
+param phi = 20 deg in 5 deg .. 40 deg
+param L = 2*a {moved}
+param e = a/4
+pivot O
+link OAB
+OA = L @ phi
+OB = a @ phi
+force P at A along perp OA
+force F at B along perp OA
+drive phi
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("moved", "shown"), [("", r"$2a$ $= 60\,\text{mm}$ &"), ("*cos(phi)", r"\cos\varphi$ &")]
+)
+def test_what_follows_from_given_values_has_its_own_unless_it_is_among_the_numbers(moved, shown):
+    """k = a/L is a number, or L stands among the numbers; nothing has e, whatever L is."""
+    page = mechc.loads(FOLLOWING.format(moved=moved), "m.mech").emit("latex")
+    (of_l,) = (row for row in page.splitlines() if row.strip().startswith("$L$ &"))
+    assert shown in of_l
+    assert r"$\frac{a}{4}$ $= 7.5\,\text{mm}$" in page

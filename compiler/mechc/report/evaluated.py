@@ -1,16 +1,25 @@
 """The values of a report's formulas at the default pose, with the numbers put in."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from fractions import Fraction
 
 from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding
-from ..formula.tree import Formula, Symbol, is_call
+from ..formula.tree import Formula, Symbol, is_call, number
 from ..formula.walk import symbols, walk
 from ..model.mechanism import GRAVITY, LoadRatio, Mechanism, Parameter, Torque, WithFriction
 from ..model.parts import written
 from ..model.result import Definition
-from ..model.values import Chain, completed, defaults, dependent, is_constant, usual_length
+from ..model.values import (
+    Chain,
+    complete,
+    completed,
+    defaults,
+    dependent,
+    is_constant,
+    usual_length,
+)
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
@@ -24,6 +33,9 @@ from .sentences.remarks import asked
 _ALIKE = {"rel_tol": 1e-6, "abs_tol": 1e-12}
 """What a printed formula may be off its value by rounding, next to a zero or a pole, too."""
 
+FIGURES = 6
+"""Significant digits of a value among what is given."""
+
 NOTHING = 1e-40
 """What is smaller is what iteration leaves of a zero, in SI."""
 
@@ -33,6 +45,17 @@ class Known(NamedTuple):
 
     quantities: Mapping[str, Quantity]
     lengths: str
+
+
+def following(mechanism: Mechanism, shown: Set[Formula]) -> Mapping[str, Formula]:
+    """Return the values of parameters that follow from given ones, those that are shown left out.
+
+    What moves with the drive has none.
+    """
+    given = {n: v for n, v in defaults(mechanism).items() if n != mechanism.drive_name}
+    values = complete(mechanism, given)
+    wanted = (n for n in dependent(mechanism) if n in values and Symbol(n) not in shown)
+    return {n: number(Fraction(f"{values[n]:.{FIGURES}g}")) for n in wanted}
 
 
 class Evaluated(NamedTuple):

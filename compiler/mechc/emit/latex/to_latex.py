@@ -11,7 +11,14 @@ from ...model.mechanism import Mechanism, Parameter
 from ...model.statements import is_sheet
 from ...report.brief import at_length, needed, relations, short
 from ...report.definitions import given_loads, looked_up, stated_above
-from ...report.evaluated import constants_shown, evaluated, has_atan2, hides_units
+from ...report.evaluated import (
+    Evaluated,
+    constants_shown,
+    evaluated,
+    following,
+    has_atan2,
+    hides_units,
+)
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
@@ -152,10 +159,14 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
     yield from given_loads(compiled.mechanism)
 
 
-def _parameters(compiled: Compiled, locale: Locale, style: Notation) -> Iterator[ParameterRow]:
-    drive = compiled.mechanism.drive
+def _parameters(
+    compiled: Compiled, locale: Locale, style: Notation, found: Sequence[Evaluated] | None
+) -> Iterator[ParameterRow]:
+    """Yield the rows of what is given, with values that are not ``found`` among the numbers."""
+    drive = compiled.mechanism.drive_name
+    apart = {} if found is None else following(compiled.mechanism, {item.left for item in found})
     for parameter in _given(compiled):
-        yield parameter_row(parameter, locale, style, drive.parameter if drive else "")
+        yield parameter_row(parameter, locale, style, drive, apart.get(parameter.name))
 
 
 def report(
@@ -164,7 +175,7 @@ def report(
     """Return all that a report says, with a derivation of what was asked for."""
     mechanism, verdict = compiled.mechanism, compiled.verdict
     whole = outline(derivation, mechanism, stated_above(mechanism))
-    found = evaluated(whole, mechanism) if options.numbers else ()
+    found = tuple(evaluated(whole, mechanism)) if options.numbers else ()
     aside, full = at_length(found, whole)
     shown = {*constants_shown(whole, mechanism), *(e.left for e in full)}
     is_illustrated = bool(options.pictures or mechanism.reported)
@@ -177,7 +188,7 @@ def report(
         kind=subject(derivation.results, locale),
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),
-        parameters=tuple(_parameters(compiled, locale, style)),
+        parameters=tuple(_parameters(compiled, locale, style, found if options.numbers else None)),
         words=locale.calculation,
         tables=tuple(table_blocks(mechanism.tables, style)),
         scheme=scheme(mechanism, locale, style),

@@ -60,8 +60,9 @@ LOCALE = Locale(
         "belt": "a belt joins the pulleys on {first} (radius {one}) and {second} (radius {two})",
         "crossed": "a crossed belt joins the pulleys on {first} (radius {one}) and "
         "{second} (radius {two})",
-        "wheel": "the wheel on {point} is fixed to {link}",
-        "fixed wheel": "the wheel on {point} is fixed to the ground",
+        "wheel": "the wheel{radius} on {point} is fixed to {link}",
+        "fixed wheel": "the wheel{radius} on {point} is fixed to the ground",
+        "of radius": " of radius",
         "arm": "the link {link} carries the centres of the wheels on {points}",
         "rack": "the rack at {point} meshes with the gear on {pivot} (radius {radius})",
         "rack on the left": "the rack at {point} meshes with the gear on {pivot} (radius {radius}"

@@ -63,8 +63,9 @@ LOCALE = Locale(
         "belt": "ремень соединяет шкивы {first} (радиус {one}) и {second} (радиус {two})",
         "crossed": "перекрёстный ремень соединяет шкивы {first} (радиус {one}) и {second} "
         "(радиус {two})",
-        "wheel": "колесо с осью {point} закреплено на звене {link}",
-        "fixed wheel": "колесо с осью {point} неподвижно",
+        "wheel": "колесо{radius} с осью {point} закреплено на звене {link}",
+        "fixed wheel": "колесо{radius} с осью {point} неподвижно",
+        "of radius": " радиуса",
         "arm": "водило {link} несёт оси колёс {points}",
         "rack": "рейка {point} зацеплена с колесом на оси {pivot} (радиус {radius})",
         "rack on the left": "рейка {point} зацеплена с колесом на оси {pivot} (радиус {radius}); "

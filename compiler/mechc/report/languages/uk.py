@@ -63,8 +63,9 @@ LOCALE = Locale(
         "{two}) перебувають у внутрішньому зачепленні",
         "belt": "пас з’єднує шківи {first} (радіус {one}) і {second} (радіус {two})",
         "crossed": "перехресний пас з’єднує шківи {first} (радіус {one}) і {second} (радіус {two})",
-        "wheel": "колесо з віссю {point} закріплене на ланці {link}",
-        "fixed wheel": "колесо з віссю {point} нерухоме",
+        "wheel": "колесо{radius} з віссю {point} закріплене на ланці {link}",
+        "fixed wheel": "колесо{radius} з віссю {point} нерухоме",
+        "of radius": " радіуса",
         "arm": "водило {link} несе осі коліс {points}",
         "rack": "рейка {point} зачеплена з колесом на осі {pivot} (радіус {radius})",
         "rack on the left": "рейка {point} зачеплена з колесом на осі {pivot} (радіус {radius}); "

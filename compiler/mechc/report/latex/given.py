@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import assert_never
 
 from ...formula.names import split_points
-from ...formula.tree import Constant, Symbol, number, product
+from ...formula.tree import Constant, Formula, Symbol, number, product
 from ...model.entries import unit_of_drawing
 from ...model.mechanism import (
     GRAVITY,
@@ -58,17 +58,26 @@ class VectorRow(NamedTuple):
 
 
 def parameter_row(
-    parameter: Parameter, locale: Locale, style: Notation, drive: str = ""
+    parameter: Parameter,
+    locale: Locale,
+    style: Notation,
+    drive: str = "",
+    value: Formula | None = None,
 ) -> ParameterRow:
     """Return a parameter's symbol, label, value and range with the user's units.
 
-    That of the ``drive`` is called so where it has no text.
+    That of the ``drive`` is called so where it has no text; one that follows from others may have
+    a ``value`` behind its formula.
     """
+    shown = _value(parameter, locale, style)
+    if value is not None:
+        known = quantity(value, parameter.dimension, parameter.unit, locale, style)
+        shown = f"{shown} {math(f'= {known}')}"
     label = "; ".join(translated(t, style) for t in (parameter.label, parameter.about) if t)
     return ParameterRow(
         math(name(parameter.name, style)),
         label or (locale.driving if parameter.name == drive else ""),
-        _value(parameter, locale, style),
+        shown,
         _range(parameter, locale, style),
     )
 

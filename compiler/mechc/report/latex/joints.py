@@ -1,6 +1,6 @@
 """Joints beyond pins and guides, in sentences."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from typing import assert_never
 
 from ...formula.layout import has_minus
@@ -38,6 +38,17 @@ def joint_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> It
             yield _arc(link, link.arc, locale, style)
     for joint in mechanism.joints:
         yield from _sentence(joint, locale, style)
+        if isinstance(joint, WheelPair) and joint.arm:
+            yield from _on_arm(joint, _in_two_parts(mechanism), locale, style)
+
+
+def _in_two_parts(mechanism: Mechanism) -> frozenset[str]:
+    """Return the centres of wheels that do not turn together."""
+    held: dict[str, set[str]] = {}
+    for mesh in mechanism.each(WheelPair):
+        for centre, link in zip(mesh.points, mesh.wheels, strict=True):
+            held.setdefault(centre, set()).add(link)
+    return frozenset(centre for centre, links in held.items() if len(links) > 1)
 
 
 def _arc(rod: Link, arc: ArcSlot, locale: Locale, style: Notation) -> str:
@@ -66,8 +77,6 @@ def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
             yield say["contact"].format(point=on, body=body, normal=across)
         case WheelPair():
             yield _wheels(joint, locale, style)
-            if joint.arm:
-                yield from _on_arm(joint, locale)
         case Rack(point, pivot, radius=size):
             on, centre = math(points(point)), math(points(pivot))
             is_left = has_minus(size)
@@ -100,12 +109,19 @@ def _wheels(mesh: WheelPair, locale: Locale, style: Notation) -> str:
     )
 
 
-def _on_arm(mesh: WheelPair, locale: Locale) -> Iterator[str]:
-    """Yield the carrier of the centres of two wheels, and the bodies that they are fixed to."""
+def _on_arm(mesh: WheelPair, shared: Set[str], locale: Locale, style: Notation) -> Iterator[str]:
+    """Yield the carrier of the centres of two wheels, and the bodies that they are fixed to.
+
+    Of several about a ``shared`` centre it is said by its radius which one is meant.
+    """
     say = locale.joints
     ends = f" {locale.conjunction} ".join(math(points(centre)) for centre in sorted(mesh.points))
     yield say["arm"].format(link=math(points(mesh.arm)), points=ends)
-    for centre, link in zip(mesh.points, mesh.wheels, strict=True):
-        on = math(points(centre))
-        body = math(points(link)) if link else ""
-        yield say["wheel" if link else "fixed wheel"].format(point=on, link=body)
+    radii = (mesh.first_radius, mesh.second_radius)
+    for centre, link, radius in zip(mesh.points, mesh.wheels, radii, strict=True):
+        size = f" {math(length_of(radius, locale, style))}" if centre in shared else ""
+        yield say["wheel" if link else "fixed wheel"].format(
+            point=math(points(centre)),
+            link=math(points(link)) if link else "",
+            radius=say["of radius"] + size if size else "",
+        )
