@@ -48,6 +48,7 @@ class Grown:
         self.places: dict[str, Place] = {"0": (0, 0), "X": (1, 0), "Y": (0, 1)}
         self.fixed, self.pivots = {"0", "X", "Y"}, list[str]()
         self.lines, self.assemblies = list[str](), list[str]()
+        self.in_slot: dict[str, tuple[str, str, str]] = {}
         self.forms: list[Form] = []
         self.kinds: list[str] = []
         self.moving: list[str] = []
@@ -144,9 +145,20 @@ class Grown:
 
     def turns(self, a: str, b: str, c: str) -> None:
         """Say which way round three points turn."""
+        self.assemblies.append(self.turn(a, b, c))
+
+    def turn(self, a: str, b: str, c: str) -> str:
+        """Return the line that says which way round three points turn."""
         (ax, ay), (bx, by), (cx, cy) = (self.places[p] for p in (a, b, c))
         area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-        self.assemblies.append(f"assembly {a}{b}{c} {'ccw' if area > 0 else 'cw'}")
+        return f"assembly {a}{b}{c} {'ccw' if area > 0 else 'cw'}"
+
+    def in_one_of_two(self, pin: str, pivot: str, arm: str) -> None:
+        """Say of a pin in two slots in words of either's link how it stands in each of them."""
+        line, *first = self.in_slot[pin]
+        if line in self.assemblies:
+            self.assemblies[self.assemblies.index(line)] = self.turn(pin, *first)
+        self.turns(pin, pivot, arm)
 
     def stands(self, pin: str, foot: str, along: Place) -> None:
         """Say on which side of the foot of a perpendicular a pin stands on its line."""
@@ -223,12 +235,14 @@ class Grown:
         """A pin in the slot of a link on a pivot; the slot may pass the pivot by."""
         pin = self.dice.choice(self.moving)
         pivot = self.pivot(pin)
-        arm = self.point("D", pivot)
+        arm, guided = self.point("D", pivot), set(self.guided)
         if pin in self.guided or self.dice.random() < 0.5:
             side = 1 if pin in self.guided else self.dice.choice((1, -1))
             head = self.put("C", self.beyond(pivot, self.toward(pivot, pin), 0.1 * side))
             if pin not in self.guided:
                 self.assemblies.append(f"assembly {pin} {'forward' if side > 0 else 'back'}")
+            elif pin in self.in_slot:
+                self.in_one_of_two(pin, pivot, arm)
             self.plate(pivot, head, arm)
             self.slot(pin, Line(pivot, head))
         else:
@@ -236,6 +250,8 @@ class Grown:
             self.plate(pivot, arm, head)
             self.slot(pin, Line(arm, head))
             self.stands(pin, pivot, self.toward(arm, head))
+        if pin not in guided:
+            self.in_slot[pin] = self.assemblies[-1], pivot, arm
         self.moving.append(arm)
 
     def rpr_block(self) -> None:

@@ -62,6 +62,26 @@ def assembly_idle(at: Span, points: str) -> Message:
     )
 
 
+@coded("W304")
+def assembly_of_one_slot(at: Span, pin: str, loop: str, other: str) -> Message:
+    """An ``assembly`` line of a pin that slides in two slots decides one of two loops alone.
+
+    The other loop closes with the pin ahead, as it does without a line. Three points say
+    which loop is meant::
+
+        slot A in PC
+        slot A in QD
+        assembly A back      # in PC, or in QD?
+        assembly APE ccw     # right: E is a point of link PCE, off the line PC
+    """
+    return Message(
+        at,
+        f"the assembly of {pin} decides the loop {loop}; {pin} slides in another slot, too, "
+        f"and the loop {other} closes with it ahead",
+        "name three points of the loop that is meant, one of them off the line of its slot",
+    )
+
+
 @coded("E318")
 def assembly_refuted(at: Span, points: str, mode: str) -> Message:
     """An ``assembly`` line says of given points what they are not.

@@ -27,6 +27,7 @@ class Choice:
     def __init__(self, state: State, report: Report) -> None:
         self._state, self._report = state, report
         self._unused = list(state.mechanism.assemblies)
+        self._in_slots: dict[str, tuple[Assembly, str]] = {}
 
     @property
     def unused(self) -> tuple[Assembly, ...]:
@@ -54,14 +55,32 @@ class Choice:
         lines = [a for a in self._unused if within is None or _is_of_shape(a, within)]
         decisive = read.decisive(lines, poses, possible)
         self._unused = [a for a in self._unused if a not in decisive]
+        self._note_slots(decisive, group, read)
         meant = [i for i in possible if all(read.holds(a, poses, i) for a in decisive)]
         if len(meant) > 1:
             drawn = nearest(poses, meant, state, within)
+            if not decisive and not drawn:
+                self._doubt_slots(group, read)
             meant = drawn or (meant if decisive else _ahead(meant, group, poses, state))
         left = meant or possible
         if len(meant) != 1:
             self._report_open(decisive, [poses[i] for i in left], group, read, not meant)
         return closures[left[0]]
+
+    def _note_slots(self, decisive: Sequence[Assembly], group: Loops, read: "Reading") -> None:
+        """Note the pins in slots whose place along them a line has decided, and in which loop."""
+        for line in decisive:
+            if len(line.points) == 1 and read.lines[line.points[0]].in_slot:
+                self._in_slots[line.points[0]] = line, loop_name(group.cycle)
+
+    def _doubt_slots(self, group: Loops, read: "Reading") -> None:
+        """Warn of lines that may be meant of another slot, on the same pin, than they decided."""
+        for pin, guide in read.lines.items():
+            if guide.in_slot and guide.length in group.unknown and pin in self._in_slots:
+                line, loop = self._in_slots[pin]
+                other = loop_name(group.cycle)
+                message = closure_messages.assembly_of_one_slot(line.span, pin, loop, other)
+                self._report.add(message)
 
     def _none(self, closures: Sequence[Closure], group: Loops) -> MechcError:
         """Return that nothing closes, unless that rests on a closure taken for the time being."""
