@@ -8,7 +8,7 @@ from . import choices
 from .evaluate import equations
 from .layout import decimal, diameters_behind, is_long
 from .operations import split_fraction
-from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
+from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, is_call, power
 
 
 def text(formula: Formula) -> str:
@@ -55,14 +55,14 @@ def _text(formula: Formula, level: int) -> str:
 
 
 def _figures(formula: Formula) -> str:
-    """Print a part of a choice, table or list; a number alone as a decimal.
+    """Print a part of a choice, table or list; a number alone as a decimal, a choice in brackets.
 
     >>> from .tree import number
     >>> text(Call("next", (Symbol("d"), number(Fraction(63, 1000)), number(2))))
     'next d in list(0.063, 2)'
     """
     shown = decimal(formula.value) if isinstance(formula, Number) else None
-    return shown or _text(formula, 0)
+    return shown or _text(formula, 1 if is_call(formula, "choose") else 0)
 
 
 def _solution(formula: Implicit) -> str:
@@ -76,7 +76,7 @@ def _choice(function: str, parts: list[str]) -> str:
         case "choose", _:
             pairs = zip(parts[1::2], parts[::2], strict=False)
             cases = ", ".join(f"{value} when {condition}" for value, condition in pairs)
-            return f"{cases} else ({parts[-1]})" if len(parts) % 2 else cases
+            return f"{cases} else {parts[-1]}" if len(parts) % 2 else cases
         case "both", _:
             return " and ".join(parts)
         case "interpolate", [x, *rows]:

@@ -66,12 +66,14 @@ class Letters:
     """What the names of a report stand for, as far as how they are written depends on it.
 
     ``usual`` are the weights by the usual g, ``units`` those of what is given by a number,
-    ``positive`` the lengths that are never negative.
+    ``positive`` the lengths that are never negative, ``choices`` those of a description as they
+    are written, in their units.
     """
 
     usual: frozenset[str]
     units: Mapping[str, str]
     positive: frozenset[str]
+    choices: Mapping[str, Formula]
 
 
 def letters(
@@ -82,7 +84,13 @@ def letters(
     units = constant_units(mechanism) | literal_units(found)
     where = (*others, *(d for r in found for d in r.where))
     positive = book_forms.positive_names(mechanism, where)
-    return Letters(usual_weights(mechanism), units, positive)
+    return Letters(usual_weights(mechanism), units, positive, dict(_choices(mechanism)))
+
+
+def _choices(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
+    for parameter in looked_up(mechanism):
+        if parameter.written and not parameter.written.kind:
+            yield parameter.name, parameter.written.formula
 
 
 def as_written(where: Iterable[Definition], known: Letters) -> list[Definition]:
@@ -99,6 +107,8 @@ def _as_written(definition: Definition, known: Letters) -> Definition:
     unit = UNITS.get(known.units.get(name, ""))
     if name in known.usual:
         return Definition(name, by_letter(formula))
+    if name in known.choices:
+        return Definition(name, known.choices[name])
     if unit is None or not isinstance(formula, Number):
         return Definition(name, book_forms.book_form(formula, known.positive))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
