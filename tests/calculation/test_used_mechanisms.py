@@ -456,7 +456,7 @@ def test_what_is_taken_as_it_is_stands_behind_its_text(tmp_path: Path) -> None:
 
 def test_what_a_result_rests_on_has_its_value(tmp_path: Path) -> None:
     """By hand: rho = f*d/2, b_OBA = OA = 250 mm; every name on the way has a value."""
-    lines = noted(tmp_path, 'use "clamp.mech" as C\n')
+    lines = noted(tmp_path, 'use "clamp.mech" as C (Q = 4 kN)\n')
     on_the_way = {line.name: line.value for line in lines if line.is_taken and not line.result}
     assert all(on_the_way.values())
     assert on_the_way["C_rho"] == (pytest.approx(0.1 * 0.01, rel=1e-12), "mm")

@@ -140,3 +140,22 @@ def test_a_step_alone_has_no_number() -> None:
     assert r"\begin{enumerate}" in rocker.emit("latex")
     assert "1\\. " not in crank.derivation._repr_markdown_()
     assert "1\\. " in rocker.derivation._repr_markdown_()
+
+
+CHOICE = """mechanism lever
+param v = 1 m/s
+param b = 200 mm
+let a = 50 mm when v < 2 m/s else 80 mm
+pivot O
+link AOB
+OA = a @ 180 deg
+OB = b @ 0
+force P at A along 90 deg
+force F at B along 90 deg
+find k = P/F
+"""
+
+
+def test_a_choice_has_its_units() -> None:
+    shown = mechc.loads(CHOICE, "lever.mech").results["k"]._repr_latex_()
+    assert r"50\,\text{mm}, & v<2\,\text{m}/\text{s} \\ 80\,\text{mm}" in shown

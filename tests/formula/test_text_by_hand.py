@@ -3,9 +3,11 @@
 import pytest
 
 from mechc.formula.to_text import text
-from mechc.formula.tree import Symbol, number, power, product, total
+from mechc.formula.tree import Call, Symbol, number, power, product, total
 
 A, B = Symbol("a"), Symbol("b")
+LESS_THAN_B = Call("less", (A, B))
+INNER = Call("choose", (LESS_THAN_B, A, B))
 TWICE, LESS = product([(number(2), 1), (B, 1)]), product([(number(-2), 1), (B, 1)])
 
 
@@ -17,6 +19,12 @@ TWICE, LESS = product([(number(2), 1), (B, 1)]), product([(number(-2), 1), (B, 1
         (LESS, "-2*b"),
         (product([(A, 1), (total([A, B]), 1)]), "a*(a + b)"),
         (power(total([A, B]), number(2)), "(a + b)^2"),
+        (INNER, "a when a < b else b"),
+        (
+            Call("choose", (LESS_THAN_B, number(2), INNER)),
+            "2 when a < b else (a when a < b else b)",
+        ),
+        (product([(number(2), 1), (INNER, 1)]), "2*(a when a < b else b)"),
     ],
 )
 def test_parentheses_stand_where_they_are_needed(formula, line):
