@@ -19,6 +19,8 @@ class Rule(StrEnum):
     """Equal projections of the end velocities on the line of a rod."""
     ROTATION = "rotation"
     """The angular velocity of a link from the velocities of two of its points."""
+    TRANSLATION = "translation"
+    """A link of which two points have equal velocities: it does not turn."""
     BODY = "body"
     """The velocity of a point of a link from another point's and the rotation."""
     PLANE = "plane"
@@ -55,6 +57,8 @@ class Rule(StrEnum):
     """The same where the point turns about a pivot: as the arm of the load."""
     COMPONENT_OF_BODY = "component_of_body"
     """The same from another point's velocity and the rotation of their link."""
+    COMPONENT_OF_TRANSLATION = "component_of_translation"
+    """The same where the link translates: from another point's velocity, which is equal."""
     COMPONENT_OF_TWO = "component_of_two"
     """The same from the projections of the velocity on two lines."""
 

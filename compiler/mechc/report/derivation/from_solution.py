@@ -23,6 +23,7 @@ from .last_step import last_steps
 from .position import position_steps
 from .power_terms import power_equations, power_terms, speeds_along
 from .speed_steps import SpeedSteps
+from .translation import translating
 
 if TYPE_CHECKING:
     from ...equilibrium.equilibrium import Equilibrium
@@ -41,7 +42,7 @@ def derive(
     terms = power_terms(speeds, along)
     at_joints = equilibrium.explained_by_sums(solution, forces) if forces else of_forces(solution)
     derivation = Derivation(
-        (*steps, *(each.step for each in along.values())),
+        translating((*steps, *(each.step for each in along.values()))),
         terms,
         tuple(power_equations(speeds, terms)),
         tuple(results),

@@ -136,6 +136,8 @@ LOCALE = Locale(
         "projection": "Equal-projection theorem (velocities of two points of a rigid body): on the "
         "line {joined} the velocities of {all} have equal projections.",
         "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
+        "translation": "The velocities of {rest} are parallel, and their projections on the line "
+        "between these points are equal: the link {first} translates.",
         "body": "Plane motion of the link {first}: the velocity of one point and the rotation "
         "about it give the velocity of another ({rest}).",
         "plane": "Plane motion of the link {first}: the velocity of {last} is that of {second} "
@@ -168,6 +170,8 @@ LOCALE = Locale(
         "component_of_body": "Plane motion of the link {first}: in the direction of the load "
         "{last} the component of the velocity of {point} is that of the velocity of {second} "
         "together with that of the rotation about {second}.",
+        "component_of_translation": "Translation of the link {first}: the velocity of {point} is "
+        "that of {second}, here its component in the direction of the load {last}.",
         "component_of_two": "The projections of the velocity of {first} on two lines are known; "
         "they give its component in the direction of the load {last}.",
     },
@@ -176,6 +180,9 @@ LOCALE = Locale(
         "triangle": "Likewise triangle {loop}, its vertices in {turn} order.",
         "projection": "Likewise on the line {joined} the velocities of {all} have equal "
         "projections.",
+        "translation": "Likewise the link {first} translates: the velocities of {rest} are equal.",
+        "component_of_translation": "Likewise the velocity of {point} is that of {second}, here "
+        "its component in the direction of the load {last}.",
         "component_of_rotation": "Likewise about {first} the component of the velocity of {point} "
         "in the direction of the load {last}.",
         "component_of_body": "Likewise, by the plane motion of {first} with the velocity of "
