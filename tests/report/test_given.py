@@ -4,6 +4,7 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled, loaded
+from mechc.report.languages.registry import locale
 from mechc.report.text.derivation import render
 
 DRAWN = """
@@ -166,3 +167,33 @@ def test_what_follows_from_given_values_has_its_own_unless_it_is_among_the_numbe
     (of_l,) = (row for row in page.splitlines() if row.strip().startswith("$L$ &"))
     assert shown in of_l
     assert r"$\frac{a}{4}$ $= 7.5\,\text{mm}$" in page
+
+
+@pytest.mark.parametrize(
+    ("language", "kinds"),
+    [
+        ("uk", ["guide", "face", "gear", "belt", "rack", "screw", "collar", "rope"]),
+        ("ru", ["guide", "face", "gear", "belt", "rack", "collar", "rope"]),
+    ],
+)
+def test_shortened_indices_are_explained_where_friction_is_given(language, kinds):
+    """The index of n_{B,напр} says nothing to who has not read what it stands for."""
+    words = locale(language)
+    for kind in kinds:
+        assert f"«{words.subscripts[kind]}»" in words.given_friction[kind]
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "A rope, band or belt runs through"),
+        ("uk", "Гнучка ланка (канат, стрічка, пас) проходить через"),
+        ("ru", "Гибкое звено (канат, лента, ремень) проходит через"),
+    ],
+)
+def test_what_slides_around_a_drum_need_be_no_rope(language, said):
+    assert said in loaded("band_brake").emit("latex", language=language)
+
+
+def test_a_rope_over_pulleys_is_one():
+    assert "A rope runs through" in loaded("block_and_tackle").emit("latex")

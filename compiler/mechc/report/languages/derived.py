@@ -78,8 +78,8 @@ ENGLISH = {
     "slip of pin": "In a pin the relative angular velocity {turn} takes the place of the sliding "
     "velocity, and the radius of the friction circle that of the coefficient.",
     "slip of face": "On a sliding surface {speed} is the sliding velocity.",
-    "rope friction": "Where a rope slides around a pulley, the tension on one side is {ratio} "
-    "times that on the other, {angle} being the angle of wrap (Euler, Eytelwein).",
+    "rope friction": "Where a rope or band slides around a pulley or drum, the tension on one "
+    "side is {ratio} times that on the other, {angle} being the angle of wrap (Euler, Eytelwein).",
     "rope, smaller tension": "{force} is the smaller of the two, which the equilibrium of the "
     "bodies gives; their difference is the friction on the pulley.",
     "rope, mean": "The mean of both tensions counts as the normal force, with the coefficient "
@@ -188,8 +188,8 @@ UKRAINIAN = {
     "slip of pin": "У шарнірі замість швидкості ковзання беремо відносну кутову швидкість "
     "{turn}, а замість коефіцієнта тертя — радіус круга тертя.",
     "slip of face": "На поверхні ковзання {speed} — швидкість ковзання.",
-    "rope friction": "Де гнучка ланка ковзає по шківу, один її натяг у {ratio} разів більший за "
-    "інший (формула Ейлера, {angle} — кут охоплення).",
+    "rope friction": "Де гнучка ланка ковзає по шківу чи барабану, один її натяг у {ratio} разів "
+    "більший за інший (формула Ейлера, {angle} — кут охоплення).",
     "rope, smaller tension": "{force} — менший із двох натягів, його дають умови рівноваги; "
     "сила тертя на шківі дорівнює їхній різниці.",
     "rope, mean": "За нормальну силу беремо середнє обох натягів, її коефіцієнт тертя — {part}.",
@@ -304,8 +304,8 @@ RUSSIAN = {
     "slip of pin": "В шарнире вместо скорости скольжения берём относительную угловую скорость "
     "{turn}, а вместо коэффициента трения — радиус круга трения.",
     "slip of face": "На поверхности скольжения {speed} — скорость скольжения.",
-    "rope friction": "Где гибкое звено скользит по шкиву, одно его натяжение в {ratio} раз "
-    "больше другого (формула Эйлера, {angle} — угол обхвата).",
+    "rope friction": "Где гибкое звено скользит по шкиву или барабану, одно его натяжение в "
+    "{ratio} раз больше другого (формула Эйлера, {angle} — угол обхвата).",
     "rope, smaller tension": "{force} — меньшее из двух натяжений, его дают условия равновесия; "
     "сила трения на шкиве равна их разности.",
     "rope, mean": "За нормальную силу берём среднее обоих натяжений, её коэффициент трения — "

@@ -69,6 +69,8 @@ LOCALE = Locale(
         "); along its guide the rack is on the left of {pivot}",
         "screw": "the screw {link} moves {point} by {pitch} for each turn",
         "rope": "a rope runs through {points}, over a pulley at each point between its ends",
+        "flexible": "a rope, band or belt runs through {points}, around a pulley or drum at each "
+        "point between its ends",
         "on link": "{point} on the link {link}",
         "actuator": "the actuator {load} pushes {first} and {second} apart",
         "spring": "the spring {load} acts between {first} and {second}",
@@ -91,7 +93,8 @@ LOCALE = Locale(
         "radius {radius}",
         "pivot collar": "friction at the collar on {point}: coefficient {value} (of all faces "
         "together), mean radius {radius}, thrust {thrust}",
-        "rope": "friction of the rope around {point}: coefficient {value}, angle of wrap {wrap}",
+        "rope": "friction of the rope or band around {point}: coefficient {value}, angle of wrap "
+        "{wrap}",
         "efficiency": "the efficiency is {value}",
         "tightening": "with friction the motion is along the arrow of {loads}",
         "releasing": "with friction the motion is against the arrow of {loads}",

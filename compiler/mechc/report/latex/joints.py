@@ -14,6 +14,7 @@ from ...model.mechanism import (
     Pivot,
     Rack,
     Rope,
+    RopeFriction,
     Screw,
     Slider,
     Slot,
@@ -37,6 +38,8 @@ def joint_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> It
         if link.arc:
             yield _arc(link, link.arc, locale, style)
     for joint in mechanism.joints:
+        if isinstance(joint, Rope):
+            yield _rope(joint, mechanism, locale)
         yield from _sentence(joint, locale, style)
         if isinstance(joint, WheelPair) and joint.arm:
             yield from _on_arm(joint, _in_two_parts(mechanism), locale, style)
@@ -59,10 +62,10 @@ def _arc(rod: Link, arc: ArcSlot, locale: Locale, style: Notation) -> str:
 
 
 def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
-    """Yield the sentence of a joint; pivots and sliders are named with the points."""
+    """Yield the sentence of a joint; pivots and sliders are named with the points, ropes apart."""
     say = locale.joints
     match joint:
-        case Pivot() | Slider():
+        case Pivot() | Slider() | Rope():
             pass
         case Slot(point, link, tail, head):
             on, line, body = (math(points(names)) for names in (point, tail + head, link))
@@ -88,10 +91,16 @@ def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
             yield say["screw"].format(
                 link=body, point=on, pitch=math(length_of(size, locale, style))
             )
-        case Rope(route):
-            yield say["rope"].format(points=", ".join(math(points(point)) for point in route))
         case _:
             assert_never(joint)
+
+
+def _rope(rope: Rope, mechanism: Mechanism, locale: Locale) -> str:
+    """Return the sentence of a rope; one that slides may be a band around a drum as well."""
+    frictions = (f for f in mechanism.friction.joints if isinstance(f, RopeFriction))
+    kind = "flexible" if any(f.joint == rope.id for f in frictions) else "rope"
+    route = ", ".join(math(points(point)) for point in rope.route)
+    return locale.joints[kind].format(points=route)
 
 
 def _wheels(mesh: WheelPair, locale: Locale, style: Notation) -> str:
