@@ -1,7 +1,5 @@
 """The component of a point's velocity along a load has its reason, and is true to it."""
 
-from itertools import pairwise
-
 import pytest
 
 from good_mechanisms import ALL, compiled
@@ -30,14 +28,28 @@ def test_a_component_follows_from_what_its_velocity_is_made_of(name):
 @pytest.mark.parametrize(
     ("name", "moved"), [("jansen_leg", [("DEF", "D", "E")]), ("crank_rocker", [])]
 )
-def test_what_a_velocity_is_made_of_stands_before_the_projection_that_takes_it(name, moved):
+def test_what_a_velocity_is_made_of_is_said_with_the_projection_that_takes_it(name, moved):
     """That of E is V_D with the rotation of DEF; of a four-bar both ends turn about pivots."""
-    found = steps(name)
-    assert [s.subject for s in found if s.rule is Rule.PLANE] == moved
-    for before, step in pairwise(found):
-        if before.rule is Rule.PLANE:
-            assert step.rule is Rule.PROJECTION
-            assert before.subject[-1] in step.subject
+    said = [(step, of) for step in steps(name) for rule, of in step.reasons if rule is Rule.PLANE]
+    assert [subject for _, subject in said] == moved
+    for step, subject in said:
+        assert step.rule is Rule.PROJECTION
+        assert subject[-1] in step.subject
+
+
+@pytest.mark.parametrize("name", ["jansen_leg", "scissor_4", "bolt_cutter", "watt_closed"])
+def test_no_step_is_a_bare_sentence(name):
+    assert all(step.relations for step in steps(name))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_plane_motion_is_explained_in_full_once(language):
+    """Of C2 in full, of B2 and what follows in short."""
+    of = locale(language)
+    said = " ".join(sentences(steps("scissor_4"), of, lambda name: name))
+    names = {"first": "A1C2B2", "second": "A1"}
+    assert said.count(of.rules["plane"].format(last="C2", **names)) == 1
+    assert said.count(of.again["plane"].format(last="B2", **names)) == 1
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -41,6 +41,10 @@ class Equation(NamedTuple):
     right: Formula
 
 
+Reason = tuple[Rule, tuple[str, ...]]
+"""A rule, and what it is applied to."""
+
+
 @frozen
 class Step:
     """One numbered step: the rule, the points and link it is applied to, what it gives.
@@ -54,14 +58,15 @@ class Step:
     kinds the point and the load last, ``V_A_P`` being the speed of A along P, the pivot, or the
     link and its other point, first; for HELD the coordinates.
     ``relations`` is what the rule says; ``results`` the same solved for the new speeds. Of
-    TOGETHER ``reasons`` are the rules behind the relations, each with what it is applied to.
+    TOGETHER ``reasons`` are the rules behind the relations, of PROJECTION what the velocities
+    of its ends are made of.
     """
 
     rule: Rule
     subject: tuple[str, ...]
     relations: tuple[Equation, ...]
     results: tuple[Equation, ...]
-    reasons: tuple[tuple[Rule, tuple[str, ...]], ...] = ()
+    reasons: tuple[Reason, ...] = ()
 
 
 @frozen

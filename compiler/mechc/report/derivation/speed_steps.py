@@ -15,7 +15,7 @@ from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque, Whee
 from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
 from ..kinds import Rule
-from ..steps import Equation, NamedRatio, Step
+from ..steps import Equation, NamedRatio, Reason, Step
 from .notation import Named, Names, Notation, linear, times
 from .rules import involved, pole_of, rule_of
 
@@ -139,11 +139,11 @@ class SpeedSteps:
         elif len(others) > 1 and others != {self._names[d] for d in self.plan.drives}:
             results.append(self._solved(unknown))
         rule, subject = rule_of(relation, self._graph)
-        for point in relation.points if rule is Rule.PROJECTION else ():
-            yield from self._plane_motion(point, relation)
-        yield Step(rule, subject, (said,), tuple(results))
+        ends = relation.points if rule is Rule.PROJECTION else ()
+        reasons = tuple(r for point in ends for r in self._plane_motion(point, relation))
+        yield Step(rule, subject, (said,), tuple(results), reasons)
 
-    def _plane_motion(self, point: str, relation: Relation) -> Iterator[Step]:
+    def _plane_motion(self, point: str, relation: Relation) -> Iterator[Reason]:
         """Yield from which other points and rotations a velocity comes, each once."""
         found = pole_of(point, relation, self._graph)
         if found is None or point in self._composed:
@@ -151,7 +151,7 @@ class SpeedSteps:
         self._composed.add(point)
         link, pole = found
         yield from self._plane_motion(pole, relation)
-        yield Step(Rule.PLANE, (link, pole, point), (), ())
+        yield Rule.PLANE, (link, pole, point)
 
     def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
         for unknown in unknowns:

@@ -186,6 +186,8 @@ LOCALE = Locale(
         "translation": "Likewise the link {first} translates: the velocities of {rest} are equal.",
         "component_of_translation": "Likewise the velocity of {point} is that of {second}, here "
         "its component in the direction of the load {last}.",
+        "plane": "Likewise the velocity of {last} on {first} is that of {second} together with "
+        "that of the rotation about {second}.",
         "component_of_rotation": "Likewise about {first} the component of the velocity of {point} "
         "in the direction of the load {last}.",
         "component_of_body": "Likewise, by the plane motion of {first} with the velocity of "
