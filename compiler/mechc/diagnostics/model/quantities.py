@@ -319,3 +319,14 @@ def negative_quantity(span: Span, what: str, found: str, cause: Span) -> Message
     """
     text = f"{what} is negative: {found}"
     return Message(cause, text, "leave out its minus sign", used_at(span, cause))
+
+
+@coded("W295")
+def coordinates_in_two_units(span: Span, first: str, second: str) -> Message:
+    """The coordinates of one place are in two units, of which one is a slip as a rule.
+
+    A at (12 cm, 60 mm)      # warned of
+    A at (120 mm, 60 mm)     # right
+    """
+    message = f"the coordinates of one place are in two units, {first} and {second}"
+    return Message(span, message, "write both in one unit")

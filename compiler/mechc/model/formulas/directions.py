@@ -41,7 +41,21 @@ def read_place(tail: str, head: str, place: ast.Cartesian, scope: Scope) -> Offs
     y = reader.wanted(place.y, LENGTH, "the place")
     for part, written in ((x, place.x), (y, place.y)):
         check_reach(part, LENGTH, written.span, scope)
+    units = [unit for unit in map(_unit_of, (place.x, place.y)) if unit]
+    if len(set(units)) > 1:
+        scope.report.add(quantities.coordinates_in_two_units(place.span, *units))
     return Offset(tail, head, x, y, place.span) if x and y else None
+
+
+def _unit_of(written: ast.Expr) -> str:
+    """Return the unit of a number that is not zero, '' of anything else."""
+    match written:
+        case ast.Number(unit=unit) as found:
+            return unit if found.value else ""
+        case ast.Sum(terms=((_, single),)):
+            return _unit_of(single)
+        case _:
+            return ""
 
 
 def value_of(formula: Formula, scope: Scope) -> float | None:
