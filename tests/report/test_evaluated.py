@@ -7,6 +7,7 @@ import pytest
 
 from good_mechanisms import CLOSED, compiled
 from mechc.data import data
+from mechc.driver import compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.layout import TRIGONOMETRIC
 from mechc.formula.to_text import text
@@ -16,6 +17,7 @@ from mechc.report.evaluated import evaluated
 from mechc.report.put_in import Quantity, put_in
 from mechc.report.sections import outline
 from mechc.report.text.derivation import render
+from mechc.source import Source
 
 
 def found(name):
@@ -131,3 +133,33 @@ def test_a_negative_number_at_the_beginning_of_a_sum_has_no_bracket():
     given = {"k": Quantity(-0.0157846, "mm"), "b": Quantity(-0.001, "mm")}
     whole = total([Symbol("k"), product([(Symbol("b"), 1), (number(2), 1)]), Symbol("b")])
     assert text(put_in(whole, given)) == "-15.7846 mm + 2*(-1 mm) + (-1 mm)"
+
+
+ROD = """
+mechanism rod "A rod between two guides"
+param beta = 12 deg in 2 deg .. 40 deg
+slider A along y
+slider B along x
+link AB
+AB = 200 mm @ 180 deg - beta
+force P at A along -y
+force F at B along -x
+friction pins 0.1 diameter 20 mm
+let F = 1000 N
+find {asked}
+find N_AB
+"""
+
+
+@pytest.mark.parametrize(("asked", "whole"), [("P", "S_AB"), ("k = P/F", "S_AB_f")])
+def test_the_force_that_a_component_is_of_has_its_value_before_it(asked, whole):
+    """Of a ratio the steps have a force for a unit of load, and then one in newtons."""
+    compilation = compile_source(Source("rod.mech", ROD.format(asked=asked)))
+    mechanism, derivation = compilation.mechanism, compilation.derivation
+    values = evaluated(outline(derivation, mechanism), mechanism)
+    items = {text(item.left): item for item in values}
+    order = list(items)
+    assert order.index(whole) < order.index("N_AB_f")
+    turned = math.radians(12) + math.asin(0.01)
+    assert items[whole].value.value == pytest.approx(1000 / math.cos(turned))
+    assert items["N_AB_f"].value.value < items[whole].value.value

@@ -8,7 +8,15 @@ from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding
 from ..formula.tree import Formula, Symbol, is_call, number
 from ..formula.walk import symbols, walk
-from ..model.mechanism import GRAVITY, LoadRatio, Mechanism, Parameter, Torque, WithFriction
+from ..model.mechanism import (
+    GRAVITY,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Parameter,
+    Torque,
+    WithFriction,
+)
 from ..model.parts import written
 from ..model.result import Definition
 from ..model.values import (
@@ -87,6 +95,11 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     for section in whole.results:
         for name, formula in _accounted(section, shown):
             if section not in turned:
+                yield from _of_definition(name, formula, known)
+        if section not in turned:
+            parts = _parts_of_force(section, whole, given)
+            given |= {d.name: quantity for d, quantity in parts}
+            for (name, formula), _ in parts:
                 yield from _of_definition(name, formula, known)
         for result in (r for r in section.results if r.name not in early):
             if line := section.lines.get(result.name):
@@ -200,6 +213,33 @@ def _accounted(section: Section, shown: set[str]) -> Iterator[Definition]:
                 used |= symbols(definition.formula)
         shown |= {definition.name for definition in needed}
         yield from reversed(needed)
+
+
+def _parts_of_force(
+    section: Section, whole: Outline, given: Mapping[str, Quantity]
+) -> list[tuple[Definition, Quantity]]:
+    """Return the forces of solved bodies that one at a joint is said to be made of.
+
+    They are in the account of a force with friction, or in one before it.
+    """
+    if not any(_is_joint_force(result) for result in section.results):
+        return []
+    said = [e for p in section.paragraphs for e in p.equations]
+    made_of = symbols(*(e.right for e in said)) - given.keys()
+    values, found = values_of(given), list[tuple[Definition, Quantity]]()
+    equations = (e for s in whole.results for p in s.paragraphs for e in p.equations)
+    for left, right in equations:
+        if isinstance(left, Symbol) and left.name in made_of and symbols(right) <= values.keys():
+            made_of -= {left.name}
+            if math.isfinite(size := evaluate(right, values)):
+                quantity = Quantity(size, si_unit(FORCE))
+                found.append((Definition(left.name, right), quantity))
+    return found
+
+
+def _is_joint_force(result: Analysis) -> bool:
+    target = result.target
+    return isinstance(target, WithFriction) and not isinstance(target.of, LoadRatio | LoadForm)
 
 
 def _of_definition(name: str, formula: Formula, known: Known) -> Iterator[Evaluated]:
