@@ -409,3 +409,36 @@ def test_it_is_printed():
     assert any(line.endswith("2 mm off") for line in shown)
     teeth = describe(compiled("d45_12_worm_sectors").free_bodies)
     assert "O, ground: not known: how teeth" in teeth
+
+
+TIED = """mechanism lever
+pivot O at (0 mm, 0 mm)
+link AOBC
+A at (-200 mm, 0 mm)
+B at (100 mm, 0 mm)
+C at (50 mm, 0 mm)
+force P at A along -y
+force F at B along -y
+force G{tie} at C along -y
+friction pins 0.2 diameter 40 mm
+find P
+{lets}"""
+
+
+@pytest.mark.parametrize(
+    ("tie", "lets"), [(" = F", "let F = 1 kN"), ("", "let F = 1 kN\nlet G = F"), (" = F", "")]
+)
+def test_a_tied_load_acts_once_with_friction(tie, lets):
+    """200 P = 150 F + 0.2·20 (P + 2 F), so that P = 158/196 F."""
+    _, diagram = bodies_of(TIED.format(tie=tie, lets=lets))
+    size = diagram.loads["F"]
+    assert diagram.loads == pytest.approx({"P": 158 / 196 * size, "F": size, "G": size}, rel=1e-9)
+    assert len(list(complete(diagram))) == 1
+
+
+@pytest.mark.parametrize("friction", ["", "friction pins 0.2 diameter 40 mm"])
+def test_a_load_that_is_another_of_no_size_is_checked(friction):
+    """The free bodies are asked under one load after another, of which none is another then."""
+    text = TIED.format(tie="", lets="let G = F")
+    checked = mechc.loads(text.replace("friction pins 0.2 diameter 40 mm", friction))
+    assert {trial.result for trial in checked._compilation.verdict.trials} >= {"P/F", "P/G"}

@@ -4,7 +4,7 @@ What is not of such a form has no solution here.
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from ..named import NamedTuple
@@ -169,14 +169,27 @@ def _expanded(term: Formula, name: str) -> Iterator[Formula]:
 
 
 def _gathered(parts: Sequence[_Part | None]) -> list[_Part] | None:
-    """Return parts with the coefficients of equal functions added, sines first."""
+    """Return parts with the coefficients of equal functions added, sines first; none that is 0."""
     found: dict[tuple[str, Formula], list[Formula]] = {}
     for part in parts:
         if part is None:
             return None
         found.setdefault((part.function, part.angle), []).append(part.coefficient)
     ordered = sorted(found, key=lambda key: key[0] != "sin")
-    return [_Part(*key, total(found[key])) for key in ordered]
+    gathered = [_Part(*key, total(_left(found[key]))) for key in ordered]
+    return [part for part in gathered if part.coefficient != ZERO]
+
+
+def _left(coefficients: Iterable[Formula]) -> list[Formula]:
+    """Return coefficients without those that are opposite to another."""
+    left: list[Formula] = []
+    for coefficient in coefficients:
+        opposite = negative(coefficient)
+        if opposite in left:
+            left.remove(opposite)
+        else:
+            left.append(coefficient)
+    return left
 
 
 def _part(term: Formula, name: str) -> _Part | None:
@@ -199,7 +212,7 @@ def _inverse(function: str, a: Formula, c: Formula) -> Iterator[tuple[Formula, i
         case "tan":
             yield _odd("atan", value), 180
         case "cot":
-            yield _odd("atan", _over(a, c)), 180
+            yield degrees(90) if c == ZERO else _odd("atan", _over(a, c)), 180
         case "sin":
             yield _odd("asin", value), 360
             yield total((degrees(180), negative(_odd("asin", value)))), 360

@@ -106,6 +106,11 @@ def _tie(load: Load, loads: Mapping[str, Load], values: Mapping[str, float]) -> 
     return Tie(further.base, (at[1.0] - at[0.0]) * further.factor)
 
 
+def untied(sizes: Mapping[str, float], tied: Mapping[str, Tie]) -> dict[str, float]:
+    """Return the sizes of the untied loads from which loads of these sizes follow."""
+    return {tied[name].base: size / tied[name].factor for name, size in sizes.items()}
+
+
 def gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, float]]:
     """Return the column of one unit of each untied load, with all that is tied to it."""
     columns: dict[str, dict[int, float]] = {tie.base: {} for tie in tied.values()}

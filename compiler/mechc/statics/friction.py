@@ -16,7 +16,7 @@ from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.parts.targets import SIGNS
 from ..named import NamedTuple
 from .answers import Answer
-from .balanced import Balanced, Row, Tie, gather, ties, with_loads
+from .balanced import Balanced, Row, Tie, gather, ties, untied, with_loads
 from .free_bodies import System, equilibrium
 from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
@@ -183,9 +183,9 @@ def _right_side(
 ) -> dict[int, float]:
     """Return the right-hand side of the equations: the given loads, row by row."""
     right: dict[int, float] = {}
-    for load, size in given.items():
-        for i, amount in question.columns[tied[load].base].items():
-            right[i] = right.get(i, 0.0) - amount * size / tied[load].factor
+    for base, size in untied(given, tied).items():
+        for i, amount in question.columns[base].items():
+            right[i] = right.get(i, 0.0) - amount * size
     return right
 
 
@@ -193,7 +193,7 @@ def _size(
     thrust: Formula, unfolding: Unfolding, tied: Mapping[str, Tie], given: Mapping[str, float]
 ) -> float:
     """Return a force along an axis, under loads of given sizes."""
-    bases = {tied[load].base: size / tied[load].factor for load, size in given.items()}
+    bases = untied(given, tied)
     loads = {n: bases[tie.base] * tie.factor for n, tie in tied.items() if tie.base in bases}
     return evaluate(thrust, {**unfolding.values, **loads})
 

@@ -4,8 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import assert_never
 
-from ..formula.evaluate import evaluate
-from ..formula.tree import ONE, Formula
+from ..formula.tree import ONE, Formula, Symbol
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import (
     Axial,
@@ -51,7 +50,7 @@ def questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Que
             case LoadRatio(above, below):
                 yield Question(name, formula, where, partial(load_ratio, above=above, below=below))
             case LoadForm(load):
-                yield from _coefficients(result, load, given)
+                yield from _coefficients(result, load, given, mechanism)
             case Reaction(part="direction"):
                 pass  # it follows from the components, which are checked
             case Reaction() | Axial() | Normal():
@@ -70,12 +69,17 @@ def questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Que
                 assert_never(target)
 
 
-def _coefficients(result: Result, load: str, given: set[str]) -> Iterator[Question]:
+def _coefficients(
+    result: Result, load: str, given: set[str], mechanism: Mechanism
+) -> Iterator[Question]:
+    """Ask for the load under one of the others after another: none has any other size here."""
     coefficients = result.coefficients or {}
+    loads = {load.name for load in mechanism.loads}
+    where = tuple(d for d in result.where if d.name not in loads)
     known = given | coefficients.keys()
     for other, formula in coefficients.items():
         ask = partial(load_coefficient, load=load, other=other, known=known)
-        yield Question(f"{result.name}/{other}", formula, result.where, ask)
+        yield Question(f"{result.name}/{other}", formula, where, ask)
 
 
 def _forces(result: Result, target: ForceAtJoint, mechanism: Mechanism) -> Iterator[Question]:
@@ -104,8 +108,8 @@ def _with_friction(result: Result, target: WithFriction, mechanism: Mechanism) -
 
     def loaded(at: Balanced) -> tuple[str, Mapping[str, float]]:
         driving = asked or _left(mechanism, at)
-        others = [n for n in free if n != driving]
-        return driving, {n: evaluate(known.get(n, ONE), at.values) for n in others}
+        found = at.formulas(where)
+        return driving, {n: found.of(Symbol(n)) for n in free if n != driving}
 
     def ask(at: Balanced) -> Answer:
         return friction.with_friction(at, target, *loaded(at))

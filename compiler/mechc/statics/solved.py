@@ -7,7 +7,7 @@ from typing import assert_never
 from ..model.mechanism import Contact, Mechanism, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..model.parts.repeated import primed
 from .acts import Bearing
-from .balanced import Tie, gather, ties, with_loads
+from .balanced import Tie, gather, ties, untied, with_loads
 from .cases import Case
 from .cut_free import Solution
 from .free_bodies import equilibrium
@@ -23,7 +23,7 @@ def ideal(unfolding: Unfolding, case: Case) -> Solution | str:
     assembly, tied = unfolding.assembly(), _ties(unfolding)
     system = equilibrium(assembly)
     columns = gather(system, tied)
-    sizes, right = _bases(case, tied), dict[int, float]()
+    sizes, right = untied(case.sizes, tied), dict[int, float]()
     for base, size in sizes.items():
         for i, amount in columns[base].items():
             right[i] = right.get(i, 0.0) - amount * size
@@ -56,7 +56,9 @@ def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
     question, found = slipping.question, [0.0] * (len(slipping.question.system.unknowns) + 1)
     for (_, more), size in slipping.parts:
         found = [f + size * x for f, x in zip(found, more, strict=True)]
-    loads = _of_all({**_bases(case, tied), drive: found[question.drive] * question.unit}, tied)
+    loads = _of_all(
+        {**untied(case.sizes, tied), drive: found[question.drive] * question.unit}, tied
+    )
     frictions = zip(slipping.pairs, slipping.senses, slipping.frictions, strict=True)
     return Solution(
         unfolding.assembly(*((pair.name, pair.actions) for pair in slipping.pairs)),
@@ -71,11 +73,6 @@ def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
 
 def _ties(unfolding: Unfolding) -> dict[str, Tie]:
     return ties(unfolding.pose.mechanism, unfolding.values)
-
-
-def _bases(case: Case, tied: dict[str, Tie]) -> dict[str, float]:
-    """Return the sizes of untied loads from which those of the case follow."""
-    return {tied[name].base: size / tied[name].factor for name, size in case.sizes.items()}
 
 
 def _unknown(case: Case, tied: dict[str, Tie]) -> list[str]:

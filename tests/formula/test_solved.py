@@ -1,0 +1,26 @@
+"""Where formulas vanish, solved for a name: what is nothing has no place of its own."""
+
+import pytest
+
+from mechc.formula.solved import zeros
+from mechc.formula.to_text import text
+from mechc.formula.tree import Call, Symbol, negative, product, total
+
+A, C = Symbol("a"), Symbol("c")
+COT = Call("cot", (A,))
+
+
+@pytest.mark.parametrize(
+    ("terms", "found"),
+    [
+        ([product([(C, 1), (COT, 1)]), product([(Symbol("d"), 1), (COT, 1)])], ["pi/2"]),
+        ([COT, negative(C)], ["atan(1/c)"]),
+        (
+            [product([(C, 1), (total([A, Symbol("b")]), 1)]), product([(C, 1), (negative(A), 1)])],
+            [],
+        ),
+    ],
+)
+def test_sums_of_functions_of_one_angle(terms, found):
+    """(c + d)·cot a is zero at 90°; a + b − a rests on no a."""
+    assert [text(solution.value) for solution in zeros(total(terms), "a")] == found
