@@ -1,5 +1,6 @@
 """Any relation on a page of the library balances in units, and its numbers come to its values."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -83,3 +84,16 @@ def test_an_extremum_at_another_place_is_seen():
 def test_what_was_found_is_put_in_as_it_was_printed():
     tex = printed(LIBRARY / "sheets" / "prism_jaws.mech")
     assert r"39.1548\,\text{N}+49.6515\,\text{N}+5.58517\,\text{N}=94.3914\,\text{N}" in tex
+
+
+@pytest.mark.parametrize(("language", "letter"), [("en", "m"), ("uk", "м"), ("ru", "м")])
+def test_a_reciprocal_is_written_one_way_in_sentences_numbers_and_axes(language, letter):
+    text = (LIBRARY / "triad_closed.mech").read_text("utf-8").replace("k = M/F", "k = F/M")
+    lines = [line for line in text.splitlines() if not line.startswith("expect")]
+    solved = mechc.loads("\n".join(lines), "m.mech")
+    page = solved.emit("latex", language=language, pictures=True).replace(r"\mechccyr", "")
+    assert page.count(rf"~$\text{{{letter}}}^{{-1}}$") == 2  # at the least and at the greatest
+    axis = next(line for line in page.splitlines() if "ylabel" in line)
+    assert "^{{-}1}" in axis
+    assert "1/" not in axis
+    assert not re.search(r"1/(\\text\{)?[mм]", page)

@@ -116,9 +116,13 @@ def in_words(unit: str) -> tuple[Run, ...]:
 
     >>> [(run.text, run.level) for run in in_words("N*m^2")], in_words("deg")[0].text
     ([('N·m', 0), ('2', 1)], '°')
+    >>> [(run.text, run.level) for run in in_words("1/m")]
+    [('m', 0), ('−1', 1)]
     """
     if unit in ("deg", ""):
         return (Run("°"),) if unit else ()
+    if unit.startswith("1/") and unit[2:].isalpha():
+        return Run(unit[2:], unit=True), Run("−1", level=1)
     pieces = unit.replace("*", "·").split("^")
     runs = [Run(pieces[0], unit=True)]
     for piece in pieces[1:]:

@@ -12,7 +12,7 @@ from ...model.result import Definition
 from ...named import NamedTuple
 from ...statics.verdict import Verdict
 from ...study.analysis import Analysis
-from ...units import ANGLE
+from ...units import ANGLE, behind
 from ..definitions import Solved, grouped
 from ..languages.locale import Locale
 from ..sections import Section
@@ -264,6 +264,13 @@ class Speller(NamedTuple):
     def number(self, value: float) -> str:
         """Return a number that was computed."""
         return f"${decimal(value, self.style)}$"
+
+    def unit_behind(self, unit: str) -> str:
+        """Return a unit behind its number; a reciprocal has an exponent."""
+        if unit.startswith("1/"):
+            letters = unit_symbol(unit, self.style).removeprefix(r"\,")
+            return f"~${letters}$"
+        return behind(self.style.units.get(unit, unit))
 
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""

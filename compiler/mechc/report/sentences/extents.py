@@ -77,4 +77,4 @@ def _at(x: float, extent: Extent, locale: Locale, spell: Speller) -> str:
 
 def _value(extreme: Extreme, extent: Extent, locale: Locale, spell: Speller) -> str:
     rounded = float(f"{extreme.value / size_of(extent.scale):.{DIGITS}g}")
-    return spell.number(rounded or 0.0) + behind(locale.units.get(extent.scale, extent.scale))
+    return spell.number(rounded or 0.0) + spell.unit_behind(extent.scale)

@@ -38,6 +38,10 @@ class Speller(Protocol):
         """Return a number that was computed."""
         ...
 
+    def unit_behind(self, unit: str) -> str:
+        """Return a unit behind its number, in the letters of a language."""
+        ...
+
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
         ...

@@ -11,7 +11,7 @@ from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
 from ...named import NamedTuple
 from ...patterns import pattern
-from ...units import in_unit
+from ...units import behind, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..put_in import Quantity, in_degrees
@@ -83,6 +83,10 @@ class Speller(NamedTuple):
         if quantity.unit != "deg":
             return print_quantity(quantity.text(SHOWN), self.signs)
         return print_side(in_degrees(quantity.value, SHOWN), self.signs, True)
+
+    def unit_behind(self, unit: str) -> str:
+        """Return a unit behind its number."""
+        return behind(self.unit(unit))
 
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
