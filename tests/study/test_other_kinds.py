@@ -48,16 +48,19 @@ def hold(kind: str, seeds: range, folder: Path) -> int:
 
 
 def test_a_toggle_that_folds_has_no_zeros_of_rounding(tmp_path):
-    """Beyond 90 degrees its ram rests on the fixed pin: k is 0 between two branch points."""
+    """Beyond 90 degrees its ram rests on the fixed pin: k is 0 between two branch points.
+
+    It comes to each of them from -9 and 9 mm, so that it jumps there.
+    """
     put_toggle(tmp_path)
     text = other("joined", 91000108)
     compilation = Compilation(Source("fold.mech", text, folder=tmp_path))
     stroke = compilation.stroke(3)
     (part,) = stroke.nil
     assert (part.low, part.high) == tuple(b.drive for b in stroke.branches)
-    assert not any(
-        part.low <= one.drive <= part.high for one in (*stroke.singular, *stroke.extrema)
-    )
+    jumps = [(s.drive, s.value, s.kind) for s in stroke.singular]
+    assert jumps == [(end, "undetermined", "jump") for end in (part.low, part.high)]
+    assert not any(part.low <= one.drive <= part.high for one in stroke.extrema)
     table = " ".join(to_table(stroke).split())
     assert "k = 0 at all places looked at, from phi = 105.558 deg to phi = 116.456 deg" in table
     page = " ".join(render(compilation.reported, compilation.mechanism, unicode=False).split())
