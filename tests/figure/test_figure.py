@@ -439,6 +439,19 @@ def test_measures_are_named_by_parameters():
     assert (beta.start, beta.sweep) == pytest.approx((-math.pi / 2, math.radians(-7)))
 
 
+def test_a_coordinate_less_a_number_is_measured_in_its_unit():
+    """D is h − 50 mm below A; where the guides pass, A_0 and B_0, nothing in the drawing shows."""
+    figure = figure_of(
+        "mechanism f\nparam h = 100 mm\nparam d = 60 mm\nslider A along y through (0 mm, 0 mm)\n"
+        "slider B along y through (d, 0 mm)\nlink ABCD\nA at (0 mm, h)\nB at (d, 0 mm)\n"
+        "C at (200 mm, 0 mm)\nD at (d/2, 50 mm)\nforce P at D along y\n"
+        "force F at C along -y\nfind k = P/F\n"
+    )
+    found = {(d.tail, d.head, d.text) for d in parts(figure, drawn.Dimension)}
+    assert ("A", "D", "h - 50 mm") in found
+    assert not {tail for tail, _, _ in found} & {"", "A_0", "B_0"}
+
+
 def test_a_length_between_varying_intensities_is_a_length():
     figure = figure_of(
         "mechanism f\npivot A at (0 mm, 0 mm)\npivot B at (0 mm, -400 mm)\nlink AC\nlink BC\n"

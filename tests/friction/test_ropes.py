@@ -6,6 +6,7 @@ import pytest
 
 import mechc
 from mechc.driver import compile_source
+from mechc.formula.to_text import text
 from mechc.source import Source
 
 CAPSTAN = """
@@ -112,3 +113,14 @@ def test_words_of_ropes_are_names_elsewhere():
     named = CAPSTAN.replace("param mu = 0.3", "param drum = 0.1\nparam wrap = 0.2\nparam mu = 0.3")
     found = numbers(named.format(wrap=180).replace("find k", "let c = drum + wrap\nfind k"))
     assert found["c"] == pytest.approx(0.3)
+
+
+def test_the_diameter_of_a_drum_has_a_name():
+    """M = W d (e^(f π) − 1)/2: 600 mm is no 6/10 of a force."""
+    drum = mechc.loads(
+        "pivot O\npivot B\nlink OE\nslider A along -y\nOE = 300 mm @ 0 deg\n"
+        "rope A, O along y, B along -y\ntorque M on OE\nweight W mass 40 kg at A\n"
+        "friction rope O 0.3 wrap -180 deg drum 600 mm on OE\nfind M\n"
+    )
+    assert text(drum.results["M_f"].formula) == "W*d_O*(exp(pi*f_O) - 1)/2"
+    assert drum.results["M_f"].default == pytest.approx(184.325683, rel=1e-8)

@@ -25,15 +25,22 @@ PULLEY = 0.07
 
 
 def joints_shown(mechanism: model.Mechanism) -> Iterator[model.Joint]:
-    """Yield the joints of a mechanism; a place that a guide goes through is no pivot.
-
-    Where a drawn mechanism stands still, the guide no longer names its place: ``C_0`` of slider C.
-    """
+    """Yield the joints of a mechanism; a place that a guide goes through is no pivot."""
     places = {s.through for s in mechanism.each(model.Slider)} - mechanism.spans.keys()
     places |= {f"{s.point}_0" for s in mechanism.each(model.Slider)}
     for joint in mechanism.joints:
         if not isinstance(joint, model.Pivot) or joint.point not in places:
             yield joint
+
+
+def lost_places(mechanism: model.Mechanism) -> Iterator[str]:
+    """Yield the places of guides that no longer name them: ``C_0`` of slider C.
+
+    Nothing of a drawn mechanism that stands still shows where they are.
+    """
+    for slider in mechanism.each(model.Slider):
+        if slider.through is None:
+            yield f"{slider.point}_0"
 
 
 def drawn_joint(joint: model.Joint, half: Half) -> Part:

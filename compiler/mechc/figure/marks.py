@@ -7,8 +7,9 @@ from typing import assert_never
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.from_formula import to_angle
 from ..formula.evaluate import evaluate
+from ..formula.facing import led
 from ..formula.to_text import text
-from ..formula.tree import Formula, Sum, Symbol, number, product, total
+from ..formula.tree import Formula, Sum, Symbol, negative, total
 from ..formula.walk import constants, symbols
 from ..model.entries import unit_of_drawing
 from ..model.mechanism import (
@@ -27,6 +28,7 @@ from ..pose.places import Plane
 from ..units import LENGTH, in_unit, size_of
 from .figure import AngleMark, Dimension, Measure
 from .half import Half
+from .joints import lost_places
 from .tolerances import NO_LENGTH, SAME_ANGLE, SAME_LENGTH
 
 MEASURED = 4
@@ -46,8 +48,10 @@ def marks(half: Half) -> Iterator[Measure]:
 
 def _all(half: Half) -> Iterator[Measure]:
     mechanism = half.ways.pose.mechanism
+    lost = set(lost_places(mechanism))
     for entry in mechanism.geometry:
-        yield from _entry(entry, half)
+        if not isinstance(entry, Offset) or entry.head not in lost:
+            yield from _entry(entry, half)
     for point, line in _lines(mechanism):
         yield from _angle(point, line, half)
 
@@ -102,7 +106,7 @@ def _distance(
         return
     ends = half.point(start), half.point(head)
     if value < 0:
-        formula, along = product([(number(-1), 1), (formula, 1)]), along.times(-1)
+        formula, along = negative(formula), along.times(-1)
     yield Dimension(*ends, along, _length(formula, half), abs(value))
 
 
@@ -122,7 +126,7 @@ def _length(formula: Formula, half: Half) -> str:
     if not symbols(formula):
         return _written(evaluate(formula, {}), _unit(formula, mechanism))
     if isinstance(formula, Sum):
-        return text(total(_with_unit(term, mechanism) for term in formula.terms))
+        return text(led(total(_with_unit(term, mechanism) for term in formula.terms)))
     return text(formula)
 
 
@@ -132,7 +136,7 @@ def _with_unit(term: Formula, mechanism: Mechanism) -> Formula:
         return term
     value = evaluate(term, {})
     size = Symbol(_written(abs(value), _unit(term, mechanism)))
-    return size if value > 0 else product([(number(-1), 1), (size, 1)])
+    return size if value > 0 else negative(size)
 
 
 def _written(value: float, unit: str) -> str:

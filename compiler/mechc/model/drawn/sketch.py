@@ -6,7 +6,7 @@ coordinates are numbers, or a formula of the parameters that they rest on.
 
 from collections.abc import Mapping
 
-from ...algebra.product import ZERO, Product
+from ...algebra.product import ZERO, Product, Sum
 from ...algebra.sums import add
 from ...formula.names import another
 from ...formula.tree import Call, Formula, Number, Symbol, degrees, negative, total
@@ -58,7 +58,7 @@ class Sketch(DrawnPoints):
     def offset(self, tail: str, head: str) -> tuple[Formula, Formula]:
         """Return the vector between two points by its components."""
         x, y = self.components(tail, head)
-        return x.formula(), y.formula()
+        return in_terms(x), in_terms(y)
 
     def length(self, tail: str, head: str) -> Formula:
         """Return the distance of two points, ``len_AB`` unless it is a parameter by itself."""
@@ -186,3 +186,19 @@ class Sketch(DrawnPoints):
         """Return whether a name stands for something else already."""
         known = self.parameters.get(name)
         return name in self._taken if known is None else known.value != value
+
+
+def in_terms(component: Product) -> Formula:
+    """Return a component whose terms stand apart, so that a number among them is a length.
+
+    >>> from fractions import Fraction
+    >>> from ...formula.to_text import text
+    >>> h, low = Product.symbol("h"), Product(Fraction(1, 20))
+    >>> text(add([low, -h]).formula()), text(in_terms(add([low, -h])))
+    ('(1 - 20*h)/20', '1/20 - h')
+    """
+    match list(component.factors.items()):
+        case [(Sum(terms=terms), 1)]:
+            return total(term.scaled(component.coefficient).formula() for term in terms)
+        case _:
+            return component.formula()

@@ -7,7 +7,7 @@ from ...diagnostics.model import wheels as messages
 from ...formula.tree import number, product
 from ...frozen import replace
 from ...syntax import ast
-from ...units import ANGLE
+from ...units import ANGLE, LENGTH
 from ..formulas.expressions import Reader
 from ..mechanism import Absolute, Direction, Mechanism, Rope
 from ..names.scope import DESCRIPTION, Scope
@@ -84,5 +84,6 @@ def _with_drum(
         scope.report.add(messages.drum_of_another(span, held.point, link.name))
         return None
     scope.points.used.update(link.points)
+    diameter = scope.named("d", held.point, diameter, LENGTH, statement.drum.span)
     half = number(Fraction(-1 if clockwise else 1, 2))
     return replace(held, reach=product([(half, 1), (diameter, 1)]), link=link.name)
