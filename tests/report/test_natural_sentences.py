@@ -2,6 +2,7 @@
 
 import pytest
 
+import mechc
 from good_mechanisms import loaded
 from mechc.frozen import replace
 from mechc.report.latex.notation import notation, translated
@@ -114,3 +115,14 @@ def test_the_value_of_a_choice_is_apart_from_its_cases():
     text = loaded("jaw_sizes").emit("latex")
     assert text.count(r"\end{cases}=") == 0
     assert r"\end{cases}\qquad D=10\,\text{mm} \]" in text
+
+
+def test_a_velocity_along_a_guide_against_its_load_says_what_it_counts_along():
+    """Steps count V_B along F, which acts against the guide; the ratio counts it along that."""
+    whole = mechc.loads(
+        "pivot O at (0 mm, 0 mm)\nlink OA\nlink AB\nslider B along x through (0 mm, 0 mm)\n"
+        "A at (20 mm, 40 mm)\nB at (150 mm, 0 mm)\ndrive OA from 0 deg to 360 deg\n"
+        "torque M on OA\nforce F at B along -x\nfind k = M/F\nfind V_B/omega_OA\n"
+    )
+    text = " ".join(whole.emit("latex").split())
+    assert text.count("Velocities are positive along their guides here, angular ones") == 1

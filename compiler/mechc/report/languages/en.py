@@ -206,6 +206,8 @@ LOCALE = Locale(
     speed_ratio="Velocity ratio",
     opposite_senses="Angular velocities are positive counter-clockwise here: at the values given "
     "these two have opposite senses.",
+    opposite_along_guides="Velocities are positive along their guides here, angular ones "
+    "counter-clockwise: at the values given these two have opposite senses.",
     against="The minus of {result} means: at the values given {drive} acts against its arrow.",
     against_load="The minus of {result} means: at the values given {drive} acts against its arrow "
     "while {load} acts along its own.",

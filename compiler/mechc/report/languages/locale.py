@@ -88,6 +88,7 @@ class Locale(NamedTuple):
     load: str
     speed_ratio: str
     opposite_senses: str
+    opposite_along_guides: str
     against: str
     against_load: str
     """What a minus says of loads: which one acts against its arrow."""

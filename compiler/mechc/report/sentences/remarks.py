@@ -204,7 +204,9 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     symbol = _spelled(asked(result), spell)
     if result.same_as:
         other = _spelled(Symbol(result.same_as), spell)
-        return (locale.same_as.format(result=symbol, other=other),)
+        senses = _senses(result, symbol, locale, spell)
+        same = locale.same_as.format(result=symbol, other=other)
+        return (*(senses if isinstance(result.target, SpeedRatio) else ()), same)
     said = _holds(result, locale, spell) + _senses(result, symbol, locale, spell)
     said += limits(result, symbol, locale, spell)
     said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
@@ -234,7 +236,7 @@ def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
 
 
 def _senses(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
-    """Say what a minus means: of a ratio of angular velocities, as steps count them as they turn.
+    """Say what a minus means: of a ratio of velocities, as steps count them as they move.
 
     That of a load, or of a ratio of two, says which one acts against its arrow.
     """
@@ -243,6 +245,8 @@ def _senses(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> li
     match result.target:
         case SpeedRatio(Speed("link"), Speed("link")):
             return [locale.opposite_senses]
+        case SpeedRatio(above, below) if not (above.axis and below.axis):
+            return [locale.opposite_along_guides]
         case LoadRatio(drive, load):
             return [_against(locale.against_load, symbol, drive, load, spell)]
         case LoadForm(drive) | WithFriction(LoadForm(drive)):
