@@ -8,7 +8,9 @@ import pytest
 import mechc
 from mechc.driver import compile_source
 from mechc.formula.to_text import text
+from mechc.formula.tree import ZERO
 from mechc.source import Source
+from paths import LIBRARY
 
 ROD = """
 mechanism rod "A rod between two guides"
@@ -100,3 +102,11 @@ def test_a_report_says_what_each_force_of_a_rod_is(language, said):
         r"\text{тер}", "f"
     )
     assert "Newton" not in shown
+
+
+def test_a_joint_that_passes_nothing_on_has_no_size():
+    """The ground and the band at O balance: on the drum nothing is left but the couple."""
+    brake = LIBRARY.joinpath("band_brake.mech").read_text("utf-8")
+    found = mechc.loads(f"{brake}\nfind R_O on OG\n").results
+    assert found["R_O_on_OG_f"].formula == ZERO
+    assert found["R_O_on_OG_f"].default == 0

@@ -116,7 +116,7 @@ def _formula(asked: Asked, found: Components) -> Formula:
             if (whole := found.size()) is not None:
                 return readable(canonical(whole))
             parts = [part for part in (along(X), along(Y)) if part != NOTHING]
-            return Call("hypot", (*parts,)) if len(parts) == 2 else Call("abs", (*parts,))
+            return Call("hypot" if len(parts) == 2 else "abs", (*parts,)) if parts else NOTHING
         case Reaction(part="direction"):
             return Call("atan2", (along(Y), along(X)))
         case _:
