@@ -31,7 +31,8 @@ from .tolerances import NEGLIGIBLE
 class Found(NamedTuple):
     """The state in a pose: ``share`` is the ratio with friction over the one without.
 
-    It is NaN where nothing balances. ``driven`` is whether the load drives the motion, not
+    It is NaN where nothing balances. Of a ratio that is zero without friction it is the one with
+    friction, in the sense of the motion. ``driven`` is whether the load drives the motion, not
     the drive, None at a dead centre. There is no state there, and where nothing was found.
     """
 
@@ -94,6 +95,7 @@ class Moving:
     def __init__(self, sweep: Sweep, ratios: Ratios) -> None:
         self.sweep, self.ideal, self._ratios = sweep, ratios.ideal, ratios
         self.is_iterated, self.is_slow = ratios.is_iterated, ratios.is_slow
+        self.is_idle = ratios.ideal.formula == ZERO
         self._known: dict[float, Found] = {}
         self._driven: dict[float, bool | None] = {}
         self._signs: dict[float, tuple[float, ...]] = {}
@@ -107,7 +109,12 @@ class Moving:
         return self._known[x]
 
     def driven(self, x: float) -> bool | None:
-        """Return whether the motion is the one that the load drives; None at a dead centre."""
+        """Return whether the motion is the one that the load drives; None at a dead centre.
+
+        Where there is no load but friction, the drive drives it either way.
+        """
+        if self.is_idle:
+            return False
         if x not in self._driven:
             is_dead = self.is_dead_centre(x)
             self._driven[x] = None if is_dead else self._ratios.sign * self.without(x) < 0
@@ -116,8 +123,11 @@ class Moving:
     def is_dead_centre(self, x: float) -> bool:
         """Return whether the ratio without friction is 0 or infinite, but for rounding, or none.
 
-        Rounding is looked at only where the ratio is far from what it is by default.
+        Rounding is looked at only where the ratio is far from what it is by default. One that is
+        zero everywhere has no dead centres.
         """
+        if self.is_idle:
+            return False
         ideal = self.without(x)
         if not math.isfinite(ideal) or not ideal:
             return True
@@ -165,10 +175,22 @@ class Moving:
         real = self._real(x)
         if real is None:
             return Found(None, math.nan, driven)
+        if self.is_idle:
+            return self._against_friction(real * self._ratios.sign)
         share = real / self.without(x)
         if share > 0:
             return Found("free", share, driven)
         return Found("locked" if driven else "jammed", share, driven)
+
+    def _against_friction(self, effort: float) -> Found:
+        """Return the state of a drive that has friction alone to overcome, as in a brake.
+
+        Friction takes power in every motion: an effort below zero contradicts itself, and nothing
+        is said of it.
+        """
+        if effort < 0:
+            return Found(None, math.nan, False)
+        return Found("jammed" if math.isnan(effort) else "free", effort, False)
 
     def _real(self, x: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
@@ -188,15 +210,22 @@ class Moving:
         return math.nan if ways and 2 not in ways else None
 
     def efficiency(self, x: float) -> float:
-        """Return the efficiency, 0 where nothing moves, NaN at a dead centre."""
+        """Return the efficiency, 0 where nothing moves, NaN at a dead centre.
+
+        Where no power is meant to arrive it is 1 as long as something moves.
+        """
         state = self.at(x).state
         if state is None:
             return math.nan
-        return self.margin(x) if state == "free" else 0.0
+        if state != "free":
+            return 0.0
+        return 1.0 if self.is_idle else self.margin(x)
 
     def margin(self, x: float) -> float:
         """Return the efficiency, below 0 where no power arrives, -inf where no force balances."""
-        _, share, driven = self.at(x)
+        state, share, driven = self.at(x)
+        if self.is_idle:
+            return (1 / share if share else math.inf) if state == "free" else -math.inf
         if driven is None or math.isnan(share) or not (driven or share):
             return -math.inf
         return share if driven else 1 / share
