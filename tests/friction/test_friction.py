@@ -6,8 +6,10 @@ from functools import cache
 import pytest
 
 import mechc
+from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import symbols
+from mechc.model.values import completed, holds
 from paths import LIBRARY
 from seed_friction import described, entries
 
@@ -182,7 +184,34 @@ def test_a_rod_along_its_guide_presses_by_the_friction_of_its_pins_alone():
         middle = (low + high) / 2
         low, high = (low, middle) if gap(middle) > 0 else (middle, high)
     assert mechanism.evaluate()["k_f"] == pytest.approx(low, rel=1e-12)
-    assert not mechanism.results["k_f"].holds
+    (condition,) = mechanism.results["k_f"].holds
+    assert (text(condition.left), condition.operator) == ("b*cos(th) - rho", ">")
+
+
+NEAR_A_DEAD_CENTRE = """
+slider K along x
+pivot O at (80 mm, 60 mm)
+link KB
+link OBT
+K at (0 mm, 0 mm)
+B at (45 mm, 35 mm)
+T at (150 mm, 20 mm)
+force P at K along x
+force F at T along y
+friction pins 0.12 diameter {d} mm
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize("d", [1, 4, 8, 11, 12, 14])
+def test_where_its_conditions_hold_a_root_balances(d):
+    """The rod passes the circle about O where its arm is shorter than the radius: a jam."""
+    mechanism = mechc.loads(NEAR_A_DEAD_CENTRE.format(d=d))
+    result = mechanism.results["k_f"]
+    known = completed({}, result.where)
+    assert all(symbols(c.left) <= known.keys() for c in result.holds)
+    assert math.isfinite(mechanism.evaluate()["k_f"]) == (d < 11)
+    assert all(holds(c, known) for c in result.holds) == (d < 11)
 
 
 IDLE = """

@@ -98,6 +98,8 @@ def _with_friction(name: str, parts: Sequence[Product], bearing: Bearing, signs:
         return Balanced(rest / arm)
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
+    ahead = -(bearing.turn * add((arm * along, rest)))
+    signs.turned_by(arm, bearing.radius, ahead)
     return _root(name, (arm, rest, along, across), bearing, turn, signs)
 
 

@@ -13,6 +13,7 @@ from ..algebra.angle import Angle, Rational
 from ..algebra.factors import Factor, Length, Opaque, Trig
 from ..algebra.intervals import Box, Interval, sign
 from ..algebra.product import Product, Sum
+from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
 from ..formula.evaluate import evaluate
 from ..formula.names import another
@@ -62,6 +63,13 @@ class Signs(Protocol):
 
     def unsquared(self, value: Product) -> Product:
         """Return a product without the squares of signs, which are 1 but at single poses."""
+        ...
+
+    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> None:
+        """Note that a force turns a lever: its arm exceeds a radius, or ``ahead`` is positive.
+
+        The sign of the arm itself was asked for before.
+        """
         ...
 
     def named(self, name: str, value: Product) -> Product:
@@ -168,6 +176,9 @@ class AtAnyPose(_Names):
         odd = {f: e for f, e in value.factors.items() if e % 2 or f not in self._own}
         return Product(value.coefficient, {f: 1 if f in self._own else e for f, e in odd.items()})
 
+    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> None:
+        """Do nothing: code asks at each pose whether a force turns a lever."""
+
 
 class AtOnePose(_Names):
     """Signs as numbers, and turns as positive angles, as they are at one pose.
@@ -252,6 +263,24 @@ class AtOnePose(_Names):
     def unsquared(self, value: Product) -> Product:
         """Return the product: its signs are numbers."""
         return value
+
+    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> None:
+        """Note the one of the two that is so at the pose; the first where neither is.
+
+        That an arm exceeds a radius says more than that it is positive, which need not be said.
+        """
+        length, least = arm.evaluate(self._values), abs(radius.evaluate(self._values))
+        if abs(length) <= least and ahead.evaluate(self._values) > 0:
+            self.of("", ahead)
+            return
+        side = exact_sign(self.of("", arm).coefficient)
+        beyond = add((arm, radius.scaled(-side)))
+        known = {f: sign(Product.of(f), self._box) for f in bare(beyond).factors}
+        telling = Product(1, {f: 1 for f, of_it in known.items() if of_it is None})
+        if telling.factors:
+            side *= exact_sign(beyond.coefficient) * math.prod(s for s in known.values() if s)
+            self.conditions.pop(arm.formula(), None)
+            self.conditions[telling.formula()] = side
 
     def define(self, name: str, formula: Formula) -> str:
         """Return the name of a formula from now on, and note its value."""
