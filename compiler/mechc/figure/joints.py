@@ -27,7 +27,9 @@ PULLEY = 0.07
 def joints_shown(mechanism: model.Mechanism) -> Iterator[model.Joint]:
     """Yield the joints of a mechanism; a place that a guide goes through is no pivot."""
     places = {s.through for s in mechanism.each(model.Slider)} - mechanism.spans.keys()
-    places |= {f"{s.point}_0" for s in mechanism.each(model.Slider)}
+    guided = [s.point for s in mechanism.each(model.Slider)]
+    guided += [point for slide in mechanism.slides for point in slide.points]
+    places |= {f"{point}_0" for point in guided}
     for joint in mechanism.joints:
         if not isinstance(joint, model.Pivot) or joint.point not in places:
             yield joint
