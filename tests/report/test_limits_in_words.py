@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import good_mechanisms
+from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.frozen import replace
@@ -15,6 +16,7 @@ from mechc.report.sentences.remarks import remarks
 from mechc.report.text.derivation import render
 from mechc.report.text.speller import speller
 from mechc.routine.evaluate import evaluate
+from mechc.source import Source
 
 
 def said(name: str, language: str = "en") -> list[str]:
@@ -105,3 +107,33 @@ def test_a_slope_is_in_the_unit_of_lengths():
 
 def test_what_a_result_is_proportional_to_is_written_in_the_order_of_its_formula():
     assert "k is proportional to gj/(hl)." in said("bolt_cutter")
+
+
+YOKE = """mechanism yoke
+param phi = 50 deg in 0 deg .. 360 deg
+param e = 20 mm
+pivot O
+link OC
+slide TK along y
+OC = e @ TIMES*phi
+contact C on TK normal -90 deg
+torque M on OC
+force F at K along -y
+find k = F/M
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "places", "many"),
+    [
+        ("en", "that is, at φ = 90° or 270° (", "at φ = 30° and every 60° from there on ("),
+        ("ru", "то есть при φ = 90° или 270° (", "то есть при φ = 30° и далее через каждые 60° ("),
+        ("uk", "тобто при φ = 90° або 270° (", "тобто при φ = 30° і далі через кожні 60° ("),
+    ],
+)  # fmt: skip
+def test_every_place_within_a_range_is_named(language, places, many):
+    for times, expected in ((1, places), (3, many)):
+        found = Compilation(Source("yoke.mech", YOKE.replace("TIMES", str(times))))
+        spell = speller(found.reported.results, found.mechanism, True, language)
+        (k,) = found.reported.results
+        assert any(expected in line for line in remarks(k, spell.locale, spell))

@@ -151,6 +151,27 @@ def test_the_condition_is_stated_where_it_is_out_of_range():
     assert stretch.within is None
 
 
+TAPPET = """mechanism tappet
+param e = 20 mm
+param phi = 50 deg in 0 deg .. 360 deg
+pivot O
+link OC
+slide TK along y
+OC = e @ phi
+contact C on TK normal -90 deg
+torque M on OC
+force F at K along -y
+friction contact C 0.1
+find k = M/F
+"""
+
+
+def test_beyond_a_range_of_a_whole_turn_nothing_is_stated():
+    """What is locked from 444° on is locked from 84° on, which is stated."""
+    found = stretches(TAPPET, "k_hold")
+    assert degrees(*(s.high.x for s in found)) == pytest.approx([90, 275.7106], rel=1e-6)
+
+
 def test_the_motion_named_releasing_locks_alike():
     there, here = (
         ROD_TOGGLE.format(low=0.1, more=""),

@@ -228,6 +228,8 @@ def limits(mechanism: Mechanism, result: Analysis, seed: int) -> Iterator[str]:
         for limit in (*result.zeros, *result.poles):
             yield from _at_refuted(mechanism, result, limit, pose)
         yield from _roots_refuted(result, name, curve, low, high)
+    for limit in (*result.zeros, *result.poles):
+        yield from _left_out(mechanism, result, limit)
 
 
 def _side(result: Analysis, limit: Vanishing) -> int:
@@ -239,10 +241,21 @@ def _at_refuted(
 ) -> Iterator[str]:
     if limit.at is None or limit.at[0] not in {p.name for p in independent(mechanism)}:
         return
-    name, formula = limit.at
-    if result.where and symbols(formula) - free(mechanism, pose).keys():
+    name, *formulas = *limit.at, *limit.within
+    if result.where and symbols(limit.at[1]) - free(mechanism, pose).keys():
         return
-    x = evaluate(formula, pose)
+    for formula in formulas:
+        yield from _place_refuted(mechanism, result, limit, pose, (name, evaluate(formula, pose)))
+
+
+def _place_refuted(
+    mechanism: Mechanism,
+    result: Analysis,
+    limit: Vanishing,
+    pose: Values,
+    place: tuple[str, float],
+) -> Iterator[str]:
+    name, x = place
 
     def size(at: float) -> float:
         return abs(value(mechanism, result, {**free(mechanism, pose), name: at}))
@@ -250,6 +263,21 @@ def _at_refuted(
     found = order(size, x, NEAR)
     if found is not None and found * _side(result, limit) < 0.5:
         yield f"{result.name} has order {found:.2f} at {name} = {math.degrees(x):.4f}°"
+
+
+def _left_out(mechanism: Mechanism, result: Analysis, limit: Vanishing) -> Iterator[str]:
+    """Yield where a factor vanishes within a range and is not said to, others as given."""
+    pose, name = defaults(mechanism), limit.at[0] if limit.at else ""
+    given = range_of(name, mechanism) if name else None
+    if given is None or not symbols(limit.factor) <= pose.keys():
+        return
+    listed = [evaluate(place, pose) for place in limit.within]
+    if limit.period and listed:
+        step = evaluate(limit.period, pose)
+        listed = [listed[0] + i * step for i in range(int((given[1] - listed[0]) / step) + 1)]
+    for x in roots(lambda at: evaluate(limit.factor, {**pose, name: at}), *given):
+        if not any(math.isclose(x, place, abs_tol=NEAR) for place in listed):
+            yield f"{result.name}: {text(limit.factor)} is zero at {name} = {x}: not listed"
 
 
 def order(size: Curve, x: float, near: float) -> float | None:

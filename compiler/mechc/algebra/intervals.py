@@ -1,7 +1,7 @@
 """Signs of products over a box of parameter values, proved by interval arithmetic.
 
 Bounds are rounded outwards, so a sign that is returned is a proof; None only means that
-it was not proved. :func:`vanishing_value` gives the root of a sine or cosine in a box.
+it was not proved. :func:`vanishing_values` gives the roots of a sine or cosine in a box.
 """
 
 import math
@@ -130,10 +130,29 @@ def _raised(a: Interval, exponent: int) -> Interval:
     return result
 
 
-def vanishing_value(
+class Roots(NamedTuple):
+    """The values of a symbol at which a sine or cosine vanishes.
+
+    ``nearest`` is that next to the default value, within the range of the symbol if any is;
+    ``within`` are all of them that the range has, in their order, and ``period`` is what lies
+    between two. Of more than :data:`FEW` there is the first.
+    """
+
+    name: str
+    nearest: Formula
+    within: tuple[Formula, ...]
+    period: Formula
+    is_many: bool = False
+
+
+FEW = 5
+"""So many roots within a range are listed at most."""
+
+
+def vanishing_values(
     factor: Trig, near: Mapping[str, float], box: Box, order: Sequence[str] = ()
-) -> tuple[str, Formula] | None:
-    """Return (symbol, value) at which a sine or cosine vanishes, of its roots the one in reach.
+) -> Roots | None:
+    """Return the roots of a sine or cosine by a symbol of its angle.
 
     ``near`` are default values, a ``box`` is the ranges; the symbol is the first of the angle's in
     an ``order``, else by name, whose coefficient is ±1, or its only one.
@@ -144,25 +163,47 @@ def vanishing_value(
     if unit is None:
         return None
     name, c = unit
-    rest = factor.angle - Angle(((name, c),))
+    period = 180 / abs(Fraction(c))
     first = Angle.constant(0 if factor.function == "sin" else 90)
-    turns = _half_turns(factor.angle, first.evaluate({}), near, box)
-    value = (first + Angle.constant(180 * turns) - rest) * (1 / Fraction(c))
-    return name, value.formula()
+    root = (first - (factor.angle - Angle(((name, c),)))) * (1 / Fraction(c))
+
+    def turned(turns: int) -> Formula:
+        return (root + Angle.constant(period * turns)).formula()
+
+    half_turn = math.radians(period)
+    within = _turns_within(root, half_turn, box.get(name), near, box)
+    is_many = len(within) > FEW
+    listed = tuple(map(turned, within[:1] if is_many else within))
+    nearest = _nearest_turns(Angle.of(name) - root, half_turn, within, near)
+    return Roots(name, turned(nearest), listed, Angle.constant(period).formula(), is_many)
 
 
-def _half_turns(angle: Angle, first: float, near: Mapping[str, float], box: Box) -> int:
-    """Return the half turns to add to a first root: within the ranges, else nearest by.
+def _turns_within(
+    root: Angle, period: float, reach: Interval | None, near: Mapping[str, float], box: Box
+) -> range:
+    """Return how many periods may be added to a root for it to lie within a symbol's range.
+
+    Others in it vary within theirs, or have their default values. What only touches the range
+    when all of them are at an end does not lie within it.
+    """
+    where = angle_bounds(root, box)
+    if not math.isfinite(where.high - where.low) and root.names <= near.keys():
+        where = Interval(*[root.evaluate(near)] * 2)
+    if reach is None or not math.isfinite(reach.high - reach.low + where.high - where.low):
+        return range(0)
+    touch = SAME_ANGLE if where.high - where.low < SAME_ANGLE else -SAME_ANGLE
+    return range(
+        math.ceil((reach.low - where.high - touch) / period),
+        math.floor((reach.high - where.low + touch) / period) + 1,
+    )
+
+
+def _nearest_turns(distance: Angle, period: float, within: range, near: Mapping[str, float]) -> int:
+    """Return the periods to add to a root: within the range, else nearest by.
 
     Of sin(φ + β), with φ = 60° in 5° … 175°, that is 180° - β and not -β.
     """
-    if not angle.names <= near.keys():
-        return 0
-    nearest = round((angle.evaluate(near) - first) / math.pi)
-    within = angle_bounds(angle, box)
-    if not math.isfinite(within.high - within.low):
-        return nearest
-    inside = range(
-        math.ceil((within.low - first) / math.pi), math.floor((within.high - first) / math.pi) + 1
-    )
-    return min(inside, key=lambda turns: abs(turns - nearest), default=nearest)
+    if not distance.names <= near.keys():
+        return within[0] if within else 0
+    nearest = round(distance.evaluate(near) / period)
+    return min(within, key=lambda turns: abs(turns - nearest), default=nearest)

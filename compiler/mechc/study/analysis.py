@@ -38,7 +38,9 @@ Cause = DeadCentre | NoCentre
 class Vanishing(NamedTuple):
     """A condition ``factor = 0`` under which a result is zero, or infinite.
 
-    ``at`` solves it: ``(symbol, value)``, exact where the factor allows, else None.
+    ``at`` solves it: ``(symbol, value)``, exact where the factor allows, else None. ``within``
+    are all such values within the symbol's range, in their order; if they are many it is the
+    first, and they come again by a ``period``.
     ``cause`` is a dead centre or a load perpendicular to its point's velocity. It is
     ``outside`` where it is proved that the factor does not vanish within the ranges given. Where
     one of ``but`` is zero, too, it is not known what the result does.
@@ -49,6 +51,8 @@ class Vanishing(NamedTuple):
     cause: Cause
     outside: bool = False
     but: tuple[Formula, ...] = ()
+    within: tuple[Formula, ...] = ()
+    period: Formula | None = None
 
 
 class Break(NamedTuple):

@@ -24,6 +24,9 @@ from .tolerances import EXACT, HALF_THE_DIGITS, NEARLY
 BEYOND = math.pi / 2
 """How far beyond its range an angle is followed, to the next dead centre at most."""
 
+WHOLE_TURN = 2 * math.pi - NEARLY
+"""What is beyond a wider range is the same again."""
+
 SHORT = 12
 """An end of more operations than this is given as a figure."""
 
@@ -75,6 +78,8 @@ def _window(name: str, is_moved: bool, moving: Moving, study: Study) -> Range | 
         return given
     here = moving.sweep.defaults[name]
     low, high = given or (here, here)
+    if high - low > WHOLE_TURN:
+        return given
     return (
         _next_dead_centre(low, -BEYOND, moving),
         _next_dead_centre(high, BEYOND, moving),

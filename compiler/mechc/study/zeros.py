@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.halving import without
-from ..algebra.intervals import vanishing_value
+from ..algebra.intervals import vanishing_values
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
 from ..formula.evaluate import evaluate
@@ -156,9 +156,13 @@ def _but_by_chance(root: Root, of: _Sought) -> Iterator[Vanishing]:
 def _vanishing(trig: Trig, why: Cause, of: _Sought) -> Vanishing:
     """Return a condition solved for what moves; not for, nor by, what loops find."""
     found = trig.angle.names & of.defined.keys()
-    at = None if found else vanishing_value(trig, of.near, of.box, of.moving_first)
+    at = None if found else vanishing_values(trig, of.near, of.box, of.moving_first)
     but = tuple(t.formula() for t in _at_folds(trig, of))
-    return Vanishing(trig.formula(), at, why, of.is_outside(trig), but)
+    limit = Vanishing(trig.formula(), None, why, of.is_outside(trig), but)
+    if at is None:
+        return limit
+    period = at.period if at.is_many else None
+    return limit._replace(at=(at.name, at.nearest), within=at.within, period=period)
 
 
 def _at_folds(trig: Trig, of: _Sought) -> list[Trig]:

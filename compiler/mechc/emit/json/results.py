@@ -66,6 +66,8 @@ VANISHING: Kind[Vanishing] = record(
     member("factor", "It is where this is 0.", FORMULA, lambda v: v.factor),
     member("symbol", "Solved for this.", optional(TEXT), lambda v: v.at and v.at[0]),
     member("value", "Its value there.", optional(FORMULA), lambda v: v.at and v.at[1]),
+    member("values", "All within its range.", list_of(FORMULA), lambda v: v.within),
+    member("period", "More follow by this.", optional(FORMULA), lambda v: v.period),
     member("kind", "What happens there.", one_of(*CAUSES), _cause),
     member("still", "What stands still at a dead centre.", optional(TEXT), _still),
     member("moving", "What moves there.", optional(TEXT), _moving),

@@ -262,6 +262,7 @@ LOCALE = Locale(
     infinite="Of {result} nothing is said where {condition}: there {name} is infinite, and "
     "{result} may jump.",
     when="that is, at {condition}",
+    and_every="{first} and every {period} from there on",
     unmet="; sampling finds none for {span} and the values given",
     but_where="except perhaps where also one of these holds: {conditions}",
     causes={

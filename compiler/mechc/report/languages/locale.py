@@ -110,6 +110,7 @@ class Locale(NamedTuple):
     pole: str
     infinite: str
     when: str
+    and_every: str
     unmet: str
     but_where: str
     causes: Mapping[str, str]

@@ -77,15 +77,25 @@ def _bare(
 def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: Speller) -> str:
     said = template.format(result=symbol, condition=_zero(limit.factor, spell))
     if limit.at:
-        name, value = limit.at[0], _ordered(limit.at[1])
-        place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
-        said += ", " + locale.when.format(condition=place)
+        said += ", " + locale.when.format(condition=_places(*limit.at, limit, locale, spell))
     if limit.but:
         but = (_zero(factor, spell) for factor in limit.but)
         said += ", " + locale.but_where.format(conditions=", ".join(but))
     if limit.outside:
         said += ", " + locale.out_of_ranges
     return f"{_with_cause(said, limit, locale, spell)}."
+
+
+def _places(name: str, value: Formula, limit: Vanishing, locale: Locale, spell: Speller) -> str:
+    """Return all places within a range, else one: ``φ = 90° or 270°``."""
+    first, *others = map(_ordered, limit.within or (value,))
+    is_angle = name in spell.angles
+    said = [spell.relation((Symbol(name), first), ("=",), is_angle)]
+    said += [spell.relation((other,), (), is_angle) for other in others]
+    if not limit.period:
+        return alternatives(said, locale)
+    period = spell.relation((limit.period,), (), is_angle)
+    return locale.and_every.format(first=said[0], period=period)
 
 
 def _with_cause(said: str, limit: Vanishing, locale: Locale, spell: Speller) -> str:
