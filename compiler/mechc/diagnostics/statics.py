@@ -60,7 +60,7 @@ def pose_does_not_close(span: Span, what: str, gap: float) -> Message:
 
 
 @coded("W601")
-def not_checked(span: Span, result: str, reason: str) -> Message:
+def not_checked(span: Span, result: str, reason: str, is_fixed: bool = False) -> Message:
     """A result could not be checked by the equilibrium of the free bodies.
 
     Each result is checked in numbers at the default pose and at poses drawn from the ranges
@@ -78,6 +78,10 @@ def not_checked(span: Span, result: str, reason: str) -> Message:
         require alpha < 30 deg
     """
     hint = "give the parameters values and ranges at which the mechanism can stand"
+    if is_fixed:
+        hint = (
+            "there are no parameters, so there is no other pose to check it at: change the numbers"
+        )
     return Message(span, f"{result} was not checked against equilibrium: {reason}", hint)
 
 

@@ -20,6 +20,12 @@ def listed(words: Iterable[str], last: str = "or") -> str:
     return f"{', '.join(front)} {last} {final}" if front else final
 
 
+WITH_FRICTION = (
+    "an efficiency comes with friction: beside `find k = P/F` the line "
+    "`friction pins 0.1 diameter 10 mm` gives eta_k"
+)
+
+
 @coded("E101")
 def unexpected_text(span: Span, found: str, expected: list[str], hint: str = "") -> Message:
     """A statement has the wrong word or sign at this place.

@@ -89,7 +89,8 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
         if len(found) < wanted:
             remarks.append(_untried(question.name, found, troubles, wanted))
         if troubles and not found:
-            report.add(_unchecked(question.name, troubles, pose.mechanism.span))
+            is_fixed = all(p.dependent for p in pose.mechanism.parameters)
+            report.add(_unchecked(question.name, troubles, pose.mechanism.span, is_fixed))
     if remarks and next(iter(poses), None) is None:
         report.add(_nothing_checked(pose))
     verdict = Verdict(tuple(trials), tuple(remarks))
@@ -202,11 +203,14 @@ def _untried(
     return Untried(name, len(trials), wanted, troubles[-1] if troubles else NO_MORE)
 
 
-def _unchecked(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
-    """Return a warning, or an error where only equilibrium failed, and at every pose."""
+def _unchecked(name: str, troubles: tuple[str, ...], span: Span, is_fixed: bool) -> Diagnostic:
+    """Return a warning, or an error where only equilibrium failed, and at every pose.
+
+    Where the mechanism ``is_fixed`` there is no parameter that could have another value.
+    """
     if not {NO_VALUE, NEAR_SINGULAR, STANDS, UNSETTLED, TOO_MUCH} & set(troubles):
         return messages.no_equilibrium(span, name, troubles[-1])
-    return messages.not_checked(span, name, troubles[-1])
+    return messages.not_checked(span, name, troubles[-1], is_fixed)
 
 
 def _nothing_checked(pose: Pose) -> Diagnostic:

@@ -141,6 +141,17 @@ ROOM = " \t,;–-"
 """What may stand between points that are to be written together."""
 
 
+def in_capitals(text: str) -> str:
+    """Return a hint at up to three points that are written in small letters, not at a word.
+
+    >>> in_capitals("k"), in_capitals("oba"), in_capitals("left")
+    ('points have capital letters: K', 'points have capital letters: OBA', '')
+    """
+    capitals = text.upper()
+    is_meant = 0 < len(points_of(capitals)) <= 3 and text != capitals
+    return f"points have capital letters: {capitals}" if is_meant else ""
+
+
 def apart(text: str, one_each: bool = False) -> str:
     """Return a hint at points that are not written together, or not in a list.
 

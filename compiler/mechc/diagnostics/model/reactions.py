@@ -142,18 +142,21 @@ def link_named_for_nothing(span: Span) -> Message:
 
 
 @coded("E347")
-def tension_of_sliding_rope(span: Span, fall: str) -> Message:
+def tension_of_sliding_rope(span: Span, fall: str, loads: Sequence[str]) -> Message:
     """The tension of a rope is asked for that slides around a pulley, and changes there.
 
     N_AB is the tension of a rope that has one all along. With friction at a pulley each fall
-    has its own; the force at the end of a fall says how large it is::
+    has its own. That of the fall at whose end a load acts follows from the load::
 
         rope A, B along y, H along -y
         friction rope B 0.2 wrap 180 deg
         find N_AB                            # wrong
     """
     message = f"the rope along {fall} slides around a pulley, and its tension changes there"
-    return Message(span, message, "ask for the force at its end, or leave the friction out")
+    hint = "without the friction of the rope it has one"
+    if loads:
+        hint += f"; what pulls at its end is 'find {loads[0]}'"
+    return Message(span, message, hint)
 
 
 @coded("E259")

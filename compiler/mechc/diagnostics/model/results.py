@@ -5,6 +5,7 @@ from collections.abc import Collection
 
 from ...source import Span
 from ..diagnostic import Message, coded
+from ..syntax import WITH_FRICTION
 from .names import offered
 
 
@@ -52,6 +53,11 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
         whole = component[1]
         hint = f"write 'find {whole}', which gives {whole}_x, {whole}_y and {whole}_direction, too"
         return Message(span, message, hint)
+    if rod := re.fullmatch(r"R_(([A-Z][\d']*)[A-Z][\d']*)", name):
+        hint = (
+            f"along a rod it is 'find N_{rod[1]}', at one of its pins 'find R_{rod[2]} on {rod[1]}'"
+        )
+        return Message(span, message, hint)
     if with_friction := re.fullmatch(r"eta_(\w+)|(\w+?)_(?:f1|f|hold)", name):
         ideal = with_friction[1] or with_friction[2]
         hint = f"with friction a line 'find {ideal} = …' brings {name} along: it is not asked for"
@@ -59,12 +65,6 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
     if name.lower() in ("eta", "efficiency"):
         return Message(span, message, WITH_FRICTION)
     return Message(span, message, offered(name, loads, "loads"))
-
-
-WITH_FRICTION = (
-    "an efficiency comes with friction: beside `find k = P/F` the line "
-    "`friction pins 0.1 diameter 10 mm` gives eta_k"
-)
 
 
 @coded("E265")

@@ -1,6 +1,6 @@
 """Forces at joints that are asked for: ``R_O``, ``R_B on AB``, ``N_AB``, ``N_A``."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from ...diagnostics.model import lowering as lowering_messages
 from ...diagnostics.model import reactions as messages
@@ -126,9 +126,18 @@ def check_rods(mechanism: Mechanism, scope: Scope) -> None:
             case Axial(link) if link in spread:
                 scope.report.add(lowering_messages.spread_along_rod(find.span, link))
             case Axial(rope, tail, head) if rope in sliding:
-                scope.report.add(messages.tension_of_sliding_rope(find.span, f"{tail}{head}"))
+                pulling = _pulling((tail, head), mechanism)
+                fall = f"{tail}{head}"
+                scope.report.add(messages.tension_of_sliding_rope(find.span, fall, pulling))
             case Axial(link, tail, head) if {(link, tail), (link, head)} <= on:
                 scope.report.add(messages.loaded_at_both_ends(find.span, link))
+
+
+def _pulling(ends: Collection[str], mechanism: Mechanism) -> list[str]:
+    """Return the loads of no given size that act at the ends of a fall."""
+    given = {let.name for let in mechanism.lets}
+    loads = (load for load in mechanism.loads if isinstance(load, Force) and load.name not in given)
+    return [load.name for load in loads if load.point in ends]
 
 
 def warn_of_shared_pivots(mechanism: Mechanism, scope: Scope) -> None:

@@ -19,6 +19,7 @@ from ..vocabulary import (
     TWINS,
     apart,
     counted,
+    in_capitals,
     of_used,
     points_of,
     split_quantity,
@@ -240,7 +241,8 @@ def point_name(kind: str, text: str, span: Span) -> ast.Name:
     least, most, expected = COUNTED[kind]
     found = len(points_of(of_used(text)[1]))
     if not found:
-        raise Fault(syntax.not_a_point(span, text, expected, apart(text, kind == "point")))
+        hint = apart(text, kind == "point") or in_capitals(text)
+        raise Fault(syntax.not_a_point(span, text, expected, hint))
     if found < least or (most and found > most):
         raise Fault(syntax.wrong_point_count(span, text, found, expected))
     return ast.Name(text, span)

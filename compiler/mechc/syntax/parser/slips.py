@@ -51,6 +51,8 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or (line[0].type in FORMULAS and of_asking(line, position, allowed))
         or _of_bracket(line, position, allowed)
         or _of_list(token, line[0])
+        or _of_speed(line, position)
+        or _of_perpendicular(line, position)
         or STATED.get((line[0].type, str(token)), "")
         or _of_radius(line, position)
         or _of_name(line, position)
@@ -113,6 +115,23 @@ def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     if line[0].type == "FIND" and (token == "=" or is_named_last):
         return "the name stands first, as in find k = P/F"
     return ""
+
+
+def _of_speed(line: Sequence[Token], position: int) -> str:
+    """Return a hint at the speed of a drive behind another word than ``speed``."""
+    token, value = line[position], "".join(line[position + 1 : position + 2])
+    unit = split_quantity(value)[1] if value[:1].isdigit() else ""
+    if line[0].type != "DRIVE" or token != "at" or not (unit == "rpm" or unit.endswith("/s")):
+        return ""
+    return f"it is written: {' '.join(line[:position])} speed {value}"
+
+
+def _of_perpendicular(line: Sequence[Token], position: int) -> str:
+    """Return a hint at a minus between ``perp`` and its points."""
+    if line[position] != "-" or line[position - 1] != "perp" or not position:
+        return ""
+    points = "".join(line[position + 1 : position + 2])
+    return f"the '-' stands before 'perp': -perp {points or 'OA'}"
 
 
 def _of_two_units(line: Sequence[Token], position: int) -> str:

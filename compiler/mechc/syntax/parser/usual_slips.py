@@ -1,5 +1,7 @@
 """What is often written otherwise, and what is said of it: a table for each way to look it up."""
 
+from ...diagnostics.syntax import WITH_FRICTION
+
 _ENDS = (
     "a cylinder is a telescope, and the actuator acts between its ends: actuator P between A and B"
 )
@@ -46,6 +48,9 @@ STATED = {
     ("FORCE", "perp"): _SQUARE,
     ("GRAVITY", "9.81 m/s^2"): _GRAVITY,
     ("GRAVITY", "9.81"): _GRAVITY,
+    ("FIND", "efficiency"): WITH_FRICTION,
+    ("FRICTION", "slide"): "the friction of a slide has the name of its first point: "
+    "friction slider W 0.1",
     ("DRIVE", "on"): _MOVES,
     ("DRIVE", "at"): _MOVES,
     ("DRIVE", "between"): _MOVES,
