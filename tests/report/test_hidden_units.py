@@ -20,12 +20,17 @@ LEVER = """
     param w = 38 mm
     pivot O at (0 mm, 0 mm)
     link OAB
-    A at (w - 8 mm, 20 mm)
+    A at (w*w/(8 mm), 20 mm)
     B at (w, 70 mm)
     force P at A along y
     force F at B along -x
     find k = P/F
 """
+
+
+def noted(text):
+    compilation = compile_source(Source("lever.mech", text))
+    return render(compilation.derivation, compilation.mechanism)
 
 
 @pytest.mark.parametrize(
@@ -55,14 +60,19 @@ def test_a_report_says_what_such_numbers_are_in(language):
 
 
 def test_numbers_with_names_of_their_own_have_their_units():
-    compilation = compile_source(Source("lever.mech", LEVER.replace("w - 8 mm", "30 mm")))
-    note = render(compilation.derivation, compilation.mechanism)
+    note = noted(LEVER.replace("w*w/(8 mm)", "30 mm"))
     assert registry.locale("en").plain_numbers not in " ".join(note.split())
     assert "k = −70 / (36.0555 · cos 33.6901°) = −2.33333" in note
 
 
 def test_numbers_are_not_put_in_beside_numbers_of_other_units():
-    compilation = compile_source(Source("lever.mech", LEVER))
-    note = render(compilation.derivation, compilation.mechanism)
+    note = noted(LEVER)
     lines = [line for line in note.splitlines() if "38 mm" in line]
     assert [line.strip() for line in lines] == ["w = 38 mm"]
+
+
+def test_a_number_with_a_unit_in_a_product_is_not_put_in_among_millimetres():
+    """k = −8 mm·70 mm/(38 mm)² is a pure number; 0.008·70/38² would be a thousandth of it."""
+    note = noted(LEVER)
+    (line,) = [line.strip() for line in note.splitlines() if line.strip().startswith("k = −")]
+    assert line == "k = −0.387812"

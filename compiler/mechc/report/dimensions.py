@@ -34,6 +34,22 @@ def is_homogeneous(
     return all(map(known.is_power_of, (LENGTH, MASS, TIME)))
 
 
+def is_plain(
+    formula: Formula, values: Mapping[str, float], dimensions: Mapping[str, Dimension]
+) -> bool:
+    """Return whether other units of length, mass or time leave a formula as it is.
+
+    >>> from ..formula.tree import Symbol, number, quotient
+    >>> w = Symbol("w")
+    >>> is_plain(quotient(w, w), {"w": 2.0}, {"w": LENGTH})
+    True
+    >>> is_plain(quotient(w, number(8)), {"w": 2.0}, {"w": LENGTH})
+    False
+    """
+    known = _Scaled(formula, values, dimensions)
+    return all(map(known.is_same, (LENGTH, MASS, TIME)))
+
+
 class _Scaled:
     """A formula where base units are smaller."""
 
@@ -64,6 +80,13 @@ class _Scaled:
             return True
         second, third = self._value(base, 1), self._value(base, 2)
         return math.isclose(second * second, first * third, rel_tol=SAME_RATIO)
+
+    def is_same(self, base: Dimension) -> bool:
+        """Return whether a smaller unit leaves the value as it is; one that has none is left."""
+        first = self._first
+        return not math.isfinite(first) or math.isclose(
+            first, self._value(base, 1), rel_tol=SAME_RATIO
+        )
 
     def exponent(self, base: Dimension) -> Fraction | None:
         """Return the exponent of a base unit in the formula; halves and thirds are exact."""

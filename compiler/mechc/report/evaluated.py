@@ -132,9 +132,10 @@ def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
     given = _given(whole, mechanism)
     results = (r for section in whole.results for r in section.results)
     results = (r for r in results if r.target is not None)
-    formulas = [*(d.formula for d in _definitions(whole)), *(r.formula for r in results)]
-    known = (f for f in formulas if names_in(f) <= given.keys() and not is_solved(f))
-    return any(has_units(formula, {n: given[n] for n in names_in(formula)}) for formula in known)
+    formulas = [(d.formula, False) for d in _definitions(whole)]
+    formulas += [(r.formula, r.dimension in (NUMBER, ANGLE)) for r in results]
+    known = ((f, b) for f, b in formulas if names_in(f) <= given.keys() and not is_solved(f))
+    return any(has_units(f, {n: given[n] for n in names_in(f)}, bare) for f, bare in known)
 
 
 def constants_shown(whole: Outline, mechanism: Mechanism) -> frozenset[Formula]:

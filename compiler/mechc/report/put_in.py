@@ -46,7 +46,7 @@ from ..units import (
     si_unit,
     size_of,
 )
-from .dimensions import found_dimension, is_homogeneous, is_solved, names_in, with_symbols
+from .dimensions import found_dimension, is_homogeneous, is_plain, is_solved, names_in, with_symbols
 
 DIGITS = 6
 """Significant digits of numbers that are put in."""
@@ -196,7 +196,7 @@ def in_numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> F
         return None
     if is_solved(formula) or isinstance(formula, Symbol):  # which would be its value twice
         return None
-    if has_units(formula, {name: given[name] for name in names}):
+    if has_units(formula, {name: given[name] for name in names}, bare):
         return None
     units = {given[n].unit for n in names} - {"", "deg"}
     if bare and len(units) == 1:
@@ -204,13 +204,17 @@ def in_numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> F
     return put_in(with_symbols(formula), given)
 
 
-def has_units(formula: Formula, given: Mapping[str, Quantity]) -> bool:
-    """Return whether a number of the formula has a unit: others must not be put in beside it."""
+def has_units(formula: Formula, given: Mapping[str, Quantity], is_number: bool) -> bool:
+    """Return whether a number of the formula has a unit: others must not be put in beside it.
+
+    What ``is_number`` itself, or an angle, is the same in all units where none has.
+    """
     units = {name: UNITS.get(q.unit) for name, q in given.items()}
     dimensions = {name: unit.dimension if unit else NUMBER for name, unit in units.items()}
     known = all(units[name] for name, q in given.items() if q.unit)
     values = {name: q.value for name, q in given.items()}
-    return known and not is_homogeneous(with_symbols(formula), values, dimensions)
+    is_sound = is_plain if is_number else is_homogeneous
+    return known and not is_sound(with_symbols(formula), values, dimensions)
 
 
 def _bare(quantity: Quantity) -> Quantity:
