@@ -1,5 +1,6 @@
 """The hunt for false statements, tests/support/hunt.py: what it looks at, and that it sees."""
 
+import math
 import time
 from pathlib import Path
 from types import SimpleNamespace
@@ -7,10 +8,12 @@ from types import SimpleNamespace
 import pytest
 
 import hunt
+from conclusions import slopes
 from hunt import Outcome, looked_at, outcome, summary
 from hunted import KINDS, Hunted, Made, made
-from mechc.formula.tree import number, product
+from mechc.formula.tree import Call, Symbol, number, product, total
 from mechc.frozen import replace
+from mechc.model.result import Definition
 from mechc.pose.places import Plane
 from refuters import REFUTERS
 
@@ -58,6 +61,24 @@ def test_a_falsehood_is_found(tmp_path, changes, said):
     found = with_result(hunted(tmp_path, wider if "zeros" in changes else RISING), **changes)
     refuted = looked_at("toggle", found).refuted
     assert any(one.startswith(said) for one in refuted), refuted
+
+
+@pytest.mark.parametrize(("part", "is_refuted"), [(1.0, False), (1.001, True)])
+def test_rounding_beside_a_fold_is_no_falsehood_of_a_slope(tmp_path, part, is_refuted):
+    """β = arcsin(sin α) is α up to 90°: k = α·sin(α + β)/cos β is 2α·sin α."""
+    alpha, beta = Symbol("alpha"), Symbol("beta")
+    sine = Call("sin", (alpha,))
+    both = Call("sin", (total([alpha, beta]),))
+    k = with_result(
+        hunted(tmp_path),
+        formula=product([(alpha, 1), (both, 1), (Call("cos", (beta,)), -1)]),
+        where=(Definition("beta", Call("asin", (sine,))),),
+    ).compilation.results[0]
+    slope = total([sine, product([(alpha, 1), (Call("cos", (alpha,)), 1)])])
+    k = replace(k, derivatives={"alpha": product([(number(2), 1), (number(part), 1), (slope, 1)])})
+    pose = {"alpha": math.pi / 2 - 2e-4, "beta": math.pi / 2 - 2e-4}
+    refuted = [*slopes(hunted(tmp_path).compilation.mechanism, k, pose)]
+    assert bool(refuted) == is_refuted, refuted
 
 
 LOOKED_UP = """
