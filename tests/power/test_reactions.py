@@ -17,6 +17,8 @@ from force_samples import (
     sizes_of,
 )
 from mechc.formula.evaluate import evaluate
+from mechc.formula.tree import is_call
+from mechc.formula.walk import walk
 from mechc.model.mechanism import ForcePair
 from reference_forces import Forces
 from sources import in_thirds
@@ -312,3 +314,44 @@ find V_B/V_A
     found = lever.evaluate(a=a, b=b, P=1.0)
     assert found["R_O"] == pytest.approx(np.abs(found["R_O_y"]))
     assert found["V_B_over_V_A"] == pytest.approx(np.abs(b - a) / a)
+
+
+BEAM = """
+pivot A at (0 mm, 0 mm)
+slider B along x
+link ACDB
+C at (30 mm, 0 mm)
+D at (80 mm, 0 mm)
+B at (100 mm, 0 mm)
+force F at C along -y
+force G at D along -y
+find R_A
+"""
+
+BRAKE = """
+param mu = 0.4
+pivot O at (0 mm, 0 mm)
+pivot C at (0 mm, -250 mm)
+link OG
+link ACBH
+OG = 200 mm @ 0 deg
+CA = 60 mm @ 180 deg
+CB = 20 mm @ 0 deg
+CH = 350 mm @ 0 deg
+rope A, O along y, B along -y
+torque M on OG
+force P at H along y
+friction rope O mu wrap -180 deg drum 400 mm on OG
+find M, R_C
+"""
+
+
+@pytest.mark.parametrize(("text", "name"), [(BEAM, "R_A"), (BRAKE, "R_C"), (BRAKE, "R_C_f")])
+def test_a_force_of_one_component_is_the_size_of_that(text, name):
+    """With several loads, or friction that is found by iteration."""
+    result = mechc.loads(text).results[name]
+    assert not any(is_call(part, "hypot") for part in walk(result.formula))
+
+
+def test_a_force_of_one_component_is_positive():
+    assert mechc.loads(BEAM).evaluate(F=10.0, G=-50.0)["R_A"] == pytest.approx(3)

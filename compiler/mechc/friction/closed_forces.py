@@ -12,7 +12,6 @@ from ..algebra.angle import Angle
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
 from ..formula.operations import count_operations
-from ..formula.tree import ZERO as NOTHING
 from ..formula.tree import Call, Formula, Sum, Symbol, negative, total
 from ..formula.walk import symbols
 from ..frozen import replace
@@ -23,7 +22,7 @@ from ..model.result import Definition
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
 from ..power.definitions import bound_names
-from ..power.joint_forces import component, joint_of, line_of
+from ..power.joint_forces import component, joint_of, line_of, size_of_two
 from ..power.reactions import Transmitted
 from .closed_form import Printed, conditions, positive, readable
 from .free_bodies import Bodies, BodyForce, EquationsCoupled
@@ -115,8 +114,7 @@ def _formula(asked: Asked, found: Components) -> Formula:
         case Reaction(part="size"):
             if (whole := found.size()) is not None:
                 return readable(canonical(whole))
-            parts = [part for part in (along(X), along(Y)) if part != NOTHING]
-            return Call("hypot" if len(parts) == 2 else "abs", (*parts,)) if parts else NOTHING
+            return size_of_two(along(X), along(Y))
         case Reaction(part="direction"):
             return Call("atan2", (along(Y), along(X)))
         case _:

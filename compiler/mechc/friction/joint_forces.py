@@ -13,7 +13,7 @@ from ..model.result import Definition
 from ..pose.pose import Arm
 from ..power.balance import Term
 from ..power.definitions import bound_sums
-from ..power.joint_forces import component, joint_of, line_of
+from ..power.joint_forces import component, joint_of, line_of, size_of_two
 from ..power.reactions import Reactions
 from .closed_form import Named, Printed, conditions
 from .iterated import named_factor
@@ -81,7 +81,7 @@ class ForceWithFriction:
 
         match self._target:
             case Reaction(part="size"):
-                return Call("hypot", (along(x), along(y)))
+                return size_of_two(along(x), along(y))
             case Reaction(part="direction"):
                 return Call("atan2", (along(y), along(x)))
             case _:

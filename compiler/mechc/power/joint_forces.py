@@ -169,7 +169,7 @@ def _whole(part: Part, transmitted: Transmitted, mechanism: Mechanism) -> Found:
     if part == "direction":
         formula: Formula = Call("atan2", (_form(y), _form(x))) if loads else ZERO
     elif len(loads) > 1:
-        formula = Call("hypot", (_form(x), _form(y)))
+        formula = size_of_two(_form(x), _form(y))
     else:
         positive = partial(magnitude, mechanism=mechanism)
         sizes = {n: size_of(x.get(n, NONE), y.get(n, NONE), positive) for n in loads}
@@ -181,6 +181,17 @@ def _whole(part: Part, transmitted: Transmitted, mechanism: Mechanism) -> Found:
 
 def _kept(amounts: Amounts) -> Amounts:
     return {load: amount for load, amount in amounts.items() if amount}
+
+
+def size_of_two(x: Formula, y: Formula) -> Formula:
+    """Return the size of a vector from its components: that of one where the other is zero.
+
+    >>> from ..formula.to_text import text
+    >>> text(size_of_two(Symbol("x"), Symbol("y"))), text(size_of_two(ZERO, Symbol("y")))
+    ('hypot(x, y)', 'abs(y)')
+    """
+    sides = [side for side in (x, y) if side != ZERO]
+    return Call("hypot" if len(sides) == 2 else "abs", (*sides,)) if sides else ZERO
 
 
 def size_of(x: Product, y: Product, positive: Callable[[Product], Product]) -> Product:
