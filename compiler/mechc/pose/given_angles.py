@@ -4,28 +4,27 @@ The algebra knows one form of a sine, sin(theta + 60°) = cos(theta − 30°), w
 is written for a reader has the angle that two of the given lines make.
 """
 
-from collections.abc import Iterable, Iterator, Set
+from collections.abc import Iterable, Iterator
 from functools import cache
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_angle
 from ..formula.facing import Quarter, led, quarter_turned, rewritten
 from ..formula.tree import Formula, Implicit, System
-from ..frozen import frozen, replace
+from ..frozen import replace
 from ..model.mechanism import Arrow, Turn
 from .pose import Definition, Pose, Vector, reverse
 
 
-@frozen
 class GivenLines:
     """The lines of a pose, the x axis among them, and the directions of vectors as written.
 
     Constant angles are those between vectors alone, which stay when the whole drawing is turned.
     """
 
-    lines: Set[Angle]
-    arms: Set[Angle]
-    arrows: Set[Angle]
+    def __init__(self, lines: Iterable[Angle], arms: Iterable[Angle], arrows: Iterable[Angle]):
+        self._lines, self._arms = (_Directions(found, 180) for found in (lines, arms))
+        self._arrows = _Directions(arrows, 360)
 
     def quarter(self, argument: Formula) -> int:
         """Return by how many degrees an angle is to be turned to be one between two lines.
@@ -41,20 +40,23 @@ class GivenLines:
 
     def _rank(self, angle: Angle) -> tuple[bool, float]:
         """Return a smaller value for angles between arrows as they are written, and small ones."""
-        return not _is_between(angle, self.arrows, 360), abs(float(angle.degrees))
+        return not self._arrows.are_at(angle), abs(float(angle.degrees))
 
     def _are_at(self, angle: Angle) -> bool:
         """Return whether two of the lines are at an angle."""
-        return _is_between(angle, self.lines if angle.terms else self.arms, 180)
+        return (self._lines if angle.terms else self._arms).are_at(angle)
 
 
-def _is_between(angle: Angle, lines: Set[Angle], sense: int) -> bool:
-    """Return whether lines are at an angle, either way round, but for multiples of a turn."""
-    known = {_within(line, sense) for line in lines}
-    return any(
-        _within(line + angle, sense) in known or _within(line - angle, sense) in known
-        for line in lines
-    )
+class _Directions:
+    """Directions that are told apart but for multiples of a turn, indexed once."""
+
+    def __init__(self, angles: Iterable[Angle], turn: int):
+        self._turn = turn
+        self._known = frozenset(_within(angle, turn) for angle in angles)
+
+    def are_at(self, angle: Angle) -> bool:
+        """Return whether two of them are at an angle, from either to the other."""
+        return any(_within(known + angle, self._turn) in self._known for known in self._known)
 
 
 def _within(angle: Angle, turn: int) -> Angle:
@@ -70,9 +72,11 @@ def given_lines(pose: Pose) -> Quarter | None:
     between = (vector for ends, vector in pose.vectors.items() if all(ends))
     arms = {arm.angle for vector in between for arm in vector}
     lines = {Angle(), *arms}
+    known = {_within(line, 180) for line in lines}
     for angle in (*pose.guides.values(), *pose.lines.values()):
-        if _within(angle + Angle.constant(90), 180) not in {_within(one, 180) for one in lines}:
+        if _within(angle + Angle.constant(90), 180) not in known:
             lines.add(angle)
+            known.add(_within(angle, 180))
     lines = {angle for angle in lines if angle.terms or angle.degrees % 180 != 90}
     if not any(angle.degrees % 90 for angle in lines):
         return None
