@@ -15,6 +15,7 @@ from mechc.algebra.modular import Point
 from mechc.algebra.product import ONE, ZERO, Product, Sum
 from mechc.algebra.sums import LIMIT, Bound, add, canonical
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.formula.to_text import text
 from product_strategies import VALUES, angles, products
 
 law = settings(max_examples=40, deadline=None, derandomize=True, database=None)
@@ -184,3 +185,13 @@ def test_a_trig_of_a_form_is_never_a_constant_that_is_rational():
                 assert isinstance(factor, Trig)
                 assert factor.angle.degrees == 30
                 assert factor.function == "cos"
+
+
+def test_what_terms_of_a_sum_share_is_taken_out_whole():
+    """A factor that most terms have was taken out once: mu*p*p*(3*D + 3*E)."""
+    mu, p, d, e, x = map(Product.symbol, ("mu", "p", "D", "E", "x"))
+    inner = mu * p * p
+    whole = Sum((inner * d.scaled(3), inner * e.scaled(3), x))
+    assert text(whole.formula()) == "3*mu*p^2*(D + E) + x"
+    halves = Sum((x, (inner * d).scaled(Fraction(-3, 2)), (inner * e).scaled(Fraction(9, 4))))
+    assert text(halves.formula()) == "3*mu*p^2*(3*E - 2*D)/4 + x"

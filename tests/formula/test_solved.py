@@ -4,7 +4,7 @@ import pytest
 
 from mechc.formula.solved import zeros
 from mechc.formula.to_text import text
-from mechc.formula.tree import Call, Symbol, negative, product, total
+from mechc.formula.tree import Call, Symbol, negative, number, product, total
 
 A, C = Symbol("a"), Symbol("c")
 COT = Call("cot", (A,))
@@ -24,3 +24,13 @@ COT = Call("cot", (A,))
 def test_sums_of_functions_of_one_angle(terms, found):
     """(c + d)·cot a is zero at 90°; a + b − a rests on no a."""
     assert [text(solution.value) for solution in zeros(total(terms), "a")] == found
+
+
+def test_a_bound_is_of_powers_and_its_first_term_is_positive():
+    """mu·(4·sin + mu·cos) = 3·cos was solved by atan((-mu*mu + 3)/(4*mu))."""
+    mu, sine, cosine = Symbol("mu"), Call("sin", (A,)), Call("cos", (A,))
+    inner = total([product([(number(4), 1), (sine, 1)]), product([(mu, 1), (cosine, 1)])])
+    whole = total(
+        [product([(number(-1), 1), (mu, 1), (inner, 1)]), product([(number(3), 1), (cosine, 1)])]
+    )
+    assert [text(solution.value) for solution in zeros(whole, "a")] == ["atan((3 - mu^2)/(4*mu))"]

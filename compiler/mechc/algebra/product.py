@@ -286,10 +286,22 @@ def _gathered(terms: Sequence[Product]) -> Iterator[Formula]:
         yield from (t.formula() for t in terms)
         return
     factor = min((f for f, n in counts.items() if n == most), key=lambda f: f.order())
-    inside = [t / Product.of(factor) for t in terms if t.factors.get(factor, 0) > 0]
-    sign = 1 if inside[0].coefficient > 0 else -1
-    yield Product(sign, {factor: 1, Sum(tuple(t.scaled(sign) for t in inside)): 1}).formula()
+    having = [t for t in terms if t.factors.get(factor, 0) > 0]
+    shared = _shared(having)
+    inside = Sum(tuple(t / shared for t in having))
+    yield (shared * Product.of(inside)).formula()
     yield from _gathered([t for t in terms if t.factors.get(factor, 0) <= 0])
+
+
+def _shared(terms: Sequence[Product]) -> Product:
+    """Return what terms have in common, a number too; the first is positive without it."""
+    sizes = [Fraction(t.coefficient) for t in terms]
+    above = math.gcd(*(size.numerator for size in sizes))
+    below = math.lcm(*(size.denominator for size in sizes))
+    first, *others = (t.factors for t in terms)
+    common = {f: min(e, *(o.get(f, 0) for o in others)) for f, e in first.items()}
+    size = Fraction(above if sizes[0] > 0 else -above, below)
+    return Product(rational(size), {f: e for f, e in common.items() if e > 0})
 
 
 def _without_minus(product: Product) -> tuple[Rational, Mapping[Factor, int]]:

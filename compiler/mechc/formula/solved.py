@@ -4,12 +4,13 @@ What is not of such a form has no solution here.
 """
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from ..named import NamedTuple
 from .evaluate import evaluate
-from .layout import in_degrees
+from .layout import has_minus, in_degrees
 from .tree import (
     ZERO,
     Call,
@@ -176,7 +177,7 @@ def _gathered(parts: Sequence[_Part | None]) -> list[_Part] | None:
             return None
         found.setdefault((part.function, part.angle), []).append(part.coefficient)
     ordered = sorted(found, key=lambda key: key[0] != "sin")
-    gathered = [_Part(*key, total(_left(found[key]))) for key in ordered]
+    gathered = [_Part(*key, total(sorted(_left(found[key]), key=has_minus))) for key in ordered]
     return [part for part in gathered if part.coefficient != ZERO]
 
 
@@ -195,7 +196,7 @@ def _left(coefficients: Iterable[Formula]) -> list[Formula]:
 def _part(term: Formula, name: str) -> _Part | None:
     factors = term.factors if isinstance(term, Product) else (term,)
     inside = [f for f in factors if name in symbols(f)]
-    rest = product((f, 1) for f in factors if name not in symbols(f))
+    rest = product(Counter(f for f in factors if name not in symbols(f)).items())
     match inside:
         case [Call("sin" | "cos" | "tan" | "cot" as function, (angle,))]:
             return _Part(function, angle, rest)
