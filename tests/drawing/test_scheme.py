@@ -390,3 +390,18 @@ def test_along_the_stroke_the_drawing_does_not_jump(name):
     for before, after in pairwise(papers):
         moved = [math.dist(before.at(p), after.at(p)) for p in before.figure.points]
         assert 0 < max(moved) < 6.0
+
+
+def test_a_couple_has_its_name_next_to_its_arrow():
+    """Below a slide, over a short wheel: the name stood above the rack."""
+    drawing = drawn("table_4_4_gear")
+    label = next(one for one in drawing.labels if one.runs == lettering_of("M"))
+    arcs = [s for s in drawing.shapes if isinstance(s, Arc) and s.pen == FORCE]
+    assert min(math.dist(at, label.at) for arc in arcs for at in arc.way()) < 7.0
+    assert not any(
+        isinstance(s, Polyline)
+        and s.pen == HATCH
+        and len(s.points) == 2
+        and math.dist(s.points[1], label.at) < 4
+        for s in drawing.shapes
+    )

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from itertools import count
+from itertools import count, product
 
 from ..frozen import frozen
 from ..named import NamedTuple
@@ -24,6 +24,8 @@ STEP = 2.0
 ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85)
 """The parts of a line beside which its label is tried."""
 
+AT_ENDS = (1.0, 0.0, 1.1, -0.1)
+"""The parts of an arc at which, and beyond which, its label is tried where those are taken."""
 
 PATIENCE = 6400
 """After so many places a line may lead to a label across another one."""
@@ -111,7 +113,7 @@ def write(name: Name, occupied: Occupied) -> Written:
         if not occupied.free(place, width, height):
             continue
         label = Label(place, name.runs, name.pen, SIZE, width, height)
-        leader = (_leader(name.at, label),) if far else ()
+        leader = _leaders(name, label) if far else ()
         ways = (stretch for line in leader for stretch in stretches(line))
         if tried > PATIENCE or not any(occupied.written_on(*way) for way in ways):
             break
@@ -171,13 +173,20 @@ def _sides(start: Plane, end: Plane, width: float, height: float) -> Iterator[Ca
 
 
 def _round(arc: Arc, width: float, height: float) -> Iterator[Candidate]:
-    for distance in (0.6, 1.6, 3.0):
-        for side in (1, -1):
-            for part in ALONG:
-                out = direction(arc.start + part * arc.sweep).times(side)
-                yield Candidate(
-                    arc.at(part).plus(out.times(distance + _support(out, width, height)))
-                )
+    for parts, distance, side in product((ALONG, AT_ENDS), (0.6, 1.6, 3.0), (1, -1)):
+        for part in parts:
+            out = direction(arc.start + part * arc.sweep).times(side)
+            yield Candidate(arc.at(part).plus(out.times(distance + _support(out, width, height))))
+
+
+def _leaders(name: Name, label: Label) -> tuple[Polyline, ...]:
+    """Return the line from a label to what it names: none to an arc that is next to it."""
+    if not isinstance(name, Along):
+        return (_leader(name.at, label),)
+    nearest = min(name.arc.way(), key=lambda at: math.dist(at, label.at))
+    way = nearest.minus(label.at)
+    gap = math.hypot(*way) - _support(way.unit() or way, label.width, label.height)
+    return (_leader(nearest, label),) if gap > NEAR[-1] + STEP else ()
 
 
 def _leader(named: Plane, label: Label) -> Polyline:

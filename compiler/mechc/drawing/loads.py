@@ -13,9 +13,9 @@ from ..figure.figure import (
     Telescope,
     Torque,
 )
-from ..pose.places import Plane, direction
-from .drawing import FORCE, SYMBOL, VELOCITY
-from .labels import Around, Beside
+from ..pose.places import Plane
+from .drawing import FORCE, SYMBOL, VELOCITY, Arc
+from .labels import Along, Beside
 from .lettering import name, times
 from .occupied import LineSegment, Occupied
 from .paper import Paper
@@ -23,7 +23,6 @@ from .sheet import Layer, Sheet
 from .symbols import (
     ARROW,
     BLOCK,
-    COUPLE,
     GAP,
     PIN,
     arrow,
@@ -167,7 +166,5 @@ def _draw_torque(sheet: Sheet, paper: Paper, torque: Torque) -> None:
     shapes = [tuple(couple(at, start, torque.counterclockwise)) for start in starts]
     found = min(shapes, key=lambda s: sheet.occupied.crossed(s))
     sheet.draw(Layer.LOADS, found)
-    start = starts[shapes.index(found)]
-    runs = times(torque.times, torque.name)
-    outside = off(at, direction(start), COUPLE + 1.0)
-    sheet.name(Around(outside, runs, FORCE, start))
+    arc = next(shape for shape in found if isinstance(shape, Arc))
+    sheet.name(Along(arc, times(torque.times, torque.name), FORCE))
