@@ -241,3 +241,11 @@ def test_boxes_of_formulas_with_parts_in_common_set_each_part_once(monkeypatch):
     boxes = Boxes(EN)
     assert [boxes.whole(one) for one in formulas] == expected
     assert names.count("a") == names.count("alpha") == 1
+
+
+def test_a_velocity_is_behind_the_lengths_of_its_row():
+    """b V_A, not V_A b; a load stays before it."""
+    b, load, speed, spin = map(Symbol, ("b", "P", "V_A", "omega_OA"))
+    assert latex(product([(speed, 1), (b, 1)]), EN) == "bV_A"
+    assert latex(product([(spin, 1), (b, 1), (speed, -1)]), EN) == r"\frac{b\omega_{OA}}{V_A}"
+    assert latex(product([(load, 1), (speed, 1)]), EN) == "PV_A"

@@ -294,7 +294,7 @@ def _gathered(terms: Sequence[Product]) -> Iterator[Formula]:
 
 
 def _shared(terms: Sequence[Product]) -> Product:
-    """Return what terms have in common, a number too; the first is positive without it."""
+    """Return the greatest common factor of terms, with the sign of the first."""
     sizes = [Fraction(t.coefficient) for t in terms]
     above = math.gcd(*(size.numerator for size in sizes))
     below = math.lcm(*(size.denominator for size in sizes))

@@ -54,7 +54,8 @@ def fractions(formula: Product) -> Fractions:
 
     The two are kept apart where each looks like a fraction of its own: ``b/a · cot α``
     but ``a cos α / 2``, ``V_A sin θ / cos(α + θ)`` as a speed times a fraction. Letters
-    lead each row, sums of lengths follow, then functions: ``V_B sin α``, not ``sin α V_B``.
+    lead each row, velocities behind lengths, sums of lengths follow, then functions:
+    ``a V_B sin α``, not ``sin α V_B a``.
 
     >>> from .tree import product
     >>> a, b, t = Symbol("a"), Symbol("b"), Call("cot", (Symbol("t"),))
@@ -113,6 +114,8 @@ def diameters_behind(factors: Iterable[Formula]) -> list[Formula]:
 
 _COEFFICIENTS = ("f", "mu")
 
+_VELOCITIES = ("V", "omega")
+
 
 def letter_of(factor: Formula) -> str:
     """Return the letter of a factor that is a quantity, '' of others."""
@@ -156,12 +159,14 @@ def _is_plain(factor: Formula) -> bool:
     return _place(factor) < _FUNCTIONS
 
 
-_LETTERS, _LENGTHS, _FUNCTIONS = range(3)
+_LETTERS, _SPEEDS, _LENGTHS, _FUNCTIONS = range(4)
 
 
 def _place(factor: Formula) -> int:
-    """Return where a factor stands in its row: ``2``, ``V_A``, ``(a + b)``, ``sin(alpha)``."""
+    """Return where a factor stands: ``2``, ``a``, ``V_A``, ``(a + b)``, ``sin(alpha)``."""
     base = factor.base if isinstance(factor, Power) else factor
+    if letter_of(base) in _VELOCITIES:
+        return _SPEEDS
     if isinstance(base, Number | Pi | Symbol):
         return _LETTERS
     return _FUNCTIONS if _has_function(base) else _LENGTHS
