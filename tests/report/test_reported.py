@@ -64,7 +64,7 @@ def test_the_table_along_the_stroke_has_every_column(language, mm):
     text = report("report stroke", language)
     unit = rf"$\text{{{mm}}}$"
     assert rf"$\varphi$, $^\circ$ & $k$, {unit} & $i$ & {SLOPE}, {unit}" in text
-    assert r"$V_{B,F}/\omega_{OA}$" in text  # along F, not as B moves
+    assert r"$V_{B,F}/\omega_{OA}=-k$" in text  # along F, not as B moves
     assert r"$\mu_B$" in text
 
 
@@ -107,7 +107,8 @@ def test_numbers_of_a_column_have_the_same_decimals():
 
 def test_what_is_constant_along_the_stroke_is_no_column():
     text = report("let j = 2*a in mm\nreport stroke")
-    assert r"Throughout, $j=80\,\text{mm}$." in text
+    said = text.partition("Throughout, ")[2].partition(".")[0]
+    assert r"$j=80\,\text{mm}$" in said
     assert "& $j$" not in text
 
 
@@ -161,3 +162,14 @@ def test_what_is_nothing_but_rounding_is_zero_in_a_table():
     table = loaded("crank_slider").emit("latex", pictures=True).rpartition(r"\toprule")[2]
     assert r"$165$ & $0.000$ \\" in table
     assert "10^{" not in table
+
+
+@pytest.mark.parametrize(
+    ("language", "said"), [("en", "Throughout,"), ("uk", "На всьому ході"), ("ru", "На всём ходе")]
+)
+def test_a_ratio_of_speeds_that_is_a_result_has_no_column(language, said):
+    """V_B/ω is −k by the balance of two loads: the table had both."""
+    text = mechc.load("crank_rocker").emit("latex", language=language, pictures=True)
+    ratio = r"$V_{B,F}/\omega_{O_{1}A}"
+    assert rf"{said} {ratio}=-k$" in text
+    assert f"{ratio}$, " not in text
