@@ -18,7 +18,7 @@ def in_choices(formula: Formula) -> Formula:
     >>> from ..formula.to_text import text
     >>> from ..formula.tree import Symbol
     >>> text(in_choices(Power(Symbol("q"), Call("sign", (Symbol("k"),)))))
-    'q when k > 0 else (1/q when k < 0 else (1))'
+    'q when k > 0 else (1/q when k < 0 else 1)'
     """
     return _in_choices(formula) if any(map(_is_decided, each_part([formula]))) else formula
 
