@@ -733,6 +733,40 @@ def test_a_brake_that_grips_by_itself_is_said_to_jam(mu, tmp_path, capsys):
     assert SAMPLED in out
 
 
+BLOCK_BRAKE = """
+param mu = 0.35 in 0.1 .. 1.2
+param h = 60 mm
+pivot O at (0 mm, 0 mm)
+pivot C at (-50 mm, 200 mm {side} h)
+link OG "drum"
+link CAH "lever"
+OG = 200 mm @ 0 deg
+A at (0 mm, 200 mm)
+H at (600 mm, 240 mm)
+contact A on OG normal 90 deg
+torque M on OG
+force P at H along -y
+friction contact A mu
+find M
+let P = 300 N
+"""
+
+
+@pytest.mark.parametrize(("side", "jammed"), [("+", "M_f"), ("-", "M_hold")])
+def test_a_moment_that_is_zero_but_for_its_form_is_one(side, jammed):
+    """M = (1 + x_C/(x_A − x_C))·…·P with x_A = 0: no power is meant to arrive.
+
+    Moments about C are N·50 mm ∓ μ·N·h, so that the block grips at μ = 50/60.
+    """
+    found = mechc.loads(BLOCK_BRAKE.format(side=side)).results
+    assert "eta_M" not in found
+    for name in ("M_f", "M_hold"):
+        parts = [part for reach in found[name].locking.reaches for part in reach.stretches]
+        assert {part.state for part in parts if part.within} <= {"jammed"}
+        within = [part.within for part in parts if part.within]
+        assert within == ([(pytest.approx(50 / 60), 1.2)] if name == jammed else [])
+
+
 # ----------------------------------------------------------------------------------- laws
 
 

@@ -21,7 +21,7 @@ from ..model.result import Case as PrintedCase
 from ..model.result import Definition, Drive, FrictionResult, Result
 from ..power.definitions import bound_sums, intermediates, open_lengths
 from ..power.magnitudes import magnitude
-from ..power.numbers import value_of
+from ..power.numbers import is_nil, value_of
 from ..power.reactions import Transmitted
 from .assumptions import asks_for_loads
 from .closed_forces import Asked, Way, closed_force
@@ -139,7 +139,7 @@ def efficiency(
     None as well where a load has nothing but friction to overcome, as in a brake: no power is
     meant to arrive, so there is no part of it.
     """
-    if ideal.formula == ZERO:
+    if is_nil(ideal, problem.plan.graph.pose):
         return None
     whole = load_with_friction(problem, find, ideal, asked.of, asked.sense, "exact")
     if whole is None:

@@ -12,11 +12,11 @@ from ..diagnostics import power as messages
 from ..formula.evaluate import Evaluation, evaluate
 from ..formula.rounding import Rounding, Size, beyond_rounding, without_value
 from ..formula.to_text import text
-from ..formula.tree import Formula
+from ..formula.tree import ZERO, Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
-from ..model.mechanism import Contact, Find, Force, LoadRatio
+from ..model.mechanism import Contact, Find, Force, LoadForm, LoadRatio
 from ..model.result import Result
 from ..model.values import Chain, completed, defaults, dependent, range_of, standing
 from ..pose.pose import Pose
@@ -145,6 +145,32 @@ def default_rounding(pose: Pose) -> Rounding:
     rounding = Rounding(_given(pose))
     rounding.define(_chain(pose).definitions)
     return rounding
+
+
+ASIDE = (1.013, 0.971)
+"""By what parameters are changed to see whether a result stays zero, each by another power."""
+
+
+def is_nil(result: Result, pose: Pose) -> bool:
+    """Return whether a form of loads is zero by default and stays so with other parameters.
+
+    The formula of a brake's moment may be 0, or a sum of coordinates that is no other number.
+    """
+    if result.formula == ZERO:
+        return True
+    if result.default or not isinstance(result.target, LoadForm):
+        return False
+    loads = {load.name: 1.0 for load in pose.mechanism.loads}
+    given = {**loads, **_given(pose)}
+    return all(_is_nil_at(result, pose, given, ratio) for ratio in (1.0, *ASIDE))
+
+
+def _is_nil_at(result: Result, pose: Pose, given: Mapping[str, float], ratio: float) -> bool:
+    changed = {n: size * ratio ** (1 + i / 7) for i, (n, size) in enumerate(given.items())}
+    rounding = Rounding(changed)
+    rounding.define((*_chain(pose).definitions, *result.where))
+    is_known = symbols(result.formula) <= rounding.values.keys()
+    return is_known and rounding.of(result.formula).is_zero
 
 
 def value_of(result: Result, values: Mapping[str, float]) -> float | None:

@@ -10,6 +10,7 @@ from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense,
 from ..model.parts.friction import GuideFriction, PinFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
+from ..power.numbers import is_nil
 from .intervals import USUAL, EfficiencyRange, Range
 from .ranges import moved, spans, unit_of, varying
 from .sampling import looked_at
@@ -46,9 +47,16 @@ class Study:
         if loads is None:
             return None
         if key not in self._moving:
-            ratios = self._ratios.setdefault(key[:2], Ratios(ideal, real, sense))
+            ratios = self._both(key[:2], ideal, real)
             self._moving[key] = Moving(self._along(parameter, loads), ratios)
         return self._moving[key]
+
+    def _both(self, key: tuple[str, Sense], ideal: Result, real: FrictionResult) -> Ratios:
+        """Return the ratio without friction and the one with it, the same for all parameters."""
+        if key not in self._ratios:
+            is_idle = is_nil(ideal, self.solution.plan.graph.pose)
+            self._ratios[key] = Ratios(ideal, real, key[1], is_idle)
+        return self._ratios[key]
 
     def _along(self, parameter: str, loads: dict[str, float]) -> Sweep:
         """Return the sweep along a parameter: poses are the same in both senses of motion."""

@@ -50,8 +50,11 @@ NOWHERE = Found(None, math.nan, None)
 class Ratios:
     """A ratio with friction next to the one without, and what of them is looked at everywhere."""
 
-    def __init__(self, ideal: Result, real: FrictionResult, sense: Sense) -> None:
-        self.ideal, self.real = ideal, real
+    def __init__(
+        self, ideal: Result, real: FrictionResult, sense: Sense, is_idle: bool = False
+    ) -> None:
+        """Take both; ``is_idle`` where the one without friction is zero everywhere."""
+        self.ideal, self.real, self.is_idle = ideal, real, is_idle
         self.sign = SIGNS[sense]
         self._ways: dict[int, list[Way]] = {}
 
@@ -95,7 +98,7 @@ class Moving:
     def __init__(self, sweep: Sweep, ratios: Ratios) -> None:
         self.sweep, self.ideal, self._ratios = sweep, ratios.ideal, ratios
         self.is_iterated, self.is_slow = ratios.is_iterated, ratios.is_slow
-        self.is_idle = ratios.ideal.formula == ZERO
+        self.is_idle = ratios.is_idle
         self._known: dict[float, Found] = {}
         self._driven: dict[float, bool | None] = {}
         self._signs: dict[float, tuple[float, ...]] = {}
