@@ -74,10 +74,10 @@ def test_multiples_of_an_angle_with_constants_on_either_side_of_a_line():
         (sine(A * 3), sine(A), "1 + 2*cos(2*a)"),
         (sine(A * 2), cosine(A), "2*sin(a)"),
         (cosine(A * 3), cosine(A) ** 2, "(2*cos(2*a) - 1)/cos(a)"),
-        (of(60), of(15), "cos(pi/6)/sin(pi/12)"),
+        (of(60), of(15), "sqrt(3)/(2*sin(pi/12))"),
         (of(60) ** 2, of(45) ** 2, "3/2"),
         (of(40), of(20), "2*cos(pi/9)"),
-        (of(20) * of(40) * of(80), Product(1), "cos(pi/6)/4"),
+        (of(20) * of(40) * of(80), Product(1), "sqrt(3)/8"),
     ],
 )
 def test_what_divides_is_cancelled(above, below, short):

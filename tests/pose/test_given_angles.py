@@ -51,10 +51,10 @@ def test_an_angle_between_other_lines_stays_as_it_is():
 
 
 def test_a_constant_angle_is_a_given_one():
-    assert written(sine(Angle.constant(60)), PHI, at(PHI, 60)) == "sin(pi/3)"
+    assert written(sine(Angle.constant(50)), PHI, at(PHI, 50)) == "sin(5*pi/18)"
     assert written(cosine(Angle.constant(110)), at(PHI, 110), PHI) == "cos(11*pi/18)"
-    assert written(sine(Angle.constant(60)), PHI, at(PHI, 30)) == "cos(pi/6)"
-    assert written(sine(Angle.constant(60)), Angle.constant(60)) == "cos(pi/6)"
+    assert written(sine(Angle.constant(50)), PHI, at(PHI, 40)) == "cos(2*pi/9)"
+    assert written(sine(Angle.constant(50)), Angle.constant(50)) == "cos(2*pi/9)"
 
 
 FOUR_BAR = """

@@ -8,7 +8,21 @@ from . import choices
 from .evaluate import equations
 from .layout import decimal, diameters_behind, is_long
 from .operations import split_fraction
-from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, is_call, power
+from .tree import (
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    degrees,
+    is_call,
+    number,
+    power,
+)
 
 
 def text(formula: Formula) -> str:
@@ -43,6 +57,8 @@ def _text(formula: Formula, level: int) -> str:
         case Power(base, exponent):
             raised = f"{_text(base, 3)}^{_text(exponent, 3)}"
             return f"({raised})" if level > 2 else raised
+        case Call(_, (Product(),)) if formula in _ROOTS:
+            return _product_text(Product((formula,)), level)
         case Call(function, arguments) if function in choices.FUNCTIONS:
             chosen = _choice(function, [_figures(a) for a in arguments])
             return f"({chosen})" if level else chosen
@@ -94,13 +110,34 @@ def _choice(function: str, parts: list[str]) -> str:
     return f" {choices.SIGNS[function]} ".join(parts)
 
 
+_ROOTS = {
+    Call(function, (degrees(angle),)): Call("sqrt", (number(square),))
+    for function, angle, square in (("sin", 45, 2), ("cos", 45, 2), ("sin", 60, 3), ("cos", 30, 3))
+}
+"""Sines and cosines that are half a root of a whole number, and that root."""
+
+
+def _with_roots(factors: list[Formula]) -> tuple[Fraction, list[Formula]]:
+    """Return what is before factors of which known sines and cosines are roots, and these first.
+
+    >>> from .tree import product
+    >>> text(product([(Symbol("a"), 1), (Call("cos", (degrees(45),)), 1)]))
+    'sqrt(2)*a/2'
+    """
+    known = [f for f in factors if isinstance(f, Call) and f in _ROOTS]
+    others = [f for f in factors if f not in known]
+    return Fraction(1, 2 ** len(known)), [*(_ROOTS[f] for f in known), *others]
+
+
 def _join(left: str, right: str) -> str:
     return f"{left} - {right[1:]}" if right.startswith("-") else f"{left} + {right}"
 
 
 def _product_text(formula: Product, level: int) -> str:
     coefficient, above, below = split_fraction(formula)
-    above, below = diameters_behind(above), diameters_behind(below)
+    half, above = _with_roots(diameters_behind(above))
+    double, below = _with_roots(diameters_behind(below))
+    coefficient *= half / double
     upper = [_text(f, 1) for f in above]
     if is_long(coefficient):
         upper.insert(0, repr(abs(float(coefficient))))
