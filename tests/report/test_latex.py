@@ -21,6 +21,7 @@ from mechc.report.kinds import PositionKind, Rule
 from mechc.report.languages import en, ru, uk
 from mechc.report.languages.locale import Locale
 from mechc.report.latex.display import vanishing
+from mechc.report.latex.letters import CYRILLIC, LATIN
 from mechc.report.latex.notation import notation
 from report_samples import packet_clamp, six_bar
 from tex import compile_tex, needs_cyrillic
@@ -285,3 +286,13 @@ def test_fragment_can_be_included(tmp_path: Path) -> None:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_unicode_engines_set_any_title(engine: str, language: str, tmp_path: Path) -> None:
     compile_tex(engine, report(language, title=NASTY), tmp_path)
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+@pytest.mark.parametrize("mechanism", ["triad_closed", "claw_with_friction", "band_brake"])
+def test_all_signs_are_in_the_encodings_or_spelled(mechanism, language):
+    """The angle of three points is set by mathematics, as all that pdfTeX has no letter for."""
+    text = loaded(mechanism).emit("latex", language=language, pictures=True)
+    bare = re.sub(r"\\mechcchar\{[0-9A-F]+\}\{[^}]*\}", "", text)
+    assert set(bare) <= LATIN | CYRILLIC | set("\n’—»«…")
+    assert r"$\angle CBD$" in text or mechanism != "triad_closed"

@@ -118,7 +118,7 @@ _ROOTS = {
 
 
 def _with_roots(factors: list[Formula]) -> tuple[Fraction, list[Formula]]:
-    """Return what is before factors of which known sines and cosines are roots, and these first.
+    """Return factors with known sines and cosines as roots, these first, and the number before all.
 
     >>> from .tree import product
     >>> text(product([(Symbol("a"), 1), (Call("cos", (degrees(45),)), 1)]))
