@@ -175,3 +175,18 @@ def test_a_ratio_that_turns_within_the_first_cell_of_a_range_is_greatest_there()
     (extent,) = compilation.reported.results[0].extents
     assert np.degrees(extent.greatest.x) == pytest.approx(-45.6, abs=1e-5)
     assert list(along(compilation)) == []
+
+
+def test_what_refining_leaves_of_a_double_zero_is_zero():
+    """k = l_2/l_1·sin(t/2)·sin 2t: 4e-46 is no value of it."""
+    chain = Compilation(
+        Source(
+            "chain.mech",
+            "param t = -7.3 deg in -22.8 deg .. 17.2 deg\nparam l1 = 115 mm\nparam l2 = 105 mm\n"
+            "slider A along t + 180 deg\nforce P at A along t + 180 deg\nlink AB\n"
+            "AB = @ -t + 90 deg\npivot C\nlink BCD\nCB = l1 @ -t\nCD = l2 @ -1/2*t\n"
+            "force F at D along 0 deg\nfind k = P/F\n",
+        )
+    )
+    (k,) = chain.reported.results
+    assert [extent.least.value for extent in k.extents] == [0]

@@ -302,7 +302,7 @@ def test_independence_is_concluded_of_what_the_geometry_is_given_by(name, expect
 class ByHand(Moving):
     """A ratio as a function of its parameter; with friction there is half of it everywhere."""
 
-    is_slow = False
+    is_slow = is_idle = False
 
     def __init__(
         self, ratio: Callable[[float], float], divisor: Callable[[float], float] = abs

@@ -49,8 +49,9 @@ def slopes(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str
             yield f"d{result.name}/d{name} rests on {undefined}, which nothing defines"
             continue
         stated = evaluate(derivative, pose)
-        found = [_slope(mechanism, result, (free, name, part * STEP)) for part in STEPS]
-        if all(one and not one.allows(stated) for one in found):
+        tried = [_slope(mechanism, result, (free, name, part * STEP)) for part in STEPS]
+        found = [slope for slope in tried if slope]
+        if found and not any(one.allows(stated) for one in found):
             yield f"d{result.name}/d{name} = {found[0].slope}, not {stated}"
 
 

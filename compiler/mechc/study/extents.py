@@ -95,7 +95,13 @@ def _extremes(sweep: Sweep, result: Analysis, grid: Sequence[float]) -> list[Ext
             if sense * values[i] <= min(sense * values[i - 1], sense * values[i + 1]):
                 turning.append(_turning(sweep, result, sense, grid[i - 1], grid[i + 1]))
     turning += _beside_ends(sweep, result, grid, values)
-    return [Extreme(x, sweep.of(result, x)) for x in turning]
+    most = max(map(abs, values))
+    return [Extreme(x, _without_rounding(sweep.of(result, x), most)) for x in turning]
+
+
+def _without_rounding(value: float, most: float) -> float:
+    """Return a value, 0 for what refining leaves of a double zero, against the largest value."""
+    return 0.0 if abs(value) < SAME_FIGURE * most else value
 
 
 def _beside_ends(
