@@ -13,7 +13,7 @@ from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.diagnostics import Report
 from mechc.formula.rounding import Size
-from mechc.formula.tree import Call, Symbol, number, quotient, total
+from mechc.formula.tree import Call, Symbol, number, power, quotient, total
 from mechc.frozen import replace
 from mechc.model.mechanism import Drive, Find, LoadRatio
 from mechc.model.result import Definition, Result
@@ -27,7 +27,7 @@ from mechc.study.expectations import random_poses
 from mechc.study.ratios import sizes
 from mechc.study.sampling import _jumps
 from mechc.study.sampling import looked_at as values_looked_at
-from mechc.study.states import Found, Moving
+from mechc.study.states import Found, Moving, divisors
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
@@ -345,3 +345,14 @@ def test_a_zero_hides_next_to_the_pole_of_a_term() -> None:
     found = values_looked_at(moving, 0.0, 1.0)
     for place in (zero, pole):
         assert min(abs(x - place) for x in found) < 1e-6
+
+
+def test_what_definitions_share_is_gone_into_once_for_divisors():
+    """x_i = x_(i-1) + sin x_(i-1) + 1/a: 2^60 ways lead down to the first."""
+    below = power(Symbol("a"), number(-1))
+    where = {}
+    for i in range(60):
+        earlier = Symbol(f"x{i}")
+        where[f"x{i + 1}"] = total([earlier, Call("sin", (earlier,)), below])
+    found = divisors(total([Symbol("x60"), Symbol("b")]), where)
+    assert set(found) == {Symbol("a")}

@@ -276,17 +276,22 @@ def divisors(formula: Formula, where: Mapping[str, Formula]) -> Iterator[Formula
     >>> list(divisors(k, {"i": Call("sin", (Symbol("t"),))}))
     [Call(function='sin', arguments=(Symbol(name='t'),))]
     """
+    seen = set[str]()
     for factor in factors(formula, where):
-        yield from _divisors_in(factor, where)
+        yield from _divisors_in(factor, where, seen)
 
 
-def _divisors_in(formula: Formula, where: Mapping[str, Formula]) -> Iterator[Formula]:
+def _divisors_in(
+    formula: Formula, where: Mapping[str, Formula], seen: set[str]
+) -> Iterator[Formula]:
+    """Yield the divisors in a formula; a name that many mention is gone into once."""
     for part in walk(formula):
         match part:
             case Power(base, Number(exponent)) if exponent < 0:
                 yield from factors(base, where)
-            case Symbol(name) if name in where:
-                yield from _divisors_in(where[name], where)
+            case Symbol(name) if name in where and name not in seen:
+                seen.add(name)
+                yield from _divisors_in(where[name], where, seen)
             case _:
                 pass
 
