@@ -1,6 +1,7 @@
 """Whatever is said of friction holds against sampling of code, over random mechanisms."""
 
 import math
+import re
 from collections.abc import Iterable
 from functools import cache
 
@@ -48,7 +49,7 @@ def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
 @pytest.mark.slow
 def test_a_pin_that_nothing_loads_but_its_own_friction_jams_nothing():
     """Beside the end of a loop a jam was told; all forces balance with none in that pin."""
-    text = closed(91000313)
+    text = re.sub(r"(assembly A4P.*\n)+", "assembly A4 forward\n", closed(91000313))
     assert hold([text]) == 1
     (held,) = (r for r in Compilation(Source("pin.mech", text)).results if r.name == "k_hold")
     (reach,) = (r for r in held.locking.reaches if r.parameter == "phi")
