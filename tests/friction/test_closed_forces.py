@@ -9,6 +9,7 @@ import mechc
 from mechc.driver import compile_source
 from mechc.formula.to_text import text
 from mechc.formula.tree import ZERO
+from mechc.report.text.derivation import render
 from mechc.source import Source
 from paths import LIBRARY
 
@@ -110,3 +111,36 @@ def test_a_joint_that_passes_nothing_on_has_no_size():
     found = mechc.loads(f"{brake}\nfind R_O on OG\n").results
     assert found["R_O_on_OG_f"].formula == ZERO
     assert found["R_O_on_OG_f"].default == 0
+
+
+BESIDE_A_RATIO = """
+pivot O at (0 m, -2 m)
+pivot C at (0 m, -1 m)
+A at (1 m, -1 m)
+B at (1 m, 3 m)
+D at (3 m, -2 m)
+link OA
+link AB
+link CBD
+torque M on OA
+force F at D along x
+friction pins 0.1 diameter 500 mm
+find k = M/F
+find N_AB
+find R_O
+"""
+
+
+def test_a_force_beside_a_ratio_is_not_that_per_unit_of_load():
+    """S_AB is that of F = 1 where k_f is found; the force itself is S_AB_f wherever it stands."""
+    compilation = compile_source(Source("beside.mech", BESIDE_A_RATIO))
+    note = " ".join(render(compilation.derivation, compilation.mechanism, unicode=False).split())
+    assert "N_AB_f = S_AB_f * cos(delta_AB)" in note
+    assert "N_AB_f = S_AB * cos(delta_AB)" not in note
+    assert "R_O_x_f = -S_AB *" not in note
+
+
+def test_a_coefficient_on_the_way_to_a_force_is_given_in_no_newtons():
+    compilation = compile_source(Source("beside.mech", BESIDE_A_RATIO))
+    note = render(compilation.derivation, compilation.mechanism, unicode=False)
+    assert not [line for line in note.splitlines() if "a_AB = " in line and line.endswith(" N")]

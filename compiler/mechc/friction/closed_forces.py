@@ -152,7 +152,8 @@ class OfBodies:
     @property
     def steps(self) -> Sequence[Step]:
         """Return the steps up to the last that gives one of the forces."""
-        needed = {Symbol(f.name) for f, _ in self._forces if f.name not in self._given()}
+        names = (f.name for f, _ in self._forces if f.name not in self._given())
+        needed = {self._named(name).formula() for name in names}
         ends = [
             i
             for i, step in enumerate(self._solver.steps)
@@ -204,7 +205,14 @@ class OfBodies:
             return size if is_short or drive is None else drive.size
         if name in self._bodies.task.given:
             return self._bodies.task.given[name]
-        return Product.symbol(name) if named else size
+        return self._named(name) if named else size
+
+    def _named(self, name: str) -> Product:
+        """Return the name of a force in the steps, with an ending where another has it."""
+        size = self._solver.sizes[name]
+        symbol = size.formula()
+        is_named = isinstance(symbol, Symbol) and symbol.name.startswith(name)
+        return size if is_named else Product.symbol(name)
 
 
 SHORT = 8

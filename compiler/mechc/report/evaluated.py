@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
 from ..formula.evaluate import evaluate
+from ..formula.names import split_name
 from ..formula.rounding import Rounding
 from ..formula.tree import Formula, Symbol, is_call, number
 from ..formula.walk import symbols, walk
@@ -232,10 +233,18 @@ def _parts_of_force(
     for left, right in equations:
         if isinstance(left, Symbol) and left.name in made_of and symbols(right) <= values.keys():
             made_of -= {left.name}
-            if math.isfinite(size := evaluate(right, values)):
+            if math.isfinite(size := evaluate(right, values)) and _is_force(left.name):
                 quantity = Quantity(size, si_unit(FORCE))
                 found.append((Definition(left.name, right), quantity))
     return found
+
+
+def _is_force(name: str) -> bool:
+    """Return whether a name in an account is that of a force: of a rod, on a surface, at a joint.
+
+    Others are coefficients of the equation that a force solves.
+    """
+    return split_name(name).head in ("S", "n", "N", "R")
 
 
 def _is_joint_force(result: Analysis) -> bool:
