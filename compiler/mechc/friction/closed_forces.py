@@ -9,6 +9,7 @@ from functools import partial
 from typing import Protocol
 
 from ..algebra.angle import Angle
+from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
 from ..formula.operations import count_operations
@@ -153,7 +154,7 @@ class OfBodies:
     def steps(self) -> Sequence[Step]:
         """Return the steps up to the last that gives one of the forces."""
         names = (f.name for f, _ in self._forces if f.name not in self._given())
-        needed = {self._named(name).formula() for name in names}
+        needed = set(map(self._solver.symbol, names))
         ends = [
             i
             for i, step in enumerate(self._solver.steps)
@@ -205,14 +206,7 @@ class OfBodies:
             return size if is_short or drive is None else drive.size
         if name in self._bodies.task.given:
             return self._bodies.task.given[name]
-        return self._named(name) if named else size
-
-    def _named(self, name: str) -> Product:
-        """Return the name of a force in the steps, with an ending where another has it."""
-        size = self._solver.sizes[name]
-        symbol = size.formula()
-        is_named = isinstance(symbol, Symbol) and symbol.name.startswith(name)
-        return size if is_named else Product.symbol(name)
+        return to_product(self._solver.symbol(name)) if named else size
 
 
 SHORT = 8

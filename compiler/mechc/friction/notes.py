@@ -5,9 +5,10 @@ from typing import assert_never
 
 from ..algebra.product import Product
 from ..algebra.sums import canonical
-from ..formula.tree import ZERO, Call, Formula, Symbol, number, product, total
+from ..formula.tree import ZERO, Formula, Symbol, is_call, number, product, total
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import Link
+from ..power.joint_forces import size_of_two
 from .free_bodies import Bodies, BodyForce, Kind
 from .signs import Signs, exact_sign
 from .solution import Kind as StepKind
@@ -71,6 +72,10 @@ class Notes:
         equations += [(Symbol(n), s.formula()) for n, s in found.items() if n not in named]
         self._note(kind, body, pivot, sense, equations)
 
+    def symbol(self, name: str) -> Formula:
+        """Return the name of a force in the steps, with an ending where another has it."""
+        return self._named.get(name, Symbol(name))
+
     def _note(
         self,
         kind: StepKind,
@@ -91,8 +96,8 @@ class Notes:
         if not friction:
             return moments, ZERO
         line = next(force.line for force in forces if force.line is not None)
-        parts = (_sum(p.along(line) for p in forces), _sum(p.across(line) for p in forces))
-        return moments, product([(friction.formula(), 1), (_size(parts), 1)])
+        along, across = (_sum(p.along(line) for p in forces), _sum(p.across(line) for p in forces))
+        return moments, product([(friction.formula(), 1), (_size(along, across), 1)])
 
     def _along(self, body: str, forces: Sequence[BodyForce], friction: Product) -> Pair:
         """Return the forces along a guide, and the friction of what presses on it."""
@@ -102,28 +107,21 @@ class Notes:
         return along, product([(friction.formula(), 1), (across, 1)])
 
 
-def _size(parts: Iterable[Formula]) -> Formula:
-    """Return the size of a force of two parts that are square to each other."""
-    match [part for part in parts if part != ZERO]:
-        case []:
-            return ZERO
-        case [part]:
-            return _size_of_one(part)
-        case both:
-            return Call("hypot", tuple(both))
-
-
-def _size_of_one(part: Formula) -> Formula:
-    """Return the size of a part; that of the force in a rod is a size by itself.
+def _size(x: Formula, y: Formula) -> Formula:
+    """Return the size of a force from its parts; that of the force in a rod is one by itself.
 
     >>> from ..formula.to_text import text
     >>> backwards = product([(number(-1), 1), (Symbol("S_AB"), 1)])
-    >>> text(_size_of_one(backwards)), text(_size_of_one(Symbol("Q")))
+    >>> text(_size(backwards, ZERO)), text(_size(ZERO, Symbol("Q")))
     ('S_AB', 'abs(Q)')
     """
+    size = size_of_two(x, y)
+    if not is_call(size, "abs"):
+        return size
+    (part,) = size.arguments
     in_rods = [Symbol(name) for name in symbols(part) if name.startswith("S_")]
     of_rod = next((s for s in in_rods if part in (s, product([(number(-1), 1), (s, 1)]))), None)
-    return of_rod or Call("abs", (part,))
+    return of_rod or size
 
 
 def _across(forces: Sequence[BodyForce], found: Mapping[str, Product]) -> list[Pair]:

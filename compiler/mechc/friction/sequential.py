@@ -20,6 +20,7 @@ from typing import assert_never
 from ..algebra.factors import Opaque
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
+from ..formula.tree import Formula
 from ..model.mechanism import Link
 from . import surfaces
 from .closed_form import Condition
@@ -84,6 +85,10 @@ class SequentialSolver:
         if body not in self._forces:
             self._forces[body] = list(self._lines.on(body))
         return self._forces[body]
+
+    def symbol(self, name: str) -> Formula:
+        """Return the name of a force in the steps."""
+        return self._notes.symbol(name)
 
     def of_rod(self, rod: Link, point: str) -> BodyForce:
         """Return the force of a rod, under a unit of its size, on the body at one of its pins."""
