@@ -48,7 +48,7 @@ class GivenLines:
 
 
 class _Directions:
-    """Directions that are told apart but for multiples of a turn, indexed once."""
+    """Directions that differ, but for multiples of a turn, indexed once."""
 
     def __init__(self, angles: Iterable[Angle], turn: int):
         self._turn = turn
@@ -97,8 +97,8 @@ def _as_written(pose: Pose) -> Iterator[Vector]:
 
 def in_given_angles(pose: Pose) -> Pose:
     """Return a pose whose definitions are written by the angles between given lines."""
-    quarter = given_lines(pose)
-    if quarter is None or not pose.closing:
+    quarter = given_lines(pose) if pose.closing else None
+    if quarter is None:
         return pose
     systems: dict[System, System] = {}
 

@@ -13,7 +13,6 @@ from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
 from ..model.result import Result
-from ..pose.given_angles import given_lines
 from ..units import Dimension
 from . import reactions
 from .balance import Equations, Term, equations_of
@@ -76,7 +75,7 @@ class Problem:
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
         """Return a formula as a result, with the definitions that it rests on."""
-        formula = facing(formula, lambda: self.numbers.values, given_lines(self.plan.graph.pose))
+        formula = facing(formula, lambda: self.numbers.values, self.reading.quarter)
         where = resting_on(self.reading.plan, formula, values)
         self.check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)

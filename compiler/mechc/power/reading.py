@@ -5,12 +5,14 @@ from functools import cached_property
 
 from ..algebra.product import Product
 from ..algebra.sums import is_long, readable
+from ..formula.facing import Quarter
 from ..formula.operations import count_operations
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..kinematics.standing import StandingPlan, in_ratios, standing
 from ..model.mechanism import Mechanism
+from ..pose.given_angles import given_lines
 from .balance import Equations, equations_of
 from .definitions import bound_sums, resting_on
 from .loads import terms
@@ -36,6 +38,11 @@ class Reading:
         if self._rests_on_ratios:
             return self._ratios
         return self._standing if self._is_closed and not self._plan.bindings else self._plan
+
+    @cached_property
+    def quarter(self) -> Quarter | None:
+        """Return the quarter turns that bring angles to those between given lines."""
+        return given_lines(self._plan.graph.pose)
 
     def read(self, value: Product, solved: Callable[[Equations], Product]) -> Product:
         """Return a ratio as it is read, and note the plan that it rests on.
