@@ -6,6 +6,7 @@ import pytest
 
 import mechc
 from mechc.figure.figure import Pivot
+from mechc.model.mechanism import Slider
 
 CRANK = """
 param phi = 50 deg in 10 deg .. 80 deg
@@ -46,3 +47,12 @@ def test_a_slide_has_friction_in_one_guide():
 def test_the_place_of_its_guide_is_no_pivot():
     figure = mechc.loads(f"{CRANK}find k = M/F\n").figure()
     assert [part.point for part in figure.parts if isinstance(part, Pivot)] == ["O"]
+
+
+def test_the_guide_that_a_drawing_adds_is_for_loops_alone():
+    """The model marks the guide that it adds to a slide, and the pose has none such."""
+    found = mechc.loads(f"{CRANK}find k = M/F\n")._compilation
+    (guide,) = found.mechanism.each(Slider)
+    assert (guide.point, guide.is_of_slide) == ("B", True)
+    assert not found.pose.mechanism.each(Slider)
+    assert not found.pose.guides

@@ -67,26 +67,21 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     _remark(pose, vectors, closed, report)
     moved = moved_from_drawing(pruned(pose), report)
     _remark_on_conditions(moved, closed, report)
-    return _without_places_of_slides(in_given_angles(moved))
+    return _without_guides_of_slides(in_given_angles(moved))
 
 
-def _without_places_of_slides(pose: Pose) -> Pose:
+def _without_guides_of_slides(pose: Pose) -> Pose:
     """Return a pose without the guides that only said where drawn slides run, for loops to close.
 
     A slide has a guide of its own, and what holds it twice leaves open which of them is pressed.
     """
-    placed = {(s.span, point) for s in pose.mechanism.slides for point in s.points}
-    joints = [
-        joint
-        for joint in pose.mechanism.joints
-        if not isinstance(joint, Slider) or (joint.span, joint.point) not in placed
-    ]
-    if len(joints) == len(pose.mechanism.joints):
+    placed = {s.point for s in pose.mechanism.each(Slider) if s.is_of_slide}
+    if not placed:
         return pose
-    mechanism = replace(pose.mechanism, joints=tuple(joints))
-    left = {j.point for j in joints if isinstance(j, Slider)}
-    guides = {point: along for point, along in pose.guides.items() if point in left}
-    return replace(pose, mechanism=mechanism, guides=guides)
+    joints = pose.mechanism.joints
+    held = tuple(j for j in joints if not (isinstance(j, Slider) and j.is_of_slide))
+    guides = {point: along for point, along in pose.guides.items() if point not in placed}
+    return replace(pose, mechanism=replace(pose.mechanism, joints=held), guides=guides)
 
 
 def _remark_on_conditions(pose: Pose, closed: Closed, report: Report) -> None:

@@ -103,7 +103,7 @@ def _guides_of_slides(mechanism: Mechanism, sketch: Sketch) -> Iterator[Slider]:
     for slide in mechanism.slides:
         drawn = next((p for p in slide.points if p in sketch.places), None)
         if drawn and guided.isdisjoint(slide.points):
-            yield Slider(drawn, slide.along, slide.span)
+            yield Slider(drawn, slide.along, slide.span, is_of_slide=True)
 
 
 def _shape(link: Link, geometry: list[Geometry], sketch: Sketch) -> None:

@@ -112,12 +112,17 @@ class Pivot(OnePoint, OnGround):
 
 @frozen
 class Slider(OnePoint, OnGround):
-    """A point guided by the ground; ``through`` is a point of the guide's line, if given."""
+    """A point guided by the ground; ``through`` is a point of the guide's line, if given.
+
+    ``is_of_slide`` marks the guide that states where a drawn slide runs, for loops to close. It
+    holds nothing: the slide has a guide of its own, and a pose has no such joint.
+    """
 
     point: str
     along: Direction
     span: Span
     through: str | None = None
+    is_of_slide: bool = False
 
     @property
     def id(self) -> str:
