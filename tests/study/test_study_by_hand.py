@@ -27,7 +27,7 @@ from mechc.study.expectations import random_poses
 from mechc.study.ratios import sizes
 from mechc.study.sampling import _jumps
 from mechc.study.sampling import looked_at as values_looked_at
-from mechc.study.states import Found, Moving, divisors
+from mechc.study.states import Found, Moving, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
@@ -302,7 +302,7 @@ def test_independence_is_concluded_of_what_the_geometry_is_given_by(name, expect
 class ByHand(Moving):
     """A ratio as a function of its parameter; with friction there is half of it everywhere."""
 
-    is_slow = is_idle = False
+    is_slow = False
 
     def __init__(
         self, ratio: Callable[[float], float], divisor: Callable[[float], float] = abs
@@ -354,5 +354,5 @@ def test_what_definitions_share_is_gone_into_once_for_divisors():
     for i in range(60):
         earlier = Symbol(f"x{i}")
         where[f"x{i + 1}"] = total([earlier, Call("sin", (earlier,)), below])
-    found = divisors(total([Symbol("x60"), Symbol("b")]), where)
+    found = divisors_of_terms(total([Symbol("x60"), Symbol("b")]), where)
     assert set(found) == {Symbol("a")}

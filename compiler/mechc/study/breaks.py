@@ -19,13 +19,13 @@ def breaks(where: Iterable[Definition], near: Mapping[str, float]) -> tuple[Brea
     """Return the conditions under which what loops find is infinite, each of them once."""
     found: dict[Factor, Break] = {}
     for name, formula in where:
-        for factor in filter(lambda f: may_vanish(f, near), divisors(formula)):
+        for factor in filter(lambda f: may_vanish(f, near), dividing_factors(formula)):
             found.setdefault(factor, Break(name, factor.formula()))
     return tuple(found.values())
 
 
-def divisors(formula: Formula) -> Iterator[Factor]:
-    """Yield the divisors of a formula as a whole."""
+def dividing_factors(formula: Formula) -> Iterator[Factor]:
+    """Yield the factors that a formula as a whole is divided by."""
     for part in formula.factors if isinstance(formula, Product) else (formula,):
         if isinstance(part, Power | Call):
             yield from (f for f, exponent in to_product(part).factors.items() if exponent < 0)

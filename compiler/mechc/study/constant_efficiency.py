@@ -88,7 +88,7 @@ class _Comparison:
 
     def _moving(self, name: str) -> Moving:
         sweep = Sweep(self._solution.plan, name, self._loads or {})
-        return Moving(sweep, Ratios(self._ideal, self._real, self._sense))
+        return Ratios(self._ideal, self._real, self._sense).along(sweep)
 
     def _given(self, moving: Moving, x: float) -> float:
         efficiency, values = self._mechanism.friction.efficiency, moving.sweep.values(x)

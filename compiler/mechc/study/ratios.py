@@ -48,7 +48,7 @@ class Study:
             return None
         if key not in self._moving:
             ratios = self._both(key[:2], ideal, real)
-            self._moving[key] = Moving(self._along(parameter, loads), ratios)
+            self._moving[key] = ratios.along(self._along(parameter, loads))
         return self._moving[key]
 
     def _both(self, key: tuple[str, Sense], ideal: Result, real: FrictionResult) -> Ratios:

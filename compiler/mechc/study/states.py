@@ -58,6 +58,10 @@ class Ratios:
         self.sign = SIGNS[sense]
         self._ways: dict[int, list[Way]] = {}
 
+    def along(self, sweep: Sweep) -> "Moving":
+        """Return the ratio along the parameter of a sweep."""
+        return (AgainstFriction if self.is_idle else Moving)(sweep, self)
+
     @cached_property
     def is_iterated(self) -> bool:
         """Return whether friction is found by iteration."""
@@ -82,7 +86,7 @@ class Ratios:
     @cached_property
     def divisors(self) -> Result:
         """Return a result that has the divisors in the terms of the ratio without friction."""
-        return parts_of(self.ideal, divisors(self.ideal.formula, dict(self.ideal.where)))
+        return parts_of(self.ideal, divisors_of_terms(self.ideal.formula, dict(self.ideal.where)))
 
     def ways(self, result: Result) -> list[Way]:
         """Return the ways to the solutions of a result's systems."""
@@ -98,7 +102,6 @@ class Moving:
     def __init__(self, sweep: Sweep, ratios: Ratios) -> None:
         self.sweep, self.ideal, self._ratios = sweep, ratios.ideal, ratios
         self.is_iterated, self.is_slow = ratios.is_iterated, ratios.is_slow
-        self.is_idle = ratios.is_idle
         self._known: dict[float, Found] = {}
         self._driven: dict[float, bool | None] = {}
         self._signs: dict[float, tuple[float, ...]] = {}
@@ -112,12 +115,7 @@ class Moving:
         return self._known[x]
 
     def driven(self, x: float) -> bool | None:
-        """Return whether the motion is the one that the load drives; None at a dead centre.
-
-        Where there is no load but friction, the drive drives it either way.
-        """
-        if self.is_idle:
-            return False
+        """Return whether the motion is the one that the load drives; None at a dead centre."""
         if x not in self._driven:
             is_dead = self.is_dead_centre(x)
             self._driven[x] = None if is_dead else self._ratios.sign * self.without(x) < 0
@@ -126,11 +124,8 @@ class Moving:
     def is_dead_centre(self, x: float) -> bool:
         """Return whether the ratio without friction is 0 or infinite, but for rounding, or none.
 
-        Rounding is looked at only where the ratio is far from what it is by default. One that is
-        zero everywhere has no dead centres.
+        Rounding is looked at only where the ratio is far from what it is by default.
         """
-        if self.is_idle:
-            return False
         ideal = self.without(x)
         if not math.isfinite(ideal) or not ideal:
             return True
@@ -176,24 +171,14 @@ class Moving:
         if driven is None:
             return NOWHERE
         real = self._real(x)
-        if real is None:
-            return Found(None, math.nan, driven)
-        if self.is_idle:
-            return self._against_friction(real * self._ratios.sign)
+        return Found(None, math.nan, driven) if real is None else self._state(real, x, driven)
+
+    def _state(self, real: float, x: float, driven: bool) -> Found:
+        """Return the state in a pose by the ratio with friction there."""
         share = real / self.without(x)
         if share > 0:
             return Found("free", share, driven)
         return Found("locked" if driven else "jammed", share, driven)
-
-    def _against_friction(self, effort: float) -> Found:
-        """Return the state of a drive that has friction alone to overcome, as in a brake.
-
-        Friction takes power in every motion: an effort below zero contradicts itself, and nothing
-        is said of it.
-        """
-        if effort < 0:
-            return Found(None, math.nan, False)
-        return Found("jammed" if math.isnan(effort) else "free", effort, False)
 
     def _real(self, x: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
@@ -213,25 +198,54 @@ class Moving:
         return math.nan if ways and 2 not in ways else None
 
     def efficiency(self, x: float) -> float:
-        """Return the efficiency, 0 where nothing moves, NaN at a dead centre.
-
-        Where no power is meant to arrive it is 1 as long as something moves.
-        """
+        """Return the efficiency, 0 where nothing moves, NaN at a dead centre."""
         state = self.at(x).state
         if state is None:
             return math.nan
-        if state != "free":
-            return 0.0
-        return 1.0 if self.is_idle else self.margin(x)
+        return self.margin(x) if state == "free" else 0.0
 
     def margin(self, x: float) -> float:
         """Return the efficiency, below 0 where no power arrives, -inf where no force balances."""
-        state, share, driven = self.at(x)
-        if self.is_idle:
-            return (1 / share if share else math.inf) if state == "free" else -math.inf
+        _, share, driven = self.at(x)
         if driven is None or math.isnan(share) or not (driven or share):
             return -math.inf
         return share if driven else 1 / share
+
+
+class AgainstFriction(Moving):
+    """A drive that has friction alone to overcome, as in a brake: without it the ratio is zero.
+
+    The drive drives either way, and there are no dead centres.
+    """
+
+    def driven(self, _: float) -> bool:
+        """Return False: no load drives the motion."""
+        return False
+
+    def is_dead_centre(self, _: float) -> bool:
+        """Return False."""
+        return False
+
+    def _state(self, real: float, x: float, driven: bool) -> Found:
+        """Return the state in a pose: friction takes power in every motion.
+
+        An effort below zero contradicts itself, and nothing is said of it.
+        """
+        effort = real * self._ratios.sign
+        if effort < 0:
+            return Found(None, math.nan, driven)
+        return Found("jammed" if math.isnan(effort) else "free", effort, driven)
+
+    def efficiency(self, x: float) -> float:
+        """Return 1 as long as something moves: no power is meant to arrive."""
+        return 1.0 if self.at(x).state == "free" else super().efficiency(x)
+
+    def margin(self, x: float) -> float:
+        """Return what is greater the smaller the effort is, -inf where nothing moves."""
+        state, effort, _ = self.at(x)
+        if state != "free":
+            return -math.inf
+        return 1 / effort if effort else math.inf
 
 
 def is_sign(formula: Formula) -> bool:
@@ -266,14 +280,14 @@ def factors(formula: Formula, where: Mapping[str, Formula]) -> Iterator[Formula]
             yield formula
 
 
-def divisors(formula: Formula, where: Mapping[str, Formula]) -> Iterator[Formula]:
+def divisors_of_terms(formula: Formula, where: Mapping[str, Formula]) -> Iterator[Formula]:
     """Yield what is divided by within the factors of a formula, names of definitions taken apart.
 
     A factor that is a sum has a pole where such a divisor is zero, and may be zero next to it.
 
     >>> from ..formula.tree import Call, quotient, total
     >>> k = quotient(total((Symbol("e"), quotient(Symbol("c"), Symbol("i")))), Symbol("r"))
-    >>> list(divisors(k, {"i": Call("sin", (Symbol("t"),))}))
+    >>> list(divisors_of_terms(k, {"i": Call("sin", (Symbol("t"),))}))
     [Call(function='sin', arguments=(Symbol(name='t'),))]
     """
     seen = set[str]()

@@ -16,7 +16,7 @@ from ..model.values import Chain
 from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
 from .analysis import Cause, Vanishing
-from .breaks import divisors, may_vanish
+from .breaks import dividing_factors, may_vanish
 from .causes import across_of, cause
 from .ranges import moving_first, with_range
 from .tolerances import SAME_RATIO, VANISHED_SUM
@@ -84,7 +84,7 @@ def _conditions(of: _Sought) -> Iterator[Vanishing]:
     """
     where = resting_on(of.balance.plan, of.value.formula(), [of.value])
     found = (*where, *of.balance.plan.graph.pose.put_in)
-    far = {factor for _, formula in found for factor in divisors(formula)}
+    far = {factor for _, formula in found for factor in dividing_factors(formula)}
     for factor, exponent in of.value.factors.items():
         if exponent * of.side > 0 and factor not in far and may_vanish(factor, of.near):
             match factor:
