@@ -12,9 +12,11 @@ from graphlib import CycleError, TopologicalSorter
 
 from ..formula.choices import EQUAL, SENSELESS
 from ..formula.evaluate import Evaluation, evaluate, solver
+from ..formula.rounding import Size
 from ..formula.straight_line import OFTEN, Solution, StraightLine, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
+from ..named import NamedTuple
 from ..units import ANGLE, LENGTH
 from .mechanism import Mechanism, Parameter, Require
 from .result import Result
@@ -242,6 +244,26 @@ def standing(result: Result, values: Values) -> Result | None:
     if result.elsewhere is None:
         return result if sound else None
     return standing(result.elsewhere, values)
+
+
+class Looked(NamedTuple):
+    """What is seen of a result in a pose: the form that stands, its value, and that as printed."""
+
+    form: Result
+    value: float | None
+    size: Size
+
+
+def of_sound_form(result: Result, look: Callable[[Result], Looked]) -> Size:
+    """Return the size of a result in a pose where ``look`` says what is seen of each form.
+
+    Where a form is 0 but for rounding, a sign in it may be what is rounded: the one for elsewhere
+    has none such.
+    """
+    form, value, size = look(result)
+    if value and size.number == 0 and form.elsewhere:
+        return of_sound_form(form.elsewhere, look)
+    return size
 
 
 def _is_nan(formula: Formula, values: Values) -> bool:

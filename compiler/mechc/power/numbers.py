@@ -18,7 +18,16 @@ from ..frozen import replace
 from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Contact, Find, Force, LoadForm, LoadRatio
 from ..model.result import Result
-from ..model.values import Chain, completed, defaults, dependent, range_of, standing
+from ..model.values import (
+    Chain,
+    Looked,
+    completed,
+    defaults,
+    dependent,
+    of_sound_form,
+    range_of,
+    standing,
+)
 from ..pose.pose import Pose
 from .balance import Balance, Solved
 from .tolerances import VANISHED
@@ -57,21 +66,20 @@ class DefaultNumbers:
         """Return the value of a result there; no number where something it needs has none.
 
         NaN that no condition makes is 0/0 or a pole. What has conditions may have a form for
-        elsewhere, in which names mean something else: it shares none of them. Where a form is 0
-        but for rounding, a sign in it may be what is rounded: the one for elsewhere has none such.
+        elsewhere, in which names mean something else: it shares none of them.
         """
+        return of_sound_form(result, self._looked_at)
+
+    def _looked_at(self, result: Result) -> Looked:
         is_shared = not result.guards and self._chained.takes(result.where)
         values = self._chained.values if is_shared else self.values
         rounding = self._chained.rounding if is_shared else self._rounding
         number = value_of(result, values)
-        nowhere = number is not None and math.isnan(number) and not result.guards
-        if nowhere:
-            return without_value(result.formula, result.where, rounding)
+        if number is not None and math.isnan(number) and not result.guards:
+            nowhere = without_value(result.formula, result.where, rounding)
+            return Looked(result, number, nowhere)
         form = standing(result, values) or result
-        size = beyond_rounding(number, form.formula, form.where, rounding)
-        if number and size.number == 0 and form.elsewhere:
-            return self.of(form.elsewhere)
-        return size
+        return Looked(form, number, beyond_rounding(number, form.formula, form.where, rounding))
 
 
 class _Chained:

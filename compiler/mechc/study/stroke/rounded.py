@@ -11,7 +11,7 @@ from itertools import chain, pairwise
 from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding, with_error
 from ...model.result import Result
-from ...model.values import standing
+from ...model.values import Looked, of_sound_form, standing
 from ..tolerances import BRANCH_POINT, LOST, NEGLIGIBLE
 from .along import Along
 from .run import Run
@@ -92,16 +92,14 @@ def is_nothing(
 
 
 def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:
-    """Return a result's value at ``x`` without what is nothing but rounding.
+    """Return the value ``number`` that a result has at ``x``, without what is only rounding."""
 
-    In one form that may be a sign, which the form for elsewhere has not.
-    """
-    form = _form(result, along, x)
-    size = beyond_rounding(number, form.formula, form.where, along.rounding(x))
-    if number and size.number == 0 and form.elsewhere:
-        other = form.elsewhere
-        return _beyond(along.of(other.formula, other, x), x, other, along)
-    return size.number
+    def look(at: Result) -> Looked:
+        form, value = _form(at, along, x), number if at is result else along.of(at.formula, at, x)
+        size = beyond_rounding(value, form.formula, form.where, along.rounding(x))
+        return Looked(form, value, size)
+
+    return of_sound_form(result, look).number
 
 
 def _form(result: Result, along: Along, x: float) -> Result:
