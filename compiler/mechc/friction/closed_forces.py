@@ -5,7 +5,6 @@ guides and faces has friction, from what presses them.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from typing import Protocol
 
 from ..algebra.angle import Angle
@@ -29,6 +28,7 @@ from .closed_form import Printed, conditions, positive, readable
 from .free_bodies import Bodies, BodyForce, EquationsCoupled
 from .linear import LinearSolver
 from .normal_forces import load_of
+from .pairs import LoadedPair
 from .sequential import SequentialSolver
 from .signs import AtOnePose, Signs
 from .solution import Kind, Step
@@ -170,43 +170,52 @@ class OfBodies:
 
     def along(self, line: Vector) -> Product:
         """Return a component."""
-        return self._along(line, named=False)
+        return self._along(line, self._size)
 
     def shown(self, line: Vector) -> Formula:
         """Return a component in the names of forces."""
-        return _written(self._along(line, named=True))
+        return _written(self._along(line, self._by_name))
 
-    def _along(self, line: Vector, *, named: bool) -> Product:
+    def _along(self, line: Vector, size_of: Callable[[str], Product]) -> Product:
         """Return a component; of a guide the one across it alone counts."""
         if len(line) != 1:
             raise EquationsCoupled
         turned = line[0].angle
         if self._line is None:
-            return add(self._part(f, sign, turned, named) for f, sign in self._forces)
-        across = add(self._part(f, sign, self._line, named) for f, sign in self._forces)
-        return BodyForce("", "", self._line, canonical(across)).along(turned)
+            return self._sum(turned, size_of)
+        across = canonical(self._sum(self._line, size_of))
+        return BodyForce("", "", self._line, across).along(turned)
+
+    def _sum(self, line: Angle, size_of: Callable[[str], Product]) -> Product:
+        """Return the component of all forces along a line."""
+        parts = ((f.scaled(size_of(f.name)).along(line), sign) for f, sign in self._forces)
+        return add(part.scaled(sign) for part, sign in parts)
 
     def size(self) -> Product | None:
         """Return the size of a single force, which counts positive."""
         if len(self._forces) == 1 and self._line is None:
-            return self._size(self._forces[0][0].name, named=False)
+            return self._size(self._forces[0][0].name)
         return None
 
-    def _part(self, force: BodyForce, sign: int, line: Angle, named: bool) -> Product:
-        return force.scaled(self._size(force.name, named=named)).along(line).scaled(sign)
+    def _size(self, name: str) -> Product:
+        """Return the size of a force as it is known; a driving load that is long, by its name."""
+        size = self._solved(name)
+        if name == self._asked.driving and count_operations(size.formula()) <= SHORT:
+            return size
+        return self._given().get(name, size)
 
-    def _size(self, name: str, *, named: bool) -> Product:
-        """Return the size of a force that is known, by its name or as it is."""
+    def _by_name(self, name: str) -> Product:
+        """Return the size of a force by its name, or as it is given."""
+        size, given = self._solved(name), self._given()
+        if name == self._asked.driving and self._asked.drive is None:
+            return size
+        return given[name] if name in given else to_product(self._solver.symbol(name))
+
+    def _solved(self, name: str) -> Product:
+        """Return the size of a force that the chain has found."""
         if name not in self._solver.sizes:
             raise EquationsCoupled
-        size = self._solver.sizes[name]
-        if name == self._asked.driving:
-            drive = self._asked.drive
-            is_short = not named and count_operations(size.formula()) <= SHORT
-            return size if is_short or drive is None else drive.size
-        if name in self._bodies.task.given:
-            return self._bodies.task.given[name]
-        return to_product(self._solver.symbol(name)) if named else size
+        return self._solver.sizes[name]
 
 
 SHORT = 8
@@ -302,15 +311,16 @@ class OfFrictions:
 
     def along(self, line: Vector) -> Product:
         """Return a component."""
-        return add(self._terms(line, named=False))
+        return add(self._terms(line, self._solver.friction))
 
     def shown(self, line: Vector) -> Formula:
         """Return a component, a term for each load and each friction."""
-        return total(canonical(term).formula() for term in self._terms(line, named=True))
+        return total(
+            canonical(term).formula() for term in self._terms(line, self._solver.friction_by_name)
+        )
 
-    def _terms(self, line: Vector, *, named: bool) -> list[Product]:
+    def _terms(self, line: Vector, friction: Callable[[LoadedPair], Product]) -> list[Product]:
         """Return the terms of a component."""
-        friction = partial(self._solver.friction, named=named)
         frictions = {load_of(p.pair): friction(p) for p in self._solver.loaded}
         amounts = component(self._transmitted, line)
         if any(any(bound_names(amount)) for amount in amounts.values()):

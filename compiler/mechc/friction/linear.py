@@ -56,11 +56,16 @@ class LinearSolver:
         """Return the step of the forces that press, once they are solved."""
         return Step("pressing", equations=tuple(self._balances))
 
-    def friction(self, loaded: LoadedPair, *, named: bool) -> Product:
-        """Return a friction as a load on its slip; ``named``, in the name of what presses."""
-        size = self._sizes[loaded.pair.name]
-        if named:
-            size = to_product(_size(loaded)) * _mean(loaded)
+    def friction(self, loaded: LoadedPair) -> Product:
+        """Return a friction as a load on its slip."""
+        return self._on_slip(loaded, self._sizes[loaded.pair.name])
+
+    def friction_by_name(self, loaded: LoadedPair) -> Product:
+        """Return a friction as a load on its slip, in the name of what presses."""
+        return self._on_slip(loaded, to_product(_size(loaded)) * _mean(loaded))
+
+    def _on_slip(self, loaded: LoadedPair, size: Product) -> Product:
+        """Return the friction of what presses with a size."""
         return (loaded.pair.factor * self._slip(loaded) * size).scaled(-self._sense)
 
     def _keep(self, sizes: Sequence[Product]) -> None:
