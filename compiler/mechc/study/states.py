@@ -223,7 +223,7 @@ class AgainstFriction(Moving):
         return False
 
     def is_dead_centre(self, _: float) -> bool:
-        """Return False."""
+        """Return False: a ratio that is zero everywhere has no dead centre."""
         return False
 
     def _state(self, real: float, x: float, driven: bool) -> Found:
@@ -241,7 +241,7 @@ class AgainstFriction(Moving):
         return 1.0 if self.at(x).state == "free" else super().efficiency(x)
 
     def margin(self, x: float) -> float:
-        """Return what is greater the smaller the effort is, -inf where nothing moves."""
+        """Return the inverse of the effort, -inf where nothing moves."""
         state, effort, _ = self.at(x)
         if state != "free":
             return -math.inf
