@@ -5,6 +5,7 @@ import math
 import shutil
 import subprocess
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -25,9 +26,41 @@ from mechc.routine.evaluate import pose as interpreted
 from mechc.routine.steps import Pose, Solve
 from mechc.source import Source
 from routine_samples import solved
+from run_targets import assert_close, built, by_c_in_batch, by_c_singly, by_interpreter, by_python
 from systems import TRIAD_UNKNOWNS, triad
 
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror"]
+
+BEHIND_A_CUT = """
+mechanism cut
+param phi = -123 deg
+pivot O at (0 mm, 0 mm)
+pivot P at (-93 mm, -42 mm)
+pivot Q at (5 mm, -199 mm)
+pivot G at (47 mm, 120 mm)
+link OA
+link AB
+link PB
+link BC
+link CDE
+link QD
+slider E along -62 deg through G
+OA = 50 mm @ phi
+AB = 57 mm
+PB = 105 mm
+BC = 56 mm
+CD = 51 mm
+CE = 91 mm
+angle DCE = 112 deg
+QD = 87 mm
+assembly ABP cw
+assembly E back
+drive phi from -150 deg to -121 deg
+torque M on OA
+force F at E along 143 deg
+find k = M/F
+"""
+"""A triad on rods between A and P: the direction of AP passes 180 deg near the default."""
 
 
 def pose_of(found: Compiled) -> Pose:
@@ -187,3 +220,18 @@ def test_no_step_passes_over_the_end_of_a_branch(seed: int, place: float) -> Non
     values = {i.name: i.default for i in k.inputs if i.default is not None}
     assert math.isfinite(float(evaluate(k, values)))
     assert math.isnan(float(evaluate(k, {**values, "phi": place})))
+
+
+def test_a_direction_that_passes_half_a_turn_leads_no_way_round(tmp_path: Path) -> None:
+    found = compile_source(Source("cut.mech", BEHIND_A_CUT))
+    (k,) = found.routine.functions
+    (solve,) = (step for step in k.steps if isinstance(step, Solve))
+    assert solve.solver.turning == ("phi_AB",)
+    along = evaluate(k, {"phi": np.radians(np.linspace(-150, -121, 291))})
+    assert np.abs(np.diff(along, 2)).max() < 5e-4
+    expected = by_interpreter(found)
+    assert_close(by_python(found), expected, 0, found.routine)
+    if shutil.which("gcc"):
+        made = built(found, tmp_path)
+        assert_close(by_c_singly(found, made), expected, 64, found.routine)
+        assert_close(by_c_in_batch(found, made), expected, 64, found.routine)

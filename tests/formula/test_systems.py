@@ -37,6 +37,15 @@ ROOT = System(
     ("x",), (total([power(s("x"), number(2)), negative(s("p"))]),), (("p", 1.0),), (-1.0,)
 )
 
+LOOP = System(
+    ("x",),
+    (total([power(s("x"), number(2)), negative(Call("cos", (s("p"),)))]),),
+    (("p", -0.1),),
+    (-1.0,),
+    turning=("p",),
+)
+"""x² = cos p, where p is known but for whole turns; on a whole one the branch ends."""
+
 
 def by_small_steps(triad: Triad, phi: float, steps: int = 2000) -> list[float] | None:
     """Return the unknowns by Newton's method in steps so small that no branch is left.
@@ -247,3 +256,14 @@ def test_a_solution_has_no_formula_for_its_slope() -> None:
     assert derivative(implicit(ROOT, 0), "x") == number(0)
     with pytest.raises(ValueError, match="no formula"):
         derivative(implicit(ROOT, 0), "p")
+
+
+@pytest.mark.parametrize("p", [0.2, 0.2 + math.tau, 0.2 - math.tau, 0.2 + 2 * math.tau])
+def test_what_is_known_but_for_turns_comes_the_shortest_way(p: float) -> None:
+    expected = pytest.approx(-math.sqrt(math.cos(0.2)), rel=1e-14)
+    assert solution(LOOP, (p,))[0] == expected
+    assert status(implicit(LOOP, 0), {"p": p}) == 0
+    following = continued(LOOP)
+    assert [following(values)[0] for values in [(p,)] * 3] == [expected] * 3
+    whole = System(LOOP.unknowns, LOOP.equations, LOOP.anchor, LOOP.start)
+    assert (status(implicit(whole, 0), {"p": p}) == 0) == (p == 0.2)

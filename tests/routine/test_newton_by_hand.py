@@ -6,6 +6,7 @@ import pytest
 from mechc.formula import newton
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol, System, negative, number, product, total
+from mechc.frozen import replace
 from mechc.routine.newton import eliminate, follow
 from mechc.routine.sharing import solver
 from mechc.routine.steps import Solver
@@ -25,6 +26,14 @@ def test_the_branch_of_the_start_is_followed_to_the_last_digits():
     status, (found,) = follow(root, SOLVER, [squares])
     assert not status.any()
     assert found == pytest.approx(-np.sqrt(squares), rel=1e-15, abs=0)
+
+
+def test_an_angle_known_but_for_turns_is_brought_near_to_its_anchor():
+    turning = replace(SOLVER, turning=("p",))
+    turned = np.array([2.0, 2.0 + 2 * np.pi, 2.0 - 4 * np.pi])
+    status, (found,) = follow(root, turning, [turned])
+    assert not status.any()
+    assert found == pytest.approx(np.full(3, -np.sqrt(2.0)), rel=1e-14, abs=0)
 
 
 def test_where_the_branch_ends_there_is_no_number():

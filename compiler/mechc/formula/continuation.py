@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from operator import mul, truediv
 
 from .elimination import quick
-from .evaluate import beginning, solver, way_of
+from .evaluate import beginning, solver, turned_back, way_of
 from .newton import Way, scale
 from .straight_line import Solution
 from .tree import System
@@ -49,6 +49,7 @@ class _Continuation:
 
     def at(self, outer: tuple[float, ...]) -> tuple[float, ...]:
         """Return the unknowns; NaN where the branch ends on the way."""
+        outer = turned_back(self._system, outer)
         if self._ladder is None or not self._ladder.leads_to(outer):
             self._ladder = self._new(outer)
         return (self._ladder and self._ladder.at(outer)) or self._directly(outer)

@@ -12,7 +12,7 @@ from .derivative import along, jacobian
 from .elimination import Matrix
 from .functions import FUNCTIONS
 from .names import another
-from .newton import Along, Equations, Status, Way, scale, side_of
+from .newton import Along, Equations, Status, Way, nearest, scale, side_of
 from .straight_line import Solution, StraightLine, in_order
 from .tree import (
     Call,
@@ -175,6 +175,7 @@ def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
 
     @lru_cache(maxsize=64)
     def followed(outer: tuple[float, ...]) -> _Ended:
+        outer = turned_back(system, outer)
         with at_most(Allowance()) as allowance:
             ended, found = way.follow(*beginning(system, outer), outer)
         return _Ended(ended, found, ahead + LIMIT - allowance.left)
@@ -194,6 +195,16 @@ def beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list
     pairs = zip(system.anchor, outer, strict=True)
     anchor = {name: end if value is None else value for (name, value), end in pairs}
     return list(anchor.values()), [anchor[s] if isinstance(s, str) else s for s in system.start]
+
+
+def turned_back(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
+    """Return values of outer symbols, those that are known but for turns nearest to the anchor."""
+    if not system.turning:
+        return outer
+    return tuple(
+        nearest(value, anchor) if name in system.turning and anchor is not None else value
+        for (name, anchor), value in zip(system.anchor, outer, strict=True)
+    )
 
 
 def side(system: System) -> int:

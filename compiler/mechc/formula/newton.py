@@ -82,6 +82,16 @@ ROUNDING = 1e-17
 """Nor is one needed that is expected, from how the last two shrank, to be below this."""
 
 
+def nearest(angle: float, anchor: float) -> float:
+    """Return the angle that whole turns bring nearest to another one.
+
+    >>> nearest(6.25, 0.0) == 6.25 - math.tau, nearest(1.0, 0.5)
+    (True, 1.0)
+    """
+    turns = (angle - anchor) / math.tau + 0.5
+    return angle - math.tau * math.floor(turns) if math.isfinite(turns) else angle
+
+
 def scale(start: float | str | None) -> float:
     """Return the size by which changes are measured of what has this value at the outset.
 

@@ -109,7 +109,9 @@ class System:
     branch that is meant. Both kinds of names are bound, as a function's arguments are; what
     outer symbols stand for in a formula is shown by the :class:`Implicit` that mentions the
     system. ``by_arcs``: where steps to it become short it is followed by its arc length, so that
-    the end of the branch, if it is one, is a fold that was found.
+    the end of the branch, if it is one, is a fold that was found. ``turning`` are outer symbols
+    that are known but for whole turns, as a direction by ``atan2`` is: the way leads to the
+    value that turns bring nearest to the anchor, so that no cut of ``atan2`` is crossed on it.
     """
 
     unknowns: tuple[str, ...]
@@ -117,6 +119,7 @@ class System:
     anchor: tuple[tuple[str, float | None], ...]
     start: tuple[float | str, ...]
     by_arcs: bool = False
+    turning: tuple[str, ...] = ()
 
     def __hash__(self) -> int:
         """Return the hash of the unknowns' names, which few other systems share.
@@ -132,8 +135,9 @@ class Implicit(Compound):
     """One unknown of a system's solution, where the outer symbols have these values.
 
     It is the solution that is reached from ``start`` when the outer symbols go from the
-    anchor to ``arguments`` (in the anchor's order) on a straight line; it has no value
-    (NaN) where the branch ends on the way. :func:`implicit` makes one.
+    anchor to ``arguments`` (in the anchor's order, ``turning`` ones but for whole turns) on a
+    straight line; it has no value (NaN) where the branch ends on the way. :func:`implicit` makes
+    one.
     """
 
     system: System

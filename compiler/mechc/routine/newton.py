@@ -4,6 +4,7 @@ What :func:`mechc.formula.newton.Way.follow` does for one pose, correction by co
 are done wait for the others.
 """
 
+import math
 from collections.abc import Sequence
 from typing import Protocol
 
@@ -33,9 +34,16 @@ def follow(equations: Equations, solver: Solver, outer: Sequence[Array]) -> tupl
     shape = np.broadcast_shapes(*map(np.shape, outer))
     wide = [np.broadcast_to(value, shape) for value in outer]
     known = np.array(wide, dtype=np.float64).reshape(len(outer), int(np.prod(shape)))
+    for name in solver.turning:
+        place = solver.outer.index(name)
+        known[place] = _nearest(known[place], solver.anchor[place] or 0.0)
     status, found = _follow(equations, solver, known)
     found[:, status != 0] = np.nan
     return status.reshape(shape), found.reshape(len(solver.unknowns), *shape)
+
+
+def _nearest(angles: Array, anchor: float) -> Array:
+    return angles - np.multiply(math.tau, np.floor((angles - anchor) / math.tau + 0.5))
 
 
 class _Poses(NamedTuple):

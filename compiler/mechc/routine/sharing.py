@@ -130,6 +130,7 @@ def solver(system: System) -> Solver:
         )
         if system.by_arcs
         else None,
+        tuple(name for name in outer if name in system.turning),
     )
 
 

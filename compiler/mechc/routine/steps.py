@@ -67,6 +67,7 @@ class Solver:
     are the values of outer symbols and unknowns where the way begins, as those of a
     :class:`~mechc.formula.tree.System`; ``side`` is the Jacobian's sign there. The method is that
     of :mod:`mechc.formula.newton`, with ``by_arcs`` that of :mod:`mechc.formula.arcs` besides.
+    ``turning`` are outer symbols that are brought nearest to their anchors by whole turns.
     """
 
     unknowns: tuple[str, ...]
@@ -79,6 +80,7 @@ class Solver:
     residuals: tuple[Formula, ...]
     jacobian: tuple[tuple[Formula, ...], ...]
     by_arcs: ByArcs | None = None
+    turning: tuple[str, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -64,7 +64,7 @@ sum cancel, ``float`` leaves three digits. A slip has no sense below
 """
 _LARGEST, _LEAST = 3.4e38, 1.2e-38
 _FUNCTIONS = """
-    sin cos tan asin acos atan atan2 sqrt hypot fabs exp log pow fmin fmax
+    sin cos tan asin acos atan atan2 sqrt hypot fabs exp log pow fmin fmax floor
 """
 _SINGLE = {name: f"{name}f" for name in _FUNCTIONS.split()}
 _WORDS = {"double": "float", "HUGE_VAL": "HUGE_VALF"}

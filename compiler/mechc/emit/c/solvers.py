@@ -1,5 +1,6 @@
 """What a source needs to solve systems: one function for each, and elimination for all."""
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ...formula import newton
@@ -23,6 +24,8 @@ _OWN = frozenset(_WORDS.split())
 """What the template calls its own."""
 
 
+TAU = repr(math.tau)
+
 NEVER = 2
 """No determinant has this sign: nothing can be followed from a singular pose."""
 
@@ -45,8 +48,9 @@ class ByArcs(NamedTuple):
 class SolverContext(NamedTuple):
     """One system; fields are what ``c/solver.jinja`` mentions.
 
-    ``fixed`` lines are those of a step along the way, ``body`` those of a correction;
-    ``shortest`` is the condition under which steps are not too short.
+    ``turned`` lines bring what is known but for whole turns nearest to its anchor, ``fixed`` lines
+    are those of a step along the way, ``body`` those of a correction; ``shortest`` is the condition
+    under which steps are not too short.
     """
 
     title: str
@@ -54,6 +58,7 @@ class SolverContext(NamedTuple):
     head: str
     size: int
     start: str
+    turned: list[Line]
     fixed: list[Line]
     body: list[Line]
     residuals: list[str]
@@ -78,7 +83,8 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     names = mangle(solver.names, space)
     anchored = list(_anchored(solver))
     ends = {outer: space.claim(f"{names[outer]}_end") for outer, _ in anchored}
-    given = [ends.get(outer, names[outer]) for outer in solver.outer]
+    plain = {outer: space.claim(f"{names[outer]}_given") for outer in solver.turning}
+    given = [plain.get(n, ends.get(n, names[n])) for n in solver.outer]
     start = (names[s] if isinstance(s, str) else repr(s) for s in solver.start)
     gaps = (_square(_gap(ends[outer], a), newton.scale(a)) for outer, a in anchored)
     changes = (_square(f"change[{i}]", newton.scale(s)) for i, s in enumerate(solver.start))
@@ -93,6 +99,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         head=wrapped(f"static int {name}(", [*(f"double {g}" for g in given), "double *found"]),
         size=len(solver.unknowns),
         start=f"{{{', '.join(start)}}}",
+        turned=[_nearest(ends[n], plain[n], a) for n, a in anchored if n in plain],
         fixed=fixed,
         body=body,
         residuals=[printer.print(f) for f in solver.residuals],
@@ -164,6 +171,10 @@ def _between(name: str, names: Mapping[str, str], ends: Mapping[str, str], ancho
 
 def _gap(end: str, anchor: float) -> str:
     return f"({end} + {-anchor!r})" if anchor < 0 else f"({end} - {anchor!r})"
+
+
+def _nearest(name: str, given: str, anchor: float) -> Line:
+    return Line(name, f"{given} - {TAU}*floor({_gap(given, anchor)}/{TAU} + 0.5)")
 
 
 def _square(part: str, scale: float) -> str:

@@ -45,6 +45,7 @@ def _solution(formula: Implicit) -> Json:
         "equations": [tree(e) for e in system.equations],
         "outer": [name for name, _ in system.anchor],
         "anchor": [value for _, value in system.anchor],
+        "turning": list(system.turning),
         "arguments": [tree(a) for a in formula.arguments],
     }
 
@@ -70,13 +71,16 @@ _SOLUTION = _node(
     equations=_TREES,
     outer=_NAMES,
     anchor=_ANCHOR,
+    turning=_NAMES,
     arguments=_TREES,
 )
 _SCHEMA: Json = {
     "description": "A formula's tree. A number is an exact rational such as 2 or -1/3. A solution "
     "is an unknown of equations = 0 in unknowns and outer names; it is the one that is reached "
     "from start when the outer names' values go from anchor to arguments on a straight line. An "
-    "anchor of null is the argument itself, and a name in start is the value of that outer name.",
+    "anchor of null is the argument itself, and a name in start is the value of that outer name. "
+    "The argument of a turning name is an angle that is known but for whole turns: of such "
+    "angles the one nearest to the anchor is meant.",
     "anyOf": [
         _node(number={"type": "string", "pattern": r"^-?\d+(/\d+)?$"}),
         _node(pi={"const": True}),

@@ -17,6 +17,8 @@ _OWN = {"unknowns", "outer", "changes", "equations", "rows", "start", "anchor", 
 class SolverContext(NamedTuple):
     """One system; ``rows`` are the residuals and then the rows of the Jacobian.
 
+    ``turned`` lines bring what is known but for whole turns nearest to its anchor.
+
     With ``by_arcs`` the slopes by the share of the way rest on ``changes`` and lines of their own.
     """
 
@@ -28,6 +30,7 @@ class SolverContext(NamedTuple):
     rows: list[list[str]]
     start: list[str]
     anchor: list[str]
+    turned: list[Line]
     side: int
     by_arcs: bool
     changes: list[Line]
@@ -46,7 +49,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     names = mangle(solver.names, Names(RESERVED.besides(_OWN)))
     arcs = solver.by_arcs or NO_ARCS
     printer = PythonPrinter(names)
-    anchored = zip(solver.outer, solver.anchor, strict=True)
+    anchored = list(zip(solver.outer, solver.anchor, strict=True))
     return SolverContext(
         name=name,
         unknowns=[names[n] for n in solver.unknowns],
@@ -56,6 +59,11 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         rows=[[printer.print(f) for f in row] for row in (solver.residuals, *solver.jacobian)],
         start=[names[s] if isinstance(s, str) else repr(s) for s in solver.start],
         anchor=[names[outer] if a is None else repr(a) for outer, a in anchored],
+        turned=[
+            Line(names[n], f"_nearest({names[n]}, {a!r})")
+            for n, a in anchored
+            if n in solver.turning
+        ],
         side=solver.side,
         by_arcs=solver.by_arcs is not None,
         changes=[

@@ -155,6 +155,8 @@ def _newton(_known: Mapping[str, Any]) -> str:
     if _known["by_arcs"]:
         _parts += ['    if by_arcs:\n        left = tried[status[tried] > 0]\n\n        def sides(poses, unknowns, share):\n            begin, end = anchor[:, left[poses]], outer[:, left[poses]]\n            known = (1.0 - share)*begin + share*end\n            residuals, *rows, by_share = equations(unknowns, known, end - begin)\n            rows = [(*row, last) for row, last in zip(rows, by_share)]\n            matrix = np.stack([_stacked(row, share.shape) for row in rows])\n            return _stacked(residuals, share.shape), matrix\n\n        status[left], result[:, left] = _along_arcs(sides, start[:, left])\n        return status.reshape(shape), result.reshape(len(start), *shape)\n']
     _parts += ['    status[left] = np.where(step < ', str(_known["newton"].SHORTEST), ', 1, 2)\n    return status.reshape(shape), result.reshape(len(start), *shape)\n']
+    if _known["turning"]:
+        _parts += ['\n\ndef _nearest(angle, anchor):\n    """Return an angle that is known but for whole turns where it is nearest to another one."""\n    return angle - 2.0*np.pi*np.floor((angle - anchor)/(2.0*np.pi) + 0.5)\n']
     for s in _known["solvers"]:
         _parts += ['\n\ndef ', str(s.name), '(', str(', '.join(map(str, s.outer))), '):\n    """Return the status and ', str(', '.join(map(str, s.unknowns))), ', for which these are zero:\n\n']
         for line in s.zeros:
@@ -171,7 +173,10 @@ def _newton(_known: Mapping[str, Any]) -> str:
             for line in s.changes:
                 _parts += ['        ', str(line.name), ' = ', str(line.code), '\n']
             _parts += ['        return (*rows, (', str(', '.join(map(str, s.by_share))), str((',' if (len(s.by_share) == 1) else '')), '))\n']
-        _parts += ['\n    start = (', str(', '.join(map(str, s.start))), ',)\n    anchor = (', str(', '.join(map(str, s.anchor))), ',)\n    scales = (', str(', '.join(map(str, s.scales))), ',)\n    return _follow(equations, start, anchor, ', str(s.side), ', scales, (', str(', '.join(map(str, s.outer))), ',)']
+        _parts += ['\n    start = (', str(', '.join(map(str, s.start))), ',)\n    anchor = (', str(', '.join(map(str, s.anchor))), ',)\n    scales = (', str(', '.join(map(str, s.scales))), ',)\n']
+        for line in s.turned:
+            _parts += ['    ', str(line.name), ' = ', str(line.code), '\n']
+        _parts += ['    return _follow(equations, start, anchor, ', str(s.side), ', scales, (', str(', '.join(map(str, s.outer))), ',)']
         if _known["by_arcs"]:
             _parts += [', ', str(s.by_arcs)]
         _parts += [')\n']

@@ -82,6 +82,7 @@ class ModuleContext(NamedTuple):
     newton: ModuleType
     arcs: ModuleType
     by_arcs: bool
+    turning: bool
     conditions: list[Line]
     chooses: bool
     commons: list[CommonContext]
@@ -144,6 +145,7 @@ def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
         newton=newton,
         arcs=arcs,
         by_arcs=any(solver.by_arcs for solver in solvers),
+        turning=any(solver.turning for solver in solvers),
         conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
         chooses="choose" in called,
         commons=commons,

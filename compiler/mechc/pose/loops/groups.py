@@ -13,7 +13,8 @@ from ...algebra.angle import Angle
 from ...algebra.blocks import blocks, match
 from ...algebra.factors import Length
 from ...algebra.product import Product
-from ...formula.tree import Formula, System, implicit
+from ...formula.tree import Call, Formula, Sum, Symbol, System, implicit, is_call
+from ...formula.tree import Product as Factors
 from ...frozen import replace
 from ...named import NamedTuple
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
@@ -143,7 +144,42 @@ def system_of(block: Block, state: State) -> System:
     equations = tuple(_equation(arms, part) for arms, part in rows)
     outer = sorted({n for arms, _ in rows for n in mentioned(arms)} - block.unknown)
     anchor = tuple((n, state.base[n]) for n in outer)
-    return System(tuple(sorted(block.unknown)), equations, anchor, ())
+    turning = tuple(n for n in outer if _is_known_but_for_turns(n, rows, state))
+    return System(tuple(sorted(block.unknown)), equations, anchor, (), turning=turning)
+
+
+def _is_known_but_for_turns(name: str, rows: Sequence["Row"], state: State) -> bool:
+    """Return whether an angle may jump by whole turns, which leave the rows as they are.
+
+    What turns with the drive itself does so all the way, however far that goes.
+    """
+    arms = [arm for vector, _ in rows for arm in vector]
+    if any(dict(arm.angle.terms).get(name, 0) % 1 for arm in arms):
+        return False
+    if any(name in mentioned((Arm(arm.length, Angle()),)) for arm in arms):
+        return False
+    parts = list(_summed(Symbol(name), dict(state.definitions)))
+    return any(map(_has_cut, parts)) and Symbol(state.mechanism.drive_name) not in parts
+
+
+def _summed(formula: Formula, defined: Mapping[str, Formula]) -> Iterator[Formula]:
+    """Yield what an angle is the sum of, through the names that stand for such sums."""
+    match formula:
+        case Symbol(name) if name in defined:
+            yield from _summed(defined[name], defined)
+        case Sum(parts) | Factors(parts):
+            yield from (each for part in parts for each in _summed(part, defined))
+        case _:
+            yield formula
+
+
+def _has_cut(formula: Formula) -> bool:
+    """Return whether an angle jumps by a whole turn somewhere: none of a triangle does."""
+    match formula:
+        case Call("atan2", (first, _)):
+            return not is_call(first, "sqrt")
+        case _:
+            return False
 
 
 def rows_of(block: Block) -> list["Row"]:
