@@ -149,3 +149,24 @@ def test_runs_at_once_do_not_harm_one_another(ask, tmp_path):
 
 def _environment(tmp_path):
     return {"MECHC_CACHE": str(tmp_path / "kept"), "PYTHONPATH": str(COMPILER)}
+
+
+def test_the_code_of_a_checkout_is_looked_through(ask, tmp_path, monkeypatch):
+    package = tmp_path / "compiler" / "mechc"
+    package.mkdir(parents=True)
+    (package / "code.py").write_text("one = 1\n")
+    monkeypatch.setattr(answers, "PACKAGE", str(package))
+    before = answers.question(["check"])
+    assert answers.question(["check"]) == before
+    (package / "code.py").write_text("one = 12\n")
+    assert answers.question(["check"]) != before
+
+
+def test_what_is_installed_is_known_by_its_folder(ask, tmp_path, monkeypatch):
+    package = tmp_path / "site-packages" / "mechc"
+    package.mkdir(parents=True)
+    monkeypatch.setattr(answers, "PACKAGE", str(package))
+    before = answers.question(["check"])
+    assert answers.question(["check"]) == before
+    (tmp_path / "site-packages" / "mechc-0.2.dist-info").mkdir()
+    assert answers.question(["check"]) != before

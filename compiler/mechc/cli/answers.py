@@ -30,6 +30,9 @@ Answer = tuple[int, list[Event]]
 
 OFF = "--no-cache"
 SUFFIX = ".answer"
+INSTALLED = "-packages"
+"""How the names of folders of installed packages end."""
+
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
@@ -54,32 +57,38 @@ def question(arguments: list[str]) -> bytes:
 
 
 def _state() -> Iterator[int]:
-    """Yield numbers that change with the code of mechc, and with what is installed beside it."""
+    """Yield numbers that change with the code of mechc, and with what is installed beside it.
+
+    Who installs a package changes its folder; a checkout is looked through, file by file.
+    """
     for place in sys.path:
-        if place.endswith("-packages") and os.path.isdir(place):
+        if place.endswith(INSTALLED) and os.path.isdir(place):
             yield os.stat(place).st_mtime_ns
-    checkout = os.path.dirname(os.path.dirname(PACKAGE))
+    above = os.path.dirname(PACKAGE)
+    if above.endswith(INSTALLED):
+        yield os.stat(above).st_mtime_ns
+        return
+    checkout = os.path.dirname(above)
     tops = [PACKAGE, *(os.path.join(checkout, name) for name in ("grammar", "library"))]
     for top in tops:
         if top == PACKAGE or os.path.isdir(top):
             yield from _files(top)
 
 
-def _files(top: str) -> Iterator[int]:
-    """Yield the number of files below a folder, and a sum over their names, sizes and times."""
-    number, total, folders = 0, 0, [top]
+def _files(top: str) -> tuple[int, int]:
+    """Return the number of files below a folder, and a sum over their paths, sizes and times."""
+    found, folders = [], [top]
     while folders:
         with os.scandir(folders.pop()) as entries:
-            for entry in sorted(entries, key=lambda entry: entry.name):
-                if entry.name == "__pycache__":
-                    continue
-                if entry.is_dir():
+            for entry in entries:
+                if not entry.is_dir():
+                    status = entry.stat()
+                    found.append((entry.path, status.st_size, status.st_mtime_ns))
+                elif entry.name != "__pycache__":
                     folders.append(entry.path)
-                    continue
-                status = entry.stat()
-                state = f"{entry.path} {status.st_size} {status.st_mtime_ns}"
-                number, total = number + 1, zlib.crc32(state.encode("utf-8", "replace"), total)
-    yield from (number, total)
+    found.sort()
+    # Version 2 of marshal writes equal values as the same bytes; later ones tell shared objects.
+    return len(found), zlib.crc32(marshal.dumps(found, 2))
 
 
 def place(asked: bytes) -> str:
