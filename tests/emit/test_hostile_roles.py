@@ -12,6 +12,7 @@ import pytest
 
 import mechc
 from hostile_names import HOSTILE
+from mechc.emit.c import library
 
 STRICT = ["-Wall", "-Wextra", "-Werror", "-pedantic", "-O1", "-I."]
 COMPILERS = {
@@ -104,6 +105,12 @@ ROLES: dict[str, tuple[int, Callable[[Names], str]]] = {
     "sheet": (120, sheet),
 }
 """How many names at a time have a role, and the description in which they have it."""
+
+
+@pytest.fixture(autouse=True)
+def built_in_no_time(monkeypatch):
+    """Build libraries without optimisation: a name is taken or refused, however quick code is."""
+    monkeypatch.setattr(library, "FLAGS", ("-O0", "-fPIC", "-shared"))
 
 
 def stands(text: str, folder: Path, compilers: Names) -> None:
