@@ -9,9 +9,11 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.facing import condition, facing
 from mechc.formula.layout import has_minus, in_degrees
 from mechc.formula.operations import count_operations
+from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Sum, Symbol, degrees, negative, number, product, total
 
 NAMES = ("a", "b", "c")
+TURNS = {23: -90, -40: 90}
 
 
 def some_formula(rng: random.Random):
@@ -19,7 +21,9 @@ def some_formula(rng: random.Random):
     factors = [(number(rng.choice((-2, -1, 1, 3))), 1)]
     for _ in range(rng.randrange(1, 5)):
         one, other = (Symbol(name) for name in rng.sample(NAMES, 2))
-        parts = [one, negative(other), degrees(rng.choice((0, 20, 23, -40)))]
+        parts = [one, negative(other), degrees(rng.choice((0, 20, 23, -40)))][
+            :: rng.choice((1, -1))
+        ]
         factors.append((Call(rng.choice(("sin", "cos")), (total(parts),)), rng.choice((1, -1, 2))))
     whole = product(factors)
     return total([whole, some_formula(rng)]) if rng.random() < 0.4 else whole
@@ -27,8 +31,8 @@ def some_formula(rng: random.Random):
 
 def quarter(angle) -> int:
     """Turn angles with 23° to 67°, and those with −40° to 50°: the rest is as it is known."""
-    constant = in_degrees(angle.terms[-1]) if isinstance(angle, Sum) else None
-    return {23: -90, -40: 90}.get(constant, 0)
+    terms = angle.terms if isinstance(angle, Sum) else ()
+    return next((TURNS[size] for term in terms if (size := in_degrees(term)) in TURNS), 0)
 
 
 @pytest.mark.parametrize("seed", range(200))
@@ -40,6 +44,12 @@ def test_the_value_stays_and_nothing_grows(seed):
         assert evaluate(turned, values) == pytest.approx(evaluate(formula, values), rel=1e-9)
         values = {name: rng.uniform(-3, 3) for name in NAMES}
     assert count_operations(turned) <= count_operations(formula)
+
+
+def test_what_an_angle_is_of_stays_behind_its_constant():
+    behind = Call("sin", (total([degrees(19), negative(Symbol("a"))]),))
+    turned = facing(behind, lambda: {"a": 0.1}, lambda angle: -90)
+    assert text(turned) == "cos(a + 71*pi/180)"
 
 
 @pytest.mark.parametrize("seed", range(50))

@@ -217,16 +217,31 @@ def quarter_turned(formula: Formula, quarter: Quarter) -> Formula | None:
             sign = (1 if function == "cos" else -1) * (1 if turn > 0 else -1)
             other = "sin" if function == "cos" else "cos"
             turned = _plus(angle, turn)
-            if in_degrees(turned) and has_minus(turned):
-                turned, sign = negative(turned), sign * (1 if other == "cos" else -1)
+            if _is_opposite(turned, other):
+                turned, sign = _negated(turned), sign * (1 if other == "cos" else -1)
             return product([(number(sign), 1), (Call(other, (turned,)), 1)])
     return None
 
 
+def _is_opposite(angle: Formula, function: str) -> bool:
+    """Return whether a function is written of an angle's negative: a constant's, or a cosine's."""
+    if isinstance(angle, Sum):
+        return function == "cos" and has_minus(angle.terms[0])
+    return bool(in_degrees(angle)) and has_minus(angle)
+
+
+def _negated(angle: Formula) -> Formula:
+    if isinstance(angle, Sum):
+        return total(_led(map(negative, angle.terms)))
+    return negative(angle)
+
+
 def _plus(angle: Formula, turn: int) -> Formula:
-    """Return an angle with degrees added to the constant that it ends with."""
-    *others, last = angle.terms if isinstance(angle, Sum) else (angle,)
-    return total([*others, degrees((in_degrees(last) or 0) + turn)])
+    """Return an angle with degrees added to its constant, which comes last."""
+    terms = angle.terms if isinstance(angle, Sum) else (angle,)
+    others = [term for term in terms if in_degrees(term) is None]
+    constant = sum(size for term in terms if (size := in_degrees(term)) is not None)
+    return total([*others, degrees(constant + turn)])
 
 
 def _faced(formula: Formula, at: Evaluation) -> Formula:
@@ -264,7 +279,7 @@ def _turned(factor: Formula, at: Evaluation | None = None) -> Formula | None:
             return Power(turned, exponent) if turned else None
         case _ if difference := _difference(factor):
             if at is None or _is_behind(difference, at):
-                return Call("sin", (total(_led(map(negative, difference.terms))),))
+                return Call("sin", (_negated(difference),))
     return None
 
 
