@@ -139,14 +139,22 @@ def with_values(results: tuple[Result, ...], values: Values) -> Iterator[Result]
     One with friction is printed for the signs that it has there.
     """
     for result in results:
-        form = standing(result, values)
-        known = completed(values, form.where) if form else values
-        value = None
-        if form and symbols(form.formula) <= known.keys():
-            value = evaluate(form.formula, known)
-        found = replace(result, default=value)
-        if isinstance(found, FrictionResult) and found.case:
-            signs = completed(values, found.case.where)
-            if not all(holds(h, signs) for h in found.case.holds):
-                found = replace(found, case=None)
-        yield found
+        found = replace(result, default=_value(result, values))
+        yield found if _is_in_its_case(found, values) else replace(found, case=None)
+
+
+def _value(result: Result, values: Values) -> float | None:
+    """Return the value of the form that stands there; None where there is none."""
+    form = standing(result, values)
+    if form is None:
+        return None
+    known = completed(values, form.where)
+    return evaluate(form.formula, known) if symbols(form.formula) <= known.keys() else None
+
+
+def _is_in_its_case(result: Result, values: Values) -> bool:
+    """Return whether the signs are those for which a result is printed, if it has any."""
+    if not isinstance(result, FrictionResult) or result.case is None:
+        return True
+    signs = completed(values, result.case.where)
+    return all(holds(condition, signs) for condition in result.case.holds)

@@ -53,24 +53,29 @@ class Notes:
 
         ``squared`` is the equation of a lever behind that of its moments, where these have a root.
         """
-        pivot, sense = "", 0
         match kind:
             case "lever":
+                equations = [self._moments(body, forces, friction), *([squared] if squared else [])]
                 pivot, sense = self._bodies.pivot(body), exact_sign(friction.coefficient)
-                equations = [self._moments(body, forces, friction)]
-                equations += [squared] if squared else []
+                self._note(kind, body, pivot, sense, self._in_names(equations, found))
             case "slider":
                 equations = [self._along(body, forces, friction)]
+                self._note(kind, body, equations=self._in_names(equations, found))
             case "pin":
                 equations = _across(forces, found)
+                self._note(kind, body, equations=self._in_names(equations, found))
             case _:
                 assert_never(kind)
+
+    def _in_names(self, equations: Iterable[Pair], found: Mapping[str, Product]) -> list[Pair]:
+        """Return equations and what they give; sizes that have definitions under their names."""
         defined = {Symbol(d.name) for d in self._signs.definitions}
         self._named |= {n: s.formula() for n, s in found.items() if s.formula() in defined}
         named = self._named
-        equations = [(substitute(a, named), substitute(b, named)) for a, b in equations]
-        equations += [(Symbol(n), s.formula()) for n, s in found.items() if n not in named]
-        self._note(kind, body, pivot, sense, equations)
+        return [
+            *((substitute(a, named), substitute(b, named)) for a, b in equations),
+            *((Symbol(n), s.formula()) for n, s in found.items() if n not in named),
+        ]
 
     def symbol(self, name: str) -> Formula:
         """Return the name of a force in the steps, with an ending where another has it."""

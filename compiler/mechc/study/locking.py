@@ -11,7 +11,7 @@ from ..formula.solved import Solution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
-from ..model.mechanism import LoadForm, LoadRatio, WithFriction
+from ..model.mechanism import LoadForm, LoadRatio, Mechanism, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
 from .intervals import Bound, Locking, LockingInterval, LockingIntervals, Range, State
@@ -49,19 +49,24 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
     state = here.at(0.0).state if here else None
     if here is None or (state is None and not here.is_dead_centre(0.0)):
         return None
-    reaches = []
     moved = frozenset(varying(mechanism, (study.ideal(asked),)))
+    reaches = []
     for name in varying(mechanism, (study.ideal(asked), real)):
         moving = study.moving(asked, sense, name)
-        looked_at = _window(name, name in moved, moving, study) if moving else None
-        if moving and looked_at is not None:
-            stretches = _Intervals(name, moving, printed, range_of(name, mechanism))
-            unit = unit_of(name, mechanism)
-            reaches.append(
-                LockingIntervals(name, unit, stretches.range, tuple(stretches.found(*looked_at)))
-            )
+        window = _window(name, name in moved, moving, study) if moving else None
+        if moving and window:
+            reaches.append(_reach(name, window, moving, printed, mechanism))
     drive, load = (asked.load, "") if isinstance(asked, LoadForm) else (asked.above, asked.below)
     return Locking(state, drive, load, tuple(reaches))
+
+
+def _reach(
+    name: str, window: Range, moving: Moving, printed: Result, mechanism: Mechanism
+) -> LockingIntervals:
+    """Return the stretches of a parameter on which nothing moves."""
+    stretches = _Intervals(name, moving, printed, range_of(name, mechanism))
+    found = tuple(stretches.found(*window))
+    return LockingIntervals(name, unit_of(name, mechanism), stretches.range, found)
 
 
 # ---------------------------------------------------------------------- what is looked at

@@ -20,6 +20,9 @@ Line = ast.Param | ast.Let
 Column = ast.Table | ast.Sizes
 """What values are looked up in."""
 
+PUT_IN = (ast.Given, ast.Follows)
+"""The lines that stand for what is given to a used sheet."""
+
 
 def for_readers(mechanism: Mechanism, file: ast.File, source: Source) -> Mechanism:
     """Return a mechanism, or a sheet, whose quantities have their units and texts.
@@ -30,31 +33,28 @@ def for_readers(mechanism: Mechanism, file: ast.File, source: Source) -> Mechani
     list that it is looked up in, in what it uses, or anywhere; those of the user's own lines come
     before those of what is used.
     """
-    lines: dict[str, Line] = {p.name.text: p for p in every(file, ast.Param)}
-    lines |= {let.name.text: let for let in every(file, ast.Let)}
+    of_lines: tuple[Line, ...] = (*every(file, ast.Param), *every(file, ast.Let))
+    lines: Mapping[str, Line] = {line.name.text: line for line in of_lines}
+    of_columns: tuple[Column, ...] = (*every(file, ast.Table), *every(file, ast.Sizes))
+    columns: Mapping[str, Column] = {column.name.text: column for column in of_columns}
+    named: Mapping[str, Line | Column] = {**lines, **columns}
     parameters = tuple(_parameter(p, lines.get(p.name)) for p in mechanism.parameters)
     starts = [start for start, _ in source.parts()]
-    columns: dict[str, Column] = {t.name.text: t for t in every(file, ast.Table)}
-    columns |= {t.name.text: t for t in every(file, ast.Sizes)}
-    named: dict[str, Line | Column] = {**lines, **columns}
 
     def text_of(span: Span) -> int:
         return bisect_right(starts, span.start) - 1
 
     units = _Units(parameters, named.values(), text_of)
-    put_in = (ast.Given, ast.Follows)
     taken = tuple(_taken(file, mechanism.lets, units))
-    brought = {n for n, s in named.items() if isinstance(s, put_in) or text_of(s.span)}
-    brought |= {known.name for known in taken}
-    lets = [_let(let, lines[let.name], columns, units) for let in mechanism.lets]
+    put_in = (n for n, s in named.items() if isinstance(s, PUT_IN) or text_of(s.span))
     return replace(
         mechanism,
         parameters=parameters,
-        lets=tuple(lets),
+        lets=tuple(_let(let, lines[let.name], columns, units) for let in mechanism.lets),
         taken=taken,
         requires=tuple(_with_sides(mechanism.requires, columns, units, file)),
         tables=written.tables(file.statements),
-        brought=frozenset(brought),
+        brought=frozenset((*put_in, *(known.name for known in taken))),
     )
 
 

@@ -7,6 +7,7 @@ mechanisms that it is joined to: these become parts of it (:mod:`.joining`).
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import chain
 from pathlib import Path
 
 from ... import files
@@ -69,30 +70,41 @@ class _Composing:
 
     def composed(self) -> Composed:
         """Return the file with all that it uses, as far as nothing is wrong."""
-        statements: list[ast.Statement] = []
-        brought: list[tuple[int, Sequence[ast.Statement]]] = []
-        for statement in self._file.statements:
-            if not isinstance(statement, ast.Use):
-                statements.append(statement)
-                continue
-            found = self._brought(statement)
-            if found is None:
-                break  # what is wrong there would be found again by each that uses it
-            self._check_names(statement, found)
-            brought.append((len(statements), tuple(self._not_translated(found))))
-        else:
-            names = spelled_out(points_of_parts(self._parts, self._report))
-            if self._parts or DOTTED.search(self._report.source.text):
-                statements = _without_dots(statements, names)
-        for at, found in reversed(brought):
-            statements[at:at] = found
-        file = replace(self._file, statements=tuple(statements))
+        lines = list(self._lines())
+        if len(lines) == len(self._file.statements):
+            lines = self._without_dots(lines)
+        file = replace(self._file, statements=tuple(chain.from_iterable(lines)))
         parts = tuple(
             Subassembly(prefix, part.used.mechanism.name, tuple(part.points.items()))
             for prefix, part in self._parts.items()
         )
         mechanisms, prefixes = tuple(self._mechanisms), tuple(self._prefixes)
         return Composed(file, self._solved, parts, mechanisms, prefixes)
+
+    def _lines(self) -> Iterator[Sequence[ast.Statement]]:
+        """Yield each line of the file, or what it brings in.
+
+        None after a use in which something is wrong: each that uses it would find that again.
+        """
+        for statement in self._file.statements:
+            if not isinstance(statement, ast.Use):
+                yield (statement,)
+                continue
+            found = self._brought(statement)
+            if found is None:
+                return
+            self._check_names(statement, found)
+            yield tuple(self._not_translated(found))
+
+    def _without_dots(
+        self, lines: Sequence[Sequence[ast.Statement]]
+    ) -> list[Sequence[ast.Statement]]:
+        """Return the lines; those of the file itself name points of parts as the whole has them."""
+        names = spelled_out(points_of_parts(self._parts, self._report))
+        if not self._parts and not DOTTED.search(self._report.source.text):
+            return list(lines)
+        both = zip(self._file.statements, lines, strict=True)
+        return [s if isinstance(at, ast.Use) else _without_dots(s, names) for at, s in both]
 
     def _brought(self, use: ast.Use) -> Sequence[ast.Statement] | None:
         """Return the statements that a line brings in; None where an error is reported."""

@@ -1,6 +1,7 @@
 """Friction along the stroke: results as code takes them, and where nothing moves."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 
 from ...formula.tree import Implicit
 from ...formula.walk import walk
@@ -33,12 +34,16 @@ def in_code(result: Analysis, solution: Solution) -> Analysis:
 def standstills(results: Iterable[Analysis], drive: str) -> Iterator[JammedInterval]:
     """Yield where friction lets nothing move."""
     for result in results:
-        for reach in result.locking.reaches if result.locking else ():
-            if reach.parameter == drive:
-                for stretch in reach.stretches:
-                    if stretch.within:
-                        left_out = _left_out(stretch, *stretch.within)
-                        yield JammedInterval(result.name, stretch.state, *stretch.within, left_out)
+        for stretch in _stretches(result, drive):
+            if stretch.within:
+                left_out = _left_out(stretch, *stretch.within)
+                yield JammedInterval(result.name, stretch.state, *stretch.within, left_out)
+
+
+def _stretches(result: Analysis, drive: str) -> Iterator[LockingInterval]:
+    """Return the stretches of the drive on which a result is locked or jammed."""
+    reaches = result.locking.reaches if result.locking else ()
+    return chain.from_iterable(reach.stretches for reach in reaches if reach.parameter == drive)
 
 
 def _left_out(stretch: LockingInterval, low: float, high: float) -> tuple[bool, bool]:
