@@ -1,7 +1,7 @@
 """What ``mechc check`` prints of a description, line by line, in each language."""
 
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from ..diagnostics import Diagnostic, Severity
@@ -20,6 +20,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Definition, Result
+from ..named import NamedTuple
 from ..report.definitions import Letters, Solved, as_written, grouped, letters, looked_up
 from ..report.note import own_lines
 from ..report.sections import Shown, in_short
@@ -121,25 +122,41 @@ def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
         yield from in_brief(compilation.mechanism, compilation.results, spell)
         yield from _of_findings(compilation, spell)
         return
-    earlier, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
     known = letters(compilation.mechanism, compilation.results)
-    own = own_lines(compilation.mechanism, compilation.results)
     before: Analysis | None = None
-    for result in compilation.results:
-        fresh = earlier.of(result)
-        read_up = [q for q in looked_up(compilation.mechanism) if q.name in {d.name for d in fresh}]
-        where = [d for d in fresh if d.name not in given | {q.name for q in read_up}]
-        formulas = [d.formula for d in where] + ([] if result.name in own else [result.formula])
-        literals = [*earlier.new_literals(formulas, compilation.mechanism)]
-        shown = in_short(result, compilation.results)
-        unit = scale_of(result, compilation.mechanism)
-        formula = in_language(own[result.name]) if result.name in own else text(shown.formula)
-        looked = [_where(as_given(quantity, spell), spell) for quantity in read_up]
-        yield from _of_result(shown, formula, where, literals, known, before, unit, spell, looked)
+    for result, entry in zip(compilation.results, _entries(compilation), strict=True):
+        yield from _of_result(entry, before, known, spell)
         before = result
         remarks = friction_remarks(result, spell.locale, spell)
         yield from (f"    {spell.units(line)}" for line in remarks)
     yield from _of_findings(compilation, spell)
+
+
+class _Entry(NamedTuple):
+    """A result as it is printed, and what it rests on as far as no entry before has shown it."""
+
+    result: Analysis
+    formula: str
+    unit: str
+    where: Sequence[Definition]
+    literals: Sequence[Parameter]
+    looked_up: Sequence[Parameter]
+
+
+def _entries(compilation: Compilation) -> Iterator[_Entry]:
+    """Yield the entries of all results."""
+    mechanism, results = compilation.mechanism, compilation.results
+    earlier, own = Shown(), own_lines(mechanism, results)
+    given = {result.name for result in results if _is_given(result)}
+    for result in results:
+        fresh = earlier.of(result)
+        read_up = [q for q in looked_up(mechanism) if q.name in {d.name for d in fresh}]
+        where = [d for d in fresh if d.name not in given | {q.name for q in read_up}]
+        formulas = [d.formula for d in where] + ([] if result.name in own else [result.formula])
+        literals = [*earlier.new_literals(formulas, mechanism)]
+        shown = in_short(result, results)
+        formula = in_language(own[result.name]) if result.name in own else text(shown.formula)
+        yield _Entry(shown, formula, scale_of(result, mechanism), where, literals, read_up)
 
 
 def _is_given(result: Analysis) -> bool:
@@ -148,31 +165,23 @@ def _is_given(result: Analysis) -> bool:
 
 
 def _of_result(
-    result: Analysis,
-    formula: str,
-    where: Iterable[Definition],
-    literals: Iterable[Parameter],
-    known: Letters,
-    before: Analysis | None,
-    unit: str,
-    spell: Speller,
-    looked: Iterable[str],
+    entry: _Entry, before: Analysis | None, known: Letters, spell: Speller
 ) -> Iterator[str]:
     """Yield the lines on a result, without those that the one before has just shown."""
-    words = spell.locale.checked
+    words, result = spell.locale.checked, entry.result
     if _is_given(result) and result.default is not None:
-        yield f"  {result.name} = {_measured(result.default, unit, spell)}"
+        yield f"  {result.name} = {_measured(result.default, entry.unit, spell)}"
         return
-    yield f"  {result.name} = {formula}"
-    yield from _of_literals(literals, spell)
-    yield from looked
-    for group in grouped(as_written(where, known)):
+    yield f"  {result.name} = {entry.formula}"
+    yield from _of_literals(entry.literals, spell)
+    yield from (_where(as_given(quantity, spell), spell) for quantity in entry.looked_up)
+    for group in grouped(as_written(entry.where, known)):
         yield from _of_definition(group, known, spell)
     yield from _of_iterated(result, before, words)
     if says_what_drives(result):
         yield f"    {kind(result, spell.locale, spell)}."
     if result.default is not None:
-        value = _measured(result.default, unit, spell)
+        value = _measured(result.default, entry.unit, spell)
         yield f"    = {words['default'].format(value=value)}"
     elif result.undetermined:
         yield f"    {words['default'].format(value=f'{spell.locale.undetermined} (0/0)')}"

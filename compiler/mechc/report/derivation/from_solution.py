@@ -1,6 +1,6 @@
 """The derivation read off the plan: speeds step by step, then the power equation."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ from ...kinematics.plan import Plan
 from ...pose.given_angles import given_lines
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
-from ..steps import Derivation, Equation, LastStep
+from ..steps import Derivation, Equation, Explanation, LastStep, Step
 from . import equilibrium
 from .forces import of_forces
 from .friction import of_friction
@@ -53,11 +53,8 @@ def derive(
     face = Facing(solution.plan)
     derivation = _facing(derivation, face)
     position = position_steps(solution.plan.graph.pose, derivation)
-    last = tuple(
-        _last_facing(step, face.of)
-        for step in last_steps(derivation, solution.balance.equations.owners)
-    )
-    return replace(derivation, position=tuple(position), last_steps=last)
+    last = map(face.last_step, last_steps(derivation, solution.balance.equations.owners))
+    return replace(derivation, position=tuple(position), last_steps=tuple(last))
 
 
 class Facing:
@@ -91,49 +88,44 @@ class Facing:
         but = (condition(other, self._values, self._quarter) for other in limit.but)
         return limit._replace(factor=factor, but=tuple(but))
 
+    def equations(self, equations: Iterable[Equation]) -> tuple[Equation, ...]:
+        """Return equations, either side of each by itself."""
+        return tuple(Equation(*map(self.of, equation)) for equation in equations)
 
-def _last_facing(step: LastStep, face: Callable[[Formula], Formula]) -> LastStep:
-    ratio = step.ratio._replace(right=face(step.ratio.right))
-    chain = step.chain and step.chain._replace(product=face(step.chain.product))
-    return LastStep(chain, ratio)
+    def step(self, step: Step) -> Step:
+        """Return a step of the velocities."""
+        relations = tuple(map(self.relation, step.relations))
+        return replace(step, relations=relations, results=self.equations(step.results))
+
+    def explanation(self, explanation: Explanation) -> Explanation:
+        """Return how a force follows."""
+        paragraphs = explanation.paragraphs
+        faced = (replace(p, equations=self.equations(p.equations)) for p in paragraphs)
+        return replace(explanation, paragraphs=tuple(faced))
+
+    def result(self, result: Analysis) -> Analysis:
+        """Return a result; what is said of its formula mentions the same parts as that does."""
+        formula = self.of(result.formula)
+        zeros = tuple(self.zero(limit, formula) for limit in result.zeros)
+        poles = tuple(self.zero(limit, formula) for limit in result.poles)
+        slopes = result.derivatives
+        derivatives = slopes and {n: as_in(self.of(s), formula) for n, s in slopes.items()}
+        return replace(result, formula=formula, zeros=zeros, poles=poles, derivatives=derivatives)
+
+    def last_step(self, step: LastStep) -> LastStep:
+        """Return the step that gives a ratio."""
+        ratio = step.ratio._replace(right=self.of(step.ratio.right))
+        chain = step.chain and step.chain._replace(product=self.of(step.chain.product))
+        return LastStep(chain, ratio)
 
 
 def _facing(derivation: Derivation, face: Facing) -> Derivation:
     """Return the steps with sines of differences turned as those of the results are."""
-
-    def turned(equations: Iterable[Equation]) -> tuple[Equation, ...]:
-        return tuple(Equation(*map(face.of, equation)) for equation in equations)
-
-    steps = (
-        replace(
-            step, relations=tuple(map(face.relation, step.relations)), results=turned(step.results)
-        )
-        for step in derivation.steps
-    )
-    explanations = (
-        replace(
-            each,
-            paragraphs=tuple(replace(p, equations=turned(p.equations)) for p in each.paragraphs),
-        )
-        for each in derivation.explanations
-    )
-    ratios = (r._replace(formula=face.of(r.formula)) for r in derivation.ratios)
-
-    def faced(result: Analysis) -> Analysis:
-        formula = face.of(result.formula)
-        zeros, poles = (
-            tuple(face.zero(limit, formula) for limit in limits)
-            for limits in (result.zeros, result.poles)
-        )
-        slopes = result.derivatives
-        derivatives = slopes and {n: as_in(face.of(s), formula) for n, s in slopes.items()}
-        return replace(result, formula=formula, zeros=zeros, poles=poles, derivatives=derivatives)
-
     return replace(
         derivation,
-        results=tuple(map(faced, derivation.results)),
-        steps=tuple(steps),
-        balances=turned(derivation.balances),
-        explanations=tuple(explanations),
-        ratios=tuple(ratios),
+        results=tuple(map(face.result, derivation.results)),
+        steps=tuple(map(face.step, derivation.steps)),
+        balances=face.equations(derivation.balances),
+        explanations=tuple(map(face.explanation, derivation.explanations)),
+        ratios=tuple(r._replace(formula=face.of(r.formula)) for r in derivation.ratios),
     )

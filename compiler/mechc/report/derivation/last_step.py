@@ -25,10 +25,7 @@ def last_steps(derivation: Derivation, owners: Owners) -> Iterator[LastStep]:
         return
     terms = {term.load: term for term in derivation.terms}
     found = _found(derivation.steps)
-    for result in derivation.results:
-        target = result.target
-        if not isinstance(target, LoadRatio):
-            continue
+    for target in (r.target for r in derivation.results if isinstance(r.target, LoadRatio)):
         ratio = quotient(Symbol(target.above), Symbol(target.below))
         if {target.above, target.below} == terms.keys():
             above, below = terms[target.above], terms[target.below]
@@ -101,14 +98,14 @@ Found = Mapping[str, tuple[str, Formula]]
 
 
 def _found(steps: Sequence[Step]) -> Found:
+    """Return the speeds that steps find from one other speed each, in proportion to it."""
     found: dict[str, tuple[str, Formula]] = {}
-    for step in steps:
-        for left, right in step.results:
-            speeds = [name for name in symbols(right) if is_speed(name)]
-            if isinstance(left, Symbol) and len(speeds) == 1 and left.name != speeds[0]:
-                factor = to_product(right) / to_product(Symbol(speeds[0]))
-                if speeds[0] not in symbols(factor.formula()):
-                    found[left.name] = speeds[0], factor.formula()
+    for left, right in (equation for step in steps for equation in step.results):
+        speeds = [name for name in symbols(right) if is_speed(name)]
+        if isinstance(left, Symbol) and len(speeds) == 1 and left.name != speeds[0]:
+            factor = to_product(right) / to_product(Symbol(speeds[0]))
+            if speeds[0] not in symbols(factor.formula()):
+                found[left.name] = speeds[0], factor.formula()
     return found
 
 
