@@ -1,5 +1,7 @@
 """``mechc check``: mistakes found, expectations proved or refuted, the second opinion."""
 
+from collections.abc import Iterable
+
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..syntax.settings import Settings
@@ -55,15 +57,26 @@ def command(
             session().show(error.diagnostics, error.source)
             worst = max(worst, status(error.diagnostics))
             if compilation and not quiet:
-                for line in failing(compilation, error.diagnostics, language, line_width()):
-                    say(line)
-            for line in overview_of(compilation, language) if compilation and verbose else ():
-                say(line)
+                _say(failing(compilation, error.diagnostics, language, line_width()))
+            if compilation and verbose:
+                _say(overview_of(compilation, language))
             continue
-        for checked in (compilation, *(used for _, used in compilation.used_mechanisms)):
-            session().show(warnings(checked), checked.source)
-            if session().werror and warnings(checked):
-                worst = max(worst, 1)
-        for line in () if quiet else report(compilation, verbose, language, line_width()):
-            say(line)
+        worst = max(worst, _warned(compilation))
+        if not quiet:
+            _say(report(compilation, verbose, language, line_width()))
     return worst
+
+
+def _warned(compilation: Compilation) -> int:
+    """Show the warnings of a description and of what it uses; return the status they ask for."""
+    found = 0
+    for checked in (compilation, *(used for _, used in compilation.used_mechanisms)):
+        session().show(warnings(checked), checked.source)
+        if session().werror and warnings(checked):
+            found = 1
+    return found
+
+
+def _say(lines: Iterable[str]) -> None:
+    for line in lines:
+        say(line)

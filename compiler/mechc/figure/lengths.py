@@ -47,11 +47,20 @@ def choose(ways: Sequence[Way], rods: Iterable[str], usual: float) -> Lengths:
 
 def _equations(ways: Sequence[Way]) -> Iterator[Row]:
     """Yield the equations that close each loop, along x and y."""
-    at: dict[str, Linear] = {}
+    at = _laid_out(ways)
+    for tail, head, vector in ways:
+        gap = at[tail].plus(vector).plus(at[head], -1)
+        yield Row({name: part.x for name, part in gap.parts.items()}, -gap.base.x)
+        yield Row({name: part.y for name, part in gap.parts.items()}, -gap.base.y)
+
+
+def _laid_out(ways: Sequence[Way]) -> dict[str, Linear]:
+    """Return where every point is, along the first way that leads there."""
     neighbours: dict[str, list[tuple[str, Linear]]] = {}
     for tail, head, vector in ways:
         neighbours.setdefault(tail, []).append((head, vector))
         neighbours.setdefault(head, []).append((tail, Linear().plus(vector, -1)))
+    at: dict[str, Linear] = {}
     for start in neighbours:
         at.setdefault(start, Linear())
         waiting = [start]
@@ -61,10 +70,7 @@ def _equations(ways: Sequence[Way]) -> Iterator[Row]:
                 if there not in at:
                     at[there] = at[here].plus(vector)
                     waiting.append(there)
-    for tail, head, vector in ways:
-        gap = at[tail].plus(vector).plus(at[head], -1)
-        yield Row({name: part.x for name, part in gap.parts.items()}, -gap.base.x)
-        yield Row({name: part.y for name, part in gap.parts.items()}, -gap.base.y)
+    return at
 
 
 def _independent(rows: Iterable[Row]) -> list[Row]:

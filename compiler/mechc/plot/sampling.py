@@ -191,8 +191,6 @@ def _stationary(function: Function, near: Array, width: Array) -> Array:
 
 def _beside(poles: list[float], cell: float, low: float, high: float) -> Iterator[float]:
     """Yield points nearer and nearer to poles, on both sides."""
-    for pole in poles:
-        for k in range(1, 16):
-            for x in (pole - cell * 0.5**k, pole + cell * 0.5**k):
-                if low <= x <= high:
-                    yield x
+    steps = [cell * 0.5**k for k in range(1, 16)]
+    around = (x for pole in poles for step in steps for x in (pole - step, pole + step))
+    yield from (x for x in around if low <= x <= high)

@@ -1,6 +1,6 @@
 """Ranges of parameters that reach to where a table, a list or a choice has no value."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...diagnostics import Diagnostic, Report
 from ...diagnostics.model import sheets as messages
@@ -24,10 +24,8 @@ def beyond_ranges(mechanism: Mechanism, report: Report) -> Iterator[Diagnostic]:
     Each range of the description's own is run through by itself, where the conditions hold that
     the user wrote. One that was remarked upon is left out.
     """
-    source, said = report.source, {diagnostic.span for diagnostic in report.diagnostics}
     given = [r for r in (*mechanism.requires, *mechanism.implied) if _is_of_a_formula(r)]
-    ranged = [p for p in mechanism.parameters if p.range and not p.dependent]
-    ranged = [p for p in ranged if p.span.end <= len(source.text) and p.span not in said]
+    ranged = _own_ranges(mechanism, report)
     if not given or not ranged:
         return
     lets: Mapping[str, Formula] = {let.name: let.value for let in mechanism.lets}
@@ -40,12 +38,28 @@ def beyond_ranges(mechanism: Mechanism, report: Report) -> Iterator[Diagnostic]:
         at = _Samples(parameter.name, values, chain)
         for require, needs in [pair for pair in sound if parameter.name in pair[1]]:
             own = [w for w, needed in written if _formula(require) not in needed]
-            for value in _along(parameter, require):
-                known = at.value(value)
-                if not holds(require, known) and all(holds(w, known) for w in own):
-                    sound.remove((require, needs))
-                    yield _said(require, parameter, value, known, source)
-                    break
+            value = _first_broken(require, own, _along(parameter, require), at)
+            if value is not None:
+                sound.remove((require, needs))
+                yield _said(require, parameter, value, at.value(value), report.source)
+
+
+def _own_ranges(mechanism: Mechanism, report: Report) -> list[Parameter]:
+    """Return the parameters with a range in the description itself that nothing was said of."""
+    said = {diagnostic.span for diagnostic in report.diagnostics}
+    ranged = (p for p in mechanism.parameters if p.range and not p.dependent)
+    return [p for p in ranged if p.span.end <= len(report.source.text) and p.span not in said]
+
+
+def _first_broken(
+    require: Require, own: Sequence[Require], values: Iterable[float], at: "_Samples"
+) -> float | None:
+    """Return the first value at which a condition fails while those of the user's hold."""
+    for value in values:
+        known = at.value(value)
+        if not holds(require, known) and all(holds(written, known) for written in own):
+            return value
+    return None
 
 
 class _Samples:

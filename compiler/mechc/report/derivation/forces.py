@@ -147,22 +147,17 @@ class _Writer:
     # ------------------------------------------------------------------------ releases
 
     def _paragraph(self, release: Release) -> Paragraph:
+        """Return the speeds of the loads that do work once a joint is released, and its force."""
         symbol, way = self._component(release)
-        direction = release.direction if way > 0 else release.direction + HALF_TURN
+        ahead = release.direction if way > 0 else release.direction + HALF_TURN
+        direction = {"direction": direction_formula(ahead)}
         here = release.terms[-1]
         motion = next(i for i, speed in enumerate(here.speed) if speed)
         working = [t for t in release.terms[:-1] if t.speed[motion]]
-        force = total(
-            product([(canonical(a.scaled(way)).formula(), 1), (Symbol(n), 1)])
-            for n, a in release.amounts.items()
-            if a
-        )
-        found = () if symbol.name in self.names else (Equation(symbol, force),)
+        found = () if symbol.name in self.names else (Equation(symbol, _force(release, way)),)
         names = {"point": (release.point,), "link": (release.of,)}
         if not working:
-            return Paragraph(
-                SentenceKind.IDLE, found, names, {"direction": direction_formula(direction)}
-            )
+            return Paragraph(SentenceKind.IDLE, found, names, direction)
         parting = self._parting_of(release)
         ratios = [canonical(t.speed[motion].scaled(way) / here.speed[motion]) for t in working]
         self._said.append((release, ratios))
@@ -173,12 +168,9 @@ class _Writer:
         powers = [_power(here, symbol, parting)]
         powers += [_power(t, Symbol(t.load.name), _speed(t.load)) for t in working]
         power = Equation(total(positive_first(powers)), ZERO)
-        return Paragraph(
-            _BONDS.get(release.kind) or self._on_ground(release.point),
-            (*speeds, power, *found),
-            names,
-            {"direction": direction_formula(direction), "speed": parting, "force": symbol},
-        )
+        kind = _BONDS.get(release.kind) or self._on_ground(release.point)
+        formulas = {**direction, "speed": parting, "force": symbol}
+        return Paragraph(kind, (*speeds, power, *found), names, formulas)
 
     def _on_ground(self, point: str) -> SentenceKind:
         fixed = point in self._mechanism.fixed
@@ -224,6 +216,15 @@ def _speed(load: Load) -> Symbol:
             return Symbol(f"V_{first}{second}")
         case Torque(_, link):
             return Symbol(f"omega_{link}")
+
+
+def _force(release: Release, way: int) -> Formula:
+    """Return the force that each load has a share in, turned where ``way`` is -1."""
+    return total(
+        product([(canonical(share.scaled(way)).formula(), 1), (Symbol(load), 1)])
+        for load, share in release.amounts.items()
+        if share
+    )
 
 
 def _power(term: Term, load: Formula, speed: Formula) -> Formula:

@@ -113,18 +113,22 @@ def _shifted(balance: Balance) -> Velocity | None:
     pose = balance.plan.graph.pose
     assert pose.mechanism.drive is not None
     length = Symbol(pose.mechanism.drive.parameter)
-    for arrow in pose.mechanism.geometry:
-        if isinstance(arrow, Arrow) and arrow.length == length:
-            ends = {arrow.tail, arrow.head}
-            for term in balance.terms:
-                if _pair(term.load) == ends:
-                    return _of_load(term)
-            guide = pose.guide_of(arrow.head)
-            if guide is not None and arrow.tail in pose.mechanism.fixed:
-                speed = balance.plan.component(arrow.head, guide)[0]
-                about = SpeedOf(f"V_{arrow.head}", "guide", arrow.head)
-                return Velocity((about,), VELOCITY, speed)
-    return None
+    arrows = (a for a in pose.mechanism.geometry if isinstance(a, Arrow) and a.length == length)
+    found = (_along_arrow(arrow, balance) for arrow in arrows)
+    return next(filter(None, found), None)
+
+
+def _along_arrow(arrow: Arrow, balance: Balance) -> Velocity | None:
+    """Return the speed at which a vector grows: of a pair of forces, or of a point in its guide."""
+    for term in balance.terms:
+        if _pair(term.load) == {arrow.tail, arrow.head}:
+            return _of_load(term)
+    pose = balance.plan.graph.pose
+    guide = pose.guide_of(arrow.head)
+    if guide is None or arrow.tail not in pose.mechanism.fixed:
+        return None
+    speed = balance.plan.component(arrow.head, guide)[0]
+    return Velocity((SpeedOf(f"V_{arrow.head}", "guide", arrow.head),), VELOCITY, speed)
 
 
 def _pair(load: Load) -> set[str]:
