@@ -15,7 +15,6 @@ from ..units import FORCE, TORQUE
 from . import drawn, translations
 from .doubts.beyond_ranges import beyond_ranges
 from .doubts.remarks import doubts
-from .driven import checked
 from .forces.force_pairs import inside_telescopes, spring_name
 from .forces.friction import read_friction
 from .forces.loads import read_loads
@@ -25,7 +24,7 @@ from .formulas.parameters import warn_unused
 from .linkage import held
 from .linkage.geometry import read_geometry
 from .linkage.joints import declare_points, read_drawn, read_pivots, read_sliders, warn_idle
-from .linkage.motion import check_drives, read_assemblies, read_drives
+from .linkage.motion import check_drives, checked, read_assemblies, read_drives
 from .linkage.symmetry import check_shared_vectors, read_copies, read_mirror
 from .linkage.transmissions import read_arcs, read_joints, read_slides, read_telescopes
 from .linkage.wheels import check_belts

@@ -8,15 +8,15 @@ from ...algebra.from_formula import to_product
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...formula.evaluate import evaluate
-from ...formula.tree import ZERO, Formula
+from ...formula.tree import ZERO, Formula, negative, number, total
 from ...formula.walk import substitute, symbols
 from ...named import NamedTuple
 from ...source import Span
 from ...units import in_unit
 from ..entries import points_of, unit_of_drawing
-from ..mechanism import Absolute, Direction, Geometry, Mechanism, Offset
+from ..mechanism import Absolute, Arrow, Direction, Geometry, Mechanism, Offset, Turn
 from ..tolerances import SAME_PLACE, SAME_VECTOR
-from .led_points import led_points
+from ..values import Values
 
 
 class Place(NamedTuple):
@@ -58,9 +58,9 @@ class DrawnPoints:
         for drawn in mechanism.drawn:
             self._place(drawn.point, drawn.x, drawn.y, drawn.span)
         placed = {name: (place.x, place.y) for name, place in self.places.items()}
-        led = led_points(mechanism.geometry, fixed, values) if mechanism.drawn else {}
+        led = _led_points(mechanism.geometry, fixed, values) if mechanism.drawn else {}
         exact = {name: way for name, (way, _) in led.items()}  # a drawn place has few digits
-        led |= led_points(mechanism.geometry, placed | exact, values) if mechanism.drawn else {}
+        led |= _led_points(mechanism.geometry, placed | exact, values) if mechanism.drawn else {}
         led = {name: found for name, found in led.items() if name not in placed}
         self.led = frozenset(led)
         self.given = frozenset(exact) - placed.keys()
@@ -163,3 +163,51 @@ class DrawnPoints:
     def value(self, product: Product) -> float:
         """Return the value of a product as it is drawn."""
         return product.evaluate(self.values)
+
+
+# --------------------------------------------------------------------------------------- led points
+
+
+Vector = tuple[Formula, Formula]
+
+
+class _Step(NamedTuple):
+    """A vector by components from one point to another, and where it is written."""
+
+    start: str
+    end: str
+    way: Vector
+    span: Span
+
+
+def _led_points(
+    geometry: Iterable[Geometry], placed: Mapping[str, Vector], values: Values
+) -> dict[str, tuple[Vector, Span]]:
+    """Return where points are to which vectors lead that are given whole, one after another."""
+    steps = [step for entry in geometry for step in _steps(entry, values)]
+    known, found = dict(placed), dict[str, tuple[Vector, Span]]()
+    while step := next((s for s in steps if s.start in known and s.end not in known), None):
+        at = tuple(total(pair) for pair in zip(known[step.start], step.way, strict=True))
+        known[step.end] = at[0], at[1]
+        found[step.end] = known[step.end], step.span
+    return found
+
+
+def _steps(entry: Geometry, values: Values) -> Iterator[_Step]:
+    """Yield a given vector in both senses."""
+    if not isinstance(entry, Turn) and entry.tail and (way := _way(entry, values)):
+        yield _Step(entry.tail, entry.head, way, entry.span)
+        yield _Step(entry.head, entry.tail, (negative(way[0]), negative(way[1])), entry.span)
+
+
+def _way(entry: Arrow | Offset, values: Values) -> Vector | None:
+    """Return the components of a vector that is given by them, or by length and direction."""
+    match entry:
+        case Offset(_, _, x, y):
+            return x, y
+        case Arrow(_, _, length, Absolute(angle)) if length is not None:
+            if symbols(length) | symbols(angle) <= values.keys():
+                size, turned = evaluate(length, values), evaluate(angle, values)
+                steps = size * math.cos(turned), size * math.sin(turned)
+                return number(Fraction(steps[0])), number(Fraction(steps[1]))
+    return None

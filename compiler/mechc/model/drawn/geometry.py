@@ -9,17 +9,31 @@ drawn. Otherwise links get their shapes only, and directions follow from the loo
 given holds, and of several closures the one nearest to the drawn places is meant.
 """
 
+import math
 from collections.abc import Collection, Iterable, Iterator
+from itertools import pairwise
 
-from ...diagnostics import Report
+from ...diagnostics import Diagnostic, Report
 from ...diagnostics import drawn as messages
 from ...formula.walk import symbols
 from ...frozen import replace
-from ..entries import points_of
-from ..mechanism import Drawn, Drive, Geometry, Mechanism, Offset, Parameter, Pivot
+from ..entries import directions, joined_to, points_of
+from ..mechanism import (
+    Along,
+    Arrow,
+    Contact,
+    Drawn,
+    Drive,
+    ForcePair,
+    Geometry,
+    Mechanism,
+    Offset,
+    Parameter,
+    Pivot,
+    Slider,
+    Slot,
+)
 from ..values import Chain, defaults, dependent
-from .as_drawn import as_drawn
-from .checks import faults
 from .closing import closing
 from .driving import fault_of, is_outside, with_driven
 from .sketch import Sketch
@@ -49,7 +63,7 @@ def _as_described(parameter: Parameter) -> Parameter:
 
 def _with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     sketch = Sketch(mechanism, Chain(dependent(mechanism)).complete(defaults(mechanism)))
-    for fault in faults(mechanism, sketch):
+    for fault in _faults(mechanism, sketch):
         report.add(fault)
     report.stop_on_errors()
     drive = mechanism.drive
@@ -58,7 +72,7 @@ def _with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
             raise report.fail(undriven)
         mechanism = with_driven(mechanism, drive, drive.ends, sketch.unit)
     is_given = _is_given(mechanism, sketch)
-    drawn = closing(mechanism, sketch, report) if is_given else as_drawn(mechanism, sketch)
+    drawn = closing(mechanism, sketch, report) if is_given else _as_drawn(mechanism, sketch)
     for point in without_effect(mechanism, drawn):
         report.add(messages.place_unused(point.span, point.point, unplaced_pivot(mechanism)))
     parameters = (*drawn.parameters, *sketch.parameters.values())
@@ -115,3 +129,131 @@ def unplaced_pivot(mechanism: Mechanism) -> str:
     placed = {g.head for g in mechanism.geometry if isinstance(g, Offset) and not g.tail}
     pivots = (pivot.point for pivot in mechanism.each(Pivot))
     return next((point for point in pivots if point not in placed), "")
+
+
+# ----------------------------------------------------------------------------------------- as drawn
+
+
+def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
+    """Return the mechanism with every vector as it is drawn; a guide is then but a direction."""
+    for slot in mechanism.each(Slot):
+        if sketch.has_all((slot.tail, slot.head, slot.point)):
+            sketch.lay_on_line(slot.point, slot.tail, slot.head)
+    found: list[Geometry] = []
+    for points in (*(body.points for body in mechanism.bodies), *_aims(mechanism)):
+        for hub, point in sketch.arms(points):
+            found.append(_vector(hub, point, sketch))
+    for tail, point in _touching(mechanism):
+        vectors = (*mechanism.geometry, *found)
+        if sketch.has_all((tail, point)) and point not in joined_to(tail, vectors):
+            found.append(_vector(tail, point, sketch))
+    joints = tuple(
+        replace(joint, through=None)
+        if isinstance(joint, Slider) and joint.point in sketch.places
+        else joint
+        for joint in mechanism.joints
+    )
+    return replace(mechanism, joints=joints, geometry=(*mechanism.geometry, *found))
+
+
+def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
+    """Return a vector by length and direction; by components where these are formulas."""
+    x, y = sketch.offset(tail, head)
+    if sketch.polar(tail, head):
+        direction = sketch.direction(tail, head)
+        return Arrow(tail, head, sketch.length(tail, head), direction, sketch.span(head))
+    if symbols(x) | symbols(y):
+        return Offset(tail, head, x, y, sketch.span(head))
+    return Arrow(tail, head, *sketch.vector(tail, head), sketch.span(head))
+
+
+def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
+    """Yield two points between which a pair of forces or a rope acts, or which give a direction.
+
+    A slot has the direction of its pin where it is drawn by that only.
+    """
+    yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
+    yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
+    yield from (ends for rope in mechanism.ropes for ends in pairwise(rope.route))
+    drawn = {d.point for d in mechanism.drawn}
+    yield from ((s.tail, s.point) for s in mechanism.each(Slot) if s.head not in drawn)
+
+
+def _touching(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
+    """Yield the arms on which links are pushed by what touches them, or slides in them."""
+    turning = {link.name for link in mechanism.links}
+    yield from ((s.tail, s.point) for s in mechanism.each(Slot) if s.link in turning)
+    yield from ((c.tail, c.point) for c in mechanism.each(Contact) if c.link in turning)
+
+
+# ------------------------------------------------------------------------------------------- checks
+
+
+BACKWARDS = -0.5
+"""The cosine of the angle to the drawn fall below which a rope is said to run the wrong way."""
+
+
+def _faults(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield E321, E322, E327 and E345."""
+    yield from _without_place(mechanism, sketch)
+    yield from _coinciding(mechanism, sketch)
+    yield from _off_line(mechanism, sketch)
+    yield from _turned_falls(mechanism, sketch)
+
+
+def _without_place(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the points of links that are drawn nowhere, and that no vector leads to."""
+    placed = sketch.places.keys() | {p for g in mechanism.geometry for p in points_of(g)}
+    placed |= {slot.head for slot in mechanism.each(Slot)}  # it may but name the line
+    for point in dict.fromkeys(p for link in mechanism.links for p in link.points):
+        if mechanism.drawn and point not in placed:
+            is_pivot = point in sketch.pivots
+            yield messages.drawn_nowhere(mechanism.spans[point], point, is_pivot)
+
+
+def _coinciding(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the points of a body at the place of another one of it."""
+    for points in (body.points for body in mechanism.bodies):
+        for hub, point in sketch.arms(points):
+            if sketch.coincide(hub, point):
+                at, first = sketch.span(point), sketch.span(hub)
+                yield messages.drawn_together(at, "".join(points), point, hub, first)
+
+
+def _off_line(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the points that are drawn off the line along which they slide.
+
+    One to which a vector leads is on its line where the loop closes: what is drawn gives way.
+    """
+    slack = {d.point: d.slack for d in mechanism.drawn}
+    for point, start, line, turned in _lines(mechanism, sketch):
+        x, y = sketch.way(start, point)
+        gap = abs(y * math.cos(turned) - x * math.sin(turned))
+        allowed = slack.get(point, 0.0) + slack.get(start, 0.0) + sketch.rounding
+        if point not in sketch.led and gap > allowed:
+            yield messages.drawn_off_guide(sketch.span(point), point, line, sketch.shown(gap))
+
+
+def _lines(mechanism: Mechanism, sketch: Sketch) -> Iterator[tuple[str, str, str, float]]:
+    """Yield each drawn point on a line, a point of the line, its name, and its direction."""
+    for s in mechanism.each(Slider):
+        turned = sketch.turned(s.along)
+        if turned is not None and s.through and sketch.has_all((s.point, s.through)):
+            yield s.point, s.through, f"the guide through {s.through}", turned
+    for slot in mechanism.each(Slot):
+        if sketch.has_all((slot.point, slot.tail, slot.head)):
+            x, y = sketch.way(slot.tail, slot.head)
+            line = f"the slot {slot.tail}{slot.head}"
+            yield slot.point, slot.tail, line, math.atan2(y, x)
+
+
+def _turned_falls(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the falls of ropes whose direction is against the way from point to point."""
+    for rope in mechanism.ropes:
+        for (tail, head), along in zip(pairwise(rope.route), rope.ways, strict=True):
+            turned = sketch.turned(along)
+            if turned is not None and sketch.has_all((tail, head)):
+                x, y = sketch.way(tail, head)
+                ahead = x * math.cos(turned) + y * math.sin(turned)
+                if ahead < BACKWARDS * math.hypot(x, y):
+                    yield messages.fall_drawn_backwards(along.span, tail, head)

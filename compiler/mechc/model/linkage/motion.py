@@ -1,24 +1,29 @@
 """What drives a mechanism, and which closure of a loop is meant."""
 
 import math
+from collections.abc import Iterator
 
 from ...diagnostics import Report, drawn, stroke
 from ...diagnostics.model import doubtful_sizes as sizes
-from ...diagnostics.model import held
+from ...diagnostics.model import doubts, held
 from ...diagnostics.model import joints as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
+from ...formula.walk import symbols
+from ...frozen import replace
 from ...syntax import ast
 from ...syntax.vocabulary import points_of
 from ...units import ANGLE, LENGTH, TIME, in_unit
+from ..entries import body_through, directions
 from ..formulas.directions import value_of
 from ..formulas.expressions import Reader
 from ..formulas.measured import fits
 from ..formulas.parameters import constant
-from ..mechanism import Assembly, Drive, Mechanism, Parameter
+from ..mechanism import Absolute, Arrow, Assembly, Drive, Mechanism, Offset, Parameter, Turn
 from ..names.scope import DESCRIPTION, Entry, Scope
 from ..statements import every
 from ..tolerances import VANISHED
+from ..values import Chain, dependent
 
 MOST_TURNS = 100
 """Full turns of a drive that are still a stroke: each is looked at in seven places or more."""
@@ -169,3 +174,54 @@ def read_assemblies(file: ast.File, scope: Scope) -> list[Assembly]:
         else:
             found.append(Assembly(points, statement.mode, statement.span))
     return found
+
+
+# ----------------------------------------------------------------------------- what the drive moves
+
+
+def checked(mechanism: Mechanism, report: Report) -> Mechanism:
+    """Return the mechanism with what its drive is; remark on one that is no motion."""
+    drive = mechanism.drive
+    if drive is None:
+        return mechanism
+    driven = {drive.parameter}
+    for name, formula in Chain(dependent(mechanism)).definitions:
+        if not driven.isdisjoint(symbols(formula)):
+            driven.add(name)
+    if all(driven.isdisjoint(symbols(formula)) for formula in _moved(mechanism)):
+        report.add(doubts.drive_moves_nothing(drive.span, drive.parameter))
+    parameters = [p for p in mechanism.parameters if p.name == drive.parameter]
+    is_length = any(p.dimension == LENGTH for p in parameters)
+    for entry in mechanism.geometry:
+        sizes = [f for f in _sizes(entry, is_length) if not driven.isdisjoint(symbols(f))]
+        if sizes and isinstance(entry, Arrow | Offset):
+            body = body_through((entry.tail, entry.head), mechanism)
+            if body:
+                found = doubts.drive_reshapes(
+                    drive.span, drive.parameter, entry.tail, entry.head, body
+                )
+                report.add(found)
+                return replace(mechanism, drive=replace(drive, reshapes=True))
+    return mechanism
+
+
+def _moved(mechanism: Mechanism) -> Iterator[Formula]:
+    """Yield the formulas of all that makes the pose."""
+    for entry in mechanism.geometry:
+        match entry:
+            case Arrow(length=length) if length is not None:
+                yield length
+            case Offset(x=x, y=y):
+                yield from (x, y)
+            case Turn(angle=angle):
+                yield angle
+    yield from (d.angle for d in directions(mechanism) if isinstance(d, Absolute))
+
+
+def _sizes(entry: object, with_components: bool) -> Iterator[Formula]:
+    """Yield the formulas of a vector's size; its components change with an angle, too."""
+    match entry:
+        case Arrow(length=length) if length is not None:
+            yield length
+        case Offset(x=x, y=y) if with_components:
+            yield from (x, y)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from ...diagnostics import near_miss
-from ...diagnostics.model import reported as messages
+from ...diagnostics.model import results as messages
 from ...syntax import ast
 from ..mechanism import Mechanism, Reported
 from ..names.scope import Scope

@@ -6,27 +6,31 @@ one mechanism. What stays behind: what it finds and expects, formulas and condit
 on that, forces at the joined points, which stand for the neighbour, and what ``without`` names.
 One drive moves the whole: that of the file, or else of the first part that has one. The
 parameter of a drive that stays behind has no value any more; a loop gives it one, and its
-range is a condition of use (:mod:`.kept_ranges`).
+range is a condition of use (:func:`_kept_range`).
 """
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 
 from ...diagnostics import Report
 from ...diagnostics import joining as messages
 from ...diagnostics.model import quantities
+from ...formula.evaluate import evaluate
 from ...frozen import replace
+from ...source import Span
 from ...syntax import ast, moved
 from ...units import ANGLE, DIMENSIONS, UNITS, Dimension
 from ..forces.force_pairs import spring_name
 from ..linkage.carriers import is_held
+from ..mechanism import Interval, Parameter
 from ..names.forms import COORDINATES, form_of, form_of_pose
 from ..statements import declared
 from .at_joints import AtJoints
 from .brought import given_to, labelled, labels, parameter, translated, with_origin
 from .composed import Used
-from .framed import Frame, between, literal, same
+from .framed import Frame, between, literal, negative, number, plus, same
 from .joint_points import Joining, Part, Whole, is_a_part, joints, move_alike
-from .kept_ranges import kept_range
 from .part_names import declared_points, numbered, of_a_part, renamed, symbols_in
 
 BEHIND = (ast.Version, ast.Heading, ast.SourceNote, ast.Find, ast.Expect, ast.Motion, ast.Gravity)
@@ -198,7 +202,7 @@ def _parameter(
         yield parameter(there, known, value, joining.use)
     else:
         yield replace(there, value=None, low=None, high=None, tolerance=None, dimension=measures)
-        yield from kept_range(there, known)
+        yield from _kept_range(there, known)
 
 
 def _is_literal(value: ast.Expr, dimension: Dimension) -> bool:
@@ -253,3 +257,43 @@ def _each_pin(
         is_pin = at > 1 or (at == 1 and (point in joined or is_held(point, mechanism)))
         if is_pin and point not in named and not at_joints.has_friction(point):
             yield replace(statement, point=ast.Name(point, statement.span))
+
+
+# -------------------------------------------------------------------------------------- ranges kept
+
+
+def _kept_range(statement: ast.Param, parameter: Parameter) -> Iterator[ast.Require]:
+    """Yield the condition that a value found by a loop keeps to the range of a parameter."""
+    if not parameter.range or not statement.low or not statement.high:
+        return
+    low, high = statement.low, statement.high
+    name, place = (
+        ast.Symbol(statement.name.text, statement.name.span),
+        Span(low.span.start, high.span.end),
+    )
+    condition = ast.Require(place, (low, name, high), ("<=", "<="), remark=statement.label)
+    if parameter.dimension != ANGLE or _in_half_turns(parameter.range):
+        yield condition
+    elif not _is_a_turn(parameter.range):
+        middle, reach = _half(plus(high, low)), _half(plus(high, negative(low)))
+        sides = _cosine(plus(name, negative(middle))), _cosine(reach)
+        yield replace(condition, operands=sides, operators=(">=",))
+
+
+def _in_half_turns(within: Interval) -> bool:
+    return all(abs(evaluate(end, {})) < math.pi for end in within)
+
+
+def _is_a_turn(within: Interval) -> bool:
+    return evaluate(within.high, {}) - evaluate(within.low, {}) >= 2 * math.pi
+
+
+def _half(value: ast.Expr) -> ast.Expr:
+    """Return half a value: a number where it is one."""
+    if known := literal(value):
+        return number(known[0] / 2, known[1], value.span)
+    return ast.Product(((1, value), (-1, number(Fraction(2), "", value.span))), value.span)
+
+
+def _cosine(angle: ast.Expr) -> ast.Expr:
+    return ast.Call("cos", (angle,), angle.span)
