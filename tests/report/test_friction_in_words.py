@@ -519,3 +519,39 @@ def test_an_equation_stands_once():
         "in the direction x:\n(.*?)\n +N_A is", derived("cabinet_on_casters"), re.S
     )
     assert forces.split() == ["P", "=", "0"]
+
+
+DRUM = """
+param f = 0.1
+pivot O
+link OA
+OA = 50 mm @ 20 deg
+torque M on OA
+force F at A along {way} deg
+friction pins f diameter 40 mm
+find M
+let F = 300 N
+"""
+
+
+@pytest.mark.parametrize(
+    ("way", "balance"),
+    [
+        (200, ["M_f = rho * abs(F)", "M_hold = -rho * abs(F)"]),
+        (
+            120,
+            [
+                "M_f + F * len_OA * cos(10 deg) = rho * abs(F)",
+                "M_hold + F * len_OA * cos(10 deg) = -rho * abs(F)",
+            ],
+        ),
+    ],
+)
+def test_a_load_has_its_own_name_in_the_balance_with_friction(way, balance):
+    """M is what it is without friction, as the page states above."""
+    compilation = compile_source(Source("drum.mech", DRUM.format(way=way)))
+    shown = render(compilation.reported, compilation.mechanism, unicode=False)
+    lines = [" ".join(line.split()) for line in shown.splitlines()]
+    assert [line for line in lines if line in balance] == balance
+    assert "M_f1 = M + rho * r_O * Omega_O" in lines
+    assert not any(line.startswith(("M + F", "M = rho", "M = -rho")) for line in lines)

@@ -5,20 +5,22 @@ import math
 import numpy as np
 import pytest
 
+from mechc.driver import compile_source
 from mechc.formula.tree import ZERO, Symbol
 from mechc.model.result import Drive
 from mechc.routine.evaluate import evaluate, status
 from mechc.routine.steps import Function, Guard, Input, Status
+from mechc.source import Source
 from mechc.units import NUMBER
 
 INPUTS = tuple(Input(name, NUMBER) for name in ("R", "P", "P_f"))
 DRIVE, FORCE = Symbol("P"), Symbol("R")
 
 
-def result(sense: int = 1, guards: tuple[Guard, ...] = ()) -> Function:
+def result(sense: int = 1, guards: tuple[Guard, ...] = (), is_idle: bool = False) -> Function:
     """Return a force R that stands for itself; the drive is P without friction, P_f with it."""
     drive = Drive(Symbol("P"), Symbol("P_f"))
-    asked = Status("R_status", drive, sense, INPUTS, (), guards)
+    asked = Status("R_status", drive, sense, INPUTS, (), guards, is_idle)
     return Function("R", "", INPUTS, (), (), FORCE, FORCE, (), NUMBER, 0, status=asked)
 
 
@@ -55,6 +57,53 @@ def test_without_a_load_nothing_has_to_be_overcome(ideal: float, load: float) ->
 @pytest.mark.parametrize(("ideal", "load", "known"), [(1e-31, -1.0, 4), (-1.0, 1e-31, 3)])
 def test_one_load_that_is_none_is_not_enough(ideal: float, load: float, known: int) -> None:
     assert status_of(0.0, ideal, load) == known
+
+
+@pytest.mark.parametrize(
+    ("value", "effort", "known"),
+    [(5.0, 1.0, 0), (5.0, 0.0, 0), (5.0, -1.0, 2), (math.inf, 1.0, 4), (math.nan, 1.0, 2)],
+)
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("ideal", [0.0, 1e-17, -1e-17])
+def test_a_load_that_has_friction_alone_to_overcome_drives_either_way(
+    value: float, effort: float, known: int, sense: int, ideal: float
+) -> None:
+    """What remains of its size without friction is rounding, and says nothing."""
+    function = result(sense, is_idle=True)
+    values = {"R": value, "P": ideal, "P_f": sense * effort}
+    assert float(status(function, function, values)) == known
+
+
+BRAKE = """
+param mu = {mu} in 0 .. 0.5
+pivot O at (0 mm, 0 mm)
+pivot C at (0 mm, -250 mm)
+link OG
+link ACBH
+OG = 200 mm @ 0 deg
+CA = 60 mm @ 180 deg
+CB = 20 mm @ 0 deg
+CH = 350 mm @ 0 deg
+rope A, O along y, B along -y
+torque M on OG
+force P at H along y
+friction rope O mu wrap -180 deg drum 400 mm on OG
+find M
+find R_C
+let P = 300 N
+"""
+
+
+@pytest.mark.parametrize(("mu", "state"), [(0.0, "free"), (0.3, "free"), (0.4, "jammed")])
+def test_code_says_of_a_brake_what_is_said_of_it(mu: float, state: str) -> None:
+    """Against the arrow of M nothing grips; code said that the load alone does not move it."""
+    compilation = compile_source(Source("brake.mech", BRAKE.format(mu=mu)))
+    said = {r.name: r.locking.state for r in compilation.results if r.locking}
+    assert said == {"M_f": state, "M_hold": "free"}
+    functions = {f.name: f for f in compilation.routine.functions}
+    for name, expected in (*said.items(), ("R_C_f", state)):
+        found = status(functions[name], functions[name.partition("_f")[0]], {"mu": mu})
+        assert {0: "free", 4: "jammed"}[int(found)] == expected
 
 
 def test_what_is_infinite_does_not_move() -> None:

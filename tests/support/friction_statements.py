@@ -155,19 +155,8 @@ def as_given(ratios: Ratios, result: Analysis) -> Iterator[str]:
     """Yield the state at the values given, where it is not what code has."""
     assert result.locking is not None
     state = STATES.get(int(ratios.states({})))
-    if is_idle(ratios) and state == "locked":
-        return
     if state and result.locking.state not in (None, state):
         yield f"{result.name} at the values given: said {result.locking.state}, is {state}"
-
-
-def is_idle(ratios: Ratios) -> bool:
-    """Return whether a drive has friction alone to overcome.
-
-    It moves by a force either way, or jams; that the load alone does not move it, which code
-    calls "locked", is true of it as well.
-    """
-    return not ratios.without("", np.zeros(1)).any()
 
 
 def who_drives(ratios: Ratios, result: Analysis) -> Iterator[str]:
@@ -193,9 +182,8 @@ def throughout(
     low = stretch.low.x if stretch.low else ends[0]
     high = stretch.high.x if stretch.high else ends[1]
     places = low + (high - low) * (np.linspace(NEAR, 1 - NEAR, OUTSIDE) + ASIDE)
-    also = {"locked"} if is_idle(ratios) else set[str]()
     for x, code in zip(places, ratios.states({reach.parameter: places}), strict=True):
-        if STATES.get(int(code), stretch.state) not in {stretch.state, *also}:
+        if STATES.get(int(code), stretch.state) != stretch.state:
             yield f"{result.name} at {reach.parameter} = {x!r}: {stretch.state}, is {code}"
             return
 

@@ -85,6 +85,76 @@ def band(dice: Random) -> str:
     return "\n".join(lines)
 
 
+def idle(dice: Random) -> str:
+    """A drive that has friction alone to overcome: a drum, a slider, a band, a shoe."""
+    return dice.choice((_idle_drum, _idle_slider, _gripping_band, _shoe))(dice)
+
+
+def _idle_drum(dice: Random) -> str:
+    """A drum on a pin, pressed into it by a load through its axis."""
+    lines = [
+        ranged("f", dice, 0, 0.5),
+        ranged("t", dice, -180, 180, "deg"),
+        "pivot O\nlink OA\nOA = 50 mm @ t",
+        f"torque M on OA\nforce F at A along t + {dice.choice((0, 180))} deg",
+        f"friction pins f diameter {dice.randint(8, 40)} mm",
+        "find M\nfind R_O",
+        f"let F = {dice.choice((300, -300))} N",
+    ]
+    return "\n".join(lines)
+
+
+def _idle_slider(dice: Random) -> str:
+    """A slider under a load across its guide, and a crank that follows."""
+    way = dice.randint(-80, 80)
+    lines = [
+        ranged("mu", dice, 0, 0.9),
+        ranged("f", dice, 0, 0.5),
+        ranged("t", dice, 10, 170, "deg"),
+        f"pivot O\nslider K along {way} deg\nlink OA\nlink AK",
+        f"OA = 50 mm @ t\nAK = 120 mm @ {dice.randint(-40, 40)} deg",
+        f"force P at K along {way} deg\nforce F at K along {way + dice.choice((90, -90))} deg",
+        "friction slider K mu",
+        *["friction pins f diameter 10 mm"] * dice.randint(0, 1),
+        "find P",
+        f"let F = {dice.choice((300, -300))} N",
+    ]
+    return "\n".join(lines)
+
+
+def _gripping_band(dice: Random) -> str:
+    """A band brake both ends of which are fast in the lever: one way round it may grip."""
+    lines = [
+        ranged("mu", dice, 0, 0.6),
+        ranged("a", dice, 40, 120, "mm"),
+        ranged("b", dice, 10, 39, "mm"),
+        "pivot O at (0 mm, 0 mm)\npivot C at (0 mm, -250 mm)\nlink OG\nlink ACBH",
+        "OG = 200 mm @ 0 deg\nCA = a @ 180 deg\nCB = b @ 0 deg\nCH = 350 mm @ 0 deg",
+        "rope A, O along y, B along -y",
+        "torque M on OG\nforce P at H along y",
+        f"friction rope O mu wrap {dice.choice((180, -180))} deg drum 400 mm on OG",
+        "find M\nfind R_C\nlet P = 300 N",
+    ]
+    return "\n".join(lines)
+
+
+def _shoe(dice: Random) -> str:
+    """A block brake: a lever presses a shoe onto a drum, which may grip one way round."""
+    lines = [
+        ranged("mu", dice, 0, 0.8),
+        ranged("c", dice, -90, 90, "mm"),
+        ranged("f", dice, 0.01, 0.4),
+        "pivot O\npivot C\nlink OS\nlink CTH",
+        "OS = 100 mm @ 90 deg\nOT = 100 mm @ 90 deg\nCT = (150 mm, -c)\nCH = 400 mm @ 0 deg",
+        "contact T on OS normal 90 deg",
+        "torque M on OS\nforce P at H along -y",
+        "friction contact T mu",
+        *["friction pins f diameter 20 mm"] * dice.randint(0, 1),
+        "find M\nfind R_O\nlet P = 100 N",
+    ]
+    return "\n".join(lines)
+
+
 def collar(dice: Random) -> str:
     """A screw with friction in its thread and at its collar."""
     kinds = ("mean d_c", "outer 2*d_c inner d_c", "outer 2*d_c inner d_c pressure")
@@ -186,7 +256,7 @@ def joined(dice: Random) -> str:
 
 
 KINDS: dict[str, Callable[[Random], str]] = {
-    kind.__name__: kind for kind in (rope, band, collar, arm, choice, drives, joined)
+    kind.__name__: kind for kind in (rope, band, idle, collar, arm, choice, drives, joined)
 }
 """The kinds by their names."""
 

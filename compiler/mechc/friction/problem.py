@@ -26,6 +26,7 @@ from ..named import NamedTuple
 from ..power.balance import Balance, Equations
 from ..power.definitions import bound_sums
 from ..power.loads import given_size
+from ..power.numbers import is_nil_everywhere
 from ..power.reactions import Reactions
 from .assumptions import assumptions
 from .closed_forces import Drive
@@ -71,6 +72,7 @@ class Problem:
         self._sums: dict[int, tuple[Definition, ...]] = {}
         self._coupled: dict[int, Coupled] = {}
         self._sizes: dict[tuple[int, int], Callable[[], Sizes]] = {}
+        self._idle: dict[Formula, bool] = {}
 
     @property
     def mechanism(self) -> Mechanism:
@@ -169,6 +171,12 @@ class Problem:
         if (ideal, sense) not in self._exact:
             self._exact[ideal, sense] = solve()
         return self._exact[ideal, sense]
+
+    def is_idle(self, driving: Formula, where: Iterable[Definition]) -> bool:
+        """Return whether what drives is zero without friction, once for all forces at joints."""
+        if driving not in self._idle:
+            self._idle[driving] = is_nil_everywhere(driving, where, self.plan.graph.pose)
+        return self._idle[driving]
 
     def drive(self, sense: Sense) -> Drive | None:
         """Return the driving load by the name of its result with friction, if that is known."""

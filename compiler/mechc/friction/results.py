@@ -127,7 +127,8 @@ def _solved(
     driven: bool | None,
 ) -> SolvedWithFriction:
     steps = named.case.steps if named.case else named.steps
-    result = replace(result_of(problem, find, ideal, loaded, named), driven=driven)
+    found = result_of(problem, find, ideal, loaded, named)
+    result = replace(found, driven=driven, is_idle=is_nil(ideal, problem.plan.graph.pose))
     return SolvedWithFriction(result, steps=steps)
 
 
@@ -249,8 +250,9 @@ def force_with_friction(
     drive = Drive(without.formula(), load)
     known = resting_on(problem, ideal, drive.ideal, bound_sums(problem.plan, [without]))
     where = tuple(dict.fromkeys((*found.sums(), *known, *result.where)))
+    is_idle = problem.is_idle(drive.ideal, known)
     steps = in_steps.steps if in_steps else (Step("iterated"),)
-    return SolvedWithFriction(replace(result, where=where, drive=drive), steps)
+    return SolvedWithFriction(replace(result, where=where, drive=drive, is_idle=is_idle), steps)
 
 
 def _in_steps(

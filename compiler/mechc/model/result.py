@@ -83,12 +83,14 @@ class FrictionResult(Result):
     ``drive`` states.
     A load is ``driven`` where the others drive the motion at the default pose, or would without
     friction, and it holds them back; None where that is not known, and at a dead centre.
+    ``is_idle`` says that the load that drives has friction alone to overcome, as in a brake.
     """
 
     case: Case | None = None
     inside: frozenset[str] = frozenset()
     drive: Drive | None = None
     driven: bool | None = None
+    is_idle: bool = False
 
 
 class ClosedLoop(NamedTuple):

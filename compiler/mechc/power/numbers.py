@@ -1,7 +1,7 @@
 """The results at the default pose: signs, zeros, poles, branch points."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
 from ..algebra.factors import Factor, Trig
@@ -164,21 +164,30 @@ def is_nil(result: Result, pose: Pose) -> bool:
 
     The formula of a brake's moment may be 0, or a sum of coordinates that is no other number.
     """
-    if result.formula == ZERO:
-        return True
-    if result.default or not isinstance(result.target, LoadForm):
+    if result.formula != ZERO and (result.default or not isinstance(result.target, LoadForm)):
         return False
+    return is_nil_everywhere(result.formula, result.where, pose)
+
+
+def is_nil_everywhere(formula: Formula, where: Iterable[tuple[str, Formula]], pose: Pose) -> bool:
+    """Return whether a formula is zero by default and stays so with other parameters and loads."""
+    if formula == ZERO:
+        return True
     loads = {load.name: 1.0 for load in pose.mechanism.loads}
-    given = {**loads, **_given(pose)}
-    return all(_is_nil_at(result, pose, given, ratio) for ratio in (1.0, *ASIDE))
+    given, chain = {**loads, **_given(pose)}, (*_chain(pose).definitions, *where)
+    return all(_is_nil_at(formula, chain, given, ratio) for ratio in (1.0, *ASIDE))
 
 
-def _is_nil_at(result: Result, pose: Pose, given: Mapping[str, float], ratio: float) -> bool:
+def _is_nil_at(
+    formula: Formula,
+    where: Iterable[tuple[str, Formula]],
+    given: Mapping[str, float],
+    ratio: float,
+) -> bool:
     changed = {n: size * ratio ** (1 + i / 7) for i, (n, size) in enumerate(given.items())}
     rounding = Rounding(changed)
-    rounding.define((*_chain(pose).definitions, *result.where))
-    is_known = symbols(result.formula) <= rounding.values.keys()
-    return is_known and rounding.of(result.formula).is_zero
+    rounding.define(where)
+    return symbols(formula) <= rounding.values.keys() and rounding.of(formula).is_zero
 
 
 def value_of(result: Result, values: Mapping[str, float]) -> float | None:

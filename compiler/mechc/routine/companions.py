@@ -59,7 +59,10 @@ class Companions:
                 guards = _of_the_pose(solved.guards)
                 name = self._fresh(f"{function.name}_status")
                 steps = _solving(solved.steps, list(sides_of(guards)))
-                return Status(name, ideal.name, SIGNS[sense], function.inputs, steps, guards)
+                is_idle = isinstance(asked.result, FrictionResult) and asked.result.is_idle
+                return Status(
+                    name, ideal.name, SIGNS[sense], function.inputs, steps, guards, is_idle
+                )
             case WithFriction(_, sense, "exact"):
                 return self._of_a_force(function, asked, sense)
             case _:
@@ -80,7 +83,8 @@ class Companions:
         used |= {i.name for i in function.inputs}
         name = self._fresh(f"{function.name}_status")
         drive = Drive(ideal, load)
-        return Status(name, drive, SIGNS[sense], self._in_order(used), steps, guards)
+        inputs = self._in_order(used)
+        return Status(name, drive, SIGNS[sense], inputs, steps, guards, result.is_idle)
 
     def _in_order(self, names: Set[str]) -> tuple[Input, ...]:
         return tuple(item for item in self._inputs if item.name in names)

@@ -110,14 +110,18 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
         is_pose = reduce(
             np.logical_and, (_holds(g, scope) for g in asked.guards), ~np.isnan(without)
         )
-    ahead, none = without >= 0, np.isnan(value)
+    none = np.isnan(value)
+    ahead = np.isfinite(value) if asked.is_idle else without >= 0
     found = np.where(ahead, *asked.standstill)
     *loops, friction = solved or [np.asarray(2.0)]
     found = np.where(none & (friction == 2), 2, found)
     found = np.where(none & ~is_pose, 1, found)
     found = np.where(none & reduce(np.logical_or, (d == 2 for d in loops), False), 2, found)
     unloaded = (np.abs(without) < NOTHING) & (np.abs(load) < NOTHING)
-    moves = unloaded | np.where(ahead, load > 0, load < 0)
+    if asked.is_idle:
+        moves = unloaded | (asked.sense * load >= 0)
+    else:
+        moves = unloaded | np.where(ahead, load > 0, load < 0)
     return np.where(np.isfinite(value) & moves, 0, found)
 
 

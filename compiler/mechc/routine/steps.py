@@ -171,7 +171,8 @@ class Status:
     ``drive`` is the function of the same without friction, or, of a force at a joint, the load
     that drives, ``sense`` 1 where the motion is that along the drive's arrow, else -1. ``steps``
     solve for the pressing forces, and where ``guards`` fail there is no pose. The numbers are
-    those of :data:`STATUSES`.
+    those of :data:`STATUSES`. A load that ``is_idle`` has friction alone to overcome: it drives
+    either way, and no motion needs one against it.
     """
 
     name: str
@@ -180,6 +181,7 @@ class Status:
     inputs: tuple[Input, ...]
     steps: tuple[Statement, ...]
     guards: tuple[Guard, ...]
+    is_idle: bool = False
 
     @property
     def sides(self) -> tuple[Formula, ...]:
@@ -188,8 +190,18 @@ class Status:
         return (*compared, *(self.drive if isinstance(self.drive, Drive) else ()))
 
     @property
+    def way(self) -> str:
+        """Return how an idle load compares with 0 where it drives the motion."""
+        return ">=" if self.sense > 0 else "<="
+
+    @property
     def standstill(self) -> tuple[int, int]:
-        """Return the codes where nothing moves: with the ideal result positive, and negative."""
+        """Return the codes where nothing moves: with the ideal result positive, and negative.
+
+        Of an idle load: where it would be against the motion, and where nothing balances.
+        """
+        if self.is_idle:
+            return 2, 4
         return (4, 3) if self.sense > 0 else (3, 4)
 
 

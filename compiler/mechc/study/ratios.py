@@ -10,7 +10,6 @@ from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense,
 from ..model.parts.friction import GuideFriction, PinFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
-from ..power.numbers import is_nil
 from .intervals import USUAL, EfficiencyRange, Range
 from .ranges import moved, spans, unit_of, varying
 from .sampling import looked_at
@@ -54,8 +53,7 @@ class Study:
     def _both(self, key: tuple[str, Sense], ideal: Result, real: FrictionResult) -> Ratios:
         """Return the ratio without friction and the one with it, the same for all parameters."""
         if key not in self._ratios:
-            is_idle = is_nil(ideal, self.solution.plan.graph.pose)
-            self._ratios[key] = Ratios(ideal, real, key[1], is_idle)
+            self._ratios[key] = Ratios(ideal, real, key[1])
         return self._ratios[key]
 
     def _along(self, parameter: str, loads: dict[str, float]) -> Sweep:

@@ -50,17 +50,15 @@ NOWHERE = Found(None, math.nan, None)
 class Ratios:
     """A ratio with friction next to the one without, and what of them is looked at everywhere."""
 
-    def __init__(
-        self, ideal: Result, real: FrictionResult, sense: Sense, is_idle: bool = False
-    ) -> None:
-        """Take both; ``is_idle`` where the one without friction is zero everywhere."""
-        self.ideal, self.real, self.is_idle = ideal, real, is_idle
+    def __init__(self, ideal: Result, real: FrictionResult, sense: Sense) -> None:
+        """Take both, and the sense of the motion."""
+        self.ideal, self.real = ideal, real
         self.sign = SIGNS[sense]
         self._ways: dict[int, list[Way]] = {}
 
     def along(self, sweep: Sweep) -> "Moving":
         """Return the ratio along the parameter of a sweep."""
-        return (AgainstFriction if self.is_idle else Moving)(sweep, self)
+        return (AgainstFriction if self.real.is_idle else Moving)(sweep, self)
 
     @cached_property
     def is_iterated(self) -> bool:

@@ -27,6 +27,8 @@ class StatusContext(NamedTuple):
     conditions: list[str]
     loops: list[str]
     friction: str
+    idle: bool
+    moves: str
     standstill: tuple[int, int]
     call: str
     number: str
@@ -71,6 +73,8 @@ def status_context(
         conditions=[printer.condition(g) for g in asked.guards],
         loops=statuses[:-1],
         friction=statuses[-1] if statuses else "2",
+        idle=asked.is_idle,
+        moves=f"load {asked.way} 0.0" if asked.is_idle else "(is_ahead ? load > 0.0 : load < 0.0)",
         standstill=asked.standstill,
         call=f"{single}({', '.join(f'{a}[i]' for a in inputs)})",
         number="n",

@@ -337,7 +337,10 @@ def _status(_known: Mapping[str, Any]) -> str:
     _parts += ['\n', str(_known["s"].single), '\n{\n    const double value = ', str(_known["s"].value), ';\n']
     for line in _known["s"].before:
         _parts += ['    ', str(line), '\n']
-    _parts += ['    const double ideal = ', str(_known["s"].ideal), ';\n    const double load = ', str(_known["s"].load), ';\n    const int is_ahead = ideal >= 0.0;\n    const int is_unloaded = fabs(ideal) < ', str(_known["s"].nothing), ' && fabs(load) < ', str(_known["s"].nothing), ';\n    if (fabs(value) < HUGE_VAL && (is_unloaded || (is_ahead ? load > 0.0 : load < 0.0))) {\n        return 0;\n    }\n    if (value != value) {\n']
+    _parts += ['    const double ideal = ', str(_known["s"].ideal), ';\n    const double load = ', str(_known["s"].load), ';\n']
+    if (not _known["s"].idle):
+        _parts += ['    const int is_ahead = ideal >= 0.0;\n']
+    _parts += ['    const int is_unloaded = fabs(ideal) < ', str(_known["s"].nothing), ' && fabs(load) < ', str(_known["s"].nothing), ';\n    if (fabs(value) < HUGE_VAL && (is_unloaded || ', str(_known["s"].moves), ')) {\n        return 0;\n    }\n    if (value != value) {\n']
     for line in _known["s"].body:
         _parts += ['        ', str(line), '\n']
     for status in _known["s"].loops:
@@ -345,7 +348,7 @@ def _status(_known: Mapping[str, Any]) -> str:
     _parts += ['        if (ideal != ideal']
     for condition in _known["s"].conditions:
         _parts += [' || !(', str(condition), ')']
-    _parts += [') {\n            return 1;\n        }\n        if (', str(_known["s"].friction), ' == 2) {\n            return 2;\n        }\n    }\n    return is_ahead ? ', str(_known["s"].standstill[0]), ' : ', str(_known["s"].standstill[1]), ';\n}\n\n', str(_known["s"].batch), '\n{\n    for (size_t ', str(_known["s"].loop), ' = 0; ', str(_known["s"].loop), ' < ', str(_known["s"].number), '; ++', str(_known["s"].loop), ') {\n        status[', str(_known["s"].loop), '] = ', str(_known["s"].call), ';\n    }\n}\n']
+    _parts += [') {\n            return 1;\n        }\n        if (', str(_known["s"].friction), ' == 2) {\n            return 2;\n        }\n    }\n    return ', str(('fabs(value) < HUGE_VAL' if _known["s"].idle else 'is_ahead')), ' ? ', str(_known["s"].standstill[0]), ' : ', str(_known["s"].standstill[1]), ';\n}\n\n', str(_known["s"].batch), '\n{\n    for (size_t ', str(_known["s"].loop), ' = 0; ', str(_known["s"].loop), ' < ', str(_known["s"].number), '; ++', str(_known["s"].loop), ') {\n        status[', str(_known["s"].loop), '] = ', str(_known["s"].call), ';\n    }\n}\n']
     return "".join(_parts)
 
 

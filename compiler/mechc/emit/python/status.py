@@ -27,6 +27,8 @@ class StatusContext(NamedTuple):
     conditions: list[str]
     loops: list[str]
     friction: str
+    idle: bool
+    moves: str
     standstill: tuple[int, int]
     nothing: float = NOTHING
 
@@ -66,5 +68,9 @@ def status_context(
         [printer.condition(g) for g in asked.guards],
         statuses[:-1],
         statuses[-1] if statuses else "2",
+        asked.is_idle,
+        f"load {asked.way} 0.0"
+        if asked.is_idle
+        else "np.where(ahead, load, np.negative(load)) > 0.0",
         asked.standstill,
     )

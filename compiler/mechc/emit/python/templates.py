@@ -231,12 +231,12 @@ def _status(_known: Mapping[str, Any]) -> str:
     _parts += ['    value = ', str(_known["s"].value), '\n    with np.errstate(all="ignore"):\n']
     for line in _known["s"].body:
         _parts += ['        ', str(line.name), ' = ', str(line.code), '\n']
-    _parts += ['        ideal, load = ', str(_known["s"].ideal), ', ', str(_known["s"].load), '\n        ahead = np.greater_equal(ideal, 0.0)\n        unloaded = (np.abs(ideal) < ', str(_known["s"].nothing), ') & (np.abs(load) < ', str(_known["s"].nothing), ')\n        found = np.where(ahead, ', str(_known["s"].standstill[0]), ', ', str(_known["s"].standstill[1]), ')\n        found = np.where(np.isnan(value) & np.equal(', str(_known["s"].friction), ', 2), 2, found)\n        found = np.where(np.isnan(value) & np.isnan(ideal), 1, found)\n']
+    _parts += ['        ideal, load = ', str(_known["s"].ideal), ', ', str(_known["s"].load), '\n        ahead = ', str(('np.isfinite(value)' if _known["s"].idle else 'np.greater_equal(ideal, 0.0)')), '\n        unloaded = (np.abs(ideal) < ', str(_known["s"].nothing), ') & (np.abs(load) < ', str(_known["s"].nothing), ')\n        found = np.where(ahead, ', str(_known["s"].standstill[0]), ', ', str(_known["s"].standstill[1]), ')\n        found = np.where(np.isnan(value) & np.equal(', str(_known["s"].friction), ', 2), 2, found)\n        found = np.where(np.isnan(value) & np.isnan(ideal), 1, found)\n']
     for condition in _known["s"].conditions:
         _parts += ['        found = np.where(np.isnan(value) & ~(', str(condition), '), 1, found)\n']
     for status in _known["s"].loops:
         _parts += ['        found = np.where(np.isnan(value) & np.equal(', str(status), ', 2), 2, found)\n']
-    _parts += ['        moves = unloaded | (np.where(ahead, load, np.negative(load)) > 0.0)\n        found = np.where(np.isfinite(value) & moves, 0, found)\n    return found if np.ndim(found) else int(found)\n']
+    _parts += ['        moves = unloaded | (', str(_known["s"].moves), ')\n        found = np.where(np.isfinite(value) & moves, 0, found)\n    return found if np.ndim(found) else int(found)\n']
     return "".join(_parts)
 
 

@@ -83,7 +83,7 @@ def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Exp
         steps = earlier.enter_forces(_steps(solved), place, names[0])
         steps = [_with_result(step, place, names[0]) for step in steps]
         steps = earlier.enter_equations(steps, place)
-        paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place)]
+        paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place, names[0])]
         first = solved[0].result
         if steps[0].kind == "iterated" and driving(place):
             shown = next(r for r in results if r.name == names[0])
@@ -123,14 +123,14 @@ def exact_name(result: Result, results: Iterable[Result]) -> str:
     return next((r.name for r in results if r.target == exact and r.formula == result.formula), "")
 
 
+_BESIDE_THE_LOAD = ("first order", "iterated", "efficiency")
+"""Steps in which a load has its own name for what it is without friction."""
+
+
 def _with_result(step: Step, asked: WithFriction, result: str) -> Step:
-    """Return a step that gives a load itself, under the name that it has with friction."""
+    """Return a step in which a load that is asked for has the name that it has with friction."""
     drive = driving(asked)
-    if (
-        step.kind not in ("straight", "ropes")
-        or drive is None
-        or not isinstance(asked.of, LoadForm)
-    ):
+    if drive is None or not isinstance(asked.of, LoadForm) or step.kind in _BESIDE_THE_LOAD:
         return step
     return renamed(step, {drive.name: Symbol(result)})
 
@@ -226,7 +226,9 @@ def _sentence_along(step: Step) -> SentenceKind:
 # ----------------------------------------------------------------------------- paragraphs
 
 
-def _paragraphs(step: Step, earlier: EarlierSteps, asked: WithFriction) -> Iterator[Paragraph]:
+def _paragraphs(
+    step: Step, earlier: EarlierSteps, asked: WithFriction, result: str
+) -> Iterator[Paragraph]:
     """Yield the paragraphs of a step; the load that is asked for is left to the result."""
     new = earlier.enter(step)
     if new is None:
@@ -235,7 +237,8 @@ def _paragraphs(step: Step, earlier: EarlierSteps, asked: WithFriction) -> Itera
         return
     sides = ([geometry_first(side, earlier.turns) for side in pair] for pair in step.equations)
     equations = [Equation(_ordered(left), right) for left, right in sides]
-    found = [e for e in equations if e.left != driving(asked)] or equations
+    solved = {driving(asked)} if step.kind in _BESIDE_THE_LOAD else {driving(asked), Symbol(result)}
+    found = [e for e in equations if e.left not in solved] or equations[:1]
     match step.kind:
         case "internal" | "external" | "parallel" | "single":
             names = {"link": (step.body,)}
