@@ -65,10 +65,33 @@ def test_a_second_triangle_of_the_same_sides_has_the_angles_of_the_first(oc, ac,
 
 
 def test_a_mirrored_direction_is_that_of_the_base_twice_less_the_other_one():
-    k = mechc.load("peaucellier_closed").results["k"]
+    k = mechc.loads(KITE.format(x=30, oc="l", ac="s", turn="cw"), "m.mech").results["k"]
     where = {name: text(formula) for name, formula in k.where}
     assert where["phi_AC"] == "2*phi_OA - phi_AB"
     assert [name for name in where if name.startswith("mu_")] == ["mu_B"]
+
+
+def test_what_is_mirrored_in_the_diagonal_of_a_rhombus_has_the_angle_of_its_side():
+    """The base is the sum of two arms of one length: twice its direction is that of the crank."""
+    solved = mechc.load("peaucellier_closed")
+    assert text(solved.results["k"].formula) == "r*sin(2*phi_AB - mu_B - phi)/sin(mu_B)"
+    (step,) = (s for s in solved.derivation.position if s.kind == "congruent")
+    assert [(name, text(formula)) for name, formula in step.definitions] == [
+        ("phi_AC", "phi - phi_AB")
+    ]
+
+
+@pytest.mark.parametrize("phi", [20, -40, 320, 380])
+def test_a_rhombus_closes_turns_further_on_too(phi):
+    """P of the inversor, at c/a from O for A at a, stays on a line; k is its velocity downwards."""
+    solved = mechc.load("peaucellier_closed")
+    turned = math.radians(phi)
+    a = 0.06 * (1 + complex(math.cos(turned), math.sin(turned)))
+    p = a * (0.2**2 - 0.09**2) / abs(a) ** 2
+    slope = 0.06 * complex(-math.sin(turned), math.cos(turned))
+    moved = (0.2**2 - 0.09**2) * (1 / a).conjugate() ** 2 * slope.conjugate()
+    assert p.real == pytest.approx((0.2**2 - 0.09**2) / 0.12)
+    assert float(solved.evaluate(phi=turned)["k"]) == pytest.approx(-moved.imag)
 
 
 def test_a_triangle_of_other_sides_has_angles_of_its_own():

@@ -82,8 +82,8 @@ def test_loops_are_closed_by_the_angles_of_the_links(along):
     found = mechc.loads(FOUR_BAR.format(along=along), "m.mech").results["k"]
     definitions = {name: text(formula) for name, formula in found.where}
     assert (
-        definitions["len_KO"]
-        == "hypot(len_QK*cos(theta + pi/3) + x_Q, len_QK*sin(theta + pi/3) + y_Q)"
+        definitions["len_OK"]
+        == "hypot(x_Q + len_QK*cos(theta + pi/3), len_QK*sin(theta + pi/3) + y_Q)"
     )
     assert "pi/6" not in str(definitions)
 

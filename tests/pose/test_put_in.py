@@ -53,8 +53,8 @@ def test_a_slot_closes_without_a_drive() -> None:
 
 
 def test_the_place_in_a_slot_is_the_side_of_the_triangle() -> None:
-    """The pin of a slotted lever stands at AQ, not at a sum of the crank and the ground."""
+    """The pin of a slotted lever stands at QB, not at a sum of the crank and the ground."""
     result = mechc.load("whitworth").results["k"]
     assert text(result.formula) == (
-        "e*r*sin(beta_DE + phi_BQ)*cos(phi - phi_BQ)/(len_BQ*cos(beta_DE))"
+        "e*r*sin(phi_QB - beta_DE)*cos(phi - phi_QB)/(len_QB*cos(beta_DE))"
     )

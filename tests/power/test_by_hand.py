@@ -19,11 +19,11 @@ from report_samples import formula
 BY_HAND: dict[str, tuple[str, dict[str, str]]] = {
     "crank_rocker": ("a*sin(psi - phi)/sin(psi - theta)", {}),
     "crank_shaper": (
-        "r*len_QB*sin(beta_BD - phi_AQ)*cos(phi - phi_AQ)/(len_AQ*cos(beta_BD))",
+        "-r*len_QB*sin(beta_BD + phi_QA)*cos(phi - phi_QA)/(len_QA*cos(beta_BD))",
         {},
     ),
     "whitworth": (
-        "r*e*sin(beta_DE + phi_BQ)*cos(phi - phi_BQ)/(len_BQ*cos(beta_DE))",
+        "r*e*sin(phi_QB - beta_DE)*cos(phi - phi_QB)/(len_QB*cos(beta_DE))",
         {},
     ),
     "hoeken": (
@@ -32,7 +32,7 @@ BY_HAND: dict[str, tuple[str, dict[str, str]]] = {
     ),
     "peaucellier": ("r*sin(delta + gamma)/sin(delta - gamma)", {}),
     "peaucellier_closed": (
-        "r*sin(phi_AB - mu_B - phi_AC)*cos(phi_AB + phi_AC - phi)/sin(mu_B)",
+        "r*sin(2*phi_AB - mu_B - phi)/sin(mu_B)",
         {},
     ),
     "watt_six_bar": (

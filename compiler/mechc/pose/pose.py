@@ -84,7 +84,8 @@ class SolvedLoop(NamedTuple):
 
     The points of a triangle are its vertices, the pin between the unknown sides the second;
     ``is_clockwise`` is how they lie, None for other loops. One that is congruent to an earlier
-    one has ``again`` what that gave, and ``like`` are the earlier one's points.
+    one has ``again`` what that gave, and ``like`` are the earlier one's points; ``mirrored`` is
+    the direction of a side that mirrors one of that in a line of symmetry.
     """
 
     kind: LoopKind
@@ -93,6 +94,7 @@ class SolvedLoop(NamedTuple):
     is_clockwise: bool | None = None
     like: tuple[str, ...] = ()
     again: frozenset[str] = frozenset()
+    mirrored: tuple[Definition, ...] = ()
 
 
 class PointContact(NamedTuple):

@@ -96,7 +96,10 @@ def _body(_known: Mapping[str, Any]) -> str:
     if _known["conditions"]:
         _parts += ['\\noindent ', str(_known["locale"].requirements), ' ', str(_known["conditions"]), '.\n']
     if (_known["values"] or _known["numbers"]):
-        _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].numbers), '}\n', str(_known["locale"].at_default), ':\n']
+        _parts += ['\n']
+        if (_known["section"] == 'section'):
+            _parts += ['\\lastsection\n']
+        _parts += ['\\', str(_known["section"]), '*{', str(_known["locale"].numbers), '}\n', str(_known["locale"].at_default), ':\n']
         if _known["of_position"]:
             _parts += [str(', '.join(map(str, _known["of_position"]))), ';\n']
         if _known["values"]:
@@ -105,7 +108,7 @@ def _body(_known: Mapping[str, Any]) -> str:
             if _known["values"]:
                 _parts += ['\\noindent ']
             _parts += [str(', '.join(map(str, _known["numbers"]))), '.\n']
-    _parts += ['\n\\medskip\n\\noindent ', str(_known["check"]), '\n']
+    _parts += ['\n\\nopagebreak\\medskip\n\\noindent ', str(_known["check"]), '\n']
     for remark in _known["remarks"]:
         _parts += [str(remark), '\n']
     _parts += ['\n']
@@ -297,7 +300,7 @@ def _report(_known: Mapping[str, Any]) -> str:
     _parts += ['\\usepackage[margin=22mm]{geometry}\n\\usepackage{amsmath}\n\\usepackage{array}\n\\usepackage{booktabs}\n\\usepackage{longtable}\n']
     for line in _known["pictures"]:
         _parts += [str(line), '\n']
-    _parts += ['\\allowdisplaybreaks\n\\AtBeginDocument{\\abovedisplayshortskip=6pt plus 2pt minus 2pt\\lineskiplimit=2pt\\lineskip=3pt\\relax}\n\\tolerance=2000\n\\relpenalty=10000\n\\makeatletter\\@fptop=0pt\\makeatother\n\\setlength{\\emergencystretch}{3em}\n\\begin{document}\n', str(_known["body"]), '\\end{document}\n']
+    _parts += ['\\allowdisplaybreaks\n% Skips shrink where but a few lines would be left for a last page. A page is not filled for its heading.\n\\AtBeginDocument{%\n  \\abovedisplayskip=10pt plus 2pt minus 6pt\\belowdisplayskip=\\abovedisplayskip\n  \\abovedisplayshortskip=6pt plus 2pt minus 3pt\\belowdisplayshortskip=6pt plus 3pt minus 3pt\n  \\LTpre=12pt plus 4pt minus 8pt\\LTpost=\\LTpre\\medskipamount=6pt plus 2pt minus 4pt\n  \\lineskiplimit=2pt\\lineskip=3pt\\relax}\n\\tolerance=2000\n\\relpenalty=10000\n\\makeatletter\n\\renewcommand\\section{\\@startsection{section}{1}{\\z@}{-3.5ex plus -1ex minus -1.8ex}%\n  {2.3ex plus .2ex minus 1.2ex}{\\normalfont\\Large\\bfseries}}\n\\newcommand\\lastsection{\\@secpenalty=-20 }\n\\@fptop=0pt\\makeatother\n\\setlength{\\emergencystretch}{3em}\n\\begin{document}\n', str(_known["body"]), '\\end{document}\n']
     return "".join(_parts)
 
 

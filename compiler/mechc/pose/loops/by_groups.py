@@ -222,7 +222,7 @@ class _Closing:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state
         name, base, found = state.free_name, state.base, state.definitions
-        sides = Sides(name, state.named, self._fixed, base, state.signed, found)
+        sides = Sides(name, state.named, self._fixed, base, state.signed, found, state.twice)
         group = dyad(Loop.of(cycle, wanted), sides)
         if group is None:
             return False

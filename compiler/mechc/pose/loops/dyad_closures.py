@@ -39,7 +39,9 @@ def dyad(loop: Loop, sides: Sides) -> Dyad | None:
 
 
 def _with(shared: Iterable[Definition], closure: Closure) -> Closure:
-    return closure._replace(definitions=(*shared, *closure.definitions))
+    own = {d.name for d in closure.definitions}
+    others = (d for d in shared if d.name not in own)
+    return closure._replace(definitions=(*others, *closure.definitions))
 
 
 def _dyad(loop: Loop, sides: Sides) -> Dyad | None:
@@ -117,7 +119,7 @@ def _triangle(loop: Loop, first: Turning, second: Turning, sides: Sides) -> Dyad
     """RRR: a triangle of three known sides d, p, q."""
     if not loop.known:
         return None
-    d, psi = sides.known_side(loop, positive=True)
+    d, psi = sides.known_side(loop, True, lambda way: first.angle_at(way + HALF_TURN))
     p, q = first.size, second.size
     area = heron(d, p, q)
     base, tip = (
@@ -144,14 +146,31 @@ def _hinged(
     """Return a closure of a triangle: the angle at its base names or gives a direction."""
     (first, second), (outside, sign, base) = turns, lead
     if len(loop.known) > 1 or first.name in sides.kept:
-        named = [Definition(first.name, _turned(outside, sign, base, sides))]
-        other = second.angle_at(first.direction + HALF_TURN - inner_angle)
-        return _closure(named, {second.name: other}, sides)
+        put = _turned_alike(first, outside, sign, base, sides)
+        named = [] if put else [Definition(first.name, _turned(outside, sign, base, sides))]
+        other = second.angle_at(first.direction.put(put) + HALF_TURN - inner_angle)
+        closure = _closure(named, {**put, second.name: other}, sides)
+        return closure._replace(across=next(iter(put), ""))
     gamma = sides.angle("gamma", loop.base_point(first.name) or first.name, base)
     angle = principal(outside + gamma * sign)
     direction = first.direction.put({first.name: angle})
     other = second.angle_at(direction + HALF_TURN - inner_angle)
     return _closure([], {first.name: angle, second.name: other}, sides)
+
+
+def _turned_alike(
+    first: Turning, outside: Angle, sign: int, base: Formula, sides: Sides
+) -> Mapping[str, Angle]:
+    """Return the direction of a part that a congruent triangle across a line of symmetry gives.
+
+    None where it is no shorter than by that line, or where the user named it.
+    """
+    known = None if first.name in sides.kept else sides.turn_by(base)
+    if known is None:
+        return {}
+    angle = outside + known * sign
+    shorter = sides.undoubled(angle)
+    return {} if shorter == angle else {first.name: principal(shorter)}
 
 
 def _turned(outside: Angle, sign: int, base: Formula, sides: Sides) -> Formula:
@@ -222,12 +241,18 @@ def _sliding(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad |
     gamma = reach.direction - Angle.of(turn.name) * turn.sense
     lean = turn.offset - gamma
     across, ahead = turn.size * sine(lean), turn.size * cosine(lean)
-    d, psi = sides.known_side(loop, positive=bool(across))
+    is_whole = not turn.size and reach.scale == Product(1)
+    d, psi = sides.known_side(
+        loop,
+        bool(across),
+        lambda way: _aligned(turn, way + HALF_TURN - gamma),
+        reach.name if is_whole else "",
+    )
     limit = Limit(loop_name(loop.cycle), "slot", loop.known, (across,))
     if not across:
         closures = tuple(
             _closure(
-                [_reach(reach, add([side, -ahead]))],
+                _reached(reach, add([side, -ahead]), sides),
                 {turn.name: _aligned(turn, way - gamma)},
                 sides,
             )
@@ -283,6 +308,14 @@ def _aligned(turn: Turning, direction: Angle) -> Angle:
 def _beta(name: str) -> str:
     """Return the name of the inclination of a part whose direction has a name."""
     return f"beta_{name.removeprefix('phi_')}"
+
+
+def _reached(reach: Reaching, length: Product, sides: Sides) -> list[Definition]:
+    """Return how far is reached; none where the known side has this name already."""
+    if length == Product.symbol(reach.name):
+        return []
+    side = next((d for d in sides.definitions if d.name == reach.name), None)
+    return [Definition(side.name, negative(side.formula))] if side else [_reach(reach, length)]
 
 
 def _reach(reach: Reaching, length: Product) -> Definition:

@@ -19,11 +19,13 @@ class Closure(NamedTuple):
     """One way in which a loop closes.
 
     ``definitions`` are new names with their formulas; ``directions`` are unknown angles as
-    angles in known ones and in those names.
+    angles in known ones and in those names. ``across`` is the direction that mirrors another one
+    in a line of symmetry, '' for none.
     """
 
     definitions: tuple[Definition, ...]
     directions: Mapping[str, Angle]
+    across: str = ""
 
 
 class Turning(NamedTuple):

@@ -25,7 +25,8 @@ MANY = 3
 class State:
     """The unknowns found, in order; ``values`` are the default pose and poses near it.
 
-    ``angles`` are the unknown directions, ``named`` the unknowns that the user named.
+    ``angles`` are the unknown directions, ``named`` the unknowns that the user named, ``twice``
+    the doubles of directions that halve an angle.
     """
 
     def __init__(
@@ -48,6 +49,8 @@ class State:
         self.loops: list[ClosedLoop] = []
         self.solved: list[SolvedLoop] = []
         self.values = poses_nearby(mechanism, terms.definitions)
+        self.twice: dict[str, Angle] = {}
+        self._mirrored: set[str] = set()
         self.signed = frozenset({*_passing_zero(mechanism), *(r.length for r in self.guide_lines)})
         named_items = (
             *mechanism.parameters,
@@ -128,18 +131,28 @@ class State:
         for values in self.values:
             for name in directions:
                 values.pop(name, None)
+        self._mirrored.update(closure.directions if closure.across else ())
         turn = self._is_clockwise(points) if kind == "triangle" else None
         self.found.update(unknown)
         self.graph.sought.difference_update(unknown)
         names = (*(d.name for d in closure.definitions), *self._name_directions())
         like = next((loop.points for loop in self.solved if not known.isdisjoint(loop.names)), ())
-        self.solved.append(SolvedLoop(kind, points, names, turn, like, known))
+        mirrored = tuple(
+            Definition(name, angle.formula())
+            for name, angle in closure.directions.items()
+            if name == closure.across
+        )
+        self.solved.append(SolvedLoop(kind, points, names, turn, like, known, mirrored))
 
     def _name_directions(self) -> Iterator[str]:
-        """Name the directions that are sums of many angles, all of them known by now."""
+        """Name the directions that are sums of many angles, all of them known by now.
+
+        Those that mirror others stay sums, which cancel with what they mirror.
+        """
         open_ = self.angles - self.found
         for name, angle in list(self.directions.items()):
             is_long = len(angle.terms) >= MANY and self.directions[name] == angle
+            is_long = is_long and name not in self._mirrored
             if is_long and open_.isdisjoint(angle.names):
                 self._define_direction(name, angle)
                 yield name

@@ -21,7 +21,7 @@ def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]
 
     def place(step: PositionStep) -> int:
         """Return where a step stands: one that gives nothing new after the one it is like."""
-        names = [d.name for d in step.definitions] or solved[step.points].again
+        names = [d.name for d in step.definitions if d.name in order] or solved[step.points].again
         return min(order[name] for name in names)
 
     steps = [*_of_loops(pose, derivation, formulas), *_of_sums(pose, derivation, formulas)]
@@ -38,7 +38,8 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
         names = [n for n in loop.names if n in needed]
         if names or not loop.again.isdisjoint(needed):
             found = tuple(Definition(n, formulas[n]) for n in names)
-            yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found, loop.like)
+            given = (*(Definition(*found) for found in loop.mirrored), *found)
+            yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, given, loop.like)
 
 
 def _put_in(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]:
