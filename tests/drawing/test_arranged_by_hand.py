@@ -2,10 +2,9 @@
 
 import pytest
 
-from mechc.drawing.arrange import WIDE, below_each_other, in_rows, joined
+from mechc.drawing.arrange import WIDE, below_each_other, in_rows, joined, parted
 from mechc.drawing.drawing import SYMBOL, Arc, Drawing, Label, Run
 from mechc.drawing.panels import kept
-from mechc.drawing.parted import parted
 from mechc.pose.places import Plane
 
 

@@ -21,11 +21,10 @@ from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever import Bearing, on_lever
 from mechc.friction.linear import LinearSolver
 from mechc.friction.naming import Endings, Meanings, OwnNames
-from mechc.friction.normal_forces import Idle, loaded_pairs, scaled
+from mechc.friction.normal_forces import Idle, loaded_pairs, scaled, without_standing
 from mechc.friction.pairs import Component, FrictionPair, LoadedPair
 from mechc.friction.sequential import SequentialSolver
 from mechc.friction.signs import AtAnyPose, AtOnePose, bare, is_root
-from mechc.friction.standing import without_standing
 from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import LoadRatio, Mirror, Rope

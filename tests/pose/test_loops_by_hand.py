@@ -13,8 +13,7 @@ from mechc.pose.loops.by_groups import in_closed_form
 from mechc.pose.loops.dyad_closures import dyad
 from mechc.pose.loops.dyad_sides import Sides
 from mechc.pose.loops.dyads import Loop
-from mechc.pose.loops.rated import given_rates, moved_by
-from mechc.pose.loops.rates import loop_rates, rate
+from mechc.pose.loops.rated import given_rates, loop_rates, moved_by, rate
 from mechc.pose.loops.redundant import closure_of
 from mechc.pose.loops.triangle import along, common_turn, heron, principal
 from mechc.pose.pose import Arm, Definition, Limit, gathered, reverse, turned_by

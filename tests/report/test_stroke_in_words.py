@@ -8,8 +8,8 @@ from good_mechanisms import loaded
 from mechc.report.languages.registry import locale
 from mechc.report.text.stroke import ENDS, KINDS, to_table
 from mechc.study.analysis import NoCentre
-from mechc.study.closed import NO_POSE
 from mechc.study.intervals import State
+from mechc.study.open_ranges import NO_POSE
 from mechc.study.stroke.along import EXCLUDED
 from mechc.study.stroke.stretches import BEYOND, FLAT
 from mechc.study.stroke.stroke import OnTheWay

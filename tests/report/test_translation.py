@@ -4,7 +4,7 @@ import pytest
 
 from good_mechanisms import compiled
 from mechc.formula.tree import ZERO, Symbol, negative, product, total
-from mechc.report.derivation.translation import translating
+from mechc.report.derivation.from_solution import translating
 from mechc.report.kinds import Rule
 from mechc.report.languages.registry import locale
 from mechc.report.sentences.wording import lines, sentences

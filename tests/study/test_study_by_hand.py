@@ -30,8 +30,8 @@ from mechc.study.sampling import looked_at as values_looked_at
 from mechc.study.states import Found, Moving, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
+from mechc.study.stroke.rows import from_both_sides
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
-from mechc.study.stroke.sides import from_both_sides
 from mechc.study.stroke.stretches import with_reached
 from mechc.study.stroke.stroke import Column, Extremum, StrokeInterval
 from mechc.study.stroke.transmission import Transmission, named, transmissions

@@ -4,19 +4,20 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import assert_never
 
+from ..formula.evaluate import evaluate
+from ..formula.walk import symbols
 from ..frozen import fields, replace
 from ..model import mechanism as model
 from ..model.mechanism import Mechanism, Parameter
 from ..model.parts.repeated import primed
 from ..model.values import Chain, bounds, completed, defaults, dependent, independent
-from ..pose.places import Plane
+from ..pose.places import NOWHERE, Plane
 from ..pose.pose import Pose
 from . import figure as drawn
 from .figure import Figure, MirrorLine, Part
 from .half import Half
 from .joints import drawn_joint, joints_shown
 from .layout import Layout, lay_out, points_of
-from .loads import drawn_load
 from .marks import marks
 from .outline import outline, rods
 from .tolerances import SAME_PLACE
@@ -144,7 +145,7 @@ def parts(half: Half) -> Iterator[Part]:
     mechanism = half.ways.pose.mechanism
     yield from (_drawn_body(body, half) for body in mechanism.bodies)
     yield from (drawn_joint(joint, half) for joint in joints_shown(mechanism))
-    yield from (drawn_load(load, half) for load in mechanism.loads)
+    yield from (_drawn_load(load, half) for load in mechanism.loads)
 
 
 def _drawn_body(body: model.Body, half: Half) -> Part:
@@ -169,3 +170,56 @@ def _drawn_body(body: model.Body, half: Half) -> Part:
             return drawn.Telescope(own, (points[0], points[1]))
         case _:
             assert_never(body)
+
+
+# -------------------------------------------------------------------------------------------- loads
+
+
+def _drawn_load(load: model.Load, half: Half) -> Part:
+    """Return the drawn part of a load."""
+    match load:
+        case model.Force(spread=model.Spread() as spread):
+            return _spread(load, spread, half)
+        case model.Force(name, point):
+            along, times = half.unit(half.ways.pose.lines[name]), float(load.times)
+            link = load.link and half.link(load.link)
+            return drawn.Force(name, half.point(point), along, load.weight, times, link)
+        case model.Torque(name, link):
+            at, times = _hub(link, half), float(load.times)
+            return drawn.Torque(name, half.link(link), at, half.sense > 0, times)
+        case model.ForcePair(name, first, second):
+            kind = drawn.Spring if load.spring else drawn.Actuator
+            links = (link and half.link(link) for link in (load.first_link, load.second_link))
+            return kind(name, half.point(first), half.point(second), *links)
+        case _:
+            assert_never(load)
+
+
+def _spread(load: model.Force, spread: model.Spread, half: Half) -> drawn.SpreadLoad:
+    """Return the drawn part of a distributed load, an even one where its intensity is open."""
+    values = half.ways.values
+    given = all(symbols(q) <= values.keys() for q in spread.intensities)
+    sizes = [evaluate(q, values) for q in spread.intensities if given] or [1.0]
+    return drawn.SpreadLoad(
+        load.name,
+        half.point(load.point),
+        half.unit(half.ways.pose.lines[load.name]),
+        float(load.times),
+        half.link(spread.link),
+        half.point(spread.tail),
+        half.point(spread.head),
+        sizes[0],
+        sizes[-1],
+    )
+
+
+def _hub(link: str, half: Half) -> Plane:
+    """Return the place of a couple: the link's pivot, or its middle."""
+    mechanism = half.ways.pose.mechanism
+    points = tuple(half.ways.pose.frames[link])
+    fixed = [p.point for p in mechanism.each(model.Pivot) if p.point in points]
+    chosen = [half.at(p) for p in (fixed[:1] or points)]
+    total = NOWHERE
+    for at in chosen:
+        total = total.plus(at)
+    return total.times(1 / len(chosen))

@@ -10,9 +10,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..frozen import replace
 from ..model.result import FrictionResult
-from .chained import chained
+from .chained import Program, chained
 from .functions import Asked, operations
-from .many import Program
 from .scope import Scope
 from .steps import Common, Function, names_in
 

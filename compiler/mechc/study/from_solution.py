@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence, Set
 from functools import cache, partial
 from itertools import combinations
-from math import isfinite
+from math import isclose, isfinite
 
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
@@ -13,7 +13,8 @@ from ..algebra.sums import add
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula, Symbol
+from ..formula.rounding import Rounded, Rounding
+from ..formula.tree import Call, Formula, Symbol, is_call
 from ..formula.walk import substitute, symbols
 from ..friction.solution import Solution, SolvedWithFriction
 from ..frozen import replace
@@ -21,7 +22,7 @@ from ..model.boxes import range_box
 from ..model.dependence import in_geometry
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
 from ..model.result import Definition, Result
-from ..model.values import usual_length
+from ..model.values import Values, holds, usual_length
 from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
@@ -31,7 +32,6 @@ from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
-from .printed import fails_here
 from .ranges import with_range
 from .tolerances import SAME_RATIO
 from .trends import trend
@@ -248,3 +248,42 @@ def _agree_at_a_pose(formula: Formula, a: str, b: str) -> bool:
     here = evaluate(formula, values)
     there = evaluate(formula, {**values, a: values[b], b: values[a]})
     return not abs(here - there) > SAME_RATIO * (abs(here) + abs(there))
+
+
+# --------------------------------------------------------------------------------- printed formulas
+
+
+ALIKE = 1e-6
+"""What a printed formula may be off its value by rounding, as a part of it."""
+
+
+def fails_here(result: Analysis, values: Values) -> bool:
+    """Return whether the value of a result is not what its formula comes to, as it is printed.
+
+    Friction alone may make the force in a rod that bears nothing without it: the sign of its
+    force is that of 0 on paper, and one by which all forces balance in code.
+    """
+    if result.default is None or not isinstance(result.target, WithFriction | Efficiency):
+        return False
+    if not result.guards and not any(is_call(d.formula, "sign") for d in result.where):
+        return False
+    rounding = Rounding(values)
+    for name, formula in result.where:
+        if name not in rounding.values and symbols(formula) <= rounding.values.keys():
+            rounding.values[name] = _on_paper(formula, rounding)
+    known = {name: found.value for name, found in rounding.values.items()}
+    if not all(holds(guard, known) for guard in result.guards):
+        return True
+    if not symbols(result.formula) <= known.keys():
+        return False
+    value = evaluate(result.formula, known)
+    return isfinite(value) and not isclose(value, result.default, rel_tol=ALIKE, abs_tol=ALIKE**2)
+
+
+def _on_paper(formula: Formula, rounding: Rounding) -> Rounded:
+    """Return the value of a definition: 0 of the sign of what is zero but for rounding."""
+    match formula:
+        case Call("sign", (inner,)) if rounding.of(inner).is_zero:
+            return Rounded(0.0, 0.0)
+        case _:
+            return rounding.of(formula)

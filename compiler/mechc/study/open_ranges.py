@@ -1,16 +1,41 @@
-"""Ranges of parameters that reach to where a loop does not close."""
+"""Why loops have no pose at given values, and which ranges of parameters reach to such values."""
 
+import math
 from collections.abc import Mapping
 
 from ..diagnostics import Report
 from ..diagnostics import stroke as messages
 from ..formula.continuation import continued
-from ..formula.tree import Formula
+from ..formula.evaluate import status
+from ..formula.tree import Formula, Implicit
 from ..model.mechanism import Parameter
 from ..model.values import Chain, Values, allowed, bounds, defaults, dependent
 from ..pose.pose import Pose
 from ..units import in_unit, si_unit
-from .closed import NO_POSE, NOT_FOUND, why_open
+
+NOT_ASSEMBLED = "cannot be assembled"
+NOT_FOUND = "iteration finds no pose"
+NOT_REACHED = "no pose is reached from the default one"
+NO_POSE = (NOT_ASSEMBLED, NOT_REACHED, NOT_FOUND)
+"""From what is most surely known to what is least."""
+
+
+def why_open(definitions: Mapping[str, Formula], values: Values) -> str:
+    """Return why what loops define has no value, "" where all of it has one.
+
+    Of the closures of a system one is followed, to its end: what rests on it may have a value
+    in another one.
+    """
+    named = [(n, f) for n, f in definitions.items() if n in values]
+    last = next((i for i, (n, _) in enumerate(named) if not math.isfinite(values[n])), None)
+    if last is None:
+        return ""
+    broken = named[last][1]
+    if isinstance(broken, Implicit) and status(broken, values) == 2:
+        return NOT_FOUND
+    is_followed = any(isinstance(f, Implicit) for _, f in named[: last + 1])
+    return NOT_REACHED if is_followed else NOT_ASSEMBLED
+
 
 HALVINGS = 40
 """After so many nothing is left of a range that is shown."""

@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator
 
 from ...diagnostics import MechcError
+from ...drawing.arrange import parted
 from ...drawing.drawing import Drawing
 from ...drawing.letters import Letters, in_letters
-from ...drawing.parted import parted
 from ...model.mechanism import Reported
 from ...plot.plot import Column, Plot
 from ...plot.query import ROWS, Query, rows, usual

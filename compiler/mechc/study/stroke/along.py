@@ -16,7 +16,7 @@ from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.result import Result
 from ...model.values import Chain, Values, defaults, dependent
-from ..closed import NOT_ASSEMBLED, why_open
+from ..open_ranges import NOT_ASSEMBLED, why_open
 from .forms import form, holding, together
 
 EXCLUDED = "excluded by a condition of use"

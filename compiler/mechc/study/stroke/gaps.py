@@ -8,7 +8,7 @@ from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
 from ...kinematics.plan import Plan
 from ...model.values import range_of
-from ..closed import NO_POSE
+from ..open_ranges import NO_POSE
 from ..tolerances import FLAT_LOOP
 from .along import Along
 

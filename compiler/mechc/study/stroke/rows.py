@@ -6,17 +6,18 @@ from functools import cache, partial
 
 from ...formula.rounded_columns import RoundedColumn, RoundedColumns
 from ...formula.rounding import Rounding, Size, beyond_rounding, without_rounding, without_value
-from ...formula.walk import symbols
+from ...formula.walk import symbols, walk
 from ...model.mechanism import Mechanism
 from ...model.parts.targets import Efficiency, WithFriction
+from ...model.result import Definition
 from ...model.values import own_unit
 from ...units import ANGLE, LENGTH, Dimension
-from ..closed import NO_POSE
-from ..tolerances import STRAIGHT
+from ..open_ranges import NO_POSE
+from ..states import is_sign
+from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING
 from .along import Along
 from .columns import Asked, Filled, path_columns
 from .run import Run
-from .sides import from_both_sides, is_on_a_side
 from .stretches import beyond, trouble
 from .stroke import AngleAt, Column, Row, StrokeInterval
 from .transmission import Transmission, angles_at_pins, named, transmissions
@@ -145,3 +146,56 @@ def _row(run: Run, x: float, filled: Sequence[Filled], sizes: Sequence[Size]) ->
     values = tuple(math.nan if s.number is None else s.number for s in sizes)
     open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
     return Row(x, values, trouble(run, x), tuple(open_))
+
+
+# ------------------------------------------------------------------------------------- dead centres
+
+
+GROWS = 1.5
+"""How much larger what is infinite somewhere is at half the distance, at least."""
+
+
+def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) -> bool:
+    """Return whether a value rests on a sign that rounding makes, or has no number."""
+    if size.number is None or not math.isfinite(size.number):
+        return True
+    known = Rounding({})
+    known.values.update(rounding.values)
+    known.define(where)
+    formulas = (d.formula for d in where if d.name in known.values)
+    signs = (part for formula in formulas for part in walk(formula) if is_sign(part))
+    return any(known.of(sign).error >= 1 for sign in signs)
+
+
+def from_both_sides(
+    at: Callable[[float], float], stands: Callable[[float], bool], x: float, range_: float
+) -> Size:
+    """Return the limit of a result at ``x``, undetermined where its sides are not alike.
+
+    At a dead centre of the drive friction jams one motion and lets the other go on, so that the
+    result is undetermined; at one of the load both sides come to values between which all of them
+    balance. A side on which no pose ``stands`` does not count.
+    """
+    steps = [s * SIDE * range_ for s in (-1, 1)]
+    ends = [_limit(at, x, step) for step in steps if stands(x + step)]
+    low, high = min(ends, default=math.nan), max(ends, default=math.nan)
+    if all(map(math.isnan, ends)):
+        return Size(math.nan)
+    if any(map(math.isnan, ends)) or low * high < 0 or (math.isinf(high) and low < high):
+        return Size(None, undetermined=True)
+    return Size(_between(at(x), low, high))
+
+
+def _limit(at: Callable[[float], float], x: float, step: float) -> float:
+    """Return the limit of a result, on the line through its values one and two steps away."""
+    near, far = at(x + step), at(x + 2 * step)
+    if abs(near) > GROWS * abs(far):
+        return math.copysign(math.inf, near)
+    limit = 2 * near - far
+    return 0.0 if abs(limit) <= VANISHING * abs(near) else limit
+
+
+def _between(value: float, low: float, high: float) -> float:
+    """Return a value that lies between two others but for rounding, else their middle."""
+    room = SAME_SIDES * max(abs(low), abs(high))
+    return value if low - room <= value <= high + room else (low + high) / 2
