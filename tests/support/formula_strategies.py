@@ -33,6 +33,7 @@ angles = st.one_of(
         st.integers(-3, 3),
         st.sampled_from([-90, 40, 90]),
     ),
+    st.permutations([Symbol("theta"), negative(Symbol("beta")), degrees(19)]).map(total),
 )
 
 
