@@ -3,8 +3,8 @@
 ``python tests/support/hunt.py --from 98000000 --count 3000 --workers 2`` makes a mechanism of each
 seed, of the kinds in turn. Each line of the output is a statement that was refuted, a mechanism
 that took too long, or the summary; the exit status is 1 where anything was refuted. With
-``--kinds closed --from 98000007 --count 1`` one of them is looked at again; Ctrl-C ends it,
-with the summary of what there was.
+``--kinds closed --from 98000007 --count 1`` one of them is looked at again, with ``--looks page``
+by one of all means only; Ctrl-C ends it, with the summary of what there was.
 """
 
 import argparse
@@ -66,27 +66,31 @@ class Outcome(NamedTuple):
             yield f"{where}: out of time, {self.late}"
 
 
-def outcome(kind: str, seed: int, seconds: float = SECONDS) -> Outcome | None:
+def outcome(
+    kind: str, seed: int, seconds: float = SECONDS, looks: Iterable[str] = REFUTERS
+) -> Outcome | None:
     """Return the outcome for the mechanism that a kind has for a seed; None where it has none."""
     description = made(kind, seed)
     if description is None:
         return None
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         # a C compiler that is out of time may still write there
-        return looked_at(kind, Hunted(description, seed, Path(folder)), seconds)
+        return looked_at(kind, Hunted(description, seed, Path(folder)), seconds, looks)
 
 
-def _of_pair(pair: tuple[str, int], seconds: float) -> Outcome | None:
-    return outcome(*pair, seconds)
+def _of_pair(pair: tuple[str, int], seconds: float, looks: Iterable[str]) -> Outcome | None:
+    return outcome(*pair, seconds, looks)
 
 
-def looked_at(kind: str, found: Hunted, seconds: float = SECONDS) -> Outcome:
-    """Return the verdict on a mechanism of all that can refute."""
+def looked_at(
+    kind: str, found: Hunted, seconds: float = SECONDS, looks: Iterable[str] = REFUTERS
+) -> Outcome:
+    """Return the verdict on a mechanism of all that can refute, or of some of that."""
     done = Outcome(kind, found.seed)
     try:
         with no_longer_than(seconds):
-            for at, refute in REFUTERS.items():
-                done = done._replace(late=at)
+            for at in looks:
+                done, refute = done._replace(late=at), REFUTERS[at]
                 done = tried(done, at, lambda refute=refute: refute(found))
                 if not found.is_compiled:
                     break
@@ -166,6 +170,7 @@ def main() -> int:
     parser.add_argument("--workers", type=int, default=1, metavar="N")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="for each mechanism")
     parser.add_argument("--kinds", default=",".join(KINDS), help="some of them, commas between")
+    parser.add_argument("--looks", default=",".join(REFUTERS), help="some of them, likewise")
     asked = parser.parse_args()
     os.environ["MECHC_CACHE"] = ""
     signal.signal(signal.SIGINT, signal.default_int_handler)  # one in the background ignores it
@@ -173,7 +178,7 @@ def main() -> int:
     chosen = asked.kinds.split(",")
     kinds = [chosen[seed % len(chosen)] for seed in seeds]
     seen: list[Outcome] = []
-    look = partial(_of_pair, seconds=asked.seconds)
+    look = partial(_of_pair, seconds=asked.seconds, looks=asked.looks.split(","))
     with suppress(KeyboardInterrupt), Pool(asked.workers, maxtasksperchild=FRESH) as workers:
         for one in workers.imap(look, zip(kinds, seeds, strict=True)):
             if one is not None:
