@@ -37,7 +37,7 @@ def test_each_loop_is_of_its_kind(name, kinds):
 
 
 def test_congruent_triangles_are_solved_once():
-    first, second = steps("peaucellier_closed")
+    first, second, _ = steps("peaucellier_closed")
     assert [d.name for d in first.definitions] == ["len_OA", "phi_OA", "mu_B", "phi_AB"]
     assert (second.kind, second.points) == ("congruent", ("A", "C", "O"))
     assert second.like == first.points == ("A", "B", "O")
@@ -111,6 +111,39 @@ def test_what_follows_from_equal_numbers_is_said(coupler, kind):
     source = Source("m.mech", BY_NUMBERS.format(coupler=coupler))
     derivation = Compilation(source).derivation
     assert [step.kind for step in derivation.position] == [kind]
+
+
+def test_directions_that_vectors_have_put_in_are_said_where_they_were_found():
+    """The bars of a rhombus are parallel, which velocities rest on without naming them."""
+    *_, last = steps("peaucellier_closed")
+    assert (last.kind, last.points) == ("equal", ("C", "P", "B", "O"))
+    shown = {d.name: text(d.formula) for d in last.definitions}
+    assert shown == {"phi_BP": "phi - phi_AB", "phi_CP": "phi_AB"}
+
+
+UNNAMED = """
+param phi = 60 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (300 mm, 400 mm)
+link OA
+link QBD
+link AB
+OA = 200 mm @ phi
+QB = 200 mm
+AB = 500 mm
+QD = 900 mm @ QB
+assembly ABQ cw
+torque M on OA
+force F at D along -y
+find k = M/F
+"""
+
+
+def test_a_parallelogram_is_one_before_any_velocity():
+    (step,) = Compilation(Source("m.mech", UNNAMED)).derivation.position
+    assert step.kind == "equal"
+    shown = {d.name: text(d.formula) for d in step.definitions}
+    assert shown == {"phi_QB": "phi", "phi_AB": "atan2(y_Q, x_Q)"}
 
 
 TWO_IN_A_SLOT = """

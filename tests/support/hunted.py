@@ -54,7 +54,7 @@ class Hunted:
     def is_closed(self) -> bool:
         """Return whether loops or a drive give directions that a reader of the text cannot see."""
         pose = self.compilation.pose
-        return bool(pose.definitions or pose.loops or pose.mechanism.drive)
+        return bool(pose.definitions or pose.solved or pose.mechanism.drive)
 
     @cached_property
     def mechanism(self) -> SolvedMechanism:

@@ -72,10 +72,11 @@ class Limit(NamedTuple):
                 return ()
 
 
-LoopKind = Literal["triangle", "guide", "slot", "aligned", "lengths", "vector", "system"]
+LoopKind = Literal["triangle", "guide", "slot", "aligned", "equal", "lengths", "vector", "system"]
 """What the two unknowns of a loop are: two directions (``triangle``), a direction and a length
 along a given line (``guide``) or along a line that turns with it (``slot``; ``aligned`` where it
-passes through the other end), two ``lengths``. One unknown is that of a ``vector`` between
+passes through the other end), two ``lengths``. It is ``equal`` where a direction is that of
+another vector all the way, by the lengths in it. One unknown is that of a ``vector`` between
 points that have places; more than two make a ``system``."""
 
 
@@ -84,8 +85,9 @@ class SolvedLoop(NamedTuple):
 
     The points of a triangle are its vertices, the pin between the unknown sides the second;
     ``is_clockwise`` is how they lie, None for other loops. One that is congruent to an earlier
-    one has ``again`` what that gave, and ``like`` are the earlier one's points; ``mirrored`` is
-    the direction of a side that mirrors one of that in a line of symmetry.
+    one has ``again`` what that gave, and ``like`` are the earlier one's points. ``put_in`` are
+    directions that no name stands for in vectors: those of other vectors all the way, and that of
+    a side that mirrors one of the earlier triangle in a line of symmetry.
     """
 
     kind: LoopKind
@@ -94,7 +96,7 @@ class SolvedLoop(NamedTuple):
     is_clockwise: bool | None = None
     like: tuple[str, ...] = ()
     again: frozenset[str] = frozenset()
-    mirrored: tuple[Definition, ...] = ()
+    put_in: tuple[Definition, ...] = ()
 
 
 class PointContact(NamedTuple):

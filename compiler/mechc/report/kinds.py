@@ -63,9 +63,9 @@ class Rule(StrEnum):
     """The same from the projections of the velocity on two lines."""
 
 
-PositionKind = Literal[LoopKind, "length", "equal", "congruent", "sum"]
-"""How a loop is solved, or gives one ``length``, that ``equal`` lengths solve it, that it is a
-triangle ``congruent`` to an earlier one, or that a vector is the ``sum`` of others."""
+PositionKind = Literal[LoopKind, "length", "congruent", "sum"]
+"""How a loop is solved, or gives one ``length``, that it is a triangle ``congruent`` to an earlier
+one, or that a vector is the ``sum`` of others."""
 
 
 class SentenceKind(StrEnum):

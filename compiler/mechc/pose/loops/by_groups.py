@@ -23,7 +23,7 @@ from ...model.mechanism import Assembly, Link, Mechanism
 from ...model.values import Chain, dependent
 from ...units import LENGTH
 from ..directions import Directions
-from ..pose import ClosedLoop, Definition, Limit
+from ..pose import ClosedLoop, Definition, Limit, LoopKind
 from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
 from ..vectors import Vectors
 from .branches import branches
@@ -35,7 +35,7 @@ from .dyad_sides import Sides
 from .dyads import Loop
 from .groups import closures, left_open, remaining_blocks
 from .recognition import recognised, unwound
-from .redundant import check_fit
+from .redundant import check_fit, joined
 from .state import State
 
 
@@ -228,15 +228,17 @@ class _Closing:
             return False
         self._check_values(cycle)
         familiar = self._familiar(cycle)
-        candidates = [recognised(c, wanted, familiar, state) for c in group.closures]
+        known = [recognised(c, wanted, familiar, state) for c in group.closures]
+        candidates = [joined(c, wanted, cycle, state) for c in known]
         chosen = self._choice.choose(candidates, group, within)
         is_new = not sides.again
         state.limits += [group.limit] if group.limit and is_new else []
         if group.root is not None and is_new and any(chosen is each for each in group.closures):
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
-        points = group.triples()[0] if group.kind == "triangle" else points_around(cycle)
+        kind: LoopKind = "equal" if chosen.alike else group.kind
+        points = group.triples()[0] if kind == "triangle" else points_around(cycle)
         side = tuple(arm for edge in cycle for arm in edge.arms)
-        state.take(unwound(chosen, state), wanted, [side], group.kind, points, sides.again)
+        state.take(unwound(chosen, state), wanted, [side], kind, points, sides.again)
         return True
 
     def _familiar(self, cycle: Cycle) -> list[Angle]:

@@ -4,6 +4,7 @@ A loop ``D + X + Y = 0`` has a known part D and two unknowns, each a direction o
 """
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
@@ -20,12 +21,14 @@ class Closure(NamedTuple):
 
     ``definitions`` are new names with their formulas; ``directions`` are unknown angles as
     angles in known ones and in those names. ``across`` is the direction that mirrors another one
-    in a line of symmetry, '' for none.
+    in a line of symmetry, '' for none; ``alike`` are the unknown angles that are those of other
+    vectors all the way, as in a parallelogram.
     """
 
     definitions: tuple[Definition, ...]
     directions: Mapping[str, Angle]
     across: str = ""
+    alike: Mapping[str, Angle] = MappingProxyType({})
 
 
 class Turning(NamedTuple):

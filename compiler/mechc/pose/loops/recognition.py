@@ -94,10 +94,13 @@ def _rewritten(closure: Closure, name: str, angle: Angle, keep: bool) -> Closure
     """Return a closure in which a direction is another one."""
     others = tuple(d for d in closure.definitions if d.name != name)
     directions = {n: a for n, a in closure.directions.items() if n != name}
+    alike = {**closure.alike, name: angle}
     if keep:
-        return Closure((*others, Definition(name, angle.formula())), directions)
+        others = (*others, Definition(name, angle.formula()))
+        return closure._replace(definitions=others, directions=directions, alike=alike)
     put: Callable[[Angle], Angle] = lambda a: a.put({name: angle})  # noqa: E731
-    return Closure(others, {**{n: put(a) for n, a in directions.items()}, name: angle})
+    put_in = {**{n: put(a) for n, a in directions.items()}, name: angle}
+    return closure._replace(definitions=others, directions=put_in, alike=alike)
 
 
 def turned_back(formula: Formula, turns: int) -> Formula:

@@ -1,15 +1,15 @@
 """Vectors between points that are placed already: they must fit, and then say nothing new."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...algebra.angle import Angle
 from ...diagnostics import Diagnostic
 from ...diagnostics import pose as messages
 from ...formula.tree import Call
 from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
-from ..tolerances import LOOP_GAP
-from ..vector_graph import Cycle, loop_name, mentioned, points_around
+from ..tolerances import LOOP_GAP, SAME_PLACE
+from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
 from .dyads import Closure
 from .recognition import recognised
 from .state import State
@@ -68,6 +68,42 @@ def _side_gap(known: Vector, moving: list[Arm], values: dict[str, float]) -> tup
     return longest, y * math.cos(theta) - x * math.sin(theta)
 
 
+def joined(closure: Closure, wanted: Names, cycle: Cycle, state: State) -> Closure:
+    """Return a closure one of whose two directions is that of another vector all the way.
+
+    The other vector joins points that are placed then. The law of the loop would put it into
+    the other closure beyond a pose where the two meet: a parallelogram's coupler is parallel to
+    its frame on either side of the pose where all of it lies flat.
+    """
+    others = wanted - closure.alike.keys()
+    if not closure.alike or len(others) != 1 or not others <= state.angles:
+        return closure
+    (name,) = others
+    arms = [Arm(a.length, a.angle.put(closure.alike)) for e in cycle for a in e.arms]
+    known = _present((a for a in arms if name not in mentioned((a,))), state)
+    moving = [a for a in arms if name in mentioned((a,))]
+    if not known:
+        return closure
+    own = tuple(d for d in closure.definitions if d.name in closure.alike)
+    put = {n: a for n, a in closure.directions.items() if n in closure.alike}
+    rest = closure_of(name, known, moving, state)
+    directions = {**put, **rest.directions}
+    return closure._replace(definitions=(*own, *rest.definitions), directions=directions)
+
+
+def _present(arms: Iterable[Arm], state: State) -> Vector:
+    """Return a vector without arms that vanish by the numbers given, such as ``OA − QB``."""
+    sums = gathered(arms)
+    poses = [v for v in (state.base, *state.values) if mentioned(sums) <= v.keys()]
+    sizes = [[abs(arm.length.evaluate(values)) for arm in sums] for values in poses]
+    longest = [max(row) for row in sizes] if sums else []
+    return tuple(
+        arm
+        for arm, *own in zip(sums, *sizes, strict=True)
+        if any(size > SAME_PLACE * whole for size, whole in zip(own, longest, strict=True))
+    )
+
+
 def closure_of(name: str, known: Vector, moving: list[Arm], state: State) -> Closure:
     """Return the unknown; what turns as one body has a direction within it, ``delta``."""
     if name not in state.angles:
@@ -77,10 +113,12 @@ def closure_of(name: str, known: Vector, moving: list[Arm], state: State) -> Clo
     sense = int(dict(moving[0].angle.terms)[name])
     offset = moving[0].angle - Angle.of(name) * sense
     turn = common_turn(known)
-    x, y = components(tuple(Arm(a.length, a.angle - turn) for a in known))
+    x, y = components(tuple(Arm(-a.length, a.angle - turn) for a in known))
+    direction = Call("atan2", (y.formula(), x.formula()))
+    if moving[0].angle == Angle.of(name) and not turn.terms:
+        return Closure((Definition(name, direction),), {})
     own = state.free_name(f"{'delta' if turn.terms else 'phi'}_{name.removeprefix('phi_')}_")
-    direction = Definition(own, Call("atan2", (y.formula(), x.formula())))
-    angle = principal((turn + Angle.of(own) + Angle.constant(180) - offset) * sense)
+    angle = principal((turn + Angle.of(own) - offset) * sense)
     if name in state.named:
-        return Closure((direction, Definition(name, angle.formula())), {})
-    return Closure((direction,), {name: angle})
+        return Closure((Definition(own, direction), Definition(name, angle.formula())), {})
+    return Closure((Definition(own, direction),), {name: angle})

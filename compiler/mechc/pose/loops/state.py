@@ -17,6 +17,7 @@ from ..vector_graph import Edge, Names, VectorGraph
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .rated import Rated, given_rates
+from .triangle import principal
 
 MANY = 3
 """The angles that a direction is the sum of, from which on it keeps its name."""
@@ -137,12 +138,13 @@ class State:
         self.graph.sought.difference_update(unknown)
         names = (*(d.name for d in closure.definitions), *self._name_directions())
         like = next((loop.points for loop in self.solved if not known.isdisjoint(loop.names)), ())
-        mirrored = tuple(
-            Definition(name, angle.formula())
+        known_by = {closure.across, *closure.alike}
+        put_in = tuple(
+            Definition(name, principal(angle).formula())
             for name, angle in closure.directions.items()
-            if name == closure.across
+            if name in known_by
         )
-        self.solved.append(SolvedLoop(kind, points, names, turn, like, known, mirrored))
+        self.solved.append(SolvedLoop(kind, points, names, turn, like, known, put_in))
 
     def _name_directions(self) -> Iterator[str]:
         """Name the directions that are sums of many angles, all of them known by now.

@@ -1,7 +1,7 @@
 """Position: what follows from each loop and sum of vectors, in the order in which it follows."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import groupby
+from itertools import groupby, starmap
 
 from ...formula.names import split_points
 from ...formula.tree import ONE, Call, Formula, Implicit, Number, Power, Product, Sum
@@ -16,12 +16,12 @@ from ..steps import Derivation, Equation, PositionStep
 def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]:
     """Return the loops and sums that a derivation rests on, with what each gives of it."""
     formulas = {d.name: d.formula for d in pose.definitions}
-    order = {name: place for place, name in enumerate(formulas)}
+    order = _order(pose, formulas)
     solved = {loop.points: loop for loop in pose.solved}
 
-    def place(step: PositionStep) -> int:
+    def place(step: PositionStep) -> tuple[int, int]:
         """Return where a step stands: one that gives nothing new after the one it is like."""
-        names = [d.name for d in step.definitions if d.name in order] or solved[step.points].again
+        names = [d.name for d in step.definitions] or solved[step.points].again
         return min(order[name] for name in names)
 
     steps = [*_of_loops(pose, derivation, formulas), *_of_sums(pose, derivation, formulas)]
@@ -32,14 +32,34 @@ def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]
 Formulas = Mapping[str, Formula]
 
 
+def _order(pose: Pose, formulas: Formulas) -> dict[str, tuple[int, int]]:
+    """Return where each name comes: those that vectors have put in with what their loop gives."""
+    order = {name: (place, 0) for place, name in enumerate(formulas)}
+    last = -1
+    for number, loop in enumerate(pose.solved, 1):
+        last = max([last, *(order[n][0] for n in loop.names if n in order)])
+        order |= {d.name: (last, number) for d in loop.put_in}
+    return order
+
+
 def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:
     needed = reached([*_mentioned(derivation), *_in_conditions(derivation)], formulas)
+    subjects = [step.subject for step in derivation.steps]
     for loop in pose.solved:
         names = [n for n in loop.names if n in needed]
-        if names or not loop.again.isdisjoint(needed):
-            found = tuple(Definition(n, formulas[n]) for n in names)
-            given = (*(Definition(*found) for found in loop.mirrored), *found)
-            yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, given, loop.like)
+        put_in = [d for d in loop.put_in if any(map(_ends(d.name).issubset, subjects))]
+        if names or put_in or not loop.again.isdisjoint(needed):
+            found = (*starmap(Definition, put_in), *(Definition(n, formulas[n]) for n in names))
+            yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found, loop.like)
+
+
+def _ends(direction: str) -> frozenset[str]:
+    """Return the points of the vector that a direction is named after.
+
+    >>> sorted(_ends("phi_O1B"))
+    ['B', 'O1']
+    """
+    return frozenset("".join(point) for point in split_points(_vector(direction)))
 
 
 def _put_in(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]:

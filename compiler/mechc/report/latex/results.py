@@ -206,7 +206,9 @@ def _line(definition: Definition | Solved, style: Notation, units: Mapping[str, 
     assert isinstance(definition, Definition)
     own = definition.name
     unit = units.get(own, "")
-    return Line(plain(name(own, style)), definition.formula, own in style.angles, unit)
+    return Line(
+        plain(name(own, style)), definition.formula, is_angle(Symbol(own), style.angles), unit
+    )
 
 
 def _solved(group: Definition | Solved, locale: Locale, style: Notation) -> tuple[str, str]:

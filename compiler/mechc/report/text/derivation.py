@@ -245,7 +245,8 @@ def _unit(name: str, units: Mapping[str, str], spell: Speller) -> str:
 def _group(group: Definition | Solved, spell: Speller, units: Mapping[str, str]) -> Iterator[str]:
     if isinstance(group, Definition):
         left = spell.relation((Symbol(group.name),), (), False)
-        right = spell.relation((group.formula,), (), group.name in spell.angles)
+        angle = is_angle(Symbol(group.name), spell.angles)
+        right = spell.relation((group.formula,), (), angle)
         yield from spell.broken(f"{left} = {right}{_unit(group.name, units, spell)}")
     else:
         names = ", ".join(spell.relation((Symbol(n),), (), False) for n in group.names)

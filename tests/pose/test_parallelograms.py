@@ -1,0 +1,84 @@
+"""Parallelograms of any frame: one direction is another one, and the other vector joins points.
+
+They stay what they are on either side of the pose in which all of them lies flat, where the
+law of cosines would go over to the crossed four-bar.
+"""
+
+import math
+import random
+
+import pytest
+
+from mechc.driver import Compilation
+from mechc.model.values import completed, defaults
+from mechc.power.numbers import value_of
+from mechc.source import Source
+
+TEXT = """
+param phi = {start} deg
+{params}
+pivot O at (0 mm, 0 mm)
+pivot Q at ({x} mm, {y} mm)
+link OA
+link QBD
+link AB
+OA = {crank} @ phi
+QB = {rocker}
+AB = {coupler}
+QD = 700 mm @ QB
+assembly ABQ {turn}
+{drive}
+torque M on OA
+force F at D along {load} deg
+find k = M/F
+"""
+
+
+def parallelogram(seed, named, drive=""):
+    """Return a description, and by how many degrees the frame is ahead of the crank."""
+    rng = random.Random(seed)
+    x, y = rng.choice([(300, 400), (-300, 400), (120, -50), (-80, -150), (0, 260), (240, 0)])
+    frame = math.degrees(math.atan2(y, x))
+    start = round(rng.uniform(-170, 170))
+    ahead = math.remainder(frame - start, 360)
+    coupler = round(math.hypot(x, y))
+    text = TEXT.format(
+        start=start,
+        params="param c = 200 mm in 100 mm .. 300 mm" if named else "",
+        crank="c" if named else "200 mm",
+        rocker="c" if named else "200 mm",
+        coupler=f"{coupler} mm",
+        turn="ccw" if ahead > 0 else "cw",
+        load=rng.randrange(-180, 180),
+        drive=drive,
+        x=x,
+        y=y,
+    )
+    return text, ahead, (x / 1000, y / 1000)
+
+
+@pytest.mark.parametrize("named", [False, True])
+@pytest.mark.parametrize("seed", range(12))
+def test_a_parallelogram_stays_one_beyond_its_flat_pose(seed, named):
+    text, ahead, frame = parallelogram(seed, named)
+    compilation = Compilation(Source("m.mech", text))
+    pose, (result,) = compilation.pose, compilation.solution.results
+    assert compilation.verdict.agrees
+    start = defaults(pose.mechanism)
+    load = math.radians(float(text.rpartition("along ")[2].split()[0]))
+    for turn in (0.0, 0.4, -0.4, 1.2, 2 * math.radians(ahead)):
+        values = completed({**start, "phi": start["phi"] + turn}, pose.definitions)
+        (coupler,) = pose.vector("AB", "A", "B")
+        along = coupler.angle.evaluate(values)
+        assert math.remainder(along - math.atan2(*frame[::-1]), math.tau) == pytest.approx(0)
+        expected = -0.7 * math.sin(load - values["phi"])  # D moves across QD, which is along OA
+        assert value_of(result, values) == pytest.approx(expected, abs=1e-9)
+
+
+def test_where_it_lies_flat_it_can_go_on_in_two_ways():
+    """The frame is at 180° less arctg(4/3), where the crank lies along it."""
+    text, _, frame = parallelogram(4, False, "drive phi from 0 deg to 179 deg")
+    stroke = Compilation(Source("m.mech", text)).stroke(7)
+    flat = math.atan2(*frame[::-1])
+    (branch,) = stroke.branches
+    assert branch.drive == pytest.approx(flat)
