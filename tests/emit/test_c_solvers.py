@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from mechc.emit.c.elimination import reduced
-from mechc.emit.c.opening import opening
+from mechc.emit.c.solvers import opening
 from mechc.formula.tree import ZERO, Symbol, System, negative, number, power, product, total
 from mechc.routine.sharing import solver
 from systems import triad

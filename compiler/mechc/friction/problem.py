@@ -30,9 +30,8 @@ from ..power.numbers import is_nil_everywhere
 from ..power.reactions import Reactions
 from .assumptions import assumptions
 from .closed_forces import Drive
-from .closed_form import Named
+from .closed_form import DefaultPose, Named
 from .coupled import Coupled, coupled, true_sizes
-from .default import DefaultPose
 from .free_bodies import Bodies, Task, cut_free
 from .naming import Endings, Meanings, Sizes, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, Undetermined, loaded_pairs

@@ -18,7 +18,6 @@ from ..render import Line, render
 from ..target import Compiled, Emitted, Options
 from . import gradient
 from . import threads as parallel
-from .checks import ChecksContext, checks_context
 from .functions import FileScope, FunctionContext, Symbols, function_context, symbols_of
 from .parameters import ParametersContext, parameters_context
 from .pose import CommonContext, PoseContext, common_context, pose_contexts
@@ -26,7 +25,7 @@ from .printer import CPrinter, harmless
 from .real import FLOAT, Real, in_single_precision, named
 from .reserved import HEADERS, LINKED, RESERVED
 from .solvers import SolverContext, solver_context, solvers_of
-from .status import StatusContext
+from .status import ChecksContext, StatusContext, checks_context
 
 if TYPE_CHECKING:
     from .gradient import GradientContext

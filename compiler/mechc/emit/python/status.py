@@ -1,9 +1,19 @@
-"""The function that says whether a result with friction moves."""
+"""Functions that say whether a result with friction moves, and which condition of a sheet fails."""
 
 from collections.abc import Mapping
 
 from ...named import NamedTuple
-from ...routine.steps import NOTHING, STATUSES, Function, Solve, Solver, mentioned, names_of
+from ...routine.steps import (
+    NOTHING,
+    STATUSES,
+    Checks,
+    Function,
+    Solve,
+    Solver,
+    mentioned,
+    names_of,
+    sides_of,
+)
 from .. import describe
 from ..names import Names, mangle
 from ..printer import driving
@@ -73,4 +83,36 @@ def status_context(
         if asked.is_idle
         else "np.where(ahead, load, np.negative(load)) > 0.0",
         asked.standstill,
+    )
+
+
+# --------------------------------------------------------------------------------------- conditions
+
+
+class ChecksContext(NamedTuple):
+    """Fields are what ``python/checks.jinja`` mentions."""
+
+    name: str
+    arguments: list[str]
+    inputs: list[Line]
+    body: list[Line]
+    conditions: list[str]
+    meanings: list[str]
+
+
+def checks_context(
+    checks: Checks, name: str, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+) -> ChecksContext:
+    """Return the function of a sheet's conditions."""
+    own = {i.name: arguments[i.name] for i in checks.inputs}
+    space = Names(RESERVED.besides(["status", "holds", "number"]), set(own.values()))
+    printer = PythonPrinter(own | mangle((n for s in checks.steps for n in names_of(s)), space))
+    used = mentioned(checks.steps, sides_of(checks.guards))
+    return ChecksContext(
+        name,
+        list(own.values()),
+        [Line(own[i.name], describe.input_words(i, own[i.name])) for i in checks.inputs],
+        [line(step, used, solvers, printer) for step in checks.steps],
+        [printer.condition(guard) for guard in checks.guards],
+        describe.status_lines(checks),
     )

@@ -32,7 +32,6 @@ from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
 from . import gradient
-from .checks import ChecksContext, checks_context
 from .pairs import PAIR
 from .pose import (
     CommonContext,
@@ -43,7 +42,7 @@ from .pose import (
 )
 from .printer import KEYWORDS, MODULES, RESERVED
 from .solvers import SolverContext, solver_context, solver_names
-from .status import StatusContext, status_context
+from .status import ChecksContext, StatusContext, checks_context, status_context
 
 _SIGNS = {**SIGNS, "same": "=="}
 
