@@ -1,5 +1,7 @@
 """Words for drawn places: points that are not where the rest of the description has them."""
 
+import math
+
 from ..source import Span
 from .diagnostic import Message, Related, coded
 
@@ -173,6 +175,42 @@ def place_unused(at: Span, point: str, pivot: str) -> Message:
     message = f"the place of {point} has no effect: nothing that it is tied to has one"
     hint = f"give it one as well, as in `pivot {pivot} at (0 mm, 0 mm)`, or leave this line out"
     return Message(at, message, hint if pivot else "leave this line out")
+
+
+@coded("W349")
+def wrapped_backwards(at: Span, point: str, clockwise: bool) -> Message:
+    """A rope goes around its drum the other way than its wrap says.
+
+    The wrap is positive where the rope goes counter-clockwise, on its way from the first point
+    that its line names. Which end is the tight one follows from its sign::
+
+        A at (-100 mm, -300 mm)
+        B at (100 mm, -300 mm)
+        rope A, O along y, B along -y                        # over the drum on O, clockwise
+        friction rope O 0.3 wrap 180 deg drum 200 mm on OC   # warned of
+        friction rope O 0.3 wrap -180 deg drum 200 mm on OC  # right
+    """
+    drawn, said = ("counter-clockwise", "clockwise")[:: -1 if not clockwise else 1]
+    message = f"the rope is drawn {drawn} around {point}, and its wrap is {said}"
+    return Message(at, message, "turn the sign of the wrap round, or correct the places")
+
+
+@coded("W350")
+def wrapped_farther(at: Span, point: str, wrap: float, turn: float) -> Message:
+    """A rope turns at a pulley by another angle, as its falls are drawn, than its wrap says.
+
+    Forces run along the falls, from point to point where no direction is given, and friction
+    follows the wrap. Some degrees are left to the size of pulleys::
+
+        A at (0 mm, -300 mm)
+        B at (400 mm, 0 mm)
+        rope A, O, B                         # up, and to the right: a quarter of a turn
+        friction rope O 0.2 wrap 180 deg     # warned of
+        friction rope O 0.2 wrap 90 deg      # right
+    """
+    drawn, said = abs(math.degrees(math.remainder(turn, math.tau))), math.degrees(wrap)
+    message = f"the rope is drawn to turn by {drawn:.4g} deg at {point}, its wrap is {said:.6g} deg"
+    return Message(at, message, "correct the wrap, the places, or give the falls directions")
 
 
 @coded("E516")

@@ -31,14 +31,14 @@ def balance(plan: Plan, report: Report) -> Balance:
     pose, W501 … W504 for loads without work, zero and negative ratios, idle degrees of freedom.
     """
     problem = problem_of(plan, report)
-    warn_of_idle_motions(problem)
-    found = (_answer(problem, find) for find in problem.mechanism.finds)
-    solved = tuple(answer for answer in found if answer is not None)
+    answers = [_answer(problem, find) for find in problem.mechanism.finds]
+    solved = tuple(answer for answer in answers if answer is not None)
     terms, equations, driving = problem.terms, problem.equations, problem.driving
     balanced = Balance(plan, terms, equations, driving, solved, problem.reading.plan)
+    report.stop_on_errors()
+    warn_of_idle_motions(problem)
     if not problem.mechanism.friction.joints:
         warn_of_idle_loads(balanced, balanced.results, report)
-    report.stop_on_errors()
     return replace(balanced, solved=checked(balanced, problem.numbers, report))
 
 

@@ -1,12 +1,12 @@
 """Remarks on what the power equations do not see: loads without work, motions without load."""
 
-from collections.abc import Iterable
+from collections.abc import Iterator, Sequence
 
 from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..formula.walk import symbols
 from ..kinematics.graph import Kind
-from ..model.mechanism import SpeedRatio
+from ..model.mechanism import LoadRatio, SpeedRatio, WithFriction
 from ..model.result import Result
 from .balance import Balance
 from .loads import held_drives
@@ -28,7 +28,7 @@ def warn_of_idle_motions(problem: Problem) -> None:
     problem.report.add(messages.idle_freedom(spans[what[0]], what))
 
 
-def warn_of_idle_loads(balance: Balance, results: Iterable[Result], report: Report) -> None:
+def warn_of_idle_loads(balance: Balance, results: Sequence[Result], report: Report) -> None:
     """Warn of loads without work that no result has, but not in a frame.
 
     With friction a load without work may press a joint: all results have to be known.
@@ -40,7 +40,15 @@ def warn_of_idle_loads(balance: Balance, results: Iterable[Result], report: Repo
     for result in results:
         shown += [result.formula, *(d.formula for d in result.where)]
     seen = {name for formula in shown for name in symbols(formula)}
+    seen |= {load for result in results for load in _overcome(result)}
     spans = {load.name: load.span for load in mechanism.loads}
     for name in balance.equations.idle_loads:
         if name not in seen:
             report.add(messages.load_does_no_work(spans[name], name, held_drives(mechanism)))
+
+
+def _overcome(result: Result) -> Iterator[str]:
+    """Yield the load below the line of a ratio with friction that is not zero, as of a brake."""
+    match result.target:
+        case WithFriction(of=LoadRatio(below=load)) if result.default:
+            yield load

@@ -257,16 +257,21 @@ def _remark(
     if factor is not None or not math.isfinite(number):
         report.add(messages.pole_at_default(find.span, find.name, text(factor) if factor else ""))
     elif isinstance(find.target, LoadRatio):
-        if number == 0 or (item.value and _vanishing(item.value, values, 1) is not None):
+        vanishes = item.value and _vanishing(item.value, values, 1) is not None
+        if (number == 0 or vanishes) and find.target.below not in arrows.idle:
             report.add(messages.result_zero(find.span, find.name))
         elif number < 0:
             arrows.remark(find, find.target, item.result)
 
 
 class Arrows:
-    """Which arrows point the wrong way; of those of several ratios it is said once."""
+    """Which arrows point the wrong way; of those of several ratios it is said once.
+
+    ``idle`` are the loads that do no work in any motion: a ratio to one is zero for that reason.
+    """
 
     def __init__(self, balance: Balance, report: Report) -> None:
+        self.idle = balance.equations.idle_loads
         self._pose = balance.plan.graph.pose
         self._loads = {t.load.name: t.load for t in balance.terms}
         self._report, self._reported = report, set[str]()

@@ -11,7 +11,6 @@ given holds, and of several closures the one nearest to the drawn places is mean
 
 import math
 from collections.abc import Collection, Iterable, Iterator
-from itertools import pairwise
 
 from ...diagnostics import Diagnostic, Report
 from ...diagnostics import drawn as messages
@@ -36,6 +35,7 @@ from ..mechanism import (
 from ..values import Chain, defaults, dependent
 from .closing import closing
 from .driving import fault_of, is_outside, with_driven
+from .ropes import turned_falls, wraps_otherwise
 from .sketch import Sketch
 
 
@@ -189,16 +189,13 @@ def _touching(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
 # ------------------------------------------------------------------------------------------- checks
 
 
-BACKWARDS = -0.5
-"""The cosine of the angle to the drawn fall below which a rope is said to run the wrong way."""
-
-
 def _faults(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield E321, E322, E327 and E345."""
+    """Yield E321, E322, E327, E345, W349 and W350."""
     yield from _without_place(mechanism, sketch)
     yield from _coinciding(mechanism, sketch)
     yield from _off_line(mechanism, sketch)
-    yield from _turned_falls(mechanism, sketch)
+    yield from turned_falls(mechanism, sketch)
+    yield from wraps_otherwise(mechanism, sketch)
 
 
 def _without_place(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
@@ -245,15 +242,3 @@ def _lines(mechanism: Mechanism, sketch: Sketch) -> Iterator[tuple[str, str, str
             x, y = sketch.way(slot.tail, slot.head)
             line = f"the slot {slot.tail}{slot.head}"
             yield slot.point, slot.tail, line, math.atan2(y, x)
-
-
-def _turned_falls(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield the falls of ropes whose direction is against the way from point to point."""
-    for rope in mechanism.ropes:
-        for (tail, head), along in zip(pairwise(rope.route), rope.ways, strict=True):
-            turned = sketch.turned(along)
-            if turned is not None and sketch.has_all((tail, head)):
-                x, y = sketch.way(tail, head)
-                ahead = x * math.cos(turned) + y * math.sin(turned)
-                if ahead < BACKWARDS * math.hypot(x, y):
-                    yield messages.fall_drawn_backwards(along.span, tail, head)
