@@ -63,6 +63,8 @@ SHEET = "sheet pin\nparam d = 3\nparam F = 12 kN\nparam a = 5 mm\n"
         ("let A = a^2*0.25 in mm^2", ""),
         ("let A = a*10 mm", ""),
         ("let I = a^2*(4 mm^2)", ""),
+        ("let A = a^2\nlet I = A*12 mm^2", ""),
+        ("let A = a^2\nlet I = 3*A*12 mm^2", "W294"),
         ("let A = pi*a^2*0.25 mm^2", "W294"),
         ("let A = pi*50 mm^2/4", "W279"),
         ("param T = F*2 N", "W294"),
@@ -104,3 +106,85 @@ def test_a_place_beside_vectors_rests_on_a_pivot_with_a_place(lines: str, warned
     compilation = Compilation(Source("crank.mech", f"{CRANK}{lines}\n"))
     assert compilation.results
     assert ("W321" in {d.code for d in compilation.report.diagnostics}) == warned
+
+
+BRAKE = """
+pivot O at (0 mm, 0 mm)
+pivot C at (-120 mm, -250 mm)
+link OA
+A at (0 mm, 60 mm)
+link CDE
+D at (120 mm, -250 mm)
+E at (480 mm, -250 mm)
+rope C, O along y, D along -y
+torque M on OA
+force P at E along -y
+find k = M/P
+"""
+
+
+@pytest.mark.parametrize(
+    ("friction", "codes"),
+    [
+        ("friction rope O 0.3 wrap -180 deg drum 240 mm on OA", set()),
+        ("friction rope O 0.3 wrap 180 deg drum 240 mm on OA", {"W349"}),
+        ("friction rope O 0.3 wrap 540 deg drum 240 mm on OA", {"W349"}),
+    ],
+)
+def test_a_wrap_goes_around_the_drum_as_the_rope_is_drawn(friction: str, codes: set[str]) -> None:
+    """P works through friction alone, so that nothing is said of a load without influence."""
+    compilation = Compilation(Source("brake.mech", f"{BRAKE}{friction}\n"))
+    assert compilation.solution
+    assert {d.code for d in compilation.report.diagnostics} == codes
+
+
+@pytest.mark.parametrize(
+    ("route", "wrap", "warned"),
+    [
+        ("A, O, B", "60 deg", False),
+        ("A, O, B", "-60 deg", False),  # a pulley that is held may be rounded either way
+        ("A, O, B", "420 deg", False),
+        ("A, O, B", "90 deg", True),
+        ("A, O along y, B along x", "90 deg", False),
+    ],
+)
+def test_a_wrap_is_the_turn_of_the_drawn_falls(route: str, wrap: str, warned: bool) -> None:
+    text = f"""
+pivot O at (0 mm, 0 mm)
+slider A along y
+slider B along x
+A at (-100 mm, -300 mm)
+B at (400 mm, 100 mm)
+rope {route}
+force P at B along x
+force F at A along -y
+friction rope O 0.25 wrap {wrap}
+find k = P/F
+"""
+    compilation = Compilation(Source("rope.mech", text))
+    assert compilation.solution
+    assert ("W350" in {d.code for d in compilation.report.diagnostics}) == warned
+
+
+@pytest.mark.parametrize(
+    ("stroke", "codes"),
+    [
+        ("from 20 deg to 160 deg speed 60 rpm", set()),
+        ("from 20 deg to 160 deg speed 6 rad/s", set()),
+        ("from 20 deg to 160 deg speed 6 1/s", set()),
+        ("from 20 deg to 160 deg speed 1 Hz*1 rev", set()),
+        ("from 20 deg to 160 deg speed 1 Hz", {"W296"}),
+        ("from 20 deg to 160 deg speed 60 1/min", {"W296"}),
+        ("from 0 deg to 2.5 rad", set()),
+        ("from 20 deg to 2.5 rad", {"W297"}),
+        ("from 20 deg to 160 rad", {"W245"}),
+    ],
+)
+def test_speeds_and_strokes_in_units_that_are_hardly_meant(stroke: str, codes: set[str]) -> None:
+    text = CRANK.replace("BC = 120 mm @ -20 deg", "BC = 120 mm").replace("40 deg", "40 deg", 1)
+    lines = f"pivot O at (0 mm, 0 mm)\nassembly C forward\ndrive phi {stroke}\n"
+    text = text.replace("slider C along x", "slider C along x through O")
+    compilation = Compilation(Source("crank.mech", f"{text}{lines}"))
+    assert compilation.mechanism
+    found = {d.code for d in compilation.report.diagnostics}
+    assert found & {"W245", "W296", "W297"} == codes

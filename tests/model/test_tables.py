@@ -34,3 +34,13 @@ def test_a_list_has_two_hundred_sizes_at_most(count: int, codes: list[str]) -> N
     except MechcError as error:
         found = [d.code for d in error.diagnostics]
     assert found == codes
+
+
+@pytest.mark.parametrize(
+    ("table", "value"),
+    [("0: 1 mm, 1 m/s: 2 mm", 0.0015), ("0 m/s: 0, 1 m/s: 2 mm", 0.001), ("0: 0, 1 m/s: 2", 1.0)],
+)
+def test_a_bare_zero_in_a_table_measures_what_the_others_do(table: str, value: float) -> None:
+    made = sheet(f"table m = {table}\nparam v = 0.5 m/s\nlet q = m at v")
+    (let,) = made.lets
+    assert evaluate(let.value, {"v": 0.5}) == pytest.approx(value)

@@ -155,6 +155,14 @@ class Report:
         if all((known.code, known.span) != at for known in self.diagnostics):
             self.add(diagnostic)
 
+    def has(self, code: str, within: Span | None) -> bool:
+        """Return whether a diagnostic of a code is noted within a place."""
+        found = (known.span for known in self.diagnostics if known.code == code)
+        return any(
+            span and within and within.start <= span.start and span.end <= within.end
+            for span in found
+        )
+
     def _with_use(self, diagnostic: Diagnostic) -> Diagnostic:
         at = diagnostic.span.start if diagnostic.span else -1
         uses = (use for text, use in self._uses if text.start <= at < text.end)

@@ -74,7 +74,8 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     _warn_lonely(points)
     mechanism = for_readers(mechanism, file, report.source)
     for doubt in doubts(mechanism) if not sheet else ():
-        report.add(doubt)
+        if doubt.code != "W266" or not report.has("W295", doubt.span):
+            report.add(doubt)
     for doubt in beyond_ranges(mechanism, report):
         report.add(doubt)
     if sheet:

@@ -70,6 +70,20 @@ def place_far_off(span: Span, point: str) -> Message:
     return Message(span, message, "are the units of its coordinates right?")
 
 
+@coded("W298")
+def spring_far_off(span: Span, points: str, times: float) -> Message:
+    """A spring is drawn more than ten times as long, or as short, as it is without force.
+
+    No spring bears that, so that one of the units is wrong::
+
+        spring 5 N/mm between D and A free 180 m     # warned of where D and A are 220 mm apart
+        spring 5 N/mm between D and A free 180 mm    # right
+    """
+    than = f"{times:.4g} times" if times > 1 else f"1/{1 / times:.4g} of"
+    message = f"the free length of the spring is {than} the drawn distance {points}"
+    return Message(span, message, "is its unit right?")
+
+
 @coded("W251")
 def coefficient_above_one(span: Span, what: str, value: float) -> Message:
     """A coefficient of friction is above 1, which dry surfaces hardly ever reach.

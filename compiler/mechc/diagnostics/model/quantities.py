@@ -12,6 +12,7 @@ from ...units import (
     MASS,
     NUMBER,
     PRESSURE,
+    STIFFNESS,
     USUAL_UNITS,
     Dimension,
     base_units,
@@ -80,7 +81,9 @@ def wrong_dimension(
     OB = alpha @ a      # wrong: length and direction are exchanged
     OB = a @ alpha      # right
     """
-    said = f"{what}: expected {described(wanted)}, found {described(found)}"
+    of_a_length = (what, wanted) == ("an intensity", STIFFNESS)
+    expected = "a force on a length (N/mm)" if of_a_length else described(wanted)
+    said = f"{what}: expected {expected}, found {described(found)}"
     unit = USUAL_UNITS.get(wanted, "")
     bare = name and unit and found == NUMBER
     hint = f"if '{name}' is a number without its unit, declare it as `… {unit}`" if bare else ""
@@ -96,6 +99,10 @@ def wrong_dimension(
         hint = "gravity has a direction, -y; its size is a parameter: g = 9.81 m/s^2"
     if (found, what) == (ANGLE, "a coefficient of friction"):
         hint = "the coefficient for an angle of friction is its tangent: tan(6 deg)"
+    if what == "an exponent":
+        hint = "a unit belongs to the number before it: 2*10^2 mm is 2e2 mm, or 200 mm"
+    if wanted == LENGTH and found == NUMBER.over(LENGTH):
+        hint = f"1/2 {unit} is 1/(2 {unit}): a fraction is a number with a point, 0.5 {unit}"
     if (found, what) in ((ANGLE, "the length"), (LENGTH, "the direction")):
         hint = "the length stands before '@', the direction behind it; else look for a wrong unit"
     hint = hint or LOST
@@ -319,6 +326,16 @@ def negative_quantity(span: Span, what: str, found: str, cause: Span) -> Message
     """
     text = f"{what} is negative: {found}"
     return Message(cause, text, "leave out its minus sign", used_at(span, cause))
+
+
+@coded("W297")
+def range_in_two_units(span: Span, what: str, first: str, second: str) -> Message:
+    """The ends of a range or of a stroke are in two units, of which one is a slip as a rule.
+
+    param l = 200 mm in 100 mm .. 300 m       # warned of
+    param l = 200 mm in 100 mm .. 300 mm      # right
+    """
+    return Message(span, f"{what} is in two units, {first} and {second}", "write both in one unit")
 
 
 @coded("W295")

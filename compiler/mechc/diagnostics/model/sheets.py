@@ -165,6 +165,20 @@ def turns_as_radians(span: Span, unit: str) -> Message:
     return Message(span, message, f"turns are 'n/(1 rev) in {unit}'; or show it in rpm, or rad/s")
 
 
+@coded("W296")
+def speed_in_radians(span: Span, unit: str) -> Message:
+    """The speed of a drive that turns is in a unit in which people count turns.
+
+    An angle counts radians, so that 60 1/min are one radian in a second, and not one turn::
+
+        drive phi from 0 deg to 360 deg speed 60 1/min    # warned of: 9.55 rpm
+        drive phi from 0 deg to 360 deg speed 60 rpm      # right
+        drive phi from 0 deg to 360 deg speed 1 rad/s     # right, too
+    """
+    message = f"the speed in {unit} counts radians, not turns"
+    return Message(span, message, "turns are counted in rpm, as in 60 rpm, radians in rad/s")
+
+
 @coded("W268")
 def volume_of_a_radian(span: Span, volume: str) -> Message:
     """A volume is multiplied by a speed of turning, as if it were that for each radian.

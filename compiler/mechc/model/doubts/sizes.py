@@ -164,6 +164,7 @@ def far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
         *_far_places(mechanism, values),
         *_far_parameters(mechanism, values),
         *_far_vectors(mechanism, values),
+        *_strange_springs(mechanism, values),
     )
     yield from found[:1]
 
@@ -242,6 +243,32 @@ def _far_places(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
         spread = max(math.dist(*pair) for pair in combinations(others, 2))
         if min(math.dist(here, other) for other in others) > FAR * spread > 0:
             yield messages.place_far_off(drawn.span, drawn.point)
+
+
+FREE = 10.0
+"""How many times as long as drawn a free spring is at most: a hundred of them are a wrong unit."""
+
+
+def _strange_springs(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
+    """Yield the springs that are drawn far from their free length, of which one has the unit."""
+    places = _places(mechanism, values)
+    for load in mechanism.loads:
+        if not isinstance(load, ForcePair) or not load.tie or not load.spring:
+            continue
+        ends = [places[end] for end in (load.first, load.second) if end in places]
+        drawn = math.dist(*ends) if len(ends) == 2 else 0.0
+        free = _free(load.tie, f"len_{load.first}{load.second}", values)
+        if drawn and free and not 1 / FREE < free / drawn < FREE:
+            yield messages.spring_far_off(load.span, load.first + load.second, free / drawn)
+
+
+def _free(tie: Formula, length: str, known: Values) -> float | None:
+    """Return the length at which the force c·(l0 − len) of a spring vanishes, if it is known."""
+    rest = symbols(tie) - {length} - known.keys()
+    if rest:
+        return None
+    slack, stretched = (evaluate(tie, {**known, length: size}) for size in (0.0, 1.0))
+    return slack / (slack - stretched) if slack != stretched else None
 
 
 def _places(mechanism: Mechanism, values: Values) -> Mapping[str, Place]:

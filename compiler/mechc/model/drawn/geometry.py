@@ -11,6 +11,7 @@ given holds, and of several closures the one nearest to the drawn places is mean
 
 import math
 from collections.abc import Collection, Iterable, Iterator
+from itertools import pairwise
 
 from ...diagnostics import Diagnostic, Report
 from ...diagnostics import drawn as messages

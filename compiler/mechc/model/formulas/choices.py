@@ -89,10 +89,13 @@ def _rows(table: ast.Table, scope: Scope) -> list[tuple[Quantity, Quantity]]:
 
 
 def _alike(read: Sequence[Quantity | None], scope: Scope) -> list[Quantity]:
-    """Return quantities of one dimension; none where one is wrong, which is reported."""
+    """Return quantities of one dimension, a bare 0 of that of the others; none where one is wrong.
+
+    That is reported.
+    """
     found = [quantity for quantity in read if quantity]
-    sound = len(found) == len(read) and alike(found, "compare", scope)
-    return found if sound else []
+    sort = alike(found, "compare", scope) if len(found) == len(read) else None
+    return [quantity._replace(sort=sort) for quantity in found] if sort else []
 
 
 def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:

@@ -281,6 +281,26 @@ def _measures(name: str, dimension: Dimension, scope: Scope) -> bool:
     return name in scope.entries and scope.entries[name].dimension == dimension
 
 
+def note_speed(speed: ast.Expr, lines: Mapping[str, Line], scope: Scope) -> None:
+    """Note a speed of turning in Hz or 1/min, units in which people count turns (W296)."""
+    units = _units_in(speed, lines)
+    counted = sorted(units & TURNS - {"1/s"})
+    if counted and not units & (TURNING | SAID):
+        scope.report.add(messages.speed_in_radians(speed.span, counted[0]))
+
+
+def _units_in(expression: ast.Expr, lines: Mapping[str, Line]) -> set[str]:
+    """Return the units written in an expression, and in the lines of what it rests on."""
+    units = set[str]()
+    for leaf in leaves(expression):
+        match leaf:
+            case ast.Number(unit=unit):
+                units.add(unit)
+            case ast.Symbol(name) if name in lines:
+                units |= _units(lines[name], lines)
+    return units
+
+
 def _units(line: Line, lines: Mapping[str, Line]) -> set[str]:
     """Return the units written in a line, and in those of what it rests on."""
     units, seen, waiting = set[str](), set[str](), [line]

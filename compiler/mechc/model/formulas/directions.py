@@ -1,6 +1,7 @@
 """Directions and places."""
 
 import math
+from collections.abc import Iterable, Sequence
 
 from ...diagnostics.model import quantities
 from ...formula.evaluate import evaluate
@@ -41,10 +42,27 @@ def read_place(tail: str, head: str, place: ast.Cartesian, scope: Scope) -> Offs
     y = reader.wanted(place.y, LENGTH, "the place")
     for part, written in ((x, place.x), (y, place.y)):
         check_reach(part, LENGTH, written.span, scope)
-    units = [unit for unit in map(_unit_of, (place.x, place.y)) if unit]
+    units = units_of((place.x, place.y))
     if len(set(units)) > 1:
         scope.report.add(quantities.coordinates_in_two_units(place.span, *units))
     return Offset(tail, head, x, y, place.span) if x and y else None
+
+
+def note_units(ends: Sequence[ast.Expr | None], what: str, span: Span, scope: Scope) -> None:
+    """Say that the ends of a range or of a stroke are in two units."""
+    units = units_of(end for end in ends if end is not None)
+    if len(set(units)) > 1:
+        scope.report.add(quantities.range_in_two_units(span, what, *units))
+
+
+def is_beyond_a_turn(*angles: float) -> bool:
+    """Return whether one of some angles in radians is more than a turn: W245 says so."""
+    return max(map(abs, angles), default=0.0) > math.tau
+
+
+def units_of(written: Iterable[ast.Expr]) -> list[str]:
+    """Return the units of those among expressions that are numbers, and not zero."""
+    return [unit for unit in map(_unit_of, written) if unit]
 
 
 def _unit_of(written: ast.Expr) -> str:

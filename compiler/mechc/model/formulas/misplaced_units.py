@@ -5,6 +5,8 @@ from ...syntax import ast
 from ...units import LENGTH, NUMBER, UNITS, Dimension
 from ..names.scope import Scope
 
+AREA = LENGTH.scaled(2)
+
 
 def note_misplaced_unit(statement: ast.Let | ast.Param, found: Dimension, scope: Scope) -> None:
     """Say of ``pi*d^2/4 mm^2`` that it is a number, of ``pi*d^2*0.25 mm^2`` that it is mm^4."""
@@ -28,12 +30,15 @@ def note_misplaced_unit(statement: ast.Let | ast.Param, found: Dimension, scope:
 def measured_twice(value: ast.Product, found: Dimension) -> ast.Number | None:
     """Return the number of a product whose unit is that of the rest as well; None without one.
 
-    A length by a number of millimetres is an area; that of other quantities is hardly ever meant.
+    A length by a number of millimetres is an area, and an area with a name by a number of square
+    millimetres the second moment of one; that of other quantities is hardly ever meant.
     """
+    named = all(_has_a_name(f) for _, f in value.factors)
     for sign, factor in value.factors:
         if sign > 0 and isinstance(factor, ast.Number) and factor.unit:
             own = UNITS[factor.unit].dimension
-            if own not in (NUMBER, LENGTH) and found == own.scaled(2) != NUMBER:
+            is_moment = named and own == AREA
+            if own not in (NUMBER, LENGTH) and not is_moment and found == own.scaled(2) != NUMBER:
                 return factor
     return None
 
@@ -50,3 +55,14 @@ def _note_divisor(name: str, value: ast.Product, has_unit: bool, scope: Scope) -
                 scope.report.add(
                     messages.unit_of_divisor(span, name, f"{digits} {unit}", unit, rest)
                 )
+
+
+def _has_a_name(factor: ast.Expr) -> bool:
+    """Return whether a factor is a quantity by its name, or a number with its unit."""
+    match factor:
+        case ast.Symbol(name=name):
+            return name != "pi"
+        case ast.Number(unit=unit):
+            return bool(unit)
+        case _:
+            return False

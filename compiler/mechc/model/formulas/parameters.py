@@ -18,6 +18,7 @@ from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
 from ..names.points import Points
 from ..names.scope import DESCRIPTION, Bare, Scope
+from .directions import is_beyond_a_turn, note_units
 from .expressions import Reader
 from .measured import Quantity, fits, shown
 from .misplaced_units import note_misplaced_unit
@@ -160,6 +161,8 @@ def _consistent(
 ) -> bool:
     """Report a value or an end of the range that measures something else."""
     name = statement.name.text
+    if _lacks_unit(statement, value, scope):
+        return False
     if value and ends and value.sort.nature is Nature.BARE and dimension == NUMBER:
         # A range with a unit says what the value means, not the other way round.
         dimension = next((e.dimension for e in ends if e.sort.nature is not Nature.ZERO), NUMBER)
@@ -167,6 +170,16 @@ def _consistent(
     for end in _different(ends or ()):
         sound = fits(end, dimension, f"the range of '{name}'", scope) and sound
     return sound and (value is not None or statement.value is None)
+
+
+def _lacks_unit(statement: ast.Param, value: Quantity | None, scope: Scope) -> bool:
+    """Report a number without unit whose tolerance has one: ``200 +- 0.5 mm``."""
+    match statement.tolerance:
+        case ast.Number(unit=unit) if unit and value and value.sort.nature is Nature.BARE:
+            fits(value, UNITS[unit].dimension, f"'{statement.name.text}'", scope)
+            return True
+        case _:
+            return False
 
 
 def _different(ends: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
@@ -230,6 +243,9 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
             quantities.negative_quantity(statement.low.span, what, written, statement.low.span)
         )
     scope.ranges[parameter.name] = low, high
+    if parameter.dimension != ANGLE or not is_beyond_a_turn(low, high):
+        what = f"the range of '{parameter.name}'"
+        note_units((statement.low, statement.high), what, edge, scope)
     value = scope.values.get(parameter.name)
     if parameter.dependent:
         scope.report.add(quantities.range_of_dependent(edge, parameter.name))

@@ -13,9 +13,10 @@ from ...formula.walk import symbols
 from ...frozen import replace
 from ...syntax import ast
 from ...syntax.vocabulary import points_of
-from ...units import ANGLE, LENGTH, TIME, in_unit
+from ...units import ANGLE, LENGTH, TIME, Dimension, in_unit
 from ..entries import body_through, directions
-from ..formulas.directions import value_of
+from ..formulas.definitions import note_speed
+from ..formulas.directions import is_beyond_a_turn, note_units, value_of
 from ..formulas.expressions import Reader
 from ..formulas.measured import fits
 from ..formulas.parameters import constant
@@ -54,7 +55,8 @@ def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
     entry = scope.entries.get(name.text)
     if entry is None or entry.kind != "parameter":
         if not ends:
-            hint = messages.driven_by_points(name.text) if points_of(name.text) else ""
+            is_guided = any(s.point.text == name.text for s in every(file, ast.Slider))
+            hint = messages.driven_by_points(name.text, is_guided) if points_of(name.text) else ""
             scope.unknown(name.span, name.text, scope.names({"parameter"}), hint)
         return None
     scope.used.add(name.text)
@@ -62,11 +64,25 @@ def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
     is_reported = statement.low is not None and low is None
     high = None if is_reported else _end(statement.high, name, scope)
     speed = _speed(statement.speed, name, scope)
+    _note_units(statement, (low, high), entry.dimension, scope)
     start = _end(statement.start, name, scope)
     turns = entry.dimension == ANGLE
+    if turns and statement.speed is not None:
+        lines = {s.name.text: s for s in file.statements if isinstance(s, ast.Param | ast.Let)}
+        note_speed(statement.speed, lines, scope)
     return Drive(
         name.text, low, high, statement.span, ends=ends, speed=speed, start=start, turns=turns
     )
+
+
+def _note_units(
+    statement: ast.Drive, ends: tuple[Formula | None, ...], measured: Dimension | None, scope: Scope
+) -> None:
+    """Note a stroke in two units, but one beyond a turn: W245 says how many turns it is."""
+    sizes = [value_of(end, scope) or 0.0 for end in ends if end is not None]
+    if measured != ANGLE or not is_beyond_a_turn(*sizes):
+        written, what = (statement.low, statement.high), f"the stroke of {statement.name.text}"
+        note_units(written, what, statement.span, scope)
 
 
 def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
