@@ -14,7 +14,7 @@ from .driver import Compilation, checked, compile_source, emit, warnings
 from .emit import registry
 from .emit.target import Emitted, Options
 from .evaluation import Evaluation
-from .files import find, read
+from .files import SUFFIXES, find, read
 from .formula.to_sympy import to_sympy
 from .formula.walk import constants
 from .plotting import Plotting
@@ -174,7 +174,8 @@ class SolvedMechanism(Plotting):
         given = self._evaluation.in_si(values)
         parameters = [p.name for p in self._compilation.mechanism.parameters]
         for unknown in (name for name in given if name not in parameters):
-            raise TypeError(f"{unknown!r} is no parameter {near_miss(unknown, parameters)}")
+            hint = near_miss(unknown, parameters) or f"there are {', '.join(parameters) or 'none'}"
+            raise TypeError(f"{unknown!r} is no parameter; {hint}")
         drawn = self._compilation.drawn(given)
         if drawn is None:
             raise ValueError("no pose of the mechanism is found at these values")
@@ -256,6 +257,9 @@ class SolvedMechanism(Plotting):
 
     def emit_files(self, target: str, **options: Any) -> tuple[Emitted, ...]:
         """Return the files of a target by name, the main one first (``clamp.c``, ``clamp.h``)."""
+        for unknown in (name for name in options if name not in Options._fields):
+            hint = near_miss(unknown, Options._fields) or f"there are {', '.join(Options._fields)}"
+            raise TypeError(f"there is no option {unknown!r}; {hint}")
         asked = Options(**{"stem": self.name, "named": "stem" in options, **options})
         return emit(self._compilation, registry.load(target), asked)
 
@@ -311,4 +315,6 @@ def loads(text: str, name: str = "<text>") -> SolvedMechanism:
     >>> lever.k
     a/b
     """
+    if text.endswith(SUFFIXES) and "\n" not in text:
+        raise ValueError(f"{text!r} is a path, which mechc.load reads; mechc.loads takes the text")
     return SolvedMechanism(compile_source(Source(name, text)))

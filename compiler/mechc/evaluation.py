@@ -1,11 +1,14 @@
 """Results at given values: which values may be given, and what is kept for the next ones."""
 
+import math
+import warnings
 from collections.abc import Iterable, Mapping, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from .diagnostics import near_miss
 from .driver import Compilation
+from .formula.evaluate import evaluate
 from .formula.to_text import text
 from .formula.tree import Formula
 from .formula.walk import symbols
@@ -14,7 +17,7 @@ from .model.formulas.parameters import in_si
 from .model.mechanism import Mechanism
 from .model.result import Definition, FrictionResult, Result
 from .model.values import default_pose, dependent
-from .units import Dimension
+from .units import ANGLE, Dimension
 
 if TYPE_CHECKING:
     from .emit.python.evaluator import Evaluator
@@ -52,6 +55,8 @@ class Evaluation:
         TypeError for a name that no result depends on, or that follows from others.
         """
         values = self.in_si(values)
+        for name in values.keys() & self._ranges.keys():
+            _doubt(name, values[name], self._ranges[name])
         overridden = self._fixed_loads.intersection(values)
         evaluator = self._evaluator(overridden)
         self._refuse_strangers(values.keys() - overridden, evaluator.inputs)
@@ -82,6 +87,13 @@ class Evaluation:
         """Return values with those in SI that are texts, or sequences of texts."""
         sizes = self._dimensions
         return {n: _in_si(n, v, sizes[n]) if n in sizes else v for n, v in values.items()}
+
+    @cached_property
+    def _ranges(self) -> dict[str, tuple[float, float]]:
+        """The ranges of the parameters that are angles, in radians."""
+        parameters = self._compilation.mechanism.parameters
+        ranges = {p.name: p.range for p in parameters if p.dimension == ANGLE and p.range}
+        return {n: (evaluate(r.low, {}), evaluate(r.high, {})) for n, r in ranges.items()}
 
     @cached_property
     def _dimensions(self) -> dict[str, Dimension]:
@@ -120,7 +132,8 @@ class Evaluation:
         for name in sorted(names - known):
             formula = self._followed.get(name)
             if formula is None:
-                raise TypeError(f"no result depends on {name!r} {near_miss(name, known)}")
+                hint = near_miss(name, known) or f"they depend on {', '.join(sorted(known))}"
+                raise TypeError(f"no result depends on {name!r}; {hint if known else 'on nothing'}")
             raise TypeError(
                 f"{name!r} follows from the description: {name} = {text(formula)}; "
                 f"give {', '.join(sorted(symbols(formula) & known)) or 'what it rests on'} instead"
@@ -135,8 +148,22 @@ class Evaluation:
         return {**found, **ties, **dependent(mechanism)}
 
 
+def _doubt(name: str, value: Any, within: tuple[float, float]) -> None:
+    """Warn of an angle beyond a turn and its range: degrees are hardly ever given as radians."""
+    if isinstance(value, float | int) and abs(value) > math.tau:
+        low, high = within
+        if not low <= value <= high:
+            warnings.warn(
+                f"{name} = {value:g} is taken in radians, {value / math.tau:.3g} turns, which is "
+                f"beyond its range: degrees are a text, {name}='{value:g} deg'",
+                stacklevel=4,
+            )
+
+
 def _in_si(name: str, value: Any, dimension: Dimension) -> Any:
     """Return a value in SI where it is text, or has texts in it, else as it is."""
+    if value is None:
+        raise TypeError(f"{name} is None: without it the value of the description is taken")
     if isinstance(value, str):
         return in_si(name, value, dimension)
     if isinstance(value, list | tuple):

@@ -40,7 +40,9 @@ def find(name: str) -> Path:
     if found := _in_library(name):
         return found
     listed = library()
-    hint = near_miss(name, [*listed, *_neighbours(path)]) or _holding(name, listed)
+    beside = _neighbours(path)
+    meant = next((f"did you mean {name + s!r}?" for s in SUFFIXES if name + s in beside), "")
+    hint = meant or near_miss(name, [*listed, *beside]) or _holding(name, listed)
     raise MechcError([messages.file_not_found(name, hint)])
 
 

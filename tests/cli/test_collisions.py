@@ -40,7 +40,7 @@ COLLISIONS = [
     "d.mech -o d.c -o ./d.c",
     "d.mech -o d.c -o here/d.h",
     "d.mech -o d.py -o here/here/d.py",
-    "d.mech -o d.c -o d.h --emit latex --deps d.c",
+    "d.mech -o d.x -o d.y --emit latex --deps d.x",
     "d.mech --emit json -o new/ -o new/packet_clamp.json",
 ]
 

@@ -50,6 +50,11 @@ def call(tmp_path, monkeypatch, capsys):
         ("compile clamp.mech --emit c -D a=1mm -D a=2mm", USAGE, "'a' is set twice"),
         ("compile clamp.mech --emit c -D a=1mm+-0.1mm", USAGE, "a value alone is set"),
         ("compile clamp.mech --emit c -D =3", USAGE, ""),
+        ("compile clamp.mech --emit python -o k.c", USAGE, "a file of c by its suffix"),
+        ("compile clamp.mech --emit c -D F=3kN", USAGE, "by a line `let F = 3 kN`"),
+        ("compile clamp.mech --emit c --lang ua", USAGE, "Ukrainian is 'uk'"),
+        ("explain 201", USAGE, "did you mean 'E201' or 'W201'?"),
+        ("check clamp", FILES, "did you mean 'clamp.mech'?"),
         ("compile clamp.mech --emit latex --gradient", USAGE, "--gradient is about c and python"),
         ("compile clamp.mech -o k.py --c-openmp", USAGE, "--c-openmp is about c, and python"),
         (

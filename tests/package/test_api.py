@@ -42,8 +42,14 @@ def test_unknown_names_are_refused_with_a_near_miss(clamp: mechc.SolvedMechanism
         clamp.evaluate(alhpa=0.1)
     with pytest.raises(KeyError, match="there are k"):
         clamp["eta"]
-    with pytest.raises(LookupError):
+    with pytest.raises(LookupError, match="'fortran'; there are latex, python, c, json"):
         clamp.emit("fortran")
+    with pytest.raises(TypeError, match="no option 'lang'; there are stem, fragment, language"):
+        clamp.emit("latex", lang="uk")
+    with pytest.raises(TypeError, match="'gamma' is no parameter; there are a, b"):
+        clamp.figure(gamma=0.1)
+    with pytest.raises(TypeError, match="'gamma'; they depend on a, alpha, b, beta"):
+        clamp.evaluate(gamma=0.1)
 
 
 def test_emit_gives_what_the_command_line_gives(clamp: mechc.SolvedMechanism) -> None:
@@ -129,6 +135,15 @@ def test_values_go_before_the_loads_of_the_description() -> None:
 def test_what_follows_from_others_cannot_be_given(name: str, said: str) -> None:
     with pytest.raises(TypeError, match=said):
         mechc.loads(WITH_GIVEN_LOADS).evaluate(**{name: 1.0})
+
+
+def test_degrees_are_hardly_given_as_radians(clamp: mechc.SolvedMechanism) -> None:
+    with pytest.warns(UserWarning, match=r"alpha = 20 is taken in radians, 3\.18 turns"):
+        clamp.evaluate(alpha=20)
+    with pytest.raises(TypeError, match="alpha is None"):
+        clamp.evaluate(alpha=None)
+    with pytest.raises(ValueError, match=r"'clamp\.mech' is a path, which mechc\.load reads"):
+        mechc.loads("clamp.mech")
 
 
 def test_values_may_be_texts_with_units(clamp: mechc.SolvedMechanism) -> None:

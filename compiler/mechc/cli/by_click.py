@@ -121,6 +121,8 @@ class _Word(Choice):
             return super().convert(value, param, ctx)
         except click.BadParameter as error:
             hint = near_miss(value, map(str, self.choices))
+            if value == "ua" and "uk" in self.choices:
+                hint = "Ukrainian is 'uk'"
             raise click.BadParameter(f"{error.message.rstrip('.')}{hint and f'; {hint}'}") from None
 
 

@@ -5,7 +5,7 @@ from ..driver import Compilation
 from ..formula.to_text import text
 from ..model.statements import only
 from ..source import Source
-from ..syntax.ast import Heading, Translate
+from ..syntax.ast import Heading, NamedLoad, Translate
 from ..syntax.settings import Settings, driven, drives, params
 from ..syntax.vocabulary import LANGUAGES
 from . import usage
@@ -31,8 +31,11 @@ def check_names(settings: Settings, source: Source, option: str) -> None:
     statements = Compilation(source).composed.statements
     declared = [p.name.text for p in params(statements)]
     declared += driven(statements)
+    loads = {s.name.text for s in statements if isinstance(s, NamedLoad)}
     for unknown in (name for name in settings if name not in declared):
         hint = near_miss(unknown, declared) or f"it has {', '.join(declared) or 'none'}"
+        if unknown in loads:
+            hint = f"a load has its value by a line `let {settings[unknown].source.text}`"
         raise usage.BadParameter(
             f"{source.name} has no parameter {unknown!r}; {hint}", where=option
         )

@@ -44,7 +44,13 @@ def explanation(code: str) -> str:
         if code.upper() == entry.code or code.lower() == entry.name:
             return f"{entry.code}: {entry.name}\n\n{_with_examples(entry.explanation)}"
     names = [entry.name for entry in CATALOGUE.values()]
-    hint = near_miss(code.upper(), CATALOGUE) or near_miss(code.lower(), names)
+    both = [f"{kind}{code}" for kind in "EW" if f"{kind}{code}" in CATALOGUE]
+    meant = " or ".join(map(repr, both))
+    hint = (
+        f"did you mean {meant}?"
+        if both
+        else near_miss(code.upper(), CATALOGUE) or near_miss(code.lower(), names)
+    )
     raise usage.BadParameter(
         f"no error or warning is called {code!r}; {hint or '`mechc explain` lists them'}",
         where="CODE",

@@ -86,8 +86,8 @@ def used_not_found(span: Span, name: str, hint: str) -> Message:
 
     ``mechc list`` prints the names of the library.
     """
-    where = "file in this folder" if name.endswith((".mech", ".yaml", ".yml")) else "library"
-    message = f"there is no {where} {name!r}" if where != "library" else _not_listed(name)
+    is_path = name.endswith((".mech", ".yaml", ".yml"))
+    message = f"there is no file {name!r} in this folder" if is_path else _not_listed(name)
     return Message(span, message, hint or "`mechc list` prints the names of the library")
 
 

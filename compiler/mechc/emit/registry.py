@@ -54,7 +54,8 @@ def load(name: str) -> Target:
     if name in BUILT_IN:
         return cast(Target, import_module(BUILT_IN[name].module).TARGET)
     if name not in (foreign := _foreign()):
-        raise LookupError(name)
+        known = ", ".join(names())
+        raise LookupError(f"no format is called {name!r}; there are {known}")
     target = _try(foreign[name])
     if isinstance(target, str):
         raise MechcError([messages.broken_target(name, foreign[name].value, target)])
