@@ -260,7 +260,7 @@ def side_of_the_mirror(at: Span, point: str, load: str) -> Message:
 
 
 @coded("W302")
-def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Message:
+def gears_apart(at: Span, pivots: str, apart: float, wanted: float, meant: str) -> Message:
     """Two gears stand where their pitch circles do not touch.
 
     Where the places of both pivots are given, the distance between them is the sum of the
@@ -276,8 +276,17 @@ def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Message:
         at,
         f"the gears on {pivots} are {apart * 1000:.7g} mm apart, "
         f"their radii make {wanted * 1000:.7g} mm",
-        "fix the radii or the places; with the radii of other wheels leave the places out",
+        OF_GEARS[meant],
     )
+
+
+OF_GEARS = {
+    "": "fix the radii or the places; with the radii of other wheels leave the places out",
+    "diameters": "are they diameters? A gear has its radius there",
+    "inner": "add `inner` for a gear inside the other one, or fix the radii or the places",
+    "outer": "leave `inner` out for gears side by side, or fix the radii or the places",
+}
+"""Hints at centres that do not fit, by what the radii would fit as."""
 
 
 def _is_long(stretch: AssemblyRange) -> bool:

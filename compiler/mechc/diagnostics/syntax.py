@@ -234,8 +234,18 @@ def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Messa
     if found == 1:
         hint = "a link is named by its points, written together: OA"
     if expected == "a point":
-        hint = "a joint is named by the one point at which it is: A"
+        hint = f"a joint is named by the one point at which it is: {_one_of(text)}"
     return Message(span, f"'{text}' names {points}, expected {expected}", hint)
+
+
+def _one_of(points: str) -> str:
+    """Return the points of a text that names several, one of which is meant.
+
+    >>> _one_of("OC"), _one_of("JJ"), _one_of("A2B'C")
+    ('O or C', 'J', "A2, B' or C")
+    """
+    *others, last = dict.fromkeys(re.findall(r"[A-Z][0-9]*'*", points))
+    return f"{', '.join(others)} or {last}" if others else last
 
 
 @coded("E112")
@@ -320,6 +330,8 @@ def not_a_name(span: Span, text: str, expected: str) -> Message:
     hint = f"write {meant}" if meant[:1].isalpha() else begin
     if "/" in text:
         hint = f"the name stands before the formula, as in k: {text}"
+    if ".." in text:
+        hint = f"a colon stands behind the name: {{{text.replace(' ', ': ', 1)}}}"
     return Message(span, f"found '{text}', expected {expected}", hint)
 
 

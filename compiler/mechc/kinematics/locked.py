@@ -43,8 +43,11 @@ def _parts(graph: Graph, unknowns: Sequence[int], held: Sequence[Relation]) -> I
             yield f"link {of}"
         elif kind is Kind.SLIDE:
             yield f"slider {of}"
+    mirror = graph.pose.mechanism.mirror
     for relation in held:
-        if relation.rule is not Rule.HELD:
+        if mirror and relation.span == mirror.span:
+            yield f"the mirror line, along which the shared {relation.points[0]} moves,"
+        elif relation.rule is not Rule.HELD:
             yield described(relation)
 
 

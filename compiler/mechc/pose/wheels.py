@@ -28,12 +28,16 @@ from .vectors import Vectors
 
 
 class Misfit(NamedTuple):
-    """A pair of gears, how far its centres are apart and how far its radii put them."""
+    """A pair of gears, how far its centres are apart and how far its radii put them.
+
+    ``meant`` is what they would fit as: "inner" or "outer" gears, "diameters", or ''.
+    """
 
     at: Span
     pivots: str
     apart: float
     wanted: float
+    meant: str
 
 
 def radii(mechanism: Mechanism) -> Iterator[Formula]:
@@ -64,6 +68,13 @@ def misfits(pose: Pose, vectors: Vectors, values: Values) -> Iterator[Misfit]:
             continue
         first, second = (length.evaluate(values) for length in lengths)
         apart = math.hypot(*evaluate_vector(line, values))
-        wanted = abs(first - second) if mesh.same else first + second
-        if abs(apart - wanted) > CENTRE_GAP * apart:
-            yield Misfit(mesh.span, f"{mesh.first} and {mesh.second}", apart, wanted)
+        outer, inner = first + second, abs(first - second)
+        wanted, other = (inner, outer) if mesh.same else (outer, inner)
+        if not _near(apart, wanted):
+            meant = ("outer" if mesh.same else "inner") if _near(apart, other) else ""
+            meant = "diameters" if _near(apart, wanted / 2) else meant
+            yield Misfit(mesh.span, f"{mesh.first} and {mesh.second}", apart, wanted, meant)
+
+
+def _near(apart: float, wanted: float) -> bool:
+    return abs(apart - wanted) <= CENTRE_GAP * apart

@@ -84,7 +84,9 @@ def length_not_positive(span: Span, points: str, value: str, cause: Span) -> Mes
         AB = -40 mm @ 0 deg       # wrong
         BA = 40 mm @ 0 deg        # right
     """
+    reversible = value.startswith("-")
     hint = "a vector is reversed by exchanging its points"
+    hint = hint if reversible else "points at one place are one point; else give it a length"
     text = f"the length of {points} is {value}, expected a positive one"
     return Message(cause, text, hint, used_at(span, cause))
 
@@ -197,8 +199,10 @@ def drive_depends(at: Span, name: str) -> Message:
     )
 
 
-def driven_by_points(name: str) -> str:
-    """Return the hint at a drive that names a point or a load."""
+def driven_by_points(name: str, is_guided: bool) -> str:
+    """Return the hint at a drive that names a point, which a guide may lead, or a load."""
+    if is_guided:
+        return f"the place of {name} is driven by a parameter: {name} at (0 mm, s), drive s from …"
     return f"{name} is no parameter; a link is driven by its points: drive OA from …"
 
 

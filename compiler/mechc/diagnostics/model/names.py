@@ -1,5 +1,6 @@
 """Messages for names: unknown, taken twice, out of place, in a cycle (E20x)."""
 
+import re
 from collections.abc import Collection, Iterable, Sequence
 
 from ...source import Span
@@ -101,6 +102,24 @@ def power_of_unit(name: str) -> str:
     return f"a power of a unit is written with '^': {unit}^{power}" if is_power else ""
 
 
+SECONDS = {"sec": "s", "second": "s", "minute": "min", "hr": "h", "hour": "h"}
+"""How times are spelled in units."""
+
+
+def rest_of_unit(before: str, name: str) -> str:
+    """Return the hint at a name that ends the unit of a number, '' where it ends none.
+
+    >>> rest_of_unit("param g = 9.81 m/", "s2"), rest_of_unit("let v = 3 mm/", "sec")
+    ("did you mean 'm/s^2'?", "did you mean 'mm/s'?")
+    >>> rest_of_unit("let q = F/", "m2")
+    ''
+    """
+    number = re.search(r"(?<![\w])[\d.]+ ?([A-Za-z]+[*/])$", before)
+    last = re.sub(r"(?<=[a-z])(?=[234]$)", "^", SECONDS.get(name, name))
+    unit = number[1] + last if number else ""
+    return meant(unit) if unit in UNITS else ""
+
+
 def load_follows(used: str, prefix: str, given: str) -> str:
     """Return the hint at a load of a used mechanism that is undetermined until one is given."""
     written = f'"{used}"' if "." in used else used
@@ -157,6 +176,15 @@ def vector_as_quantity(vector: str, posed: bool) -> str:
 def axis_in_words(word: str, axis: str) -> str:
     """Return the hint at a direction in everyday words."""
     return f"{word} is written {axis}; a direction is an angle, x, -x, y, -y, or AB"
+
+
+PLANAR = "a mechanism is planar: its directions are x, -x, y, -y, an angle, or AB"
+"""The hint at a direction out of the plane."""
+
+
+def with_friction(name: str) -> str:
+    """Return the hint at a result with friction of a mechanism that has none."""
+    return f"{name} comes with friction, as by a line `friction pins 0.1 diameter 10 mm`"
 
 
 def angle_from_vector() -> str:

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from ...source import Span
 from ..diagnostic import Message, coded, used_at
+from ..syntax import listed
 
 
 @coded("E266")
@@ -193,7 +194,8 @@ def pulley_of_rope(span: Span, point: str, times: int, axles: Sequence[str]) -> 
     if times:
         message = f"ropes run over pulleys on {point} {times} times, expected once"
         return Message(span, message, "give one of them an axle of another name at the same place")
-    hint = f"write 'friction rope {axles[0]} …'" if axles else "add 'rope …'"
+    named = listed(dict.fromkeys(f"'friction rope {axle} …'" for axle in axles))
+    hint = f"write {named}" if axles else "add 'rope …'"
     return Message(span, f"no rope runs over a pulley on {point}", hint)
 
 

@@ -17,6 +17,16 @@ def of_a_use(name: str, brought: Mapping[str, ast.Brought]) -> ast.Brought | Non
     return brought[max(prefixes, key=len)] if prefixes else None
 
 
+def without_friction(name: str) -> str:
+    """Return the result that a name is of with friction, the name itself where it is of none.
+
+    >>> without_friction("eta_k"), without_friction("k_hold"), without_friction("k")
+    ('k', 'k', 'k')
+    """
+    ending = next((e for e in WITH_FRICTION if name.endswith(e)), "")
+    return name.removesuffix(ending).removeprefix("eta_")
+
+
 def reason(name: str, use: ast.Brought, known: Collection[str]) -> str:
     """Return why a use does not bring in a name, '' where that is not known."""
     own = name.removeprefix(f"{use.prefix}_")

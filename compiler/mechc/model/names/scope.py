@@ -211,6 +211,8 @@ class Scope:
             hint = "a value is a number, and finite"
         if len(symbol.name) > 1 and symbol.name in PARTS:
             hint = messages.unit_alone(symbol.name)
+        text, at = self.report.source.part(symbol.span)
+        hint = hint or messages.rest_of_unit(text.text[: at.start], symbol.name)
         hint = hint or messages.power_of_unit(symbol.name)
         if symbol.name == "radius":
             hint = messages.NEGATIVE_RADIUS
@@ -220,11 +222,18 @@ class Scope:
             hint = messages.axis_in_words(symbol.name, AXES[symbol.name.lower()])
         if form_of_pose(raised := _with_capitals(symbol.name)):
             hint = hint or messages.points_in_small(symbol.name, raised)
+        if symbol.name == "z" and text.text[: at.start].endswith("along "):
+            hint = messages.PLANAR
+        if not_brought.without_friction(symbol.name) in self._results():
+            hint = messages.with_friction(symbol.name)
         use = not_brought.of_a_use(symbol.name, self.brought)
         hint = hint or (not_brought.reason(symbol.name, use, self.entries) if use else "")
         near = f"{use.prefix}_" if use else ""
         offered = [name for name in self._offered(usage) if name.startswith(near)]
         self.unknown(symbol.span, symbol.name, offered, hint, use)
+
+    def _results(self) -> set[str]:
+        return {name for name, entry in self.entries.items() if entry.kind == "result"}
 
     def unknown(
         self,

@@ -23,6 +23,8 @@ OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
 PLACE = "the place of a point is written {} at (20 mm, 35 mm)"
 PLACED = PLACE.format("A")
 
+SHARED = "points that links share are pins, A at (20 mm, 35 mm); on the ground they are pivots"
+
 SAID_OTHERWISE = {
     "/": "a comment begins with '#'",
     "ground": "a pin on the ground is a pivot: pivot O",
@@ -31,9 +33,8 @@ SAID_OTHERWISE = {
     "bar": "a bar is a link of two points: link AB",
     "crank": "a crank is a link of two points: link OA",
     "body": "a body is a link of its points: link OAB",
-    "pin": "points that links share are pins, A at (20 mm, 35 mm); on the ground they are pivots",
+    **dict.fromkeys(("pin", "joint", "revolute"), SHARED),
     "point": PLACED,
-    "joint": PLACED,
     "node": PLACED,
     "motor": "a couple on a link is a torque: torque M on OA",
     "moment": "a couple on a link is a torque: torque M on OA",

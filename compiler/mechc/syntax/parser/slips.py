@@ -4,11 +4,21 @@ from collections.abc import Sequence
 
 from ...diagnostics import near_miss
 from ...units import UNITS
-from ..vocabulary import CHOICE, DIAMETER, FUNCTIONS, LANGUAGES, NAME, RANGE, TWINS, split_quantity
+from ..vocabulary import (
+    CHOICE,
+    DIAMETER,
+    FUNCTIONS,
+    LANGUAGES,
+    NAME,
+    RANGE,
+    TWINS,
+    points_of,
+    split_quantity,
+)
 from .grammar import keywords, spelling
 from .lalr import Token, span_of
 from .lines import OPERAND_ENDS
-from .usual_slips import ASKED, CHOICES, COORDINATES, SCALARS, STATED
+from .usual_slips import ASKED, CHOICES, COORDINATES, DIRECTIONS, LINKED, SCALARS, STATED
 from .written import WRITTEN, example, whole_example, words_behind
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
@@ -28,6 +38,9 @@ PICKED = ("nearest", "closest", "previous", "last", "first")
 """What people call a size of a list."""
 
 LATER_TITLES = frozenset({"MECHANISM", "SHEET"})
+
+OF_TEXTS = frozenset({"SOURCE", "TRANSLATE"})
+"""Words of the statements that have texts only."""
 
 FORMULAS = frozenset({"PARAM", "LET", "REQUIRE"})
 """Words of the statements that give or compare what formulas come to."""
@@ -50,9 +63,10 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or of_decimals(line, position)
         or (line[0].type in FORMULAS and of_asking(line, position, allowed))
         or _of_bracket(line, position, allowed)
-        or _of_list(token, line[0])
+        or _of_list(line, position)
         or _of_speed(line, position)
         or _of_perpendicular(line, position)
+        or _of_slide(line, position)
         or STATED.get((line[0].type, str(token)), "")
         or _of_radius(line, position)
         or _of_name(line, position)
@@ -82,7 +96,8 @@ def unfinished(line: Sequence[Token], allowed: set[str]) -> str:
         return "a direction stands behind '@', as in OA = a @ 30 deg"
     if ".." in {spelling().get(name) for name in allowed}:
         return RANGE
-    return example(line, allowed)
+    is_text = bool(line) and line[0].type in OF_TEXTS and allowed == {"STRING"}
+    return whole_example(line) if is_text else example(line, allowed)
 
 
 def of_asking(line: Sequence[Token], position: int, allowed: set[str]) -> str:
@@ -105,10 +120,13 @@ def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         return f"each value has its unit: (20 {token}, 35 {token})"
     if token == "=" and "at" in map(str, line[:position]) and line[position - 2] == "(":
         return "a place is two lengths: (20 mm, 35 mm)"
+    if token == "," and "RIGHT" in allowed and "along" in map(str, line[:position]):
+        return DIRECTIONS
     if token == "," and "RIGHT" in allowed and "at" in map(str, line[:position]):
         return "a place is two lengths, in the plane: (20 mm, 35 mm)"
     if line[0].type == "LINK" and line[position].type == "NUMBER":
-        return f"a length is a line of its own: {line[1]} = {token}"
+        is_length = position > 1 and split_quantity(token)[1]
+        return f"a length is a line of its own: {line[1]} = {token}" if is_length else LINKED
     if before == "at" and allowed == {"LEFT"}:
         return "a place stands in brackets: (0 mm, 0 mm)"
     is_named_last = line[position].type == "NAME" and "/" in map(str, line[:position])
@@ -132,6 +150,15 @@ def _of_perpendicular(line: Sequence[Token], position: int) -> str:
         return ""
     points = "".join(line[position + 1 : position + 2])
     return f"the '-' stands before 'perp': -perp {points or 'OA'}"
+
+
+def _of_slide(line: Sequence[Token], position: int) -> str:
+    """Return a hint at the friction of a slide, which has the name of its first point."""
+    points = points_of("".join(line[position + 1 : position + 2]))
+    if [line[0].type, str(line[position])] != ["FRICTION", "slide"] or not points:
+        return ""
+    rest = " ".join(line[position + 2 :])
+    return f"a slide is named by its first point: friction slider {points[0]} {rest}"
 
 
 def _of_two_units(line: Sequence[Token], position: int) -> str:
@@ -172,6 +199,9 @@ def _of_text(line: Sequence[Token], position: int) -> str:
     if line[0].type in LATER_TITLES and token in LANGUAGES and position > 2:
         return f'a title in another language is a line: translate "{line[2][1:-1]}" {token} "…"'
     is_title = line[0].type in LATER_TITLES and position == 2
+    if is_title and token.type == "NAME" and line[-1].type == "STRING":
+        words = [word for word in line[1:] if word.type == "NAME"]
+        return f"a name is one word: {'_'.join(words)}"
     if token.type == "NAME" and (is_title or before in ("as", "source")):
         rest = " ".join(map(str, line[position:]))
         return f'a text stands in double quotes: {before} "{rest}"'
@@ -211,8 +241,11 @@ def _of_bracket(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     return ""
 
 
-def _of_list(token: Token, first: Token) -> str:
+def _of_list(line: Sequence[Token], position: int) -> str:
     """Return a hint where points or things are listed that are written otherwise."""
+    first, before, token = line[0], line[position - 1], line[position]
+    if first.type == "LINK" and points_of(token) and not points_of(before):
+        return f'what a link is called stands behind its points: link {token} "{before}"'
     if first.type in ("LINK", "TELESCOPE") and token.type in ("MINUS", "NAME"):
         return f"the points of a {first} are written together, as in {first} OB"
     if first.type == "LOAD" and token.type == "AT":
@@ -305,6 +338,8 @@ def _of_sign(token: Token, before: Token | None, allowed: set[str]) -> str:
         return RANGE
     if text == ":" and ".." in {spelling().get(name) for name in allowed}:
         return RANGE
+    if text == ":" and "=" in {spelling().get(name) for name in allowed}:
+        return f"what follows a name stands behind '=': {previous} = …"
     if text == ":" and "TIMES_SIGN" in allowed:
         return "a quotient is written with '/'"
     if text in keywords() and "NAME" in allowed:

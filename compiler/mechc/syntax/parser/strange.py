@@ -85,7 +85,8 @@ def meaning(line: Sequence[Token], position: int) -> str:
         return TEXTS[line[0].type]
     if character.isdecimal():
         return f"digits are 0 to 9: write {int(character)}"
-    if character in "[;" and "at" in map(str, line[:position]) and line[0].type != "LET":
+    is_place = "at" in map(str, line[:position]) and ")" not in line[:position]
+    if character in "[;" and is_place and line[0].type != "LET":
         return "a place is written (20 mm, 35 mm)"
     if character == "\\":
         return _command(line, position)

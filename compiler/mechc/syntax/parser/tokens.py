@@ -20,6 +20,7 @@ from ..vocabulary import (
     FIT_OF_A_HOLE,
     IN_A_UNIT,
     OF_A_PIN,
+    POINT,
     RANGE,
     split_quantity,
 )
@@ -177,6 +178,10 @@ def check_number(token: Token) -> None:
         raise Fault(syntax_limits.exponent_too_large(span_of(token), exponent[:8], limit))
 
 
+OF_POINTS = frozenset({"pivot", "slider", "link", "telescope", "slide"})
+"""Words of the statements that begin with points."""
+
+
 def check_unit(number: Token, behind: Token, first: Token) -> None:
     """Refuse a word behind a number that is no unit, and ``5 mm^7`` (is the unit cubed?)."""
     unit = split_quantity(number)[1]
@@ -189,6 +194,8 @@ def check_unit(number: Token, behind: Token, first: Token) -> None:
         hint = CHOICE if behind == "if" else hint
         hint = DIAMETER if first == "friction" and behind in OF_A_PIN else hint
         hint = FIT if FIT_OF_A_HOLE.fullmatch(behind) else hint
+        if first in OF_POINTS and POINT.fullmatch(behind):
+            hint = f"the number of a point stands behind its letter: {behind}{number}"
         if unit and behind in UNITS:
             hint = f"a compound unit has no spaces, as in {unit}*{behind}"
             hint = IN_A_UNIT if unit == "in" else hint

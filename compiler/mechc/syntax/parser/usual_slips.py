@@ -10,6 +10,9 @@ _ENDS = (
 _SQUARE = "a direction stands behind 'along': force F at A along perp OA, OA turned by 90 deg"
 
 
+_TOWARDS = "a direction stands behind 'along': force F at A along AB, from A towards B"
+
+
 _MOVES = (
     "a drive is what moves, drive phi from 10 deg to 80 deg; the force of a cylinder is an "
     "actuator, actuator P between A and B, that of a motor a torque, torque M on OA"
@@ -25,12 +28,21 @@ _ALL_HOLD = (
 )
 
 
+DIRECTIONS = "a direction is an angle, x, -x, y, -y, or that of a vector, AB"
+
+
+LINKED = "a link is named by its points, written together: OA"
+
+
 STATED = {
     ("TORQUE", "at"): "a couple acts on a link: torque M on OA",
     ("FORCE", "on"): "a force acts at a point: force F at A along x",
     ("SLIDER", "at"): "a guide has a direction, slider K along 90 deg, and its point a place in a "
     "line of its own: K at (0 mm, 80 mm)",
     ("PIVOT", "("): "the place of a pivot stands behind 'at': pivot O at (0 mm, 0 mm)",
+    ("SPRING", "="): "the rate stands without a name: spring 5 N/mm between A and B free 40 mm",
+    ("SPRING", "on"): "a spring that turns a link is a torque of its angle: torque M on OA, "
+    "let M = -c*(phi_OA - 20 deg)",
     ("SPRING", "between"): "the rate comes first: spring 5 N/mm between A and B",
     ("WEIGHT", "="): "a weight has a mass: weight W mass 2 kg at G",
     ("ROPE", "along"): "a rope begins at a point, and each further one has the direction of the "
@@ -41,6 +53,9 @@ STATED = {
     ("ACTUATOR", "in"): _ENDS,
     ("ACTUATOR", "on"): _ENDS,
     ("ACTUATOR", "at"): _ENDS,
+    ("FORCE", "towards"): _TOWARDS,
+    ("FORCE", "toward"): _TOWARDS,
+    ("FORCE", "to"): _TOWARDS,
     ("FORCE", "between"): "a pair of forces between two points is an actuator: actuator P between "
     "A and B",
     ("FORCE", "perpendicular"): _SQUARE,
@@ -49,8 +64,6 @@ STATED = {
     ("GRAVITY", "9.81 m/s^2"): _GRAVITY,
     ("GRAVITY", "9.81"): _GRAVITY,
     ("FIND", "efficiency"): WITH_FRICTION,
-    ("FRICTION", "slide"): "the friction of a slide has the name of its first point: "
-    "friction slider W 0.1",
     ("DRIVE", "on"): _MOVES,
     ("DRIVE", "at"): _MOVES,
     ("DRIVE", "between"): _MOVES,

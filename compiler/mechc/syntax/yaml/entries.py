@@ -61,7 +61,7 @@ def table(value: Node, where: str, section: Section) -> Mapping:
     expected = f"a mapping with keys of {', '.join(keys)}"
     if section.name in slips.WRITTEN:
         expected = "a mapping"
-    hint = slips.written(section.name)
+    hint = slips.written(section.name, where)
     raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected, hint))
 
 

@@ -107,8 +107,14 @@ WRITTEN: Final[Mapping[str, str]] = {
 COMPONENTS = "components are a list: [20 mm, 35 mm]"
 
 
-def written(section: str) -> str:
-    """Return the hint that shows how a section is written, '' where none is known."""
+def written(section: str, key: str = "") -> str:
+    """Return the hint that shows how a section, or a key in it, is written, '' where none is known.
+
+    >>> written("friction", "K")
+    'it is written: K: {guide: 0.1}, at a pin K: {f: 0.1, diameter: 10 mm}'
+    """
+    if section == "friction" and POINTS.fullmatch(key):
+        return f"it is written: {key}: {{guide: 0.1}}, at a pin {key}: {{f: 0.1, diameter: 10 mm}}"
     return f"it is written: {section}: {WRITTEN[section]}" if section in WRITTEN else ""
 
 
