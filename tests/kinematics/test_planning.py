@@ -16,7 +16,7 @@ from mechc.kinematics.from_pose import plan_velocities
 from mechc.kinematics.graph import Graph, Kind, Relation, Rule, Unknown
 from mechc.kinematics.locked import described, locked
 from mechc.kinematics.planning import plan_of
-from mechc.kinematics.solving import LONG, Binder, Memory, solve
+from mechc.kinematics.solving import LONG, Binder, Memory, by_one_other, solve
 from mechc.kinematics.standing import standing
 from mechc.source import Source, Span
 from small_poses import (
@@ -240,3 +240,9 @@ def test_a_form_has_its_part_of_each_drive():
     first, second = found.graph.spins["OA"], found.graph.spins["QB"]
     value = found.value({first: Product(2), second: Product(-3)})
     assert sorted(p.coefficient for p in value) == [-3, 2]
+
+
+def test_what_one_other_speed_gives_is_put_by_that_one():
+    a, b = Product.symbol("a"), Product.symbol("b")
+    assert by_one_other({0: a, 1: -b}, 1, {0: (ONE,)}) == (a / b,)
+    assert by_one_other({0: a, 1: -b, 2: a}, 1, {0: (ONE,), 2: (ONE,)}) is None

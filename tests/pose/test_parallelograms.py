@@ -10,6 +10,7 @@ import random
 import pytest
 
 from mechc.driver import Compilation
+from mechc.formula.to_text import text
 from mechc.model.values import completed, defaults
 from mechc.power.numbers import value_of
 from mechc.source import Source
@@ -60,12 +61,12 @@ def parallelogram(seed, named, drive=""):
 @pytest.mark.parametrize("named", [False, True])
 @pytest.mark.parametrize("seed", range(12))
 def test_a_parallelogram_stays_one_beyond_its_flat_pose(seed, named):
-    text, ahead, frame = parallelogram(seed, named)
-    compilation = Compilation(Source("m.mech", text))
+    described, ahead, frame = parallelogram(seed, named)
+    compilation = Compilation(Source("m.mech", described))
     pose, (result,) = compilation.pose, compilation.solution.results
     assert compilation.verdict.agrees
     start = defaults(pose.mechanism)
-    load = math.radians(float(text.rpartition("along ")[2].split()[0]))
+    load = math.radians(float(described.rpartition("along ")[2].split()[0]))
     for turn in (0.0, 0.4, -0.4, 1.2, 2 * math.radians(ahead)):
         values = completed({**start, "phi": start["phi"] + turn}, pose.definitions)
         (coupler,) = pose.vector("AB", "A", "B")
@@ -77,8 +78,37 @@ def test_a_parallelogram_stays_one_beyond_its_flat_pose(seed, named):
 
 def test_where_it_lies_flat_it_can_go_on_in_two_ways():
     """The frame is at 180° less arctg(4/3), where the crank lies along it."""
-    text, _, frame = parallelogram(4, False, "drive phi from 0 deg to 179 deg")
-    stroke = Compilation(Source("m.mech", text)).stroke(7)
+    described, _, frame = parallelogram(4, False, "drive phi from 0 deg to 179 deg")
+    stroke = Compilation(Source("m.mech", described)).stroke(7)
     flat = math.atan2(*frame[::-1])
     (branch,) = stroke.branches
     assert branch.drive == pytest.approx(flat)
+
+
+KITE = """
+param phi = 50 deg in 20 deg .. 80 deg
+pivot O at (0, 0)
+slider S along y through O
+link OA
+link OB
+link AS
+link BS
+OA = 200 mm @ phi
+OB = 200 mm @ 180 deg - phi
+AS = 320 mm
+BS = 320 mm
+assembly S forward
+force P at S along -y
+force F at A along y
+force F2 = F at B along y
+find k = P/F
+"""
+
+
+def test_a_rod_mirrors_the_one_that_hangs_on_the_same_pin():
+    """Both arms are equal by number alone, and neither stands in k: there is one such ratio."""
+    compilation = Compilation(Source("m.mech", KITE))
+    assert [d.name for d in compilation.pose.definitions] == ["beta_AS"]
+    (result,) = compilation.solution.results
+    assert text(result.formula) == "2*cos(beta_AS)*cos(phi)/cos(beta_AS - phi)"
+    assert compilation.verdict.agrees

@@ -164,7 +164,7 @@ class Sum:
 
     def __init__(self, terms: tuple[Product, ...]) -> None:
         self.terms = terms
-        self.weight = sum(map(_weight, terms))
+        self.weight = sum(map(weight, terms))
         """How many terms there are, those of inner sums included."""
         self._hash = hash(terms)
         self._formula: Formula | None = None
@@ -220,7 +220,8 @@ class _Text:
         return self._of.text < other._of.text
 
 
-def _weight(term: Product) -> int:
+def weight(term: Product) -> int:
+    """Return how many terms a product has, those of sums in it included."""
     return 1 + sum(f.weight for f in term.factors if isinstance(f, Sum))
 
 

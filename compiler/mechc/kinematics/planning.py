@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ..algebra.blocks import blocks, match
 from ..algebra.modular import Point
-from ..algebra.product import ONE, ZERO
+from ..algebra.product import ONE, ZERO, weight
 from ..algebra.rank import Echelon, Residues, independent, residues
 from ..algebra.sums import canonical
 from ..diagnostics import Report
@@ -12,7 +12,7 @@ from ..diagnostics import kinematics as messages
 from . import locked
 from .graph import Form, Graph, Kind, Relation
 from .plan import Block, Plan, Speeds
-from .solving import Binder, Memory, solve
+from .solving import Binder, Memory, by_one_other, solve
 
 MOTIONS = 64
 """Independent motions of a description: each speed has a term for every one of them."""
@@ -116,6 +116,19 @@ def _speeds_of(
     drives: int,
     memory: Memory,
 ) -> Iterable[tuple[int, Speeds]]:
-    """Return the speeds of a block's unknowns: one that is known again, or all as solved."""
+    """Return the speeds of a block's unknowns: one that is known again, or all as solved.
+
+    One that a single other gives stays by that where this is as short: it may be known again by
+    equal numbers alone, and the two arms OA and OB of 200 mm are not to stand beside each other.
+    """
     recalled = memory.recall(forms[0], group[0]) if len(group) == 1 else None
-    return zip(group, [recalled] if recalled else solve(forms, group, known, drives), strict=True)
+    if recalled is None:
+        return zip(group, solve(forms, group, known, drives), strict=True)
+    direct = by_one_other(forms[0], group[0], known)
+    is_as_short = direct is not None and _size(direct) <= _size(recalled)
+    return [(group[0], direct if direct is not None and is_as_short else recalled)]
+
+
+def _size(speeds: Speeds) -> int:
+    """Return of how many factors speeds are made, those of sums included."""
+    return sum(len(speed.factors) + weight(speed) for speed in speeds)

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from itertools import count
 
+from ..algebra.cancelling import canonical
 from ..algebra.determinant import determinant, with_column
 from ..algebra.modular import PRIME, Point
 from ..algebra.product import ZERO, Product, Sum
@@ -107,6 +108,15 @@ def solve(
         tuple(determinant(with_column(matrix, column, s)) / whole for s in sides)
         for column in range(len(unknowns))
     ]
+
+
+def by_one_other(form: Form, unknown: int, known: Mapping[int, Speeds]) -> Speeds | None:
+    """Return the speed that a relation gives with one other that is known; None with more."""
+    others = [u for u in form if u != unknown]
+    if len(others) != 1:
+        return None
+    ratio = -form[others[0]] / form[unknown]
+    return tuple(canonical(ratio * speed) for speed in known[others[0]])
 
 
 def _side(form: Form, unknowns: Sequence[int], known: Mapping[int, Speeds], drive: int) -> Product:

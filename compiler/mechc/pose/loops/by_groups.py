@@ -9,7 +9,6 @@ put in where it is a sum of named angles.
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from ...algebra.angle import Angle
 from ...algebra.from_formula import is_transparent, to_product
 from ...algebra.product import Product, Sum
 from ...algebra.sums import put
@@ -34,7 +33,7 @@ from .dyad_closures import dyad
 from .dyad_sides import Sides
 from .dyads import Loop
 from .groups import closures, left_open, remaining_blocks
-from .recognition import recognised, unwound
+from .recognition import familiar, recognised, unwound
 from .redundant import check_fit, joined
 from .state import State
 
@@ -227,8 +226,8 @@ class _Closing:
         if group is None:
             return False
         self._check_values(cycle)
-        familiar = self._familiar(cycle)
-        known = [recognised(c, wanted, familiar, state) for c in group.closures]
+        around = familiar(cycle, state)
+        known = [recognised(c, wanted, around, state) for c in group.closures]
         candidates = [joined(c, wanted, cycle, state) for c in known]
         chosen = self._choice.choose(candidates, group, within)
         is_new = not sides.again
@@ -240,12 +239,6 @@ class _Closing:
         side = tuple(arm for edge in cycle for arm in edge.arms)
         state.take(unwound(chosen, state), wanted, [side], kind, points, sides.again)
         return True
-
-    def _familiar(self, cycle: Cycle) -> list[Angle]:
-        """Return the directions of the vectors that hang on the points of a loop."""
-        points = {p for edge in cycle for p in (edge.tail, edge.head)}
-        around = (e for e in self._state.graph.edges if not points.isdisjoint((e.tail, e.head)))
-        return list(dict.fromkeys(arm.angle for edge in (*cycle, *around) for arm in edge.arms))
 
     def _fit(self, name: str, cycle: Cycle) -> bool:
         """Take a vector between placed points; a loop inside one body turns as a whole."""

@@ -12,7 +12,7 @@ from ...formula.walk import symbols
 from ..pose import Arm, Definition
 from ..samples import Values
 from ..tolerances import SAME_ANGLE
-from ..vector_graph import Names
+from ..vector_graph import Cycle, Names
 from .dyads import Closure
 from .state import State
 
@@ -47,16 +47,21 @@ def _unwound(name: str, formula: Formula, value: float, state: State) -> Formula
     return total([middle, Call("atan2", (Call("sin", (apart,)), Call("cos", (apart,))))])
 
 
-def recognised(
-    closure: Closure, unknown: Names, familiar: Iterable[Angle], state: State
-) -> Closure:
-    """Return a closure with each direction that is a familiar one written as that one.
+def familiar(cycle: Cycle, state: State) -> list[Angle]:
+    """Return the directions of the vectors of a loop, and of those that hang on its points."""
+    points = {p for edge in cycle for p in (edge.tail, edge.head)}
+    around = (e for e in state.graph.edges if not points.isdisjoint((e.tail, e.head)))
+    return list(dict.fromkeys(arm.angle for edge in (*cycle, *around) for arm in edge.arms))
+
+
+def recognised(closure: Closure, unknown: Names, around: Iterable[Angle], state: State) -> Closure:
+    """Return a closure with each direction that is one of those ``around`` written as that one.
 
     A parallelogram's coupler stays parallel to its frame: the numbers at several poses
     show it, each with other lengths.
     """
     poses = [state.tried(closure, values) for values in state.values]
-    known = [a for a in familiar if state.graph.sought.isdisjoint(a.names)]
+    known = [a for a in around if state.graph.sought.isdisjoint(a.names)]
     for name in sorted(unknown & state.angles):
         if same := next((s for a in known if (s := _alike(name, a, poses))), None):
             closure = _rewritten(closure, name, same, name in state.named)

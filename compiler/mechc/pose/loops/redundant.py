@@ -7,11 +7,11 @@ from ...algebra.angle import Angle
 from ...diagnostics import Diagnostic
 from ...diagnostics import pose as messages
 from ...formula.tree import Call
-from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
+from ..pose import Arm, Definition, LoopKind, Vector, components, evaluate_vector, gathered
 from ..tolerances import LOOP_GAP, SAME_PLACE
 from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
 from .dyads import Closure
-from .recognition import recognised
+from .recognition import familiar, recognised
 from .state import State
 from .triangle import common_turn, principal
 
@@ -34,9 +34,9 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
         return messages.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")
     unknown = frozenset({name})
     closure = closure_of(name, known, moving, state)
-    familiar = [a.angle for e in cycle for a in e.arms]
-    closure = recognised(closure, unknown, familiar, state)
-    state.take(closure, unknown, [], "vector", points_around(cycle))
+    closure = recognised(closure, unknown, familiar(cycle, state), state)
+    kind: LoopKind = "equal" if closure.alike else "vector"
+    state.take(closure, unknown, [], kind, points_around(cycle))
     return None
 
 
