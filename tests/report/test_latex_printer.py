@@ -25,6 +25,11 @@ from report_samples import LONG, formula
 EN, UK, RU = (notation(language) for language in ("en", "uk", "ru"))
 ANGLES = replace(EN, angles=frozenset({"beta"}))
 
+
+def test_an_angle_of_zero_is_one_in_a_cosine() -> None:
+    assert latex(Call("cos", (number(0),)), EN) == r"\cos0^\circ"
+
+
 TABLE_1 = {
     "2*b/a*cot(alpha)": r"\frac{2b}{a}\cot\alpha",
     "2*b/a*cos(alpha)*sin(theta)/cos(alpha+theta)": (

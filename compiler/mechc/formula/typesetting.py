@@ -326,6 +326,8 @@ class Typesetter(Look[Piece]):
                 return self.absolute(self.whole(argument))
             case _, (argument,):
                 inner = self.whole(argument, function in TRIGONOMETRIC)
+                if function in TRIGONOMETRIC and argument == ZERO:
+                    inner = self.degrees(self.numeral("0"))
                 return self.applied(function, "", argument, inner)
         return self.called(function, [self.whole(a) for a in arguments])
 

@@ -1,6 +1,8 @@
 """The forces at joints that are asked for: components, sizes, directions."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from functools import partial
 
 from ..algebra.angle import Angle
@@ -216,9 +218,13 @@ def _length(formula: Formula) -> int:
 
 
 def _common(x: Product, y: Product) -> Product:
-    """Return the factors that two products have in common."""
+    """Return the factors that two products have in common, the number with those of fractions."""
     both = {f: min(e, y.factors[f], key=abs) for f, e in x.factors.items() if f in y.factors}
-    return Product(1, {f: e for f, e in both.items() if e * y.factors[f] > 0 < e * x.factors[f]})
+    one, other = (Fraction(p.coefficient) for p in (x, y))
+    above = math.gcd(one.numerator, other.numerator)
+    size = Fraction(above, math.lcm(one.denominator, other.denominator))
+    alike = {f: e for f, e in both.items() if e * y.factors[f] > 0 < e * x.factors[f]}
+    return Product(size, alike)
 
 
 def _bare(side: Product) -> Formula:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 
-from ..algebra.angle import Rational
+from ..algebra.angle import Rational, rational
 from ..algebra.factors import Factor, Opaque, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box, sign
@@ -89,17 +89,32 @@ def length(vector: Vector) -> Product:
 
 
 def root(square: Product) -> Product:
-    """Return a square root, its sign open: even powers outside, the rest under the root."""
+    """Return a square root, its sign open: even powers outside, the rest under the root.
+
+    >>> from ..formula.to_text import text
+    >>> text(root(Product.symbol("a").scaled(Fraction(3, 2))).formula())
+    'sqrt(6*a)/2'
+    """
     outside = Product(1, {f: e // 2 for f, e in square.factors.items() if e % 2 == 0})
     inside = {f: e for f, e in square.factors.items() if e % 2}
-    coefficient: Rational = 1
-    parts = (square.coefficient.numerator, square.coefficient.denominator)
-    whole = [math.isqrt(abs(n)) for n in parts]
-    if [n * n for n in whole] == list(parts):
-        outside = outside.scaled(Fraction(*whole))
-    else:
-        coefficient = square.coefficient
+    size, coefficient = _without_fraction(square.coefficient)
+    outside = outside.scaled(size)
     if coefficient == 1 and not inside:
         return outside
     under = Product(coefficient, inside).formula()
     return outside * Product.of(Opaque(Call("sqrt", (under,))))
+
+
+PLAIN = 100
+"""The denominators up to which a fraction under a root is a number that a person wrote."""
+
+
+def _without_fraction(square: Rational) -> tuple[Rational, Rational]:
+    """Return what stands before the root of a number, and what stays under it: 1 of a square."""
+    whole, below = (math.isqrt(abs(n)) for n in (square.numerator, square.denominator))
+    if Fraction(whole * whole, below * below) == square:
+        return rational(Fraction(whole, below)), 1
+    if square.denominator > PLAIN:
+        return 1, square
+    outside = below if below * below == square.denominator else square.denominator
+    return rational(Fraction(1, outside)), rational(Fraction(square) * outside * outside)

@@ -5,15 +5,18 @@ of four factors; for readers the same is an arc cosine. Nothing is taken on trus
 put in where algebra proves it equal.
 """
 
-from collections.abc import Iterable, Iterator, Set
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
+from itertools import combinations
 
 from ..algebra.angle import Angle
-from ..algebra.factors import Constant, Factor, Length
+from ..algebra.factors import Constant, Factor, Length, Opaque
 from ..algebra.from_formula import is_transparent, to_angle, to_product
 from ..algebra.product import Product
 from ..algebra.product import Sum as FactoredSum
 from ..algebra.sums import add
+from ..algebra.trigonometry import cosine, sine
 from ..formula.evaluate import evaluate
 from ..formula.facing import quarter_turned, rewritten
 from ..formula.layout import has_minus
@@ -22,8 +25,12 @@ from ..formula.tree import Call, Formula, Sum, is_call, negative, number, power,
 from ..formula.walk import children, rebuild, walk
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
+from ..model.values import range_of
 from ..pose.given_angles import GivenLines
-from ..units import LENGTH
+from ..pose.pose import Arm
+from ..units import ANGLE, LENGTH
+
+HALF = Fraction(1, 2)
 
 LONGEST_SIDE = 3
 """The terms of the law of cosines; more of them are no law that a reader knows."""
@@ -51,10 +58,24 @@ def _is_distance(formula: Formula) -> bool:
     return is_call(formula, "hypot", "sqrt")
 
 
-def book_form(formula: Formula, positive: Set[str]) -> Formula:
+Ranges = Mapping[str, tuple[float, float]]
+"""The least and the greatest value of angles, in degrees."""
+
+NO_RANGES: Ranges = {}
+
+
+def angle_ranges(mechanism: Mechanism) -> dict[str, tuple[float, float]]:
+    """Return the ranges that a description gives angles; the stroke of the one that drives."""
+    named = (p.name for p in mechanism.parameters if p.dimension == ANGLE)
+    found = ((name, range_of(name, mechanism)) for name in named)
+    return {name: (math.degrees(r[0]), math.degrees(r[1])) for name, r in found if r}
+
+
+def book_form(formula: Formula, positive: Set[str], ranges: Ranges = NO_RANGES) -> Formula:
     """Return a formula with the sides and angles of triangles by the laws of sines and cosines.
 
     ``positive`` are the names of lengths that are never negative. What is no triangle stays.
+    The sum of two equal arms halves the angle between them, wherever its ``ranges`` allow that.
 
     >>> from ..formula.to_text import text
     >>> from ..formula.tree import Symbol, degrees, negative, product
@@ -67,12 +88,22 @@ def book_form(formula: Formula, positive: Set[str]) -> Formula:
     >>> across, along = (product([(a, 1), (Call(f, (lean,)), 1)]) for f in ("sin", "cos"))
     >>> text(book_form(Call("hypot", (total([along, d]), across)), {"a", "d"}))
     'sqrt(a^2 + d^2 + 2*a*d*cos(phi + pi/3))'
+    >>> across, along = (product([(a, 1), (Call(f, (phi,)), 1)]) for f in ("sin", "cos"))
+    >>> within = {"phi": (-40.0, 40.0)}
+    >>> text(book_form(Call("hypot", (total([along, a]), across)), {"a"}, within))
+    '2*a*cos(phi/2)'
+    >>> text(book_form(Call("atan2", (across, total([along, a]))), {"a"}, within))
+    'phi/2'
     """
-    parts = tuple(book_form(part, positive) for part in children(formula))
+    parts = tuple(book_form(part, positive, ranges) for part in children(formula))
     whole = rebuild(formula, parts) if parts else formula
     match formula:
         case Call("hypot", (x, y)):
-            return min((*_by_cosines(x, y), whole), key=_operations)
+            halved = _halved(x, y, positive, ranges)
+            arms = [halved.length.formula()] if halved else []
+            return min((*arms, *_by_cosines(x, y, positive), whole), key=_operations)
+        case Call("atan2", (y, x)) if halved := _halved(x, y, positive, ranges):
+            return halved.angle.formula()
         case Call("atan2", (Call("sqrt", (square,)), x)) if size := _root(square, x, positive):
             return Call("acos", (_per(x, size),))
         case Call("atan2", (y, Call("sqrt", (square,)))) if size := _root(square, y, positive):
@@ -81,14 +112,63 @@ def book_form(formula: Formula, positive: Set[str]) -> Formula:
             return whole
 
 
-def _by_cosines(x: Formula, y: Formula) -> Iterator[Formula]:
-    """Yield the length of a vector by the law of cosines, where it has two arms."""
+def _halved(x: Formula, y: Formula, positive: Set[str], ranges: Ranges) -> Arm | None:
+    """Return a vector that is the sum of two equal arms as one arm.
+
+    None where the ranges do not tell that they are less than half a turn apart, or that the
+    direction is the principal one.
+    """
+    calls = (part for one in (x, y) for part in walk(one) if is_call(part, "sin", "cos"))
+    found = (to_angle(call.arguments[0]) for call in calls)
+    along, across = to_product(x), to_product(y)
+    for one, other in combinations(dict.fromkeys((Angle(), *filter(None, found))), 2):
+        arm = along / add([cosine(one), cosine(other)])
+        is_arm = arm.coefficient > 0 and all(_stays(f, positive) for f in arm.factors)
+        if not is_arm or across != arm * add([sine(one), sine(other)]):
+            continue
+        apart, direction = (one - other) * HALF, (one + other) * HALF
+        if _is_within(apart, 90, ranges) and _is_within(direction, 180, ranges):
+            return Arm(arm.scaled(2) * cosine(apart), direction)
+    return None
+
+
+def _is_within(angle: Angle, limit: int, ranges: Ranges) -> bool:
+    """Return whether an angle is nearer to zero than a limit all over its range."""
+    if not angle.names or not angle.names <= ranges.keys():
+        return False
+    ends = [sorted(float(c) * end for end in ranges[name]) for name, c in angle.terms]
+    least, greatest = (math.fsum(side) + float(angle.degrees) for side in zip(*ends, strict=True))
+    return -limit < least < greatest < limit
+
+
+def _by_cosines(x: Formula, y: Formula, positive: Set[str]) -> Iterator[Formula]:
+    """Yield the length of a vector by the law of cosines, where it has two arms.
+
+    What all terms have twice stands before the root: ``a*sqrt(5 - 4*cos(phi))``.
+    """
     across, along = to_product(x), to_product(y)
     square = add([across * across, along * along])
     terms = list(_multiplied_out(square))
     if is_transparent(square) and len(terms) <= LONGEST_SIDE:
         ordered = sorted(terms, key=lambda t: (t.coefficient < 0, len(t.factors)))
         yield Call("sqrt", (_in_angles_of((x, y), total(t.formula() for t in ordered)),))
+        if shared := _squared_in_all(ordered, positive):
+            rest = total((t / (shared * shared)).formula() for t in ordered)
+            yield (
+                shared * Product.of(Opaque(Call("sqrt", (_in_angles_of((x, y), rest),))))
+            ).formula()
+
+
+def _squared_in_all(terms: Sequence[Product], positive: Set[str]) -> Product | None:
+    """Return the positive lengths of which every term has the square, None of none."""
+    first, *others = terms
+    found = (
+        f
+        for f, e in first.factors.items()
+        if e == 2 and _stays(f, positive) and all(t.factors.get(f) == 2 for t in others)
+    )
+    shared = Product(1, dict.fromkeys(found, 1))
+    return shared if shared.factors else None
 
 
 def _in_angles_of(components: Iterable[Formula], square: Formula) -> Formula:

@@ -67,13 +67,14 @@ class Letters:
 
     ``usual`` are the weights by the usual g, ``units`` those of what is given by a number,
     ``positive`` the lengths that are never negative, ``choices`` those of a description as they
-    are written, in their units.
+    are written, in their units, ``ranges`` the least and the greatest values of angles.
     """
 
     usual: frozenset[str]
     units: Mapping[str, str]
     positive: frozenset[str]
     choices: Mapping[str, Formula]
+    ranges: book_forms.Ranges
 
 
 def letters(
@@ -84,7 +85,8 @@ def letters(
     units = constant_units(mechanism) | literal_units(found)
     where = (*others, *(d for r in found for d in r.where))
     positive = book_forms.positive_names(mechanism, where)
-    return Letters(usual_weights(mechanism), units, positive, dict(_choices(mechanism)))
+    choices, ranges = dict(_choices(mechanism)), book_forms.angle_ranges(mechanism)
+    return Letters(usual_weights(mechanism), units, positive, choices, ranges)
 
 
 def _choices(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
@@ -110,7 +112,7 @@ def _as_written(definition: Definition, known: Letters) -> Definition:
     if name in known.choices:
         return Definition(name, known.choices[name])
     if unit is None or not isinstance(formula, Number):
-        return Definition(name, book_forms.book_form(formula, known.positive))
+        return Definition(name, book_forms.book_form(formula, known.positive, known.ranges))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
     is_short = value.denominator < 10**DIGITS
     shown = value if is_short else Fraction(f"{float(value):.{DIGITS}g}")

@@ -101,6 +101,8 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     >>> ten = Quantity(math.radians(10), "deg")
     >>> text(put_in(formula, {"a": Quantity(0.04, "mm"), "alpha": ten, "beta": ten}))
     '40 mm*sin(pi/9)'
+    >>> text(put_in(total([a, beta]), {"a": Quantity(0.04, "mm"), "beta": Quantity(-0.06, "mm")}))
+    '40 mm - 60 mm'
     """
     match formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
@@ -114,7 +116,9 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             return formula
         case Sum((Symbol(name) as first, *others)) if not isinstance(first, Constant):
             begun = _argument(first, given)  # nothing stands before its sign
-            return total((begun, *(put_in(term, given) for term in others)))
+            return total((begun, *(_term(term, given) for term in others)))
+        case Sum(terms):
+            return total(_term(term, given) for term in terms)
         case Product(factors) if sum(bool(symbols(f)) for f in factors) > 1:
             return Product(tuple(_factor(factor, given) for factor in diameters_behind(factors)))
         case Symbol(name) if given[name].unit == "deg":
@@ -131,6 +135,17 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             parts = children(formula)
             found = tuple(put_in(part, given) for part in parts)
             return rebuild(formula, found) if parts else formula
+
+
+def _term(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+    """Return a term in numbers: a negative quantity changes the sign that it is joined by."""
+    match formula:
+        case Symbol(name) | Product((Number(Fraction(numerator=-1, denominator=1)), Symbol(name))):
+            quantity = given.get(name, Quantity(0, ""))
+            if quantity.value < 0 and quantity.unit != "deg":
+                size = _constant(quantity._replace(value=-quantity.value), bracketed=False)
+                return negative(size) if isinstance(formula, Symbol) else size
+    return put_in(formula, given)
 
 
 def _factor(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
@@ -194,7 +209,7 @@ def in_numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> F
     names = names_in(formula)
     if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
         return None
-    if is_solved(formula) or isinstance(formula, Symbol):  # which would be its value twice
+    if is_solved(formula) or _is_value(formula, given):
         return None
     if has_units(formula, {name: given[name] for name in names}, bare):
         return None
@@ -202,6 +217,17 @@ def in_numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> F
     if bare and len(units) == 1:
         return put_in(with_symbols(formula), {n: _bare(q) for n, q in given.items()})
     return put_in(with_symbols(formula), given)
+
+
+def _is_value(formula: Formula, given: Mapping[str, Quantity]) -> bool:
+    """Return whether the numbers put in would be the value: of a symbol, a multiple of an angle."""
+    match formula:
+        case Symbol():
+            return True
+        case Product((Number(), Symbol(name))):
+            return given[name].unit == "deg"
+        case _:
+            return False
 
 
 def has_units(formula: Formula, given: Mapping[str, Quantity], is_number: bool) -> bool:
