@@ -2,12 +2,13 @@
 
 import pytest
 
-from good_mechanisms import CLOSED, compiled
+from good_mechanisms import CLOSED, compiled, loaded
 from mechc.driver import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.to_text import text
 from mechc.formula.walk import symbols
+from mechc.report.definitions import Solved, grouped, without_minus
 from mechc.report.languages.registry import locale
 from mechc.report.sections import outline
 from mechc.report.sentences.wording import position_sentences
@@ -223,3 +224,16 @@ def test_what_choices_and_lists_give_is_not_defined_again_without_its_units(brie
     assert "0.05," not in page
     assert "operatorname{next}" not in page
     assert r"a=50\,\text{mm}" in page
+
+
+@pytest.mark.parametrize("name", ["triad_closed", "double_butterfly"])
+def test_loops_that_close_together_stand_one_behind_the_other(name):
+    """Each with its equation along x, then that along y; a term with a minus on the other side."""
+    (solved,) = (
+        group for group in grouped(loaded(name).results["k"].where) if isinstance(group, Solved)
+    )
+    sides = [[text(side) for side in without_minus(zero)] for zero in solved.zeros]
+    axes = ["cos" if "cos" in left else "sin" for left, _ in sides]
+    assert axes == ["cos", "sin"] * (len(axes) // 2)
+    assert all("sin" not in left + right for left, right in sides[::2])
+    assert not any(side.startswith("-") or " - a*" in side for pair in sides for side in pair)

@@ -6,8 +6,19 @@ from fractions import Fraction
 
 from ..formula.choices import is_looked_up
 from ..formula.evaluate import equations
-from ..formula.layout import decimal, short_decimal
-from ..formula.tree import ZERO, Constant, Formula, Implicit, Number, Product, Symbol
+from ..formula.layout import decimal, has_minus, short_decimal
+from ..formula.tree import (
+    ZERO,
+    Constant,
+    Formula,
+    Implicit,
+    Number,
+    Product,
+    Sum,
+    Symbol,
+    negative,
+    total,
+)
 from ..formula.walk import substitute, walk
 from ..frozen import frozen
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
@@ -170,6 +181,20 @@ class Solved(NamedTuple):
 
     names: tuple[str, ...]
     zeros: tuple[Formula, ...]
+
+
+def without_minus(zero: Formula) -> tuple[Formula, Formula]:
+    """Return the sides of the equation that something is zero, no term with a minus if possible.
+
+    >>> from ..formula.to_text import text
+    >>> a, b, c = map(Symbol, "abc")
+    >>> tuple(map(text, without_minus(total([b, negative(a), c]))))
+    ('a', 'b + c')
+    """
+    terms = zero.terms if isinstance(zero, Sum) else (zero,)
+    right = [term for term in terms if not has_minus(term)]
+    left = [negative(term) for term in terms if has_minus(term)]
+    return total(left), total(right)
 
 
 def grouped(where: Iterable[tuple[str, Formula]]) -> list[Definition | Solved]:

@@ -84,7 +84,7 @@ def remaining_blocks(state: State) -> Iterator[Block]:
     for group in blocks(inner, kept):
         chosen = [equations[kept[u]] for u in group]
         used = sorted({i for i, _ in chosen})
-        rows = tuple((used.index(i), part) for i, part in chosen)
+        rows = tuple(sorted((used.index(i), part) for i, part in chosen))
         unknown = frozenset(names[u] for u in group)
         yield Block(tuple(loops[i] for i in used), rows, unknown)
 

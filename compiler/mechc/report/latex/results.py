@@ -13,7 +13,7 @@ from ...named import NamedTuple
 from ...statics.verdict import Verdict
 from ...study.analysis import Analysis
 from ...units import ANGLE, behind
-from ..definitions import Solved, grouped
+from ..definitions import Solved, grouped, without_minus
 from ..languages.locale import Locale
 from ..sections import Section
 from ..sentences.remarks import asked, heading, headings, is_nameless, ratio, remarks, said
@@ -214,7 +214,8 @@ def _line(definition: Definition | Solved, style: Notation, units: Mapping[str, 
 def _solved(group: Definition | Solved, locale: Locale, style: Notation) -> tuple[str, str]:
     assert isinstance(group, Solved)
     names = ", ".join(f"${name(n, style)}$" for n in group.names)
-    lines = tuple(Line(plain("0"), zero) for zero in group.zeros)
+    both = map(without_minus, group.zeros)
+    lines = tuple(Line(box(left, style), right) for left, right in both)
     return locale.solve.format(names=names), display(lines, style, locale.where)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
 
 from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
-from ...formula.tree import ZERO, Symbol
+from ...formula.tree import Symbol
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.statements import is_sheet
@@ -13,7 +13,7 @@ from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit, si_unit
 from ..brief import needed, relations, short
 from ..by_parts import by_parts
-from ..definitions import Solved, given_loads, grouped, looked_up, stated_above
+from ..definitions import Solved, given_loads, grouped, looked_up, stated_above, without_minus
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
@@ -252,7 +252,7 @@ def _group(group: Definition | Solved, spell: Speller, units: Mapping[str, str])
         names = ", ".join(spell.relation((Symbol(n),), (), False) for n in group.names)
         yield from spell.wrapped(spell.locale.solve.format(names=names), DEEP)
         for zero in group.zeros:
-            yield from spell.broken(spell.relation((zero, ZERO), ("=",), False))
+            yield from spell.broken(spell.relation(without_minus(zero), ("=",), False))
 
 
 def _equations(equations: Iterable[Sides], spell: Speller) -> list[str]:
