@@ -54,6 +54,27 @@ def test_both_motions_straddle_the_ideal_ratio(case):
     assert 0 < found["eta_k"] < 1
 
 
+def printed(name, result):
+    """Return a formula of the library's as it is printed."""
+    return text(mechc.load(name).results[result].formula)
+
+
+def test_an_efficiency_shows_on_what_it_does_not_depend():
+    """The lever behind a screw does not matter, and a cable has e to the power of its wrap."""
+    assert printed("d45_11_screw_lever_with_friction", "eta_k") == (
+        "p*(1 - mu*p/(pi*d))/(p + pi*mu*d)"
+    )
+    assert printed("cable_over_drum", "eta_k") == "exp(-pi*mu/2)"
+    assert printed("d45_10_two_screws_with_friction", "eta_k") == "p/(pi*k_f)"
+
+
+def test_an_efficiency_has_no_range_over_what_it_is_printed_without():
+    lever = mechc.load("d45_11_screw_lever_with_friction").results["eta_k"]
+    assert not lever.efficiency_ranges
+    (cable,) = mechc.load("cable_over_drum").results["eta_k"].efficiency_ranges
+    assert cable.parameter == "mu"
+
+
 FOLLOWER = """mechanism follower
 param r = 60 mm
 param psi = 25 deg in 5 deg .. 40 deg

@@ -112,7 +112,8 @@ class Drives:
             here, where = quotient(above, below), self._with_ideal(where)
         elif not _has_roots(case):
             put_in = self._put_in(case)
-            if count_operations(put_in) <= count_operations(here) + LOOKED_UP:
+            allowed = count_operations(here) + self._spared(put_in, case)
+            if count_operations(put_in) <= allowed:
                 here, where = put_in, case.where
         if self._exponent < 0:
             value = value_of(real, default_values(self._plan))
@@ -124,6 +125,12 @@ class Drives:
             where = self._with_ideal(where)
             holds += tuple(Require(f, o, ZERO, span) for f, o in self._condition(self._k))
         return Case(here, where, holds, case.guards)
+
+    def _spared(self, put_in: Formula, case: Case) -> int:
+        """Return how many operations the efficiency with the printed ratio in it may have more."""
+        ideal = symbols(self._ideal.formula)
+        tells_more = not ideal or symbols(put_in) < ideal | symbols(case.formula)
+        return LOOKED_UP + DROPPED * tells_more
 
     def _put_in(self, case: Case) -> Formula:
         """Return the efficiency with the printed ratio in it, not its name: tan β/tan(β + ρ)."""
@@ -184,6 +191,9 @@ def _in_tangents(share: Product) -> Formula:
 
 LOOKED_UP = 2
 """Operations that a ratio counts for which the reader has to look up by its name."""
+
+DROPPED = 8
+"""Operations that a formula may have more which shows on what an efficiency does not depend."""
 
 
 def _not_negative(share: Formula) -> Formula:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 
-from ..formula.walk import symbols
+from ..formula.walk import reached, symbols
 from ..friction.solution import Solution
 from ..frozen import replace
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense, WithFriction
@@ -85,8 +85,16 @@ def efficiency_ranges(study: Study, efficiency: Result) -> Iterator[EfficiencyRa
         ends, moving = range_of(name, mechanism), study.moving(of, sense, name)
         if ends and moving:
             found = _Run(moving, *ends).found(name, unit_of(name, mechanism))
-            if found and (name in turning or found.greatest - found.least > SAME_EFFICIENCY):
+            is_told = name in turning and name in _printed(efficiency)
+            if found and (is_told or found.greatest - found.least > SAME_EFFICIENCY):
                 yield replace(found, is_of_joints=is_of_joints)
+
+
+def _printed(efficiency: Result) -> set[str]:
+    """Return the names that an efficiency is printed with, and what these rest on."""
+    case = efficiency.case if isinstance(efficiency, FrictionResult) else None
+    printed = case or efficiency
+    return reached(symbols(printed.formula), {d.name: d.formula for d in printed.where})
 
 
 class _Run:
