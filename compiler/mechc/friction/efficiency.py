@@ -129,8 +129,8 @@ class Drives:
     def _spared(self, put_in: Formula, case: Case) -> int:
         """Return how many operations the efficiency with the printed ratio in it may have more."""
         ideal = symbols(self._ideal.formula)
-        tells_more = not ideal or symbols(put_in) < ideal | symbols(case.formula)
-        return LOOKED_UP + DROPPED * tells_more
+        shows_more = not ideal or symbols(put_in) < ideal | symbols(case.formula)
+        return LOOKED_UP + DROPPED * shows_more
 
     def _put_in(self, case: Case) -> Formula:
         """Return the efficiency with the printed ratio in it, not its name: tan β/tan(β + ρ)."""

@@ -110,7 +110,7 @@ PLAIN = 100
 
 
 def _without_fraction(square: Rational) -> tuple[Rational, Rational]:
-    """Return what stands before the root of a number, and what stays under it: 1 of a square."""
+    """Return the factor before the root of a number, and the number under it: 1 of a square."""
     whole, below = (math.isqrt(abs(n)) for n in (square.numerator, square.denominator))
     if Fraction(whole * whole, below * below) == square:
         return rational(Fraction(whole, below)), 1

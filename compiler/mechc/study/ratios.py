@@ -85,8 +85,8 @@ def efficiency_ranges(study: Study, efficiency: Result) -> Iterator[EfficiencyRa
         ends, moving = range_of(name, mechanism), study.moving(of, sense, name)
         if ends and moving:
             found = _Run(moving, *ends).found(name, unit_of(name, mechanism))
-            is_told = name in turning and name in _printed(efficiency)
-            if found and (is_told or found.greatest - found.least > SAME_EFFICIENCY):
+            is_shown = name in turning and name in _printed(efficiency)
+            if found and (is_shown or found.greatest - found.least > SAME_EFFICIENCY):
                 yield replace(found, is_of_joints=is_of_joints)
 
 
