@@ -336,6 +336,24 @@ def test_points_get_the_first_free_number(tmp_path: Path) -> None:
     assert {"C7", "K7"} <= points(written(tmp_path, second.replace("T.", "T7.")))
 
 
+def test_a_pivot_of_the_library_is_joined_to_one_with_a_place(tmp_path: Path) -> None:
+    """Whoever uses a part of the library does not write its file."""
+    text = """
+mechanism press
+pivot O at (160 mm, 100 mm)
+link OA
+link AB
+param phi = 60 deg
+OA = 40 mm @ phi
+AB = 120 mm
+drive phi from 60 deg to 100 deg
+use fedoriv_fig2a_knee as T at (0 mm, 210 mm) turned -90 deg joining T.B = B
+torque M on OA
+find k = M/T_W
+"""
+    assert_says({"E312", "or join it to", "`joining T.E = …`"}, refused(written(tmp_path, text)))
+
+
 def test_errors_of_what_a_part_says(tmp_path: Path) -> None:
     """Both places stand in the message."""
     tied = TOGGLE.replace("force F", "force D = 0.1*P at K along x\nforce F")

@@ -44,3 +44,19 @@ def test_a_bare_zero_in_a_table_measures_what_the_others_do(table: str, value: f
     made = sheet(f"table m = {table}\nparam v = 0.5 m/s\nlet q = m at v")
     (let,) = made.lets
     assert evaluate(let.value, {"v": 0.5}) == pytest.approx(value)
+
+
+@pytest.mark.parametrize(
+    ("rows", "codes"),
+    [
+        ("1 mm: 2 N, 2 m: 3 N", ["W289"]),
+        ("1 mm: 2 N, 2 mm: 3 kN", ["W289"]),
+        ("500 mm: 2 N, 2 m: 3 N", []),
+        ("1 mm: 2 N, 300 mm: 3 N", []),
+    ],
+)
+def test_a_table_of_two_rows_in_two_units(rows: str, codes: list[str]) -> None:
+    text = f"sheet s\ntable m = {rows}\nparam x = 1 mm\nlet q = m at x\n"
+    report = Report(Source("s.mech", text))
+    assert resolve(read(report.source, report), report)
+    assert [d.code for d in report.diagnostics if d.code == "W289"] == codes

@@ -7,7 +7,7 @@ from .diagnostic import Message, coded
 
 
 @coded("E312")
-def pivot_without_place(at: Span, pivot: str, other: str, own: str) -> Message:
+def pivot_without_place(at: Span, pivot: str, other: str, own: str, prefix: str) -> Message:
     """A pivot has no place, so no loop closes through it.
 
     With lengths and a ``drive`` the directions follow from loops, and a loop goes over the
@@ -19,13 +19,18 @@ def pivot_without_place(at: Span, pivot: str, other: str, own: str) -> Message:
         pivot O at (0 mm, 0 mm)      # right; or a vector, OC = (100 mm, 0 mm)
         pivot C at (100 mm, 0 mm)
 
-    Of a part that is joined the pivot's ``own`` name, in its file, is proposed.
+    Of a part that is joined the pivot's ``own`` name, in its file, is proposed. Whoever does not
+    write that file joins the pivot to one that has a place here::
+
+        pivot D at (0 mm, 210 mm)
+        use toggle as T joining T.E = D, T.B = B
     """
+    join = f", or join it to a pivot that has a place here: `joining {prefix}.{own} = …`"
     seen = f", seen from {other}" if other else ""
     return Message(
         at,
         f"{pivot} has no place{seen}, and no loop closes through it",
-        f"write `pivot {own} at (0 mm, 0 mm)`",
+        f"write `pivot {own} at (0 mm, 0 mm)`{join if prefix else ''}",
     )
 
 

@@ -1,7 +1,7 @@
 """Words of the pose stage: directions and lengths that are missing, loops that disagree."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ..named import NamedTuple
 from ..source import Span
@@ -72,7 +72,7 @@ def directions_disagree(at: Span, points: str, other: Span) -> Message:
 
 
 @coded("E303")
-def loop_does_not_close(at: Span, loop: str, gap: str) -> Message:
+def loop_does_not_close(at: Span, loop: str, gap: str, brought: Sequence[str]) -> Message:
     """The vectors around a loop, with the values given, do not add up to zero.
 
     Going around a closed chain of vectors one must come back to where one started::
@@ -81,12 +81,18 @@ def loop_does_not_close(at: Span, loop: str, gap: str) -> Message:
         AB = 100 mm @ 90 deg
         OB = 150 mm @ 45 deg    # wrong: OB is sqrt(2)*100 mm
 
-    Leave one length open (``OB = @ 45 deg``) or correct the values.
+    Leave one length open (``OB = @ 45 deg``) or correct the values. An angle that a joined
+    part has ``brought`` in with its value is given by the loop where it stays behind::
+
+        use toggle as T joining T.B = B                  # wrong: T_alpha keeps its value
+        use toggle as T joining T.B = B without alpha    # right: the loop gives it
     """
+    hint = "leave a length of the loop open, or correct its values"
+    if brought:
+        prefix, _, own = brought[0].partition("_")
+        hint = f"let the loop give {brought[0]}: use … as {prefix} … without {own}"
     return Message(
-        at,
-        f"the loop {loop} does not close: the gap is {gap} at the values given",
-        "leave a length of the loop open, or correct its values",
+        at, f"the loop {loop} does not close: the gap is {gap} at the values given", hint
     )
 
 

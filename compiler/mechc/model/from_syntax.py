@@ -35,7 +35,12 @@ from .names.points import Points
 from .names.scope import Scope
 from .results.conditions import implied, read_expects, read_requires
 from .results.finds import read_finds
-from .results.reactions import check_guides_of_copies, check_rods, warn_of_shared_pivots
+from .results.reactions import (
+    check_guides_of_copies,
+    check_rods,
+    warn_of_loads_on_pins,
+    warn_of_shared_pivots,
+)
 from .results.reported import read_reported
 from .statements import check_doubled, every, only, refuse_links_in_a_sheet, written_as_sheet
 
@@ -63,6 +68,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     mechanism = replace(mechanism, loads=inside_telescopes(mechanism.loads, mechanism, scope))
     check_rods(mechanism, scope)
     warn_of_shared_pivots(mechanism, scope)
+    warn_of_loads_on_pins(mechanism, scope)
     check_guides_of_copies(mechanism, scope)
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()

@@ -213,6 +213,13 @@ class Mechanism:
         return tuple(j for j in self.joints if isinstance(j, WheelPair | Rack | Screw))
 
     @property
+    def brought_angles(self) -> frozenset[str]:
+        """Return the angles that parts of it have brought in with a value of their own."""
+        prefixes = tuple(f"{part.prefix}_" for part in self.subassemblies)
+        mine = (p for p in self.parameters if p.name.startswith(prefixes) and p.value is not None)
+        return frozenset(p.name for p in mine if p.dimension == ANGLE and not p.dependent)
+
+    @property
     def ropes(self) -> tuple[Rope, ...]:
         """Return the ropes."""
         return self.each(Rope)

@@ -44,7 +44,7 @@ class Closure:
     """The equations so far, in echelon form.
 
     Of the symbols some are ``defined``; some are ``given`` by the description, while others come
-    from a drawing.
+    from a drawing. Angles are ``brought`` in by parts that are joined, with their values.
     """
 
     def __init__(
@@ -52,7 +52,9 @@ class Closure:
         open_lengths: Iterable[str],
         defined: Iterable[str] = (),
         given: Iterable[str] | None = None,
+        brought: Iterable[str] = (),
     ) -> None:
+        self._brought = frozenset(brought)
         self._open, self._defined = frozenset(open_lengths), frozenset(defined)
         self._given = None if given is None else frozenset(given)
         self._point = Point()
@@ -115,7 +117,9 @@ class Closure:
     ) -> Diagnostic:
         gap = _gap(condition, values) if not self._mentions_open(condition.arms) else 0.0
         if gap:
-            return messages.loop_does_not_close(condition.span, condition.name, _metres(gap))
+            brought = sorted(_symbols(condition.arms) & self._brought)
+            shown = _metres(gap)
+            return messages.loop_does_not_close(condition.span, condition.name, shown, brought)
         names = sorted(_symbols(condition.arms) - self._open)
         if self._given is not None and self._given.isdisjoint(names):
             return messages.loop_holds_fast(condition.span, condition.name)

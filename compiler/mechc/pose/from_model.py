@@ -181,7 +181,8 @@ def _check_loops(pose: Pose, read: _Read, unfound: Set[str]) -> None:
     """Report every loop that does not close for independent symbols, all of them known."""
     mechanism, vectors = read.mechanism, read.vectors
     given = given_by_hand(mechanism) if mechanism.drawn else None
-    closure = Closure(pose.placeholders, {d.name for d in pose.definitions}, given)
+    defined = {d.name for d in pose.definitions}
+    closure = Closure(pose.placeholders, defined, given, mechanism.brought_angles)
     values = poses_nearby(mechanism, pose.definitions)
     slots = on_the_line([t for t in pose.contacts if t.kind == "slot"], vectors)
     for condition in (*_loops(vectors), *_guide_lines(pose, vectors), *slots):

@@ -94,12 +94,13 @@ def _without_place(mechanism: Mechanism, vectors: Vectors) -> Iterator[Diagnosti
     pivots = mechanism.each(Pivot)
     joined = [{q for q in ground if vectors.chain(p.point, q, ground)} for p in pivots]
     home = max(joined, key=len, default=set())
-    own_names = {here: there for part in mechanism.subassemblies for there, here in part.points}
+    parts = mechanism.subassemblies
+    own_names = {here: (there, part.prefix) for part in parts for there, here in part.points}
     for pivot, others in zip(pivots, joined, strict=True):
         if pivot.point not in home and others.isdisjoint(home):
             point = pivot.point
-            own = own_names.get(point, point)
-            yield messages.pivot_without_place(pivot.span, point, _beside(home, mechanism), own)
+            own = own_names.get(point, (point, ""))
+            yield messages.pivot_without_place(pivot.span, point, _beside(home, mechanism), *own)
 
 
 def _beside(ground: Collection[str], mechanism: Mechanism) -> str:

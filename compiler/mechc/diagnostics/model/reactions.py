@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ...source import Span
-from ..diagnostic import Message, coded
+from ..diagnostic import Message, Related, coded
 
 
 @coded("E250")
@@ -117,6 +117,24 @@ def force_of_the_ground(span: Span, point: str, links: Sequence[str]) -> Message
     hint = " or ".join(f"'find R_{point} on {link}'" for link in links[:3])
     message = f"R_{point} is the force of the ground alone, not what links give each other there"
     return Message(span, message, f"for the strength of the pin write {hint}")
+
+
+@coded("W299")
+def load_on_the_pin(
+    span: Span, load: str, point: str, link: str, others: Sequence[str], at: Span
+) -> Message:
+    """The force of a pin on a link is asked for, and a load acts at the pin itself.
+
+    A load at a shared pin that names no link acts on the pin, so that the pin hands it on
+    with what the other links give. Where the link carries it, the pin gives that much less::
+
+        force P at B along x           # warned of beside `find R_B on OB`
+        force P at B on OB along x     # OB carries P: R_B on OB is what BK gives
+        force P at B on BK along x     # R_B on OB is what BK gives with P on it
+    """
+    said = " or ".join(f"'{point} on {each}'" for each in (link, *others))
+    message = f"{load} acts on the pin at {point}, so that the force on {link} there has it in it"
+    return Message(span, message, f"say which link carries it: {said}", (Related(at, "the load"),))
 
 
 @coded("E255")

@@ -44,6 +44,9 @@ class Chosen(NamedTuple):
 JUMP = 5.0
 """How many times the size before it a size in a unit of its own is without a doubt."""
 
+JUMP_OF_TWO = 100.0
+"""The same where there are two sizes, either of which may have the wrong unit."""
+
 MOST = 200
 """Rows of a table, or sizes of a list: more are a file of data."""
 
@@ -133,12 +136,13 @@ def _check_units(
     units = [next((n.unit for n in leaves(e) if isinstance(n, ast.Number)), "") for e in written]
     usual = max(units, key=units.count)
     odd = [i for i, unit in enumerate(units) if unit != usual]
-    if len(odd) != 1 or len(units) < 3:
+    if len(odd) != 1:
         return
+    jump = JUMP if len(units) > 2 else JUMP_OF_TWO
     values = [_value(size) for size in sizes]
     here, rest = odd[0], [v for i, v in enumerate(values) if v and i != odd[0]]
     nearest = min(rest, key=lambda value: abs(value - values[here]), default=0.0)
-    if nearest and units[here] and not 1 / JUMP < values[here] / nearest < JUMP:
+    if nearest and units[here] and not 1 / jump < values[here] / nearest < jump:
         scope.report.add(messages.size_in_another_unit(sizes[here].span, what, usual))
 
 

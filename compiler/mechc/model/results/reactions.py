@@ -11,6 +11,7 @@ from ..mechanism import (
     Force,
     ForcePair,
     Link,
+    Load,
     Mechanism,
     Normal,
     Part,
@@ -20,7 +21,7 @@ from ..mechanism import (
 )
 from ..names.forms import Form
 from ..names.scope import Scope
-from ..parts.friction import RopeFriction
+from ..parts.friction import PinFriction, RopeFriction
 
 Asked = tuple[str, Target, Dimension]
 """The end of a result's name, what it is and what it measures."""
@@ -148,6 +149,37 @@ def warn_of_shared_pivots(mechanism: Mechanism, scope: Scope) -> None:
                 links = [link.name for link in mechanism.links if point in link.points]
                 if len(links) > 1 or (links and point in mechanism.shared):
                     scope.report.add(messages.force_of_the_ground(find.span, point, links))
+
+
+def warn_of_loads_on_pins(mechanism: Mechanism, scope: Scope) -> None:
+    """Warn of loads at a shared pin on no link, where the force of the pin on one is asked for.
+
+    Where the pin has friction W540 says so.
+    """
+    rough = {f.point for f in mechanism.friction.joints if isinstance(f, PinFriction)}
+    asked = {
+        (target.point, target.link): find.span
+        for find in reversed(mechanism.finds)
+        if isinstance(target := find.target, Reaction) and target.link
+    }
+    for (point, link), span in asked.items():
+        others = [k.name for k in mechanism.links if point in k.points and k.name != link]
+        for load in mechanism.loads if others and point not in rough else ():
+            if _is_on_the_pin(load, point):
+                words = span, load.name, point, link, others, load.span
+                scope.report.add(messages.load_on_the_pin(*words))
+
+
+def _is_on_the_pin(load: Load, point: str) -> bool:
+    """Return whether a load acts at a point and is carried by no link there."""
+    match load:
+        case Force(point=at, link=""):
+            return at == point
+        case ForcePair():
+            ends = (load.first, load.first_link), (load.second, load.second_link)
+            return (point, "") in ends
+        case _:
+            return False
 
 
 def check_guides_of_copies(mechanism: Mechanism, scope: Scope) -> None:

@@ -31,7 +31,10 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     if abs(gap) > LOOP_GAP * size:
         edge = max((e for e in cycle if name in mentioned(e.arms)), key=lambda e: e.span.start)
         points = loop_name(cycle)
-        return messages.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")
+        used = mentioned(tuple(a for e in cycle for a in e.arms))
+        brought = sorted(used & state.mechanism.brought_angles)
+        shown = f"{abs(gap) * 1000:.4g} mm"
+        return messages.loop_does_not_close(edge.span, points, shown, brought)
     unknown = frozenset({name})
     closure = closure_of(name, known, moving, state)
     closure = recognised(closure, unknown, familiar(cycle, state), state)
