@@ -149,15 +149,17 @@ class Evaluation:
 
 
 def _doubt(name: str, value: Any, within: tuple[float, float]) -> None:
-    """Warn of an angle beyond a turn and its range: degrees are hardly ever given as radians."""
-    if isinstance(value, float | int) and abs(value) > math.tau:
-        low, high = within
-        if not low <= value <= high:
-            warnings.warn(
-                f"{name} = {value:g} is taken in radians, {value / math.tau:.3g} turns, which is "
-                f"beyond its range: degrees are a text, {name}='{value:g} deg'",
-                stacklevel=4,
-            )
+    """Warn of an angle beyond a turn that in degrees, and in no other turn, is within its range."""
+    low, high = within
+    if not isinstance(value, float | int) or abs(value) <= math.tau:
+        return
+    further_on = low + (value - low) % math.tau
+    if further_on > high and low <= math.radians(value) <= high:
+        warnings.warn(
+            f"{name} = {value:g} is taken in radians, {value / math.tau:.3g} turns, which is "
+            f"beyond its range: degrees are a text, {name}='{value:g} deg'",
+            stacklevel=4,
+        )
 
 
 def _in_si(name: str, value: Any, dimension: Dimension) -> Any:
