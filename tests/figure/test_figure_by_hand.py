@@ -10,6 +10,7 @@ from mechc.figure import layout
 from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Rack
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
+from mechc.figure.velocities import rates
 from mechc.figure.ways import Linear, Way, Ways, along
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import Symbol, degrees, negative, number, total
@@ -25,6 +26,7 @@ from small_poses import (
     driven_slider,
     lever,
     on_pivots,
+    plan,
     slider_crank,
     slotted,
     two_bars,
@@ -215,3 +217,33 @@ def test_open_lengths_grow_until_twins_are_apart(monkeypatch, gaps, chosen):
     mirror = SimpleNamespace(mirror=SimpleNamespace(sharing=()))
     found = layout.lay_out(SimpleNamespace(pose=SimpleNamespace(mechanism=mirror)))
     assert found.lengths == {"a": chosen}
+
+
+# ------------------------------------------------------------------------ velocities
+
+
+def velocities(pose):
+    """Return the velocities per unit of the crank's angular velocity."""
+    found = plan(pose)
+    (drive,) = found.drives
+    return rates(found, draw(pose), VALUES, drive)
+
+
+def test_the_rod_of_a_crank_turns_as_its_slider_stays_on_its_guide():
+    """r cos φ + ω l cos ψ = 0 across the guide."""
+    found = velocities(slider_crank())
+    spin = -R * math.cos(PHI) / (L * math.cos(PSI))
+    assert found.spins == pytest.approx({"OA": 1.0, "AB": spin})
+    assert found.points["A"] == near(polar(R, PHI + math.pi / 2))
+    speed = -R * math.sin(PHI) - spin * L * math.sin(PSI)
+    assert found.points["B"] == near(Plane(speed, 0.0))
+    assert found.largest == pytest.approx(R)
+
+
+def test_a_pin_slides_along_its_slot():
+    """The velocity of A less that of the point of the slot under it leads along the slot."""
+    (sliding,) = velocities(slotted()).slidings
+    theta = VALUES["theta"]
+    along = A * math.cos(PHI + math.pi / 2 - theta)
+    assert (sliding.point, sliding.body) == ("A", "QB")
+    assert sliding.velocity == near(polar(along, theta))
