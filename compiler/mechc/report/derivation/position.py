@@ -1,8 +1,9 @@
 """Position: what follows from each loop and sum of vectors, in the order in which it follows."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import groupby, starmap
+from itertools import groupby
 
+from ...formula.facing import led
 from ...formula.names import split_points
 from ...formula.tree import ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.typesetting import HALF
@@ -49,7 +50,8 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
         names = [n for n in loop.names if n in needed]
         put_in = [d for d in loop.put_in if any(map(_ends(d.name).issubset, subjects))]
         if names or put_in or not loop.again.isdisjoint(needed):
-            found = (*starmap(Definition, put_in), *(Definition(n, formulas[n]) for n in names))
+            shown = (Definition(d.name, led(d.formula)) for d in put_in)
+            found = (*shown, *(Definition(n, formulas[n]) for n in names))
             yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found, loop.like)
 
 
