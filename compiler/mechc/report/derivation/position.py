@@ -45,10 +45,10 @@ def _order(pose: Pose, formulas: Formulas) -> dict[str, tuple[int, int]]:
 
 def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:
     needed = reached([*_mentioned(derivation), *_in_conditions(derivation)], formulas)
-    subjects = [step.subject for step in derivation.steps]
+    subjects, fixed = [step.subject for step in derivation.steps], pose.mechanism.fixed
     for loop in pose.solved:
         names = [n for n in loop.names if n in needed]
-        put_in = [d for d in loop.put_in if any(map(_ends(d.name).issubset, subjects))]
+        put_in = [d for d in loop.put_in if any(map((_ends(d.name) - fixed).issubset, subjects))]
         if names or put_in or not loop.again.isdisjoint(needed):
             shown = (Definition(d.name, led(d.formula)) for d in put_in)
             found = (*shown, *(Definition(n, formulas[n]) for n in names))
