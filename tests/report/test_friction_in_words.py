@@ -256,9 +256,9 @@ def test_what_is_long_multiplied_out_keeps_the_names_of_its_parts():
     text = source + "\nparam f = 0.1\nfriction pins f diameter 20 mm\n"
     compilation = compile_source(Source("lift.mech", text))
     shown = " ".join(render(compilation.derivation, compilation.mechanism).split())
-    assert "k_f = k + ρ · n_A_AMD · Ω_A_AMD + " in shown
-    assert "k_f₁ = k + ρ · r_A_AMD · Ω_A_AMD + ρk · Ω_A_AE + " in shown
-    assert "k_hold = k − ρ · n_A_AMD_hold" in shown
+    assert "k_f = k + ρ · Ω_A_AMD · (n_A_AMD + n_B) + " in shown
+    assert "k_f₁ = k + ρ · Ω_A_AMD · (r_A_AMD + r_B) + ρk · Ω_A_AE + " in shown
+    assert "k_hold = k − ρ · Ω_A_AMD · (n_A_AMD_hold + n_B_hold)" in shown
     assert shown.count("Ω_A_AMD = ") == 2  # the definition, and its number
     assert "η_k = k/k_f - This holds while k > 0." in shown
     assert shown.count("under the same conditions as k_f.") == 1
@@ -553,5 +553,5 @@ def test_a_load_has_its_own_name_in_the_balance_with_friction(way, balance):
     shown = render(compilation.reported, compilation.mechanism, unicode=False)
     lines = [" ".join(line.split()) for line in shown.splitlines()]
     assert [line for line in lines if line in balance] == balance
-    assert "M_f1 = M + rho * r_O * Omega_O" in lines
+    assert "M_f1 = M + rho * r_O" in lines  # the drive itself turns in O
     assert not any(line.startswith(("M + F", "M = rho", "M = -rho")) for line in lines)

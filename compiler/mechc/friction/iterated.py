@@ -8,10 +8,11 @@ from fractions import Fraction
 from functools import partial
 
 from ..algebra.angle import Rational
+from ..algebra.product import ONE as UNIT
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
 from ..formula.operations import count_operations
-from ..formula.tree import Formula, Symbol, negative, total
+from ..formula.tree import ONE, Formula, Symbol, negative, total
 from ..model.mechanism import Mechanism
 from ..model.result import Definition, Result
 from ..named import NamedTuple
@@ -48,18 +49,19 @@ def first_order_case(
     if count_operations(formula) > LINE:
         return _in_names(ideal, parts, sense, signs)
     labels = radii(part.pair for part in parts)
-    terms: list[Formula] = [Symbol(ideal.name)]
+    added: list[Part] = []
     forces: dict[Formula, Formula] = {}
     slips: dict[Formula, Formula] = {}
     for part in parts:
         factor = named_factor(part.pair, labels, signs).formula()
         force = _called(f"r_{part.pair.name}", part.force, forces, signs)
-        slip = _called(_slip_name(part.pair), part.slip, slips, signs)
-        terms.append(power(sense * part.times, factor, force, slip))
+        own = _slip_name(part.pair)
+        slip = ONE if part.slip == UNIT else _called(own, part.slip, slips, signs)
+        added.append(Part(factor, force, slip, sense * part.times))
     equations = [(own, known) for named in (forces, slips) for own, known in named.items()]
     step = Step(
         "first order",
-        equations=(*equations, (Symbol(name), total(terms))),
+        equations=(*equations, (Symbol(name), _sum(Symbol(ideal.name), added))),
         defined=tuple(signs.definitions),
     )
     return Printed(formula, (), conditions(signs), (step,))
@@ -74,14 +76,16 @@ def _in_names(ideal: Result, parts: Sequence["Power"], sense: int, signs: AtOneP
         same = formula == ideal.formula
         return Symbol(ideal.name if same else signs.define(name, formula))
 
-    terms: list[Formula] = [Symbol(ideal.name)]
+    added = []
     for part in parts:
         factor = named_factor(part.pair, labels, signs).formula()
         force = called(f"r_{part.pair.name}", part.force)
         slip = called(_slip_name(part.pair), part.slip)
-        terms.append(power(sense * part.times, factor, force, slip))
+        added.append(Part(factor, force, slip, sense * part.times))
     where = (_called_so(ideal), *signs.definitions)
-    return Printed(total(terms), where, conditions(signs), (Step("first order"),))
+    return Printed(
+        _sum(Symbol(ideal.name), added), where, conditions(signs), (Step("first order"),)
+    )
 
 
 LINE = 60
@@ -106,6 +110,11 @@ def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
 
 def _slip_name(pair: FrictionPair) -> str:
     return f"{'Omega' if pair.joint.kind == 'pin' else 'v'}_{pair.name}"
+
+
+def _slip_called(pair: FrictionPair, size: Product, signs: AtOnePose) -> Formula:
+    """Return the name of a slip; one is no factor, as where a pin turns as much as the drive."""
+    return ONE if size == UNIT else Symbol(signs.define(_slip_name(pair), size.formula()))
 
 
 def named_factor(pair: FrictionPair, labels: Mapping[str, str], signs: AtOnePose) -> Product:
@@ -173,11 +182,13 @@ def exact(
 
     ``positive`` gives absolute values.
     """
+    sense = Fraction(sizes.sense)
     parts = [
-        Part(p.pair, p.pair.factor.formula(), positive(p.slip).formula(), ONCE) for p in loaded
+        Part(p.pair.factor.formula(), sizes.of(p.pair), positive(p.slip).formula(), sense)
+        for p in loaded
     ]
     steps = (Step("iterated"),)
-    whole = _sum(ideal, parts, sizes)
+    whole = _sum(ideal, parts)
     return Named(whole, sizes.definitions, sizes.positive, steps=steps, inside=sizes.inside)
 
 
@@ -192,35 +203,33 @@ def exact_case(
     parts = []
     for p in loaded:
         if size := positive(p.slip_of_one):
-            slip = Symbol(signs.define(_slip_name(p.pair), size.formula()))
-            parts.append(Part(p.pair, named_factor(p.pair, labels, signs).formula(), slip, p.times))
+            slip = _slip_called(p.pair, size, signs)
+            factor = named_factor(p.pair, labels, signs).formula()
+            parts.append(Part(factor, sizes.of(p.pair), slip, sizes.sense * p.times))
     is_long = count_operations(ideal.formula) > SHORT
     without, known = (Symbol(ideal.name), (_called_so(ideal),)) if is_long else (ideal.formula, ())
     where = (*known, *signs.definitions, *sizes.definitions)
     steps = (Step("iterated"),)
-    formula = _sum(without, parts, sizes)
-    return Printed(formula, where, conditions(signs), steps, sizes.positive)
+    return Printed(_sum(without, parts), where, conditions(signs), steps, sizes.positive)
 
 
 SHORT = 8
 """Operations of a formula without friction that is as short to read as its name."""
 
-ONCE = Fraction(1)
-
 
 class Part(NamedTuple):
-    """What a friction adds to the driving load, but for its true size; it does so ``times``."""
+    """What a friction adds to the driving load: ``times`` factor · force · slip."""
 
-    pair: FrictionPair
     factor: Formula
+    force: Formula
     slip: Formula
     times: Fraction
 
 
-def _sum(ideal: Formula, parts: Iterable[Part], sizes: Sizes) -> Formula:
-    """Return the driving load with the powers of friction."""
-    added = (
-        power(sizes.sense * part.times, part.factor, Symbol(sizes.names[part.pair.name]), part.slip)
-        for part in parts
-    )
+def _sum(ideal: Formula, parts: Iterable[Part]) -> Formula:
+    """Return the driving load with the powers of friction, forces with one factor put together."""
+    together: dict[tuple[Fraction, Formula, Formula], list[Formula]] = {}
+    for part in parts:
+        together.setdefault((part.times, part.factor, part.slip), []).append(part.force)
+    added = (power(times, by, total(n), slip) for (times, by, slip), n in together.items())
     return total([ideal, *added])

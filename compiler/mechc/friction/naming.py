@@ -15,6 +15,7 @@ from ..frozen import frozen
 from ..model.mechanism import Sense
 from ..model.parts.targets import HOLDING
 from ..model.result import Definition
+from .pairs import FrictionPair
 
 
 @frozen
@@ -28,6 +29,10 @@ class Sizes:
     definitions: tuple[Definition, ...]
     sense: int
     positive: tuple[Formula, ...]
+
+    def of(self, pair: FrictionPair) -> Symbol:
+        """Return the name of the force in a pair."""
+        return Symbol(self.names[pair.name])
 
     @property
     def inside(self) -> frozenset[str]:
