@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 
-from good_mechanisms import CLOSED, compiled
+from good_mechanisms import CLOSED, compiled, loaded
 from mechc.data import data
 from mechc.driver import compile_source
 from mechc.formula.evaluate import evaluate
@@ -132,7 +132,7 @@ def test_a_ratio_of_some_fifty_operations_has_its_numbers_put_in():
 def test_a_negative_number_at_the_beginning_of_a_sum_has_no_bracket():
     given = {"k": Quantity(-0.0157846, "mm"), "b": Quantity(-0.001, "mm")}
     whole = total([Symbol("k"), product([(Symbol("b"), 1), (number(2), 1)]), Symbol("b")])
-    assert text(put_in(whole, given)) == "-15.7846 mm + 2*(-1 mm) + (-1 mm)"
+    assert text(put_in(whole, given)) == "-15.7846 mm + 2*(-1 mm) - 1 mm"
 
 
 ROD = """
@@ -163,3 +163,12 @@ def test_the_force_that_a_component_is_of_has_its_value_before_it(asked, whole):
     turned = math.radians(12) + math.asin(0.01)
     assert items[whole].value.value == pytest.approx(1000 / math.cos(turned))
     assert items["N_AB_f"].value.value < items[whole].value.value
+
+
+def test_a_number_without_unit_is_not_stated_again_as_its_value():
+    """n = 1/2 of racks, M = 0 of a brake without friction; a third has digits."""
+    pages = {name: loaded(name).emit("latex") for name in ("d45_09_racks_pinion", "band_brake")}
+    assert "$n=0.5$" not in pages["d45_09_racks_pinion"]
+    assert "Numerical values" not in pages["d45_09_racks_pinion"]
+    assert "$M=0" not in pages["band_brake"]
+    assert "$k=0.333333$" in loaded("block_and_tackle").emit("latex")

@@ -92,7 +92,7 @@ def values_of(given: Mapping[str, Quantity]) -> dict[str, float]:
 def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     """Return a formula with quantities for symbols, in brackets where a power is taken of one.
 
-    A sine or cosine is that of its angle in degrees, whatever this is a sum of.
+    A sine or cosine is that of its angle in degrees, whatever this is a sum of; a cosine is even.
 
     >>> from ..formula.to_text import text
     >>> from ..formula.tree import product, total
@@ -103,11 +103,14 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     '40 mm*sin(pi/9)'
     >>> text(put_in(total([a, beta]), {"a": Quantity(0.04, "mm"), "beta": Quantity(-0.06, "mm")}))
     '40 mm - 60 mm'
+    >>> text(put_in(Call("cos", (negative(alpha),)), {"alpha": ten}))
+    'cos(pi/18)'
     """
     match formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
-            values = values_of(given)
-            return Call(function, (in_degrees(_within_a_turn(evaluate(angle, values)), DIGITS),))
+            turn = _within_a_turn(evaluate(angle, values_of(given)))
+            turn = abs(turn) if function == "cos" else turn
+            return Call(function, (in_degrees(turn, DIGITS),))
         case Call("hypot", sides) if symbols(formula):
             return put_in(power(squares(sides), HALF), given)
         case Call(function, arguments):

@@ -184,12 +184,34 @@ def translated(text: str, style: Notation) -> str:
     >>> style = Notation({}, ".", MadeNames(), {}, "", pictured=frozenset({"O1", "A"}))
     >>> translated("A lever O1A about O1", style)
     'A lever $O_{1}A$ about $O_{1}$'
+    >>> translated("Norton, fig. 2a: V = r·ω/(2b sin φ)", style).split(": ")[1]
+    '$V$ = $r$\\ensuremath{\\cdot}\\ensuremath{\\omega}/(2$b$ sin \\ensuremath{\\varphi})'
     """
-    return _NAMED.sub(lambda found: _as_drawn(found[0], style), escape(style.texts.get(text, text)))
+    named = _NAMED.sub(
+        lambda found: _as_drawn(found[0], style), escape(style.texts.get(text, text))
+    )
+    return (
+        _FACTOR.sub(lambda found: f"${found[1] or found[2] or found[3]}$", named)
+        if _FORMULA.search(named)
+        else named
+    )
 
 
 _NAMED = pattern(r"(?<![\w\\{'])(?:[A-Z][0-9]*'*)+(?![\w'}])")
 """What may be a point, a vector or a load in a text."""
+
+_FORMULA = pattern(r" = |\\cdot|\b(?:sin|cos|tan|cot|tg|ctg) \\")
+"""What only a text with a formula has."""
+
+_UNIT = r"(?<!\d [mN]/)(?<!\d N\\ensuremath\{\\cdot\})(?<!\d \$N\$\\ensuremath\{\\cdot\})"
+_SIGN = rf"(?:(?<=[=+] )|(?<=[/(])|(?<=\\cdot\}})|(?<=\{{-\}} )){_UNIT}"
+_FUNCTION = r"(?= (?:sin|cos|tan|cot|tg|ctg)\b)"
+_BEHIND = (
+    rf"(?:{_FUNCTION}|(?<!\d .)(?= [=+]| \\ensuremath\{{-|/|\\ensuremath\{{(?:\\cdot|\{{\}}_)))"
+)
+_LETTER = r"(?<![A-Za-z\\_'])([A-Za-z])(?![\w}'])"
+_FACTOR = pattern(rf"{_SIGN}{_LETTER}|{_LETTER}{_BEHIND}|(?<=\(\d)([A-Za-z])(?=\))")
+"""A letter in a formula of a text: next to a sign of it, or before a function; no unit."""
 
 _WORDS = {"en": frozenset({"A", "I"})}
 """Letters that are words of a language, too."""

@@ -3,9 +3,11 @@
 from collections.abc import Collection, Iterable, Iterator
 from math import isfinite
 
+from ...formula.layout import decimal
 from ...formula.operations import count_operations
-from ...formula.tree import ZERO, Formula
+from ...formula.tree import ZERO, Formula, Number
 from ...study.analysis import Analysis
+from ...units import NUMBER
 from ..by_parts import by_parts
 from ..evaluated import Evaluated
 from ..languages.locale import Locale
@@ -62,14 +64,22 @@ def numbers(
 ) -> tuple[str, ...]:
     """Return the results at the default pose, and those of their derivatives that are long.
 
-    Those that are ``shown`` with their formulas are left out.
+    Those that are ``shown`` with their formulas are left out, and those whose formula is the value.
     """
     found: list[str] = []
     for result in results:
-        if asked(result) not in shown:
+        if asked(result) not in shown and not is_own_value(result):
             found.append(_number(result, locale, style))
         found += _slopes(result, locale, style)
     return tuple(filter(None, found))
+
+
+def is_own_value(result: Analysis) -> bool:
+    """Return whether a formula is a number without unit that needs no digits, such as 0 or 1/2."""
+    formula, is_bare = result.formula, result.dimension == NUMBER
+    if result.undetermined or not isinstance(formula, Number):
+        return False
+    return formula == ZERO or (is_bare and decimal(formula.value) is not None)
 
 
 def _number(result: Analysis, locale: Locale, style: Notation) -> str:
