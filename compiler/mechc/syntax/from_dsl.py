@@ -5,10 +5,13 @@ from ..frozen import replace
 from ..source import Source
 from . import ast
 from .fault import Fault, check_characters, check_length, check_once, note
+from .parser.grammar import keywords, statement_words
 from .parser.lalr import span_of
 from .parser.lines import Line, lines
 from .parser.parse import parse as parse_line
 from .parser.tokens import tokens
+
+ON_ONE_LINE = "a statement stands on one line, however long"
 
 
 def parse(source: Source, report: Report) -> ast.File:
@@ -25,17 +28,26 @@ def parse(source: Source, report: Report) -> ast.File:
     check_length(source, report)
     check_characters(source.text, None, report)
     statements: list[ast.Statement] = []
-    trailing: tuple[str, ...] = ()
-    for line in lines(tokens(source.text)):
-        if not line.tokens:
-            trailing = line.comments
-            continue
+    *found, last = lines(tokens(source.text))
+    found += [last] if last.tokens else []
+    trailing = () if last.tokens else last.comments
+    is_cut = False
+    for line, following in zip(found, [*found[1:], None], strict=False):
         try:
-            statements += statements_of(line)
+            statements += [] if is_cut and goes_on(line) else statements_of(line)
+            is_cut = False
         except Fault as fault:
-            note(fault.diagnostic, report)
+            is_cut = following is not None and goes_on(following)
+            hint = ON_ONE_LINE if is_cut else fault.diagnostic.hint
+            note(replace(fault.diagnostic, hint=hint), report)
     check_once(statements, report)
     return ast.File(tuple(statements), trailing)
+
+
+def goes_on(line: Line) -> bool:
+    """Return whether a line begins with a word from within a statement: ``along 0 deg``."""
+    word = str(line.tokens[0])
+    return word in keywords() and word not in statement_words()
 
 
 def statements_of(line: Line) -> list[ast.Statement]:

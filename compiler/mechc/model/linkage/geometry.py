@@ -3,7 +3,7 @@
 import math
 
 from ...diagnostics.model import joints as messages
-from ...formula.tree import Formula
+from ...formula.tree import Formula, Symbol
 from ...formula.walk import symbols
 from ...named import NamedTuple
 from ...source import Span
@@ -71,6 +71,8 @@ def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | 
     value = value_of(formula, scope) if formula else None
     check_reach(formula, LENGTH, length.span, scope)
     if formula and value is not None and value <= 0:
+        if isinstance(formula, Symbol) and not scope.first_misfit(formula.name, LENGTH):
+            return None  # it is said where the name is first a length
         shown, cause = f"{value * 1000:g} mm", scope.cause(formula, length.span)
         name = statement.points.text
         scope.report.add(messages.length_not_positive(length.span, name, shown, cause))
