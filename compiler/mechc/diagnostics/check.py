@@ -16,7 +16,13 @@ def _pose(at: Mapping[str, str]) -> str:
 
 @coded("E581")
 def expectation_refuted(
-    span: Span, subject: str, found: str, expected: str, at: Mapping[str, str], slip: Slip = ""
+    span: Span,
+    subject: str,
+    found: str,
+    expected: str,
+    at: Mapping[str, str],
+    slip: Slip = "",
+    load: str = "",
 ) -> Message:
     """An ``expect`` does not hold: a pose was found where the two numbers differ.
 
@@ -33,10 +39,12 @@ def expectation_refuted(
 
     Where only the sign differs, a load may be drawn the other way; where the numbers differ by a
     power of ten, a unit may be wrong; where one is twice the other, or its inverse, that is said.
+    A force is expected at the value of the ``load`` that it rests on.
     """
     does = "has no value" if found.startswith("nan") else f"is {found}"
     message = f"{subject} {does} where {expected} is expected, at {_pose(at)}"
-    return Message(span, message, _SLIPS[slip])
+    hint = f"say at which {load} it is expected: … at {load} = …" if load else _SLIPS[slip]
+    return Message(span, message, hint)
 
 
 _SLIPS: Mapping[Slip, str] = {

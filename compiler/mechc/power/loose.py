@@ -6,6 +6,7 @@ from typing import assert_never
 from ..diagnostics import syntax
 from ..model.mechanism import (
     Contact,
+    Link,
     Mechanism,
     Pivot,
     Rack,
@@ -31,7 +32,21 @@ def looseness(mechanism: Mechanism) -> str:
         if len(joints) < 2 and not on_the_ground and not _held_otherwise(link.name, mechanism):
             where = f"pin {joints[0]} alone" if joints else "nothing"
             return f"hold link {link.name}, which hangs on {where}"
+        if _turns_on_its_guide(link, mechanism):
+            return f"keep link {link.name} from turning on its guide by `slide {link.name} along …`"
     return ""
+
+
+def _turns_on_its_guide(link: Link, mechanism: Mechanism) -> bool:
+    """Return whether a guide and one contact alone hold a link, of which neither keeps its turn."""
+    others = {p for body in mechanism.rigid_bodies if body.name != link.name for p in body.points}
+    own = [
+        j for j in mechanism.joints if isinstance(j, Slider | Contact) and j.point in link.points
+    ]
+    is_joined = not others.union(mechanism.fixed).isdisjoint(link.points)
+    guides = sum(isinstance(joint, Slider) for joint in own)
+    is_met = is_joined or any(link.name in j.bodies for j in mechanism.joints if j not in own)
+    return guides == 1 and len(own) == 2 and not is_met
 
 
 def _named(parts: Sequence[str]) -> str:

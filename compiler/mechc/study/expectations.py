@@ -253,12 +253,21 @@ def _remark(finding: Finding, mechanism: Mechanism, unit: str) -> Diagnostic | N
             at = _in_units(finding.at, mechanism)
             found, expected = _figures(finding, unit)
             slip = _slip(finding) or likely_a_formula(finding, default_pose(mechanism))
-            return messages.expectation_refuted(span, subject, found, expected, at, slip)
+            load = _open_load(finding, mechanism)
+            return messages.expectation_refuted(span, subject, found, expected, at, slip, load)
         case "undecided" if finding.missing:
             return messages.expectation_without_pose(span, subject, finding.missing)
         case "agrees" | "undecided" if not _is_number(finding.expect):
             return messages.expectation_unproved(span, subject, finding.poses)
     return None
+
+
+def _open_load(finding: Finding, mechanism: Mechanism) -> str:
+    """Return the first load without a value that a result with an expected figure rests on."""
+    given = {let.name for let in mechanism.lets} | finding.expect.at.keys()
+    is_open = (k.name for k in mechanism.loads if k.tie is None and k.name not in given)
+    is_figure = not symbols(finding.expect.value) and finding.expected != 0
+    return next((name for name in is_open if is_figure and name in finding.at), "")
 
 
 def _figures(finding: Finding, unit: str) -> tuple[str, str]:

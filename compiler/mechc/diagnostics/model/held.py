@@ -21,7 +21,8 @@ def cannot_hold(at: Span, name: str) -> Message:
         at,
         f"the drive {name} cannot be held: found no link on a pivot, two links with a common "
         "pin, telescope or slider that it moves",
-        "let it be the direction of a link on a pivot, or an angle between two links",
+        "leave it out, for one degree of freedom has one drive; of several each is the direction "
+        "of a link on a pivot, or an angle between two links",
     )
 
 
