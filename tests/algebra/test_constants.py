@@ -1,13 +1,14 @@
 """Constants of angles: what vanishes vanishes, and what is short stays short."""
 
 from fractions import Fraction
-from math import cos, radians, sin
+from math import cos, prod, radians, sin
 
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from mechc.algebra.angle import Angle
+from mechc.algebra.constants import _relations
 from mechc.algebra.cyclotomic import short, unique
 from mechc.algebra.product import ZERO, Product
 from mechc.algebra.sums import add, canonical
@@ -107,3 +108,13 @@ def test_constants_that_double_into_one_another_are_split_once_only():
     below = cosine(angles[40]) * sine(angles[20])
     found = canonical(above / below)
     assert found.evaluate({}) == pytest.approx(0.5 / cos(radians(40)), rel=1e-14)
+
+
+@pytest.mark.parametrize("degrees", [10, 15, 20, Fraction(61, 2), 40, 45, 60, Fraction(121, 4), 80])
+def test_relations_between_sines_of_constants_hold_in_numbers(degrees):
+    """A sine of 30.5° is none of 30°, which is a half and left out."""
+    found = _relations(degrees)
+    assert found
+    for sines, value in found:
+        assert prod(sin(radians(x)) ** e for x, e in sines.items()) == pytest.approx(float(value))
+        assert not {30, 90} & sines.keys()

@@ -48,6 +48,23 @@ def test_without_a_compiler_numpy_takes_its_place(command, folder, monkeypatch):
 
 
 @needs_compiler
+@pytest.mark.parametrize("knows_the_machine", [True, False])
+def test_code_is_for_the_machine_at_hand_where_the_compiler_knows_it(
+    knows_the_machine, tmp_path, monkeypatch
+):
+    """A compiler that refuses the machine's own instructions is asked once more, without them."""
+    asked, command = tmp_path / "asked", tmp_path / "cc"
+    refuses = "" if knows_the_machine else 'case "$*" in *-march=native*) exit 1;; esac\n'
+    text = f'#!/bin/sh\necho "$@" >> {asked}\n{refuses}exec {library.compiler()} "$@"\n'
+    command.write_text(text)
+    command.chmod(0o755)
+    monkeypatch.setenv("CC", str(command))
+    agrees("badly_named")
+    natives = ["-march=native" in line for line in asked.read_text().splitlines()]
+    assert natives == [True] + [False] * (not knows_the_machine)
+
+
+@needs_compiler
 def test_numbers_and_arrays_broadcast_beyond_a_block():
     clamp = mechc.load("karpenko_fig9_packet_clamp")
     alpha, beta = np.linspace(0.1, 0.5, library.BLOCK + 7), np.array([[0.1], [0.2]])

@@ -5,8 +5,10 @@ import math
 import pytest
 
 from mechc.algebra.product import ONE
+from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef, contact_at, held_end, members, unclear
 from mechc.kinematics.release import released_linkage, work_of
+from mechc.model.mechanism import Force
 from small_poses import (
     HERE,
     RACK,
@@ -22,6 +24,7 @@ from small_poses import (
     on_pivots,
     slider_crank,
     slotted,
+    torque,
     wheels,
 )
 
@@ -69,6 +72,18 @@ def test_a_rod_off_its_pin_parts_along_one_direction_only():
     own = ratio(found, joint.loose, at(psi=1)) - ratio(found, "B", at(psi=1))
     across = ratio(found, joint.loose, at(90, psi=1)) - ratio(found, "B", at(90, psi=1))
     assert (own, across) == (pytest.approx(1), pytest.approx(0, abs=1e-12))
+
+
+def test_what_acts_on_the_link_itself_goes_with_it_when_its_pin_is_released():
+    """Q is on the rod and leaves with its end; F is on the pin and stays."""
+    loads = (torque("M", "OA"), force("F", "B"), force("Q", "B", link="AB"))
+    pose = slider_crank()
+    lines = {"F": at(), "Q": at(90)}
+    loaded = replace(pose, mechanism=replace(pose.mechanism, loads=loads), lines=lines)
+    joint = JointRef("pin", "B", "AB")
+    found = released(loaded, joint, at(psi=1), "M").plan.graph.pose.mechanism
+    points = {load.name: load.point for load in found.loads if isinstance(load, Force)}
+    assert points == {"F": "B", "Q": joint.loose}
 
 
 @pytest.mark.parametrize("joint", [RACK, SCREW])

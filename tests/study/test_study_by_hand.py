@@ -25,7 +25,7 @@ from mechc.study.analysis import Acted, Break, DeadCentre
 from mechc.study.breaks import breaks
 from mechc.study.expectations import random_poses
 from mechc.study.ratios import sizes
-from mechc.study.sampling import _jumps
+from mechc.study.sampling import _jumps, _loose
 from mechc.study.sampling import looked_at as values_looked_at
 from mechc.study.states import Found, Moving, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
@@ -345,6 +345,18 @@ def test_a_zero_hides_next_to_the_pole_of_a_term() -> None:
     found = values_looked_at(moving, 0.0, 1.0)
     for place in (zero, pole):
         assert min(abs(x - place) for x in found) < 1e-6
+
+
+@pytest.mark.parametrize(("top", "found"), [(0.005, [0.5]), (-0.005, []), (-math.inf, [])])
+def test_a_stretch_that_is_free_hides_among_values_at_which_nothing_moves(top, found):
+    """The margin is a parabola whose top, at 0.5, lies between the values that are looked at."""
+
+    class Parabola(ByHand):
+        def margin(self, x: float) -> float:
+            return top - (x - 0.5) ** 2
+
+    looked = list(_loose(Parabola(math.cos), [0.0, 0.4, 1.0]))
+    assert looked == pytest.approx(found, abs=0.02)
 
 
 def test_what_definitions_share_is_gone_into_once_for_divisors():

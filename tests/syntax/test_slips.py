@@ -12,6 +12,7 @@ HINTS = {
     'pivot O "base"': "a label stands behind '#': # base",
     "OA = 40 mm // crank": "a comment begins with '#'",
     "link OA 40 mm": "a length is a line of its own: OA = 40 mm",
+    "param l_{max} = 3 mm": "an index belongs to the name: l_max",
     "find P/F = k": "the name stands first, as in find k = P/F",
 }
 
