@@ -106,6 +106,25 @@ def test_code_says_of_a_brake_what_is_said_of_it(mu: float, state: str) -> None:
         assert {0: "free", 4: "jammed"}[int(found)] == expected
 
 
+LEVER = """
+pivot O
+link OAB
+OA = 60 mm @ 20 deg
+OB = 90 mm @ 200 deg
+force P at A along -y
+force F at B along -y
+find k = P/F
+find i = F/P
+friction pins 0.1 diameter 10 mm
+"""
+
+
+def test_a_ratio_is_held_against_the_same_without_friction() -> None:
+    routine = compile_source(Source("lever.mech", LEVER)).routine
+    states = {f.name: f.status.drive for f in routine.functions if f.status}
+    assert states == {"k_f": "k", "k_hold": "k", "i_f": "i", "i_hold": "i"}
+
+
 def test_what_is_infinite_does_not_move() -> None:
     assert status_of(math.inf, 1.0, 2.0) == 4
     assert status_of(-math.inf, -1.0, -2.0) == 3
