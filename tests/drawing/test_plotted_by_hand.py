@@ -19,6 +19,6 @@ def test_a_value_beside_a_mark_stands_on_white_paper_that_is_larger_than_it():
     (paper,) = (shape.points for shape in shapes)
     low, high = paper[0], paper[2]
     (value,) = (k for k in drawing.labels if low.x < k.at.x < high.x and low.y < k.at.y < high.y)
-    assert "".join(run.text for run in value.runs).startswith("1")
+    assert "".join(run.text for run in value.runs) == "(28.65°; 1)"
     assert high.x - low.x > value.width
     assert high.y - low.y > value.height
