@@ -1,0 +1,57 @@
+"""Values of results by hand: which form stands in a pose, and what is nothing but rounding."""
+
+import math
+
+import pytest
+
+from mechc.formula.rounding import Size
+from mechc.formula.tree import Symbol, number
+from mechc.frozen import replace
+from mechc.model.mechanism import Require
+from mechc.model.result import Result
+from mechc.model.values import Looked, of_sound_form, standing
+from mechc.source import Span
+from mechc.units import NUMBER
+
+X = Symbol("x")
+POSITIVE = Require(X, ">", number(0), Span(0, 1))
+ELSEWHERE = Result("k", None, NUMBER, number(2))
+HERE = Result("k", None, NUMBER, X, guards=(POSITIVE,), elsewhere=ELSEWHERE)
+ALONE = replace(HERE, elsewhere=None)
+
+
+@pytest.mark.parametrize(
+    ("result", "x", "found"),
+    [
+        (HERE, 1.0, HERE),
+        (HERE, -1.0, ELSEWHERE),
+        (HERE, math.nan, ELSEWHERE),
+        (ALONE, 1.0, ALONE),
+        (ALONE, -1.0, None),
+        (replace(ALONE, guards=()), math.nan, replace(ALONE, guards=())),
+    ],
+)
+def test_the_form_that_stands_is_that_whose_conditions_hold(result, x, found):
+    assert standing(result, {"x": x}) == found
+
+
+@pytest.mark.parametrize(
+    ("value", "size", "found"),
+    [
+        (0.5, 0.5, 0.5),
+        (1e-17, 0.0, 2.0),  # what is rounded may be a sign, which the other form has not
+        (0.0, 0.0, 0.0),
+        (math.inf, math.inf, math.inf),
+        (None, None, None),
+    ],
+)
+def test_what_is_zero_but_for_rounding_is_looked_at_in_the_form_for_elsewhere(value, size, found):
+    def look(result: Result) -> Looked:
+        is_here = result is HERE
+        return Looked(result, value if is_here else 2.0, Size(size if is_here else 2.0))
+
+    assert of_sound_form(HERE, look).number == found
+
+
+def test_without_another_form_zero_stays_zero():
+    assert of_sound_form(ALONE, lambda r: Looked(r, 1e-17, Size(0.0))).number == 0
