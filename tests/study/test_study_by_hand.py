@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from types import SimpleNamespace
 
 import pytest
 
@@ -27,7 +28,7 @@ from mechc.study.expectations import random_poses
 from mechc.study.ratios import sizes
 from mechc.study.sampling import _jumps, _loose
 from mechc.study.sampling import looked_at as values_looked_at
-from mechc.study.states import Found, Moving, divisors_of_terms
+from mechc.study.states import AgainstFriction, Found, Moving, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
 from mechc.study.stroke.rows import from_both_sides
@@ -326,6 +327,64 @@ class ByHand(Moving):
 
     def at(self, x: float) -> Found:
         return Found("free", 0.5, False)
+
+
+IDEAL = SimpleNamespace(sign=1, ideal=None, is_iterated=False, is_slow=False)
+
+
+def with_friction(kind: type[Moving], real: float | None, ideal: float) -> Moving:
+    """Return a ratio that is the same everywhere, ``real`` with friction."""
+
+    class Constant(kind):
+        def without(self, x: float) -> float:
+            return ideal
+
+        def is_dead_centre(self, x: float) -> bool:
+            return not ideal
+
+        def _real(self, x: float) -> float | None:
+            return real
+
+    return Constant(None, IDEAL)
+
+
+@pytest.mark.parametrize(
+    ("ideal", "real", "state", "efficiency", "margin"),
+    [
+        (2.0, 5.0, "free", 0.4, 0.4),  # the drive has more to do
+        (-2.0, -1.0, "free", 0.5, 0.5),  # the load drives, and less is left of it
+        (-2.0, 1.0, "locked", 0.0, -0.5),
+        (2.0, -1.0, "jammed", 0.0, -2.0),
+        (2.0, math.nan, "jammed", 0.0, -math.inf),
+        (0.0, 1.0, None, math.nan, -math.inf),
+        (2.0, None, None, math.nan, -math.inf),
+    ],
+)
+def test_something_moves_where_the_ratio_keeps_its_sign(ideal, real, state, efficiency, margin):
+    moving = with_friction(Moving, real, ideal)
+    assert moving.at(0.0).state == state
+    assert moving.efficiency(0.0) == pytest.approx(efficiency, nan_ok=True)
+    assert moving.margin(0.0) == margin
+
+
+@pytest.mark.parametrize(
+    ("effort", "state", "efficiency", "margin"),
+    [
+        (4.0, "free", 1.0, 0.25),
+        (0.0, "free", 1.0, math.inf),
+        (math.nan, "jammed", 0.0, -math.inf),
+        (-1.0, None, math.nan, -math.inf),
+        (None, None, math.nan, -math.inf),
+    ],
+)
+def test_a_drive_against_friction_alone_moves_where_an_effort_balances(
+    effort, state, efficiency, margin
+):
+    moving = with_friction(AgainstFriction, effort, 0.0)
+    assert moving.at(0.0).state == state
+    assert moving.driven(0.0) is False
+    assert moving.efficiency(0.0) == pytest.approx(efficiency, nan_ok=True)
+    assert moving.margin(0.0) == margin
 
 
 @pytest.mark.parametrize("power", [2, -2])
