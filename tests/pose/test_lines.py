@@ -1,5 +1,7 @@
 """Directions between points that no vector joins: those of the vectors from one to the other."""
 
+import math
+
 import pytest
 
 import mechc
@@ -48,3 +50,64 @@ def test_its_direction_has_no_name_where_ranges_keep_the_ends_apart():
     text = COLLINEAR.format(a="a", b="b", line="AB")
     ranges = "param a = 100 mm in 80 mm .. 150 mm\nparam b = 200 mm in 160 mm .. 400 mm\n"
     assert str(mechc.loads(text + ranges).k) == "1/len_OC"
+
+
+ACROSS = """
+param alpha = 100 deg{range}
+param gamma = 10 deg in 0 deg .. 20 deg
+param a = 100 mm
+pivot O
+pivot B
+link OA
+OA = a @ alpha
+OB = a @ gamma
+torque M on OA
+actuator P between B and A
+find k = P/M
+"""
+
+
+@pytest.mark.parametrize(
+    ("range_", "formula"),
+    [
+        (" in 60 deg .. 150 deg", "-1/(a*cos(alpha/2 - gamma/2))"),
+        (" in -20 deg .. 150 deg", "1/(a*sin(alpha - phi_BA))"),
+        ("", "1/(a*sin(alpha - phi_BA))"),
+    ],
+)
+def test_across_two_equal_arms_a_cylinder_is_on_the_line_that_halves_their_angle(range_, formula):
+    """Where the arms may change places it pushes the other way beyond, and has a name."""
+    bar = mechc.loads(ACROSS.format(range=range_))
+    assert str(bar.k) == formula
+    for alpha in (1.2, 2.0, 2.6):
+        expected = -1 / (0.1 * math.cos((alpha - math.radians(10)) / 2))
+        assert bar.evaluate(alpha=alpha)["k"] == pytest.approx(expected)
+
+
+JACK = """
+param alpha = 30 deg{range}
+param a = 150 mm
+pivot A
+slider C along y through A
+link AB
+link BC
+link AD
+link DC
+AB = a @ alpha
+AD = a @ 180 deg - alpha
+BC = a
+DC = a
+assembly C forward
+actuator N between D and B
+force F at C along -y
+find k = N/F
+"""
+
+
+def test_the_screw_of_a_scissor_jack_lies_across():
+    jack = mechc.loads(JACK.format(range=" in 10 deg .. 70 deg"))
+    assert str(jack.k) == "-cot(alpha)"
+    exact = mechc.loads(JACK.format(range=""))
+    for alpha in (0.2, 0.8, 2.0):
+        expected = -abs(math.cos(alpha)) / math.sin(alpha)
+        assert exact.evaluate(alpha=alpha)["k"] == pytest.approx(expected)

@@ -2,11 +2,15 @@
 
 from collections import deque
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from fractions import Fraction
 from itertools import pairwise
 
 from ..algebra.angle import Angle
+from ..algebra.intervals import sign
 from ..algebra.product import Product
+from ..algebra.trigonometry import cosine
 from ..formula.walk import symbols
+from ..model.boxes import stroke_box
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Pivot, Slider, Turn
 from ..named import NamedTuple
 from ..source import Span
@@ -45,6 +49,7 @@ class Vectors:
 
     def __init__(self, mechanism: Mechanism, terms: Terms, directions: Directions) -> None:
         self._terms, self._directions = terms, directions
+        self._box = stroke_box(mechanism)
         self._edges: dict[str, dict[str, Vector]] = {}
         self._lengths = {
             frozenset((g.tail, g.head)): terms.length(g.length)
@@ -76,10 +81,15 @@ class Vectors:
     def straighten(self, tail: str, head: str) -> Angle:
         """Give two points one arm between them, ``len_AB @ phi_AB``; return its direction.
 
-        Whatever is measured along or across it is then seen to vanish, or not to.
+        Whatever is measured along or across it is then seen to vanish, or not to. It has no name
+        where ranges keep the ends apart on an axis, as across a scissor jack, or on the line that
+        halves the angle between two equal arms.
         """
         vector = self.path(tail, head)
         assert vector
+        if arm := self._of_one_sense(vector):
+            self._join(tail, head, (arm,))
+            return arm.angle
         names = f"len_{tail}{head}", f"phi_{tail}{head}"
         if {d.name for d in self._terms.definitions}.issuperset(names):
             # The side of a triangle that a loop was closed by.
@@ -88,6 +98,14 @@ class Vectors:
             arm = Arm(*self._terms.polar(*components(vector), f"{tail}{head}"))
         self._join(tail, head, (arm,))
         return arm.angle
+
+    def _of_one_sense(self, vector: Vector) -> Arm | None:
+        """Return a vector as an arm, where its line is plain and ranges keep its ends apart."""
+        arm = _halved(vector) or _along_axis(vector)
+        sense = sign(arm.length, self._box) if arm else None
+        if arm is None or sense is None:
+            return None
+        return arm if sense > 0 else Arm(-arm.length, arm.angle + Angle.constant(180))
 
     def is_open(self, vector: Vector) -> bool:
         """Return whether a vector rests on a length that is not given."""
@@ -184,6 +202,24 @@ class Vectors:
     def _join(self, tail: str, head: str, vector: Vector) -> None:
         self._edges.setdefault(tail, {})[head] = vector
         self._edges.setdefault(head, {})[tail] = reverse(vector)
+
+
+def _halved(vector: Vector) -> Arm | None:
+    """Return the sum of two equal arms, on the line that halves the angle between them."""
+    if len(vector) != 2 or vector[0].length != vector[1].length:
+        return None
+    (length, first), (_, second) = vector
+    half = Fraction(1, 2)
+    apart, between = (first - second) * half, (first + second) * half
+    return Arm((length * cosine(apart)).scaled(2), between)
+
+
+def _along_axis(vector: Vector) -> Arm | None:
+    """Return a vector one of whose components vanishes, along the other one's axis."""
+    x, y = components(vector)
+    if bool(x) == bool(y):
+        return None
+    return Arm(x or y, Angle.constant(0 if x else 90))
 
 
 MOST = 20
