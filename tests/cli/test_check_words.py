@@ -69,3 +69,16 @@ def test_it_says_which_load_drives_against_friction(capsys):
     at = next(i for i, line in enumerate(lines) if line.startswith("  i_f = "))
     after = list(takewhile(lambda line: line.startswith("    "), lines[at + 1 :]))
     assert "    With friction, Q drives." in after
+
+
+def test_constant_angles_are_in_degrees(capsys):
+    """As a description may have them; equations that are solved together have no minus."""
+    assert main(["check", "crimping_tool"]) == 0
+    out = capsys.readouterr().out
+    assert "*cos(theta - 10 deg))\n" in out
+    assert "pi/" not in out
+    assert main(["check", "triad_closed"]) == 0
+    out = capsys.readouterr().out
+    assert (
+        "a*cos(phi) + len_AB*cos(phi_AB) + len_BC*cos(phi_BC) = len_QC*cos(phi_QC) + x_Q\n" in out
+    )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from ..diagnostics import Diagnostic, Severity
 from ..driver import Compilation
 from ..formula.evaluate import evaluate
-from ..formula.to_text import text
+from ..formula.to_text import text, text_in_degrees
 from ..formula.tree import Constant, Number
 from ..frozen import replace
 from ..model.mechanism import (
@@ -21,7 +21,15 @@ from ..model.mechanism import (
 )
 from ..model.result import Definition, Result
 from ..named import NamedTuple
-from ..report.definitions import Letters, Solved, as_written, grouped, letters, looked_up
+from ..report.definitions import (
+    Letters,
+    Solved,
+    as_written,
+    grouped,
+    letters,
+    looked_up,
+    without_minus,
+)
 from ..report.note import own_lines
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
@@ -155,7 +163,8 @@ def _entries(compilation: Compilation) -> Iterator[_Entry]:
         formulas = [d.formula for d in where] + ([] if result.name in own else [result.formula])
         literals = [*earlier.new_literals(formulas, mechanism)]
         shown = in_short(result, results)
-        formula = in_language(own[result.name]) if result.name in own else text(shown.formula)
+        written = own.get(result.name)
+        formula = in_language(written) if written else text_in_degrees(shown.formula)
         yield _Entry(shown, formula, scale_of(result, mechanism), where, literals, read_up)
 
 
@@ -227,14 +236,15 @@ def _where(formula: str, spell: Speller) -> str:
 def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -> Iterator[str]:
     if isinstance(group, Solved):
         yield f"    {spell.locale.checked['solve'].format(names=', '.join(group.names))}"
-        yield from (f"      {text(zero)} = 0" for zero in group.zeros)
+        both = (map(text_in_degrees, without_minus(zero)) for zero in group.zeros)
+        yield from (f"      {' = '.join(sides)}" for sides in both)
         return
     if group.name in known.units and isinstance(group.formula, Number | Constant):
         value = f"{evaluate(group.formula, {}):.9g} {spell.unit(known.units[group.name])}"
         yield _where(f"{group.name} = {value}", spell)
         return
     g = spell.units(f", g = {float(GRAVITY.value)} m/s^2") if group.name in known.usual else ""
-    yield _where(f"{group.name} = {text(group.formula)}{g}", spell)
+    yield _where(f"{group.name} = {text_in_degrees(group.formula)}{g}", spell)
 
 
 def _of_findings(compilation: Compilation, spell: Speller) -> Iterator[str]:

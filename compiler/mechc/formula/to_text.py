@@ -6,10 +6,11 @@ from typing import assert_never
 
 from . import choices
 from .evaluate import equations
-from .layout import decimal, diameters_behind, is_long
+from .layout import TRIGONOMETRIC, decimal, diameters_behind, in_degrees, is_long
 from .operations import split_fraction
 from .tree import (
     Call,
+    Constant,
     Formula,
     Implicit,
     Number,
@@ -20,9 +21,12 @@ from .tree import (
     Symbol,
     degrees,
     is_call,
+    negative,
     number,
     power,
+    total,
 )
+from .walk import children, rebuild
 
 
 def text(formula: Formula) -> str:
@@ -34,6 +38,49 @@ def text(formula: Formula) -> str:
     'x - 2*sin(x)'
     """
     return _solution(formula) if isinstance(formula, Implicit) else _text(formula, 0)
+
+
+def text_in_degrees(formula: Formula) -> str:
+    """Return the formula in the notation of the language, constant angles in degrees.
+
+    These are what a sine or cosine is of, and the constants of a sum.
+
+    >>> from .tree import negative, total
+    >>> half_turn, phi = Pi(), Symbol("phi")
+    >>> text_in_degrees(Call("cos", (total([phi, negative(degrees(Fraction(29, 2)))]),)))
+    'cos(phi - 14.5 deg)'
+    >>> text_in_degrees(total([phi, half_turn])), text_in_degrees(power(half_turn, number(-1)))
+    ('phi + 180 deg', '1/pi')
+    """
+    return text(_turned(formula) if isinstance(formula, Sum) else _with_degrees(formula))
+
+
+def _with_degrees(formula: Formula) -> Formula:
+    """Return a formula with the constants of its sines and cosines in degrees."""
+    parts = tuple(map(_with_degrees, children(formula)))
+    match formula:
+        case Call(function, (argument,)) if function in TRIGONOMETRIC and formula not in _ROOTS:
+            return Call(function, (_turned(argument),))
+        case Call() if formula in _ROOTS:
+            return formula
+        case _:
+            return rebuild(formula, parts) if parts else formula
+
+
+def _turned(angle: Formula) -> Formula:
+    """Return an angle with its constant in degrees."""
+    terms = angle.terms if isinstance(angle, Sum) else (angle,)
+    return total(map(_constant_turn, terms))
+
+
+def _constant_turn(term: Formula) -> Formula:
+    """Return a constant angle in degrees, any other as it is."""
+    turn = in_degrees(term)
+    figures = decimal(abs(turn)) if turn else None
+    if not turn or figures is None:
+        return _with_degrees(term)
+    size = Constant(f"{figures} deg", degrees(abs(turn)))
+    return negative(size) if turn < 0 else size
 
 
 def _text(formula: Formula, level: int) -> str:
