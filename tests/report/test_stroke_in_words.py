@@ -47,3 +47,12 @@ def test_english_is_said_as_ever():
     table = to_table(loaded("crank_rocker").stroke(3))
     assert "k = 0 at phi = 24.1468 deg: dead centre, B stands still while O1A moves" in table
     assert "Looked at 721 places: zeros, poles, extrema" in table
+
+
+def test_a_ratio_of_speeds_that_is_k_has_no_column():
+    """It would have the numbers of k beside k, without saying so."""
+    found = loaded("crank_rocker").stroke()
+    out = to_table(found, velocities=True)
+    assert "V_B/omega_O1A [mm]" not in out
+    assert "\nThroughout, V_B/omega_O1A = -k.\nV_B is the component" in out
+    assert "omega" not in to_table(found)

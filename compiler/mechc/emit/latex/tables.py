@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import assert_never
 
+from ...report.columns import is_constant, repeated
 from ...report.languages.locale import Locale
 from ...report.latex.notation import Notation, name, of_result, points
 from ...report.latex.quantity import decimal, usual_unit
@@ -109,8 +110,8 @@ def along_stroke(stroke: Stroke, locale: Locale, style: Notation) -> Iterator[st
     Several tables have the same number of columns, or nearly so.
     """
     shown = [i for i in range(len(stroke.columns)) if not _is_empty(i, stroke)]
-    repeated = {i: said for i in shown if (said := _repeated(i, stroke, style))}
-    varying = [i for i in shown if i not in repeated and not _is_constant(i, stroke)]
+    alike = {i: said for i in shown if (said := _repeated(i, stroke, style))}
+    varying = [i for i in shown if i not in alike and not is_constant(i, stroke)]
     drive = stroke.unit or usual_unit(stroke.dimension)
     places = numbers([row.drive / size_of(drive) for row in stroke.rows], style)
     if shown:
@@ -120,7 +121,7 @@ def along_stroke(stroke: Stroke, locale: Locale, style: Notation) -> Iterator[st
         first = [head(name(stroke.drive, style), drive, locale), *places]
         heads, *rows = zip(first, *columns, strict=True)
         yield from tabular(heads, rows)
-    if said := " ".join(_said(stroke, shown, repeated, varying, locale, style)):
+    if said := " ".join(_said(stroke, shown, alike, varying, locale, style)):
         yield rf"\noindent {said}\par"
 
 
@@ -139,7 +140,7 @@ def _parts(columns: Sequence[int]) -> Iterator[Sequence[int]]:
 def _said(
     stroke: Stroke,
     shown: Sequence[int],
-    repeated: Mapping[int, str],
+    alike: Mapping[int, str],
     varying: Sequence[int],
     locale: Locale,
     style: Notation,
@@ -147,7 +148,7 @@ def _said(
     """Yield what is the same at all places, then what the names in the tables mean."""
     constant = [i for i in shown if i not in varying]
     if constant:
-        said = (repeated.get(i) or _constant(i, stroke, locale, style) for i in constant)
+        said = (alike.get(i) or _constant(i, stroke, locale, style) for i in constant)
         values = ", ".join(said)
         yield locale.along_stroke["throughout"].format(values=values)
     columns = [stroke.columns[i] for i in shown]
@@ -159,37 +160,11 @@ def _is_empty(index: int, stroke: Stroke) -> bool:
     return all(math.isnan(row.values[index]) for row in stroke.rows)
 
 
-SAME = 1e-9
-"""Values along a stroke that differ by less than this part are one: rounding of operations."""
-
-
-def _is_constant(index: int, stroke: Stroke) -> bool:
-    """Return whether a column has one value at all places that have any."""
-    values = [row.values[index] for row in stroke.rows if not row.trouble]
-    size = max(map(abs, values), default=math.nan)
-    return math.isfinite(size) and max(values) - min(values) <= SAME * size
-
-
 def _repeated(index: int, stroke: Stroke, style: Notation) -> str:
     """Return a ratio of speeds as a result, or less it, that has its values; '' without one."""
-    ratio = stroke.columns[index]
-    if ratio.content != "velocity" or _is_constant(index, stroke):
-        return ""
-    for other, column in enumerate(stroke.columns):
-        if column.content == "result" and column.dimension == ratio.dimension:
-            for sign, factor in (("", 1), ("-", -1)):
-                if _are_alike(index, other, factor, stroke):
-                    return f"${_written(ratio, style)}={sign}{_written(column, style)}$"
-    return ""
-
-
-def _are_alike(index: int, other: int, factor: int, stroke: Stroke) -> bool:
-    """Return whether a column has the values of another times a factor, at all places."""
-    pairs = [(row.values[index], factor * row.values[other]) for row in stroke.rows]
-    size = max((abs(v) for pair in pairs for v in pair if math.isfinite(v)), default=math.nan)
-    return all(
-        a == b or abs(a - b) <= SAME * size or (math.isnan(a) and math.isnan(b)) for a, b in pairs
-    )
+    found = repeated(index, stroke)
+    ratio = _written(stroke.columns[index], style)
+    return f"${ratio}={found.sign}{_written(found.column, style)}$" if found else ""
 
 
 def _constant(index: int, stroke: Stroke, locale: Locale, style: Notation) -> str:

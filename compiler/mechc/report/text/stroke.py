@@ -25,6 +25,7 @@ from ...study.stroke.stroke import (
 )
 from ...study.tolerances import EXACT
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
+from ..columns import repeated
 from ..languages.letters import letters
 from ..languages.registry import locale
 from ..sentences.legend import legend
@@ -91,13 +92,17 @@ def to_table(
 ) -> str:
     """Return the rows as a table, then stretches, singular poses and extrema, in users' units.
 
-    With ``velocities`` the table has slopes and velocity ratios, too. Sentences below it are
-    broken to ``width`` columns.
+    With ``velocities`` the table has slopes and velocity ratios, too; one that is a result is
+    said below. Sentences there are broken to ``width`` columns.
     """
     hidden: set[Content] = set() if velocities else {"slope", "velocity"}
-    shown = written(stroke, language)
-    lines = (*meanings(shown, hidden), *said(shown))
-    return "\n".join((*_aligned(table(shown, hidden)), *_broken(lines, width))) + "\n"
+    shown, columns = written(stroke, language), enumerate(stroke.columns)
+    found = {i: repeated(i, stroke) for i, c in columns if c.content not in hidden}
+    alike = {i: result for i, result in found.items() if result}
+    values = (f"{stroke.columns[i].name} = {r.sign}{r.column.name}" for i, r in alike.items())
+    lines = [shown.says("throughout", values=", ".join(values))] if alike else []
+    lines += (*meanings(shown, hidden), *said(shown))
+    return "\n".join((*_aligned(table(shown, hidden, alike)), *_broken(lines, width))) + "\n"
 
 
 def _broken(lines: Iterable[str], width: int) -> Iterator[str]:
@@ -105,17 +110,22 @@ def _broken(lines: Iterable[str], width: int) -> Iterator[str]:
         yield from wrap(line, width, subsequent_indent="    ", break_long_words=False)
 
 
-def table(shown: Written, hidden: Collection[Content]) -> list[list[str]]:
-    """Return heading and rows, cell by cell; the last one of a row is what is wrong there."""
-    stroke = shown.stroke
-    indices = [i for i, c in enumerate(stroke.columns) if c.content not in hidden]
-    columns = [stroke.columns[i] for i in indices]
+def table(
+    shown: Written, hidden: Collection[Content], without: Collection[int] = ()
+) -> list[list[str]]:
+    """Return heading and rows, cell by cell; the last one of a row is what is wrong there.
+
+    Columns of what is ``hidden``, and those at some places, are left out.
+    """
+    stroke, columns = shown.stroke, enumerate(shown.stroke.columns)
+    indices = [i for i, c in columns if c.content not in hidden and i not in without]
+    kept = [stroke.columns[i] for i in indices]
     head = [shown.head(stroke.drive, unit_of(stroke.dimension, stroke.unit))]
-    head += [shown.head(c.name, unit_of(c.dimension, c.unit)) for c in columns]
+    head += [shown.head(c.name, unit_of(c.dimension, c.unit)) for c in kept]
     body = [
         [
             _value(row.drive, shown),
-            *_cells([row.values[i] for i in indices], columns, row.undetermined, shown),
+            *_cells([row.values[i] for i in indices], kept, row.undetermined, shown),
             shown.says(row.trouble) if row.trouble else held(row, shown),
         ]
         for row in stroke.rows
