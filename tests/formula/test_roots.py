@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechc.formula.roots import roots
+from mechc.formula.roots import narrowed, roots
 
 PLACES = [i / 720 for i in range(721)]
 
@@ -26,3 +26,18 @@ def test_rounding_is_no_zero_and_costs_nothing():
 
     assert not roots(rounded, PLACES)
     assert len(asked) < 2 * len(PLACES)
+
+
+@pytest.mark.parametrize(("function", "most"), [(lambda x: x**3 - 2, 8), (math.cos, 10)])
+def test_a_smooth_function_is_divided_where_three_values_say(function, most):
+    """Halves alone would take more than fifty values; none is asked for outside the interval."""
+    asked = []
+
+    def counted(x: float) -> float:
+        asked.append(x)
+        return function(x)
+
+    found = narrowed(counted, 1.0, 2.0)
+    assert abs(function(found.x)) < 1e-15
+    assert len(asked) <= most
+    assert all(1.0 <= x <= 2.0 for x in asked)

@@ -66,6 +66,20 @@ def test_a_rod_passes_on_a_component_of_its_force():
     assert found["R_B_on_AB_f"] == "F/(cos(beta + delta_AB) - f*sin(beta + delta_AB))"
 
 
+@pytest.mark.parametrize(
+    ("description", "last"),
+    [
+        (ROD, {"N_AB_f": "rod part", "N_B_f": "across", "R_B_on_AB_x_f": "rod part"}),
+        (CRANK, {"N_AB_f": "rod part", "R_O_x_f": "balance", "R_A_on_OAC_y_f": "rod part"}),
+    ],
+)
+def test_a_force_takes_the_steps_up_to_what_it_is_made_of(description, last):
+    """The line of the rod and the balance of B give S_AB; what the driving load needs is left."""
+    solved = compile_source(Source("steps.mech", description)).solution.solved
+    steps = {s.result.name: [p.kind for p in s.steps] for s in solved if s.result.name in last}
+    assert steps == {name: ["internal", "slider", kind] for name, kind in last.items()}
+
+
 @pytest.mark.parametrize("beta", [5.0, 12.0, 31.0])
 def test_it_is_what_is_iterated(beta):
     found = mechc.loads(ROD).evaluate(F=F, beta=radians(beta))
