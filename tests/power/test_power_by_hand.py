@@ -12,7 +12,7 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol, number, product
 from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
-from mechc.model.mechanism import Axial, Mirror, Normal, Pivot, Reaction, Speed
+from mechc.model.mechanism import Axial, Contact, Mirror, Normal, Pivot, Reaction, Speed
 from mechc.pose.pose import Arm
 from mechc.power.balance import equations_of
 from mechc.power.joint_forces import called, find_force, holding, joint_of, line_of, size_of
@@ -39,6 +39,7 @@ from small_poses import (
     two_bars,
     wheels,
 )
+from small_poses import pose as small_pose
 
 A, B, L, R = (VALUES[n] for n in "ablr")
 ALPHA, PHI, PSI, THETA = (VALUES[n] for n in ("alpha", "phi", "psi", "theta"))
@@ -263,3 +264,20 @@ def test_a_link_that_its_own_slot_holds_is_not_loose():
     assert looseness(replace(mechanism, joints=joints)) == ""
     others = tuple(j for j in joints if isinstance(j, Pivot))
     assert looseness(replace(mechanism, joints=others)) == "join link OA to link QB: nothing does"
+
+
+@pytest.mark.parametrize(
+    ("guides", "joined", "said"),
+    [
+        ("A", "", "keep link AB from turning on its guide by `slide AB along …`"),
+        ("AB", "", ""),  # two guides keep its turn
+        ("A", "B", ""),  # so does a pin
+    ],
+)
+def test_a_link_may_turn_on_one_guide_and_a_contact(guides, joined, said):
+    """The follower AB slides at A, and B touches the cam QC."""
+    cam = {"Q": (), "C": arm("b", at(theta=1)), **({joined: ()} if joined else {})}
+    frames = {"AB": {"A": (), "B": arm("a", at(90))}, "QC": cam}
+    touches = Contact("B", "QC", "Q", "C", ALONG, HERE)
+    held = small_pose(frames, pivots="Q", guides=dict.fromkeys(guides, at(90)), joints=[touches])
+    assert looseness(held.mechanism) == said
