@@ -99,6 +99,8 @@ def wrong_dimension(
         hint = "gravity has a direction, -y; its size is a parameter: g = 9.81 m/s^2"
     if (found, what) == (ANGLE, "a coefficient of friction"):
         hint = "the coefficient for an angle of friction is its tangent: tan(6 deg)"
+    if (found, what) == (ANGLE, "the place"):
+        hint = "a place is two lengths; a length and a direction are written a @ alpha"
     if what == "an exponent":
         hint = "a unit belongs to the number before it: 2*10^2 mm is 2e2 mm, or 200 mm"
     if wanted == LENGTH and found == NUMBER.over(LENGTH):

@@ -62,6 +62,9 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
         ideal = with_friction[1] or with_friction[2]
         hint = f"with friction a line 'find {ideal} = …' brings {name} along: it is not asked for"
         return Message(span, message, hint)
+    if force := re.fullmatch(r"R([A-Z][\d']*)|F_?((?:[A-Z][\d']*){2})", name):
+        asked = f"R_{force[1]}" if force[1] else f"N_{force[2]}"
+        return Message(span, message, f"a force at a joint is asked for by 'find {asked}'")
     if name.lower() in ("eta", "efficiency"):
         return Message(span, message, WITH_FRICTION)
     return Message(span, message, offered(name, loads, "loads"))

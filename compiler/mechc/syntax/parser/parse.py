@@ -53,7 +53,10 @@ SAID_OTHERWISE = {
     "mass": "a mass acts by its weight: weight W mass 2 kg at G",
     "input": "what moves is driven: drive phi from 10 deg to 80 deg",
     **dict.fromkeys(("result", "output", "solve"), "a result is asked for: find k = P/F"),
-    **dict.fromkeys(("assume", "constraint", "condition"), "a condition is: require a < 2 mm"),
+    **dict.fromkeys(
+        ("assume", "constraint", "condition", "check", "ensure", "assert"),
+        "a condition is: require a < 2 mm",
+    ),
     **dict.fromkeys(("units", "unit"), "each number has its unit behind it: param a = 40 mm"),
     "title": 'a title stands behind the name: mechanism clamp "Toggle clamp"',
     **dict.fromkeys(("author", "description"), 'where it comes from is a source: source "Book"'),

@@ -248,6 +248,8 @@ def _of_list(line: Sequence[Token], position: int) -> str:
         return f'what a link is called stands behind its points: link {token} "{before}"'
     if first.type in ("LINK", "TELESCOPE") and token.type in ("MINUS", "NAME"):
         return f"the points of a {first} are written together, as in {first} OB"
+    if first.type == "REPORT" and token.type == "NAME" and before.type == "NAME":
+        return f"a ',' stands between what a report holds: {before}, {token}"
     if first.type == "LOAD" and token.type == "AT":
         return "a load at a point is a force: force F at A along x"
     if first.type in ("TABLE", "LIST") and token.type != "COMMA":
@@ -328,6 +330,8 @@ def _of_sign(token: Token, before: Token | None, allowed: set[str]) -> str:
     text, previous = str(token), str(before or "")
     if text == "+-":
         return "a tolerance belongs to a param or an expect; a difference is written a - b"
+    if text == "=" and previous in ("<", ">"):
+        return f"it is written '{previous}='"
     if previous == "=" and text in ("<", ">"):
         return f"it is written '{text}='"
     if previous + text == "+/":

@@ -63,6 +63,8 @@ STATED = {
     ("FORCE", "perp"): _SQUARE,
     ("GRAVITY", "9.81 m/s^2"): _GRAVITY,
     ("GRAVITY", "9.81"): _GRAVITY,
+    ("FIND", "in"): "a result is shown in a unit by a formula of its own: let N = N_AB in kN",
+    ("REPORT", ":"): "what a report holds stands without a colon: report scheme, k",
     ("FIND", "efficiency"): WITH_FRICTION,
     ("DRIVE", "on"): _MOVES,
     ("DRIVE", "at"): _MOVES,

@@ -40,6 +40,7 @@ MEANT: Final[Mapping[str, Collection[str]]] = {
     **dict.fromkeys(("vectors", "lengths", "angles"), ("geometry",)),
     **dict.fromkeys(("direction", "angle", "dir"), ("along", "angle", "normal")),
     **dict.fromkeys(("on", "point"), ("at", "link")),
+    "along": ("angle",),
     **dict.fromkeys(("min", "max", "limits"), ("range",)),
     **dict.fromkeys(("author", "reference", "book"), ("source",)),
     **dict.fromkeys(("friction", "coefficient"), ("f",)),
