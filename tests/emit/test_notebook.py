@@ -78,6 +78,7 @@ def test_texts_of_the_user_are_text_in_a_notebook() -> None:
     mechanism = mechc.loads(sheet + rod + loads)
     for shown in (mechanism._repr_markdown_(), mechanism.derivation._repr_markdown_()):
         line = said.replace("%", chr(92) + "%").replace("тиск", "Тиск")
+        line = line.replace("a·b", "$a$·$b$")
         assert f"\n{line}:\n" in shown
         assert balanced(shown)
     assert "\n- $k$" in mechanism.derivation._repr_markdown_()
