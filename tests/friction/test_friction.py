@@ -6,6 +6,7 @@ from functools import cache
 import pytest
 
 import mechc
+from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import symbols
@@ -205,8 +206,12 @@ def test_a_rod_along_its_guide_presses_by_the_friction_of_its_pins_alone():
         middle = (low + high) / 2
         low, high = (low, middle) if gap(middle) > 0 else (middle, high)
     assert mechanism.evaluate()["k_f"] == pytest.approx(low, rel=1e-12)
-    (condition,) = mechanism.results["k_f"].holds
-    assert (text(condition.left), condition.operator) == ("b*cos(th) - rho", ">")
+    arm, guide = mechanism.results["k_f"].holds
+    assert (text(arm.left), arm.operator) == ("b*cos(th) - rho", ">")
+    assert (text(guide.left), guide.operator) == (
+        "L_K*cos(delta_BK) - 3*f_K*l_K*sin(delta_BK)",
+        ">",
+    )
 
 
 NEAR_A_DEAD_CENTRE = """
@@ -480,3 +485,73 @@ def test_a_joint_in_which_nothing_slides_adds_nothing(name):
     names = {d.name for d in result.where} | symbols(result.formula)
     assert not any("_E" in n or n.endswith("_S") for n in names if n.startswith(("Omega", "v_")))
     assert "n_S_face" not in symbols(result.formula)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("karpenko_fig1_with_friction", ["b - rho > 0"]),
+        (
+            "karpenko_fig2_with_friction",
+            ["b*cos(alpha) - rho_O > 0", "a*sin(2*alpha + delta_AB) + rho_A - rho_O > 0"],
+        ),
+    ],
+)
+def test_a_load_that_holds_a_lever_acts_outside_its_friction_circle(name, expected):
+    """Else friction at the pivot alone holds the lever, and no rod need press it."""
+    holds = mechc.load(name).results["k_hold"].holds
+    assert [f"{text(c.left)} {c.operator} {text(c.right)}" for c in holds] == expected
+
+
+SELF_LOCKING = """
+param t1 = 237.83 deg in 197.83 deg .. 277.83 deg
+param t2 = 59.82 deg in -0.18 deg .. 119.82 deg
+param t3 = 355.25 deg in 265.25 deg .. 445.25 deg
+pivot O
+slider A along 42.30 deg
+link AB
+link OBC
+AB = 74.7 mm @ t1
+OB = 51.9 mm @ t2
+OC = 113.5 mm @ t3
+force P at A along 42.30 deg
+force F at C along 209.13 deg
+friction pins 0.191 diameter 14.4 mm
+friction slider A 0.075
+find k = P/F
+"""
+
+
+def test_signs_with_which_nothing_balances_are_no_case():
+    """It held "while S_AB_hold < 0", where a rod that is pressed would pull."""
+    result = mechc.loads(SELF_LOCKING).results["k_hold"]
+    shown = [f"{text(c.left)} {c.operator} 0" for c in result.holds]
+    assert "S_AB_hold*s_AB < 0" in shown
+    assert not any(c.startswith("S_AB_hold <") for c in shown)
+
+
+GRIPPING = """
+param mu = 0.5 in 0.1 .. 0.6
+pivot O at (0 mm, 0 mm)
+pivot C at (0 mm, -250 mm)
+link OG
+link ACBH
+OG = 200 mm @ 0 deg
+CA = 60 mm @ 180 deg
+CB = 20 mm @ 0 deg
+CH = 350 mm @ 0 deg
+rope A, O along y, B along -y
+torque M on OG
+force P at H along y
+friction rope O mu wrap -180 deg drum 400 mm on OG
+find M
+let P = 300 N
+"""
+
+
+def test_a_formula_that_jams_by_default_states_where_it_holds():
+    (condition,) = mechc.loads(GRIPPING).results["M_f"].holds
+    assert condition.operator == ">"
+    values = {"P": 300.0, "len_CA": 0.06, "len_CB": 0.02, "s_O_rope": 1.0}
+    signs = [evaluate(condition.left, {**values, "mu": mu}) > 0 for mu in (0.1, 0.34, 0.36, 0.6)]
+    assert signs == [True, True, False, False]

@@ -189,13 +189,20 @@ def throughout(
 
 
 def printed(compilation: Compilation, result: Analysis) -> Iterator[str]:
-    """Yield where the printed case holds, as it says, and code has another value."""
-    function = next(f for f in compilation.routine.functions if f.name == result.name)
-    names = {i.name for i in function.inputs}
+    """Yield where the printed case holds, as it says, and code has another value, or none.
+
+    Where there is no pose code has no value without friction either.
+    """
+    functions = {f.name: f for f in compilation.routine.functions}
+    named = {r.target: r.name for r in compilation.solution.results}
+    function, ideal = functions[result.name], functions[named[result.target.of]]
+    names = {i.name for f in (function, ideal) for i in f.inputs}
     for known in _nearby(compilation.pose.mechanism, result):
         if not symbols(result.formula) | names <= known.keys() or not _holds(result, known):
             continue
         here, code = value_of(result.formula, known), float(evaluate(function, known))
+        if math.isnan(code) and math.isnan(float(evaluate(ideal, known))):
+            continue
         if math.isfinite(here) and not math.isclose(here, code, rel_tol=1e-7, abs_tol=1e-12):
             yield f"{result.name} is {code}, printed {here} at {known}"
             return
@@ -213,7 +220,8 @@ def _nearby(mechanism: Mechanism, result: Analysis) -> Iterator[Mapping[str, flo
 
 
 def _holds(result: Analysis, known: Mapping[str, float]) -> bool:
-    conditions = (*result.holds, *result.guards)
+    """Return whether what is printed with a result holds; forces that are iterated exist, too."""
+    conditions = (*result.holds, *(result.guards if result.inside else ()))
     if not all(symbols(c.left) | symbols(c.right) <= known.keys() for c in conditions):
         return False
     return all(

@@ -1,11 +1,14 @@
 """A closed form: as code takes it, and as it is printed."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 from itertools import combinations
 from typing import Literal, Protocol
 
 from ..algebra.factors import Factor, Trig
+from ..algebra.from_formula import to_product
+from ..algebra.intervals import Box, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add, canonical
 from ..formula.evaluate import evaluate
@@ -22,7 +25,7 @@ from ..named import NamedTuple
 from ..power.numbers import default_values
 from .free_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames
-from .signs import AtAnyPose, AtOnePose, Signs, bare
+from .signs import AtAnyPose, AtOnePose, Signs, bare, exact_sign, is_root
 from .solution import Step
 
 Operator = Literal["<", ">", "="]
@@ -109,6 +112,15 @@ def positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
     """Return the formulas that must be positive for the forces to keep their senses."""
     kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
     return tuple(force.formula() for force in kept if bare(force).factors)
+
+
+def signed_part(formula: Formula, box: Box) -> tuple[Formula, Operator] | None:
+    """Return which part of a product must have a sign for it to be positive; None where it is."""
+    telling = bare(to_product(formula))
+    known = {f: 1 if is_root(Product.of(f)) else sign(Product.of(f), box) for f in telling.factors}
+    side = exact_sign(telling.coefficient) * math.prod(s for s in known.values() if s)
+    left = Product(1, {f: 1 for f, s in known.items() if not s})
+    return (left.formula(), ">" if side > 0 else "<") if left.factors else None
 
 
 def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:

@@ -52,12 +52,14 @@ Sides = tuple[Formula, Formula]
 class Balanced(NamedTuple):
     """The size of the force that balances a lever; it does so where ``turns`` is positive.
 
-    ``quadratic`` is the equation of which it is a root, where it is one.
+    ``quadratic`` is the equation of which it is a root, where it is one; then it may be known what
+    it is ``alike`` in sign.
     """
 
     size: Product
     turns: Product = ONE
     quadratic: Sides | None = None
+    alike: Product | None = None
 
 
 def on_lever(
@@ -99,13 +101,29 @@ def _with_friction(name: str, parts: Sequence[Product], bearing: Bearing, signs:
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
     ahead = -(bearing.turn * add((arm * along, rest)))
-    signs.turned_by(arm, bearing.radius, ahead)
-    return _root(name, (arm, rest, along, across), bearing, turn, signs)
+    is_beyond, made = signs.turned_by(arm, bearing.radius, ahead), (arm, rest, along, across)
+    found = _root(name, made, bearing, turn, signs)
+    return found._replace(alike=_sense(made, bearing, signs)) if is_beyond else found
+
+
+def _sense(parts: Sequence[Product], bearing: Bearing, signs: Signs) -> Product | None:
+    """Return a product with the sign of the force, by the moment that it balances; None if long.
+
+    Where the arm exceeds the radius, a·S − σ·ρ·|S·e + K| grows with a·S, so that S has the sign
+    of (b + σ·ρ·|K|)/a.
+    """
+    arm, rest, along, across = parts
+    others = root(add((along * along, across * across)))
+    if any(isinstance(factor, Opaque) for factor in others.factors):
+        return None
+    load = others * signs.of(f"s_{bearing.pivot}_load", others)
+    return arm * add((bearing.turn * bearing.radius * load, rest))
 
 
 def _in_whole(found: Balanced, unknown: BodyForce, part: Product) -> Balanced:
     """Return the size of a force from that of the part of it that acts."""
     size = found.size * part
+    found = found._replace(alike=found.alike and found.alike * part)
     if found.quadratic is None:
         return found._replace(size=size)
     acting = {unknown.name: (Product.symbol(unknown.name) * unknown.size).formula()}

@@ -7,6 +7,7 @@ from functools import cache, partial
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import symbols
 from ..frozen import on_demand, replace
+from ..model.boxes import allowed_box
 from ..model.mechanism import (
     Efficiency,
     Find,
@@ -25,7 +26,7 @@ from ..power.numbers import is_nil, value_of
 from ..power.reactions import Transmitted
 from .assumptions import asks_for_loads
 from .closed_forces import Asked, Way, closed_force
-from .closed_form import Named, Printed, closed_form, printed_form
+from .closed_form import Named, Printed, closed_form, printed_form, signed_part
 from .efficiency import Drives
 from .free_bodies import EquationsCoupled
 from .iterated import exact, exact_case, first_order, first_order_case
@@ -53,7 +54,7 @@ def result_of(
         resting_on(problem, ideal, named.formula, (*sums, *named.where)),
         guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
         elsewhere=on_demand(partial(_elsewhere, problem, find, ideal, loaded, named)),
-        case=_case(problem, find, ideal, named.case) if named.case else None,
+        case=_case(problem, find, ideal, named.case or _at_any_pose(named, sums, problem)),
         inside=named.inside,
     )
 
@@ -69,7 +70,23 @@ def _elsewhere(
     return None if missing else found
 
 
-def _case(problem: Problem, find: Find, ideal: Result, printed: Printed) -> PrintedCase:
+def _at_any_pose(named: Named, sums: Sequence[Definition], problem: Problem) -> Printed | None:
+    """Return a formula with signs in it as it is printed: it holds where forces keep theirs.
+
+    None where it takes nothing for granted, or finds forces by iteration.
+    """
+    if named.inside or not named.positive:
+        return None
+    box = allowed_box(problem.mechanism)
+    holds = tuple(dict.fromkeys(c for f in named.positive if (c := signed_part(f, box))))
+    return Printed(named.formula, (*sums, *named.where), holds, (), named.positive)
+
+
+def _case(
+    problem: Problem, find: Find, ideal: Result, printed: Printed | None
+) -> PrintedCase | None:
+    if printed is None:
+        return None
     where = resting_on(problem, ideal, printed.formula, printed.where)
     holds = (Require(f, o, ZERO, find.span) for f, o in printed.holds)
     guards = tuple(Require(c, ">", ZERO, find.span) for c in printed.positive)

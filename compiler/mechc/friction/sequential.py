@@ -114,12 +114,14 @@ class SequentialSolver:
         if surface:
             bearing = Bearing(pivot, lines.factor(surface), lines.slip(surface))
         arms = self._bodies.arms(body)
-        size, turns, quadratic = on_lever(unknown, known, arms, bearing, self._signs)
+        size, turns, quadratic, alike = on_lever(unknown, known, arms, bearing, self._signs)
         if quadratic:
             self._squared[body] = quadratic
-        self._determine(unknown, size)
-        if turns.factors:
+        self._determine(unknown, size, alike)
+        if quadratic:
             self.conditions.append(Condition(ONE, turns))
+        elif turns.factors:
+            self._keep(ONE, turns)
         return lines.resistance(surface) if surface else ZERO
 
     def _slider(self, body: str, unknown: BodyForce, known: Sequence[BodyForce]) -> Product:
@@ -166,10 +168,12 @@ class SequentialSolver:
         first, second = (self.sizes[f"S_{rod.name}"] for rod in rods)
         return not add((first * first, -(second * second)))
 
-    def _determine(self, force: BodyForce, size: Product) -> None:
+    def _determine(self, force: BodyForce, size: Product, alike: Product | None = None) -> None:
         rod, size = self._bodies.rod(force.name), canonical(size)
         if force.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
             size = self._signs.named(force.name, size)
+            if alike is not None:
+                self._signs.alike(size, alike)
         self.sizes[force.name] = size
         if rod and self._lines.surfaces(rod):
             self._keep(self._lines.sense_of(rod) * self._lines.counted(rod), self.sizes[force.name])
@@ -180,7 +184,8 @@ class SequentialSolver:
 
     def _keep(self, sign: Product, force: Product) -> None:
         """Note that a force keeps its ideal sign; one that only friction brings about has none."""
-        if force and not sign:
+        if not force:
+            return
+        if not sign or not self._signs.positive(sign * force):
             raise EquationsCoupled
-        if force:
-            self.conditions.append(Condition(sign, force))
+        self.conditions.append(Condition(sign, force))

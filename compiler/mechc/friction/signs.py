@@ -18,6 +18,7 @@ from ..algebra.trigonometry import cosine, sine
 from ..formula.evaluate import evaluate
 from ..formula.names import another
 from ..formula.tree import Call, Formula
+from ..model.boxes import POSITIVE
 from ..model.result import Definition
 from ..power.tolerances import VANISHED
 from .naming import Meanings, OwnNames
@@ -65,11 +66,19 @@ class Signs(Protocol):
         """Return a product without the squares of signs, which are 1 but at single poses."""
         ...
 
-    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> None:
+    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> bool:
         """Note that a force turns a lever: its arm exceeds a radius, or ``ahead`` is positive.
 
-        The sign of the arm itself was asked for before.
+        The sign of the arm itself was asked for before. Return whether the first was noted.
         """
+        ...
+
+    def alike(self, value: Product, other: Product) -> None:
+        """Note that what has a name has the sign of something simpler."""
+        ...
+
+    def positive(self, value: Product) -> bool:
+        """Note that a value is positive, or nothing balances; return whether it can be."""
         ...
 
     def named(self, name: str, value: Product) -> Product:
@@ -176,8 +185,16 @@ class AtAnyPose(_Names):
         odd = {f: e for f, e in value.factors.items() if e % 2 or f not in self._own}
         return Product(value.coefficient, {f: 1 if f in self._own else e for f, e in odd.items()})
 
-    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> None:
-        """Do nothing: code asks at each pose whether a force turns a lever."""
+    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> bool:
+        """Return False: code asks at each pose whether a force turns a lever."""
+        return False
+
+    def alike(self, value: Product, other: Product) -> None:
+        """Do nothing: code has the sign of a value from that."""
+
+    def positive(self, value: Product) -> bool:
+        """Return True: code asks at each pose whether a value is positive."""
+        return True
 
 
 class AtOnePose(_Names):
@@ -203,10 +220,16 @@ class AtOnePose(_Names):
         self._values, self._box = dict(values), dict(box)
         self.conditions: dict[Formula, int] = {}
         self._signs: dict[Factor, int] = {}
+        self._alike: dict[Factor, Product] = {}
 
     def radius(self, name: str, factor: Product) -> Product:
         """Return the name of the radius, of a number too: rho^2 reads better than its digits."""
-        return Product.symbol(self.define(name, factor.formula())) if factor else factor
+        if not factor:
+            return factor
+        known = self.define(name, factor.formula())
+        if sign(factor, self._box) == 1:
+            self._box[known] = POSITIVE
+        return Product.symbol(known)
 
     def coefficient(self, name: str, factor: Product) -> Product:
         """Return the coefficient, by a name where it has sums in it, or one of the user's own."""
@@ -216,7 +239,7 @@ class AtOnePose(_Names):
 
     def of(self, name: str, value: Product) -> Product:
         """Return 1, 0 or -1, and note what the sign was taken of."""
-        telling = bare(value)
+        telling = self._in_simpler(value)
         if not telling.factors:
             return telling
         parts = map(self._sign_of, telling.factors)
@@ -225,6 +248,17 @@ class AtOnePose(_Names):
     def sense(self, name: str, slip: Product) -> Product:
         """Return 1, 0 or -1, and note what the slip is the product of."""
         return self.of(name, slip)
+
+    def _in_simpler(self, value: Product) -> Product:
+        """Return a product of the same sign, in what is simpler where that is known."""
+        telling = bare(value)
+        parts = [self._alike.get(f, Product.of(f)) for f in telling.factors]
+        return bare(math.prod(parts, start=Product(telling.coefficient)))
+
+    def alike(self, value: Product, other: Product) -> None:
+        """Note that what has a name has the sign of something simpler."""
+        (named,) = value.factors
+        self._alike[named] = other
 
     def _sign_of(self, factor: Factor) -> int:
         """Return the sign of a factor; along a chain the same ones are met again and again."""
@@ -235,12 +269,30 @@ class AtOnePose(_Names):
     def _looked_at(self, factor: Product) -> int:
         """Return the sign of a factor; note it where other values would change it."""
         known = 1 if is_root(factor) else sign(factor, self._box)
+        known = self._implied(factor) if known is None else known
         if known is not None:
             return known
         sense = evaluate(sense_of(factor), self._values)
         here = 0 if math.isnan(sense) else int(sense)  # where no force balances there is none
         self.conditions[factor.formula()] = here
         return here
+
+    def _implied(self, factor: Product) -> int | None:
+        """Return the sign of a sum of which all terms have one, by what is noted; else None."""
+        (only,) = factor.factors
+        if not isinstance(only, Sum):
+            return None
+        signs = {self._known_sign(term) for term in only.terms}
+        return signs.pop() if len(signs) == 1 else None
+
+    def _known_sign(self, value: Product) -> int | None:
+        """Return the sign that a product has where all is as noted; None where that is open."""
+        telling = self._in_simpler(value)
+        signs = [self._signs.get(f) or sign(Product.of(f), self._box) for f in telling.factors]
+        known = [s for s in signs if s]
+        return (
+            math.prod(known) * exact_sign(value.coefficient) if len(known) == len(signs) else None
+        )
 
     def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a positive angle, one way or the other.
@@ -264,7 +316,7 @@ class AtOnePose(_Names):
         """Return the product: its signs are numbers."""
         return value
 
-    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> None:
+    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> bool:
         """Note the one of the two that is so at the pose; the first where neither is.
 
         That an arm exceeds a radius says more than that it is positive, which need not be said.
@@ -272,7 +324,7 @@ class AtOnePose(_Names):
         length, least = arm.evaluate(self._values), abs(radius.evaluate(self._values))
         if abs(length) <= least and ahead.evaluate(self._values) > 0:
             self.of("", ahead)
-            return
+            return False
         side = exact_sign(self.of("", arm).coefficient)
         beyond = add((arm, radius.scaled(-side)))
         known = {f: sign(Product.of(f), self._box) for f in bare(beyond).factors}
@@ -281,6 +333,27 @@ class AtOnePose(_Names):
             side *= exact_sign(beyond.coefficient) * math.prod(s for s in known.values() if s)
             self.conditions.pop(arm.formula(), None)
             self.conditions[telling.formula()] = side
+        return True
+
+    def positive(self, value: Product) -> bool:
+        """Note that a value is positive, which at a pose where nothing balances it is not.
+
+        There the sign gives way of what is found last of it, if no other rests on that.
+        """
+        telling = self._in_simpler(value)
+        fresh = [f for f in telling.factors if f not in self._signs]
+        signs = {f: self._sign_of(f) for f in telling.factors}
+        whole = math.prod(signs.values()) * exact_sign(telling.coefficient)
+        if whole > 0:
+            return True
+        open_ = [f for f in fresh if f.formula() in self.conditions]
+        if not open_:
+            return False
+        last = open_[-1]
+        others = math.prod(s for f, s in signs.items() if f != last)
+        self._signs[last] = others * exact_sign(telling.coefficient)
+        self.conditions[last.formula()] = self._signs[last]
+        return bool(self._signs[last])
 
     def define(self, name: str, formula: Formula) -> str:
         """Return the name of a formula from now on, and note its value."""
