@@ -55,9 +55,7 @@ def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
     entry = scope.entries.get(name.text)
     if entry is None or entry.kind != "parameter":
         if not ends:
-            is_guided = any(s.point.text == name.text for s in every(file, ast.Slider))
-            hint = messages.driven_by_points(name.text, is_guided) if points_of(name.text) else ""
-            scope.unknown(name.span, name.text, scope.names({"parameter"}), hint)
+            _report_no_parameter(name, file, scope)
         return None
     scope.used.add(name.text)
     low = _end(statement.low, name, scope)
@@ -70,9 +68,15 @@ def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
     if turns and statement.speed is not None:
         lines = {s.name.text: s for s in file.statements if isinstance(s, ast.Param | ast.Let)}
         note_speed(statement.speed, lines, scope)
-    return Drive(
-        name.text, low, high, statement.span, ends=ends, speed=speed, start=start, turns=turns
-    )
+    own = name.text, low, high, statement.span
+    return Drive(*own, ends=ends, speed=speed, start=start, turns=turns)
+
+
+def _report_no_parameter(name: ast.Name, file: ast.File, scope: Scope) -> None:
+    """Report that a drive names no parameter, and what it may be meant to name."""
+    is_guided = any(s.point.text == name.text for s in every(file, ast.Slider))
+    hint = messages.driven_by_points(name.text, is_guided) if points_of(name.text) else ""
+    scope.unknown(name.span, name.text, scope.names({"parameter"}), hint)
 
 
 def _note_units(

@@ -58,13 +58,13 @@ def _crossed(lines: Sequence[GuideLine], edges: Iterable[Edge], lengths: Names) 
     They follow with all directions given, with no drive, and tie nothing. The second line of a
     slot's pin may be a vector of open length.
     """
-    number, along = Counter(rail.pin for rail in lines), {rail.length for rail in lines}
-    crossed = {rail.length for rail in lines if number[rail.pin] == 2}
+    number, along = Counter(line.pin for line in lines), {line.length for line in lines}
+    crossed = {line.length for line in lines if number[line.pin] == 2}
     open_ = [(e, mentioned(e.arms) & lengths) for e in edges]
     rods = [(e, names) for e, names in open_ if names and names.isdisjoint(along)]
-    for rail in (rail for rail in lines if rail.in_slot and number[rail.pin] == 1):
-        beside = [names for e, names in rods if rail.pin in (e.tail, e.head)]
-        crossed |= {rail.length, *beside[0]} if len(beside) == 1 else set()
+    for line in (line for line in lines if line.in_slot and number[line.pin] == 1):
+        beside = [names for e, names in rods if line.pin in (e.tail, e.head)]
+        crossed |= {line.length, *beside[0]} if len(beside) == 1 else set()
     return frozenset(crossed)
 
 

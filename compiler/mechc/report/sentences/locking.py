@@ -92,25 +92,29 @@ def _condition(
 ) -> str:
     """Return an interval as an inequality, with figures behind its formulas."""
     low, high = _shown_ends(part, reach)
-    sides: tuple[Formula, ...]
-    signs: tuple[str, ...]
     bounds = [b for b in (low, high) if b]
-    digits = _apart([b.x for b in bounds], reach, spell)
-    if low and high:
-        below, above = (_side(b, reach, spell, digits) for b in (low, high))
-        sides = below, Symbol(reach.parameter), above
-        signs = _sign("<", low), _sign("<", high)
-    elif low:
-        sides, signs = (Symbol(reach.parameter), _side(low, reach, spell)), (_sign(">", low),)
-    elif high:
-        sides, signs = (Symbol(reach.parameter), _side(high, reach, spell)), (_sign("<", high),)
-    else:
+    if not bounds:
         return locale.any_of.format(name=_name(reach, spell))
-    said = spell.relation(sides, signs, reach.parameter in spell.angles)
+    said = spell.relation(*_relation(low, high, reach, spell), reach.parameter in spell.angles)
     known = [b.x for b in bounds if b.exact and not _is_figure(b.exact)]
     figures = [_figure(x, reach, locale, spell) for x in known]
     unit = _unit(reach, locale) if any(not b.exact for b in bounds) else ""
     return f"{said}{unit}" + (f" ({', '.join(figures)})" if figures else "")
+
+
+def _relation(
+    low: Bound | None, high: Bound | None, reach: LockingIntervals, spell: Speller
+) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
+    """Return the sides of an inequality, and the signs between them."""
+    name = Symbol(reach.parameter)
+    if low and high:
+        digits = _apart([low.x, high.x], reach, spell)
+        below, above = (_side(b, reach, spell, digits) for b in (low, high))
+        return (below, name, above), (_sign("<", low), _sign("<", high))
+    if low:
+        return (name, _side(low, reach, spell)), (_sign(">", low),)
+    assert high
+    return (name, _side(high, reach, spell)), (_sign("<", high),)
 
 
 def _sign(sign: str, bound: Bound) -> str:
