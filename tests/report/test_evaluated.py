@@ -172,3 +172,12 @@ def test_a_number_without_unit_is_not_stated_again_as_its_value():
     assert "Numerical values" not in pages["d45_09_racks_pinion"]
     assert "$M=0" not in pages["band_brake"]
     assert "$k=0.333333$" in loaded("block_and_tackle").emit("latex")
+
+
+def test_a_direction_that_mirrors_another_has_no_value_where_nothing_rests_on_it():
+    """Of Peaucellier's inversor the position states the direction of AC; k is told without it."""
+    page = loaded("peaucellier_closed").emit("latex")
+    position, values = page.split(r"\section*{Numerical values}")
+    assert r"\varphi_{AC}" in position
+    assert r"\varphi_{AC}" not in values
+    assert r"\varphi_{AB}" in values

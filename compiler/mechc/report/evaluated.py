@@ -7,7 +7,7 @@ from fractions import Fraction
 from ..formula.evaluate import evaluate
 from ..formula.names import split_name
 from ..formula.rounding import Rounding
-from ..formula.tree import Formula, Symbol, is_call, number
+from ..formula.tree import Call, Formula, Symbol, is_call, number
 from ..formula.walk import symbols, walk
 from ..model.mechanism import (
     GRAVITY,
@@ -89,8 +89,10 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     usual = usual_length(mechanism)
     known = Known(given, usual)
     yield from _of_looked_up(whole, mechanism, given)
+    idle = _idle_directions(whole)
     for name, formula in _definitions(whole, turned):
-        yield from _of_definition(name, formula, known)
+        if name not in idle:
+            yield from _of_definition(name, formula, known)
     shown, early = _named(whole, mechanism), _own_met_early(whole)
     shown |= {parameter.name for parameter in looked_up(mechanism)}
     for section in whole.results:
@@ -157,6 +159,17 @@ def has_atan2(whole: Outline) -> bool:
     """Return whether an angle of the report is found from two components."""
     found = (part for d in _definitions(whole) for part in walk(d.formula))
     return any(is_call(part, "atan2") for part in found)
+
+
+def _idle_directions(whole: Outline) -> set[str]:
+    """Return the directions that the position states as sums of others, and no value rests on."""
+    formulas = [d.formula for d in _definitions(whole)]
+    formulas += [r.formula for section in whole.results for r in section.results]
+    stated = (d for section in whole.position for d in section.where)
+    plain = {d.name for d in stated if not any(isinstance(f, Call) for f in walk(d.formula))}
+    accounts = (e for s in whole.results for p in s.paragraphs for e in p.equations)
+    used = symbols(*formulas, *(side for equation in accounts for side in equation))
+    return {name for name in plain - used if split_name(name).head == "phi"}
 
 
 def _definitions(whole: Outline, without: Sequence[Section] = ()) -> Iterator[Definition]:
