@@ -250,6 +250,10 @@ def test_squares_of_a_sine_and_cosine_merge_in_a_size():
     assert size_of(x, y, lambda value: value) == a
 
 
+def test_what_two_sides_have_in_common_stands_outside_and_no_minus_inside():
+    assert text(size_of(-a * b, a * l, lambda value: value).formula()) == "a*hypot(b, l)"
+
+
 def test_what_nothing_joins_is_named():
     assert looseness(on_pivots().mechanism) == "join link OA to link QB: nothing does"
     assert looseness(on_pivots(wheels()).mechanism) == ""
