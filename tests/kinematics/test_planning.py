@@ -2,6 +2,7 @@
 
 import math
 from itertools import pairwise
+from types import SimpleNamespace
 
 import pytest
 
@@ -15,7 +16,7 @@ from mechc.frozen import replace
 from mechc.kinematics.from_pose import plan_velocities
 from mechc.kinematics.graph import Graph, Kind, Relation, Rule, Unknown
 from mechc.kinematics.locked import described, locked
-from mechc.kinematics.planning import plan_of
+from mechc.kinematics.planning import _speeds_of, plan_of
 from mechc.kinematics.solving import LONG, Binder, Memory, by_one_other, solve
 from mechc.kinematics.standing import standing
 from mechc.source import Source, Span
@@ -246,3 +247,17 @@ def test_what_one_other_speed_gives_is_put_by_that_one():
     a, b = Product.symbol("a"), Product.symbol("b")
     assert by_one_other({0: a, 1: -b}, 1, {0: (ONE,)}) == (a / b,)
     assert by_one_other({0: a, 1: -b, 2: a}, 1, {0: (ONE,), 2: (ONE,)}) is None
+
+
+a, b, c, d = (Product.symbol(name) for name in "abcd")
+RATIO = a / b
+
+
+@pytest.mark.parametrize(
+    ("recalled", "found"), [(ONE, ONE), (a * c * d, RATIO), (c / d, RATIO), (None, RATIO)]
+)
+def test_a_speed_that_another_gives_stays_by_it_where_that_is_as_short(recalled, found):
+    """b·u = a·v and v = 1: u is a/b, but where it is known again by less."""
+    memory = SimpleNamespace(recall=lambda form, unknown: recalled and (recalled,))
+    speeds = _speeds_of([0], [{0: b, 1: -a}], {1: (ONE,)}, 1, memory)
+    assert list(speeds) == [(0, (found,))]
