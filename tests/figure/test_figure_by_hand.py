@@ -8,9 +8,10 @@ import pytest
 
 from mechc.figure import layout
 from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Rack
+from mechc.figure.from_balance import _Maker
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
-from mechc.figure.velocities import rates
+from mechc.figure.velocities import Velocities, rates
 from mechc.figure.ways import Linear, Way, Ways, along
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import Symbol, degrees, negative, number, total
@@ -247,3 +248,15 @@ def test_a_pin_slides_along_its_slot():
     along = A * math.cos(PHI + math.pi / 2 - theta)
     assert (sliding.point, sliding.body) == ("A", "QB")
     assert sliding.velocity == near(polar(along, theta))
+
+
+def test_the_drive_is_as_fast_as_the_coordinates_of_points_say():
+    """Per unit of the drive A moves by (−1.5, 2); it moves by (−3, 4) in a second."""
+
+    class Known(_Maker):
+        def _slopes(self):
+            yield from [("A", "x", -3.0), ("A", "y", 4.0)]
+
+    here = Velocities("", {"A": Plane(-1.5, 2.0)}, {}, ())
+    assert Known(None, None, None, 0)._rate(here) == pytest.approx(2.0)
+    assert _Maker(None, None, None, 0)._rate(here) == 0
