@@ -555,3 +555,44 @@ def test_a_formula_that_jams_by_default_states_where_it_holds():
     values = {"P": 300.0, "len_CA": 0.06, "len_CB": 0.02, "s_O_rope": 1.0}
     signs = [evaluate(condition.left, {**values, "mu": mu}) > 0 for mu in (0.1, 0.34, 0.36, 0.6)]
     assert signs == [True, True, False, False]
+
+
+PARALLELOGRAM = """
+param ga = 10 deg
+param al = 190 deg
+param mu = 0.1
+param phi = 50 deg in 20 deg .. 160 deg
+param a = 200 mm
+param d = 20 mm
+param f = 0.1
+param be = 35 deg
+param h = 130 mm
+param l = 400 mm
+pivot O at (0 mm, 0 mm)
+pivot Q at (300 mm, 0 mm)
+link OA
+link QBD
+link AB
+link DE
+slider E along ga through O
+OA = a @ phi
+QB = a
+QD = h
+angle BQD = be
+AB = 300 mm
+DE = l
+assembly ABQ cw
+assembly E forward
+torque M on OA
+force P at E along al
+friction pins f diameter d
+friction slider E mu
+find k = M/P
+"""
+
+
+def test_forces_that_are_alike_are_counted_where_they_keep_their_names():
+    """The rod AB and the crank OA pass on one force, and their pins turn as much as the drive."""
+    result = mechc.loads(PARALLELOGRAM).results["k_f1"]
+    assert text(result.formula).startswith("k + rho*(3*r_O + r_Q) + rho*r_D*Omega_D")
+    assert not {"Omega_O", "r_A"} & {d.name for d in result.where}

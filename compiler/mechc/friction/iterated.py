@@ -3,6 +3,7 @@
 Every friction adds its power, factor · pressing force · slip, to what the drive must do.
 """
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
@@ -12,7 +13,7 @@ from ..algebra.product import ONE as UNIT
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
 from ..formula.operations import count_operations
-from ..formula.tree import ONE, Formula, Symbol, negative, total
+from ..formula.tree import ONE, Formula, Symbol, negative, number, product, total
 from ..model.mechanism import Mechanism
 from ..model.result import Definition, Result
 from ..named import NamedTuple
@@ -80,7 +81,7 @@ def _in_names(ideal: Result, parts: Sequence["Power"], sense: int, signs: AtOneP
     for part in parts:
         factor = named_factor(part.pair, labels, signs).formula()
         force = called(f"r_{part.pair.name}", part.force)
-        slip = called(_slip_name(part.pair), part.slip)
+        slip = ONE if part.slip == UNIT else called(_slip_name(part.pair), part.slip)
         added.append(Part(factor, force, slip, sense * part.times))
     where = (_called_so(ideal), *signs.definitions)
     return Printed(
@@ -228,8 +229,13 @@ class Part(NamedTuple):
 
 def _sum(ideal: Formula, parts: Iterable[Part]) -> Formula:
     """Return the driving load with the powers of friction, forces with one factor put together."""
-    together: dict[tuple[Fraction, Formula, Formula], list[Formula]] = {}
+    together: dict[tuple[Fraction, Formula, Formula], Counter[Formula]] = {}
     for part in parts:
-        together.setdefault((part.times, part.factor, part.slip), []).append(part.force)
-    added = (power(times, by, total(n), slip) for (times, by, slip), n in together.items())
+        together.setdefault((part.times, part.factor, part.slip), Counter())[part.force] += 1
+    added = (power(times, by, _counted(n), slip) for (times, by, slip), n in together.items())
     return total([ideal, *added])
+
+
+def _counted(forces: Mapping[Formula, int]) -> Formula:
+    """Return the sum of forces, each so many times."""
+    return total(product([(number(times), 1), (force, 1)]) for force, times in forces.items())
