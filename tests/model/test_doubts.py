@@ -175,6 +175,8 @@ find k = P/F
         ("from 20 deg to 160 deg speed 1 Hz*1 rev", set()),
         ("from 20 deg to 160 deg speed 1 Hz", {"W296"}),
         ("from 20 deg to 160 deg speed 60 1/min", {"W296"}),
+        ("from 20 deg to 160 deg speed 2*pi*60 1/min", set()),
+        ("from 20 deg to 160 deg speed w\nlet w = 2*pi*n\nparam n = 60 1/min", set()),
         ("from 0 deg to 2.5 rad", set()),
         ("from 20 deg to 2.5 rad", {"W297"}),
         ("from 20 deg to 160 rad", {"W245"}),
@@ -188,3 +190,21 @@ def test_speeds_and_strokes_in_units_that_are_hardly_meant(stroke: str, codes: s
     assert compilation.mechanism
     found = {d.code for d in compilation.report.diagnostics}
     assert found & {"W245", "W296", "W297"} == codes
+
+
+@pytest.mark.parametrize(
+    ("lines", "codes"),
+    [
+        ("let f = n in Hz", {"W267"}),
+        ("let f = n/(2*pi) in Hz", set()),
+        ("let Q = V*n", {"W268"}),
+        ("let Q = V*n/(2*pi)", set()),
+        ("let A = pi*d^2/4\nparam d = 20 mm\nlet S = A*d\nlet Q = S*n", {"W268"}),
+    ],
+)
+def test_turns_that_pi_brings_to_radians(lines: str, codes: set[str]) -> None:
+    text = f"sheet pump\nparam n = 1500 rpm\nparam V = 20 cm^3\n{lines}\n"
+    compilation = Compilation(Source("pump.mech", text))
+    assert compilation.mechanism
+    found = {d.code for d in compilation.report.diagnostics}
+    assert found & {"W267", "W268"} == codes

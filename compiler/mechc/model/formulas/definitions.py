@@ -249,6 +249,9 @@ TURNS = frozenset({"Hz", "1/s", "1/min"})
 SAID = frozenset({"rev", "rad"})
 """Units that say what is counted."""
 
+PI = "pi"
+"""What brings turns to radians, and back."""
+
 FLOW = DIMENSIONS["volume"].over(DIMENSIONS["time"])
 
 Line = ast.Param | ast.Let | ast.Taken
@@ -259,15 +262,16 @@ def _note_turns(
 ) -> None:
     """Note where a formula counts radians and its reader may count turns (W267, W268).
 
-    It rests on a speed in rpm, says nowhere which of the two is meant, and is either such a speed
-    shown in Hz or a flow made of a volume, which is that for a turn as catalogues have it.
+    It rests on a speed in rpm, says nowhere which of the two is meant, has no pi of its own, and is
+    either such a speed shown in Hz or a flow made of a volume, which is that for a turn as
+    catalogues have it.
     """
     assert let.value is not None
     if dimension not in (FREQUENCY, FLOW):
         return
     names = [leaf.name for leaf in _leaves(let) if isinstance(leaf, ast.Symbol)]
     units = _units(let, lines)
-    if not units & TURNING or units & SAID:
+    if not units & TURNING or units & SAID or PI in names:
         return
     shown = let.unit.text if let.unit else ""
     if dimension == FREQUENCY and shown in TURNS:
@@ -282,15 +286,18 @@ def _measures(name: str, dimension: Dimension, scope: Scope) -> bool:
 
 
 def note_speed(speed: ast.Expr, lines: Mapping[str, Line], scope: Scope) -> None:
-    """Note a speed of turning in Hz or 1/min, units in which people count turns (W296)."""
+    """Note a speed of turning in Hz or 1/min, units in which people count turns (W296).
+
+    With pi in it, as in ``2*pi*n``, it has been brought to radians.
+    """
     units = _units_in(speed, lines)
     counted = sorted(units & TURNS - {"1/s"})
-    if counted and not units & (TURNING | SAID):
+    if counted and not units & (TURNING | SAID | {PI}):
         scope.report.add(messages.speed_in_radians(speed.span, counted[0]))
 
 
 def _units_in(expression: ast.Expr, lines: Mapping[str, Line]) -> set[str]:
-    """Return the units written in an expression, and in the lines of what it rests on."""
+    """Return the units written in an expression, pi, and those in the lines of what it rests on."""
     units = set[str]()
     for leaf in leaves(expression):
         match leaf:
@@ -298,11 +305,13 @@ def _units_in(expression: ast.Expr, lines: Mapping[str, Line]) -> set[str]:
                 units.add(unit)
             case ast.Symbol(name) if name in lines:
                 units |= _units(lines[name], lines)
+            case ast.Symbol(name) if name == PI:
+                units.add(PI)
     return units
 
 
 def _units(line: Line, lines: Mapping[str, Line]) -> set[str]:
-    """Return the units written in a line, and in those of what it rests on."""
+    """Return the units written in a line, pi, and those in the lines of what it rests on."""
     units, seen, waiting = set[str](), set[str](), [line]
     while waiting:
         line = waiting.pop()
@@ -315,6 +324,8 @@ def _units(line: Line, lines: Mapping[str, Line]) -> set[str]:
                     units.add(unit)
                 case ast.Symbol(name) if name in lines:
                     waiting.append(lines[name])
+                case ast.Symbol(name) if name == PI:
+                    units.add(PI)
     return units
 
 
