@@ -7,6 +7,7 @@ from random import Random
 from typing import NamedTuple
 
 from branchings import Flat, folding, toggle
+from equal_lengths import four_bar
 from force_mechanisms import given
 from force_samples import pushing, tree_of
 from friction_chains import chain, squared
@@ -116,6 +117,7 @@ KINDS: dict[str, Callable[[int], Made | str | None]] = {
     "closed with friction": closed,
     "small with friction": small_closed,
     "flat": flat,
+    "equal lengths": four_bar,
     **{kind: (lambda seed, kind=kind: other(kind, seed)) for kind in OTHER_KINDS},
     "joined": joined,
 }

@@ -300,7 +300,8 @@ def _roots_refuted(
             own = order(lambda at: abs(factor(at)), x, NEAR * (high - low))
             if own is None or own < 0.5 or _is_open(result, curve, x, high - low):
                 continue
-            if any(abs(evaluate(f, curve(x))) < NEAR for f in limit.but):
+            beside = [curve(x + part * NEAR * (high - low)) for part in (-0.1, 0.0, 0.1)]
+            if any(abs(evaluate(f, at)) < NEAR for f in limit.but for at in beside):
                 continue
             found = _order_at(result, curve, x, high - low)
             if found is None or _is_rounding(result, curve, x, high - low):

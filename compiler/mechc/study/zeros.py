@@ -1,7 +1,9 @@
 """Zeros and poles: which factors vanish, at which angle, and what stands still there."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from functools import cached_property
+from itertools import product
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.halving import without
@@ -12,13 +14,17 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, is_call
 from ..formula.walk import symbols, walk
 from ..model.boxes import stroke_box
-from ..model.values import Chain
+from ..model.values import Chain, range_of
+from ..pose.pose import Arm, Limit, evaluate_vector
+from ..pose.tolerances import SAME_PLACE
+from ..pose.vector_graph import mentioned
 from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
 from .analysis import Cause, Vanishing
 from .breaks import dividing_factors, may_vanish
 from .causes import across_of, cause
-from .ranges import moving_first, with_range
+from .meeting import meeting
+from .ranges import moving_first, turns, with_range
 from .tolerances import SAME_RATIO, VANISHED_SUM
 from .trends import is_free_of_zeros
 
@@ -66,6 +72,24 @@ class _Sought:
         mechanism = balance.plan.graph.pose.mechanism
         self.box, self._ranged = stroke_box(mechanism), with_range(mechanism)
         self.moving_first = moving_first(mechanism)
+
+    @cached_property
+    def meeting(self) -> Set[frozenset[Factor]]:
+        """Return the pairs of sines on either side of the line that vanish in one pose.
+
+        They are looked for along what moves first, where loops find angles in both.
+        """
+        sines = [f for f in self.value.factors if isinstance(f, Trig)]
+        found = [f for f in sines if not f.angle.names.isdisjoint(self.defined)]
+        if len({self.value.factors[f] > 0 for f in found}) < 2:
+            return frozenset()
+        mechanism, formulas = self.balance.plan.graph.pose.mechanism, [f.formula() for f in sines]
+        name = next((n for n in self.moving_first if n in self.given), "")
+        ends = range_of(name, mechanism) if name else None
+        if name and ends is None and turns(name, mechanism):
+            ends = self.given[name] - math.pi, self.given[name] + math.pi
+        pairs = meeting(formulas, self.defined, self.given, name, ends) if ends else ()
+        return frozenset(frozenset((sines[i], sines[j])) for i, j in pairs)
 
     def cause(self, factor: Factor, roots: tuple[Root, ...] = ()) -> Cause:
         """Return the point or link that stands still at a zero of a factor, or at some roots."""
@@ -168,11 +192,54 @@ def _vanishing(trig: Trig, why: Cause, of: _Sought) -> Vanishing:
 def _at_folds(trig: Trig, of: _Sought) -> list[Trig]:
     """Return the sines across the line that may vanish with one where equal sides fold.
 
-    Of β = arcsin(sin T) the cosine is zero at T = 90°, and there sin(T + β) is zero as well.
+    Of β = arcsin(sin T) the cosine is zero at T = 90°, and there sin(T + β) is zero as well. So
+    are the sines of all angles of a four-bar where it lies flat, if it may.
     """
     found = trig.angle.names & of.defined.keys()
-    folds = any(_is_fold(of.defined[name], of.near) for name in found)
-    return _across_the_line(trig, of.value) if folds else []
+    if any(_is_fold(of.defined[name], of.near) for name in found):
+        return _across_the_line(trig, of.value)
+    flat = [names for names in _flat_loops(of) if found and _is_between_sides(trig, names)]
+    exponent = of.value.factors.get(trig, of.side)
+    across = [f for f, e in of.value.factors.items() if isinstance(f, Trig) and e * exponent < 0]
+    return [
+        other
+        for other in across
+        if any(_is_between_sides(other, names) for names in flat) or {trig, other} in of.meeting
+    ]
+
+
+def _is_between_sides(trig: Trig, names: Set[str]) -> bool:
+    """Return whether a sine is that of an angle between the sides that some names belong to."""
+    return trig.function == "sin" and trig.angle.names <= names and not trig.angle.degrees % 180
+
+
+def _flat_loops(of: _Sought) -> Iterator[Set[str]]:
+    """Yield the names in the angles of each four-bar that may lie flat."""
+    pose = of.balance.plan.graph.pose
+    for limit in pose.limits:
+        if may_lie_flat(limit, of.near):
+            points = set(limit.loop.split("-"))
+            given = {name for name, _ in (t for arm in limit.side for t in arm.angle.terms)}
+            yield given.union(*(s.names for s in pose.solved if points.issuperset(s.points)))
+
+
+def may_lie_flat(limit: Limit, near: Mapping[str, float]) -> bool:
+    """Return whether the four sides of a loop may all lie on one line, for the values given.
+
+    They do where the longest and the shortest are together as long as the others (Grashof).
+    """
+    turning: dict[object, list[Arm]] = {}
+    for arm in limit.side:
+        turning.setdefault(arm.angle.terms, []).append(arm)
+    names = mentioned(limit.side).union(*(symbols(size.formula()) for size in limit.sizes))
+    if limit.group != "triangle" or len(turning) != 2 or not names <= near.keys():
+        return False
+    sides = [math.hypot(*evaluate_vector(tuple(arms), near)) for arms in turning.values()]
+    sides += [abs(size.evaluate(near)) for size in limit.sizes]
+    first, *others = sides
+    senses = product((1, -1), repeat=len(others))
+    gaps = (first + sum(s * size for s, size in zip(each, others, strict=True)) for each in senses)
+    return any(abs(gap) <= SAME_PLACE * sum(sides) for gap in gaps)
 
 
 def _is_fold(formula: Formula, near: Mapping[str, float]) -> bool:

@@ -30,6 +30,9 @@ Two are enough for an efficiency.
 
 HALF_CIRCLE = 180 / 3.141592653589793
 
+NIL = 1e-7
+"""An angle in radians that is nothing but rounding, beside a pose in which all sides lie flat."""
+
 
 def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield where nothing moves, what an efficiency runs through, and whether that is proved.
@@ -200,9 +203,9 @@ def _figure(at: float, reach: LockingIntervals, locale: Locale, spell: Speller) 
 
 
 def rounded_value(at: float, reach: Along, spell: Speller, digits: int = DIGITS) -> Formula:
-    """Return a value with few digits, an angle in degrees."""
+    """Return a value with few digits, an angle in degrees, of which rounding alone makes none."""
     if reach.parameter in spell.angles:
-        return degrees(Fraction(f"{at * HALF_CIRCLE:.{digits}g}"))
+        return degrees(Fraction(f"{at * HALF_CIRCLE:.{digits}g}") if abs(at) > NIL else 0)
     return number(Fraction(f"{at / size_of(reach.unit):.{digits}g}"))
 
 

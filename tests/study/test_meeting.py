@@ -1,0 +1,82 @@
+"""Sines that vanish together: each of them alone would be a zero or a pole, and none is."""
+
+import pytest
+
+from hunt import looked_at
+from hunted import Hunted, Made, made
+from mechc.driver import Compilation
+from mechc.formula.to_text import text
+from mechc.source import Source
+from mechc.study.zeros import may_lie_flat
+
+CROSSED = """
+param phi = -30 deg in -35 deg .. 30 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (150 mm, 0 mm)
+link OA
+link QBD
+link AB
+OA = 100 mm @ phi
+AB = {coupler} mm
+QB = 100 mm
+QD = 150 mm @ QB
+assembly ABQ cw
+torque M on OA
+force F at D along 90 deg
+find k = M/F
+"""
+
+RHOMBUS = """
+param phi = -30 deg in -70 deg .. 30 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (200 mm, 0 mm)
+link OA
+link QBD
+link AB
+OA = 200 mm @ phi
+AB = 200 mm
+QB = 200 mm
+QD = 100 mm @ -QB
+assembly ABQ ccw
+link DS
+slider S along x through Q
+DS = 200 mm
+assembly S back
+actuator N between O and B
+force F at S along x
+find k = N/F
+"""
+
+
+def conditions(description):
+    """Return what each condition under which k vanishes or is infinite is said without."""
+    (result,) = Compilation(Source("m.mech", description)).results
+    limits = (*result.zeros, *result.poles)
+    return {text(limit.factor): {text(other) for other in limit.but} for limit in limits}
+
+
+@pytest.mark.parametrize(("coupler", "is_flat"), [(150, True), (149, False)])
+def test_angles_of_a_four_bar_that_may_lie_flat_vanish_together(coupler, is_flat):
+    """The crossed parallelogram passes the pose in which all of it lies on the x axis."""
+    description = CROSSED.format(coupler=coupler)
+    pose = Compilation(Source("m.mech", description)).pose
+    near = {"phi": 0.3, "len_OA": 0.1}
+    assert [may_lie_flat(limit, near) for limit in pose.limits] == [is_flat]
+    assert conditions(description)["sin(mu_B)"] == ({"sin(phi - phi_AB)"} if is_flat else set())
+
+
+def test_what_is_on_one_line_in_a_pose_of_the_range_is_looked_for():
+    """At 0 degrees the rod DS lies along its guide, and the cylinder OB along the crank."""
+    found = conditions(RHOMBUS)
+    assert found["sin(beta_DS + phi)"] == {"sin(phi - phi_OB)"}
+    assert found["sin(phi - phi_OB)"] == {"sin(beta_DS + phi)"}
+    assert found["cos(beta_DS)"] == set()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(40))
+def test_nothing_that_is_said_of_four_bars_of_equal_lengths_is_refuted(seed, tmp_path):
+    found = looked_at(
+        "equal lengths", Hunted(Made(made("equal lengths", seed).text), seed, tmp_path)
+    )
+    assert not found.refuted
