@@ -49,7 +49,7 @@ find k = N/F
 
 
 def conditions(description):
-    """Return what each condition under which k vanishes or is infinite is said without."""
+    """Return the conditions of zeros and poles, each with those it leaves out."""
     (result,) = Compilation(Source("m.mech", description)).results
     limits = (*result.zeros, *result.poles)
     return {text(limit.factor): {text(other) for other in limit.but} for limit in limits}
