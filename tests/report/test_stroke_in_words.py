@@ -56,3 +56,10 @@ def test_a_ratio_of_speeds_that_is_k_has_no_column():
     assert "V_B/omega_O1A [mm]" not in out
     assert "\nThroughout, V_B/omega_O1A = -k.\nV_B is the component" in out
     assert "omega" not in to_table(found)
+
+
+def test_what_a_ratio_of_speeds_is_throughout_takes_more_than_both_ends():
+    """Two curves may meet at the ends of a stroke alone."""
+    out = to_table(loaded("crank_rocker").stroke(2), velocities=True)
+    assert "Throughout" not in out
+    assert "V_B/omega_O1A [mm]" in out

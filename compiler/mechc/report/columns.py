@@ -8,6 +8,9 @@ from ..study.stroke.stroke import Column, Stroke
 SAME = 1e-9
 """Values along a stroke that differ by less than this part are one: rounding of operations."""
 
+FEW = 5
+"""Places at which curves may meet by chance; what they say of all the stroke takes so many."""
+
 
 class Repeated(NamedTuple):
     """The column of a result that another one repeats, and ``-`` where it is less it."""
@@ -24,9 +27,12 @@ def is_constant(index: int, stroke: Stroke) -> bool:
 
 
 def repeated(index: int, stroke: Stroke) -> Repeated | None:
-    """Return the result of which a ratio of speeds has the values, or those with a minus."""
+    """Return the result of which a ratio of speeds has the values, or those with a minus.
+
+    None where the stroke is looked at in a few places only.
+    """
     ratio = stroke.columns[index]
-    if ratio.content != "velocity" or is_constant(index, stroke):
+    if ratio.content != "velocity" or len(stroke.rows) < FEW or is_constant(index, stroke):
         return None
     for other, column in enumerate(stroke.columns):
         if column.content == "result" and column.dimension == ratio.dimension:

@@ -1,20 +1,21 @@
 """The derivation read off the plan: speeds step by step, then the power equation."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from ...formula.facing import LONG, as_in, condition, facing, led
 from ...formula.layout import has_minus
 from ...formula.operations import count_operations
-from ...formula.tree import Formula, Product, negative
-from ...formula.walk import walk
+from ...formula.tree import ZERO, Formula, Product, Symbol, negative
+from ...formula.walk import substitute, walk
 from ...friction.solution import Solution
 from ...frozen import replace
 from ...kinematics.plan import Plan
 from ...pose.given_angles import given_lines
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
+from ..kinds import Rule
 from ..steps import Derivation, Equation, Explanation, LastStep, Step
 from . import equilibrium
 from .forces import of_forces
@@ -26,11 +27,6 @@ from .speed_steps import SpeedSteps
 
 if TYPE_CHECKING:
     from ...equilibrium.equilibrium import Equilibrium
-from collections.abc import Set
-
-from ...formula.tree import ZERO, Symbol
-from ...formula.walk import substitute
-from ..kinds import Rule
 
 
 def derive(
