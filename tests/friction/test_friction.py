@@ -596,3 +596,34 @@ def test_forces_that_are_alike_are_counted_where_they_keep_their_names():
     result = mechc.loads(PARALLELOGRAM).results["k_f1"]
     assert text(result.formula).startswith("k + rho*(3*r_O + r_Q) + rho*r_D*Omega_D")
     assert not {"Omega_O", "r_A"} & {d.name for d in result.where}
+
+
+CRANKS = """
+param phi = 50 deg in 20 deg .. 160 deg
+param a = 200 mm
+param h = 130 mm
+param be = 15 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (300 mm, 0 mm)
+link OA
+link QBD
+link AB
+OA = a @ phi
+QB = a
+QD = h
+angle BQD = be
+AB = 300 mm
+assembly ABQ cw
+torque M on OA
+force P at D along x
+friction pins 0.1 diameter 20 mm
+find k = M/P
+"""
+
+
+def test_a_condition_that_another_one_implies_is_left_out():
+    """Where h sin(be + phi) exceeds rho, the sine is positive."""
+    holds = mechc.loads(CRANKS).results["k_hold"].holds
+    shown = [f"{text(c.left)} {c.operator} {text(c.right)}" for c in holds]
+    assert "h*sin(be + phi) - rho > 0" in shown
+    assert "sin(be + phi) > 0" not in shown

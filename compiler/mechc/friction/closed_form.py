@@ -129,7 +129,7 @@ def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
     They are met in an order that the lines of a description may have a part in.
     """
     operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
-    met = ((value, operators[sign]) for value, sign in signs.conditions.items())
+    met = ((value, operators[sign]) for value, sign in signs.holding().items())
     return tuple(sorted(met, key=lambda c: (count_operations(c[0]), text(c[0]))))
 
 

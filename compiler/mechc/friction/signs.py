@@ -11,6 +11,7 @@ from typing import Literal, Protocol
 
 from ..algebra.angle import Angle, Rational
 from ..algebra.factors import Factor, Length, Opaque, Trig
+from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box, Interval, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
@@ -355,6 +356,28 @@ class AtOnePose(_Names):
         self.conditions[last.formula()] = self._signs[last]
         return bool(self._signs[last])
 
+    def holding(self) -> Mapping[Formula, int]:
+        """Return the signs that were noted, but for those that another one of them implies."""
+        kept = dict(self.conditions)
+        for one, side in self.conditions.items():
+            others = [(other, way) for other, way in kept.items() if other != one and way]
+            value = to_product(one).scaled(side)
+            if side and any(self._implies(to_product(o).scaled(way), value) for o, way in others):
+                del kept[one]
+        return kept
+
+    def _implies(self, value: Product, other: Product) -> bool:
+        """Return whether another value is positive where one is: it is that so many times, or more.
+
+        Where h·s − ρ > 0, s is (h·s − ρ)/h + ρ/h.
+        """
+        ratios = (two / one for one in _terms(value) for two in _terms(other))
+        for times in (ratio for ratio in ratios if sign(ratio, self._box) == 1):
+            more = add((other, -(times * value)))
+            if not more or sign(more, self._box) == 1:
+                return True
+        return False
+
     def define(self, name: str, formula: Formula) -> str:
         """Return the name of a formula from now on, and note its value."""
         known = super().define(name, formula)
@@ -399,3 +422,12 @@ def exact_sign(value: Rational) -> int:
 
 def _sign(value: float) -> int:
     return (value > VANISHED) - (value < -VANISHED)
+
+
+def _terms(value: Product) -> Sequence[Product]:
+    """Return the terms of a sum, or the product itself."""
+    match list(value.factors.items()):
+        case [(Sum() as only, 1)]:
+            return [term.scaled(value.coefficient) for term in only.terms]
+        case _:
+            return [value]
