@@ -35,7 +35,7 @@ from .breaks import breaks
 from .ranges import with_range
 from .tolerances import SAME_RATIO
 from .trends import trend
-from .zeros import poles, zeros
+from .zeros import limits
 
 MANY = 16
 """A result of more parameters than this is given without swaps, trends and derivatives.
@@ -90,10 +90,11 @@ def _concluded(
             return replace(found, fails_here=fails_here(found, values))
     pose = balance.plan.graph.pose
     where = resting_on(balance.plan, item.value.formula(), [item.value])
+    zero, infinite = limits(item, balance, values)
     result = replace(
         as_printed(item.result),
-        zeros=zeros(item, balance, values),
-        poles=poles(item, balance, values),
+        zeros=zero,
+        poles=infinite,
         breaks=breaks((*where, *(Definition(*d) for d in pose.put_in)), values),
         proportional=_proportional(item.value, item.result),
         independent=_independent(item.result, pose.mechanism),

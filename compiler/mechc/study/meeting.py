@@ -4,15 +4,20 @@ Sines of angles that loops find may all be zero where the whole linkage lies on 
 itself is a zero or a pole of the ratio, together they are none.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence, Set
+from functools import cached_property
 from itertools import pairwise
 
+from ..algebra.factors import Trig
+from ..algebra.product import Product
 from ..formula.roots import spaced
 from ..formula.tree import Formula
-from ..model.values import Chain, Values
-from .ranges import last
+from ..model.mechanism import Mechanism
+from ..model.values import Chain, Values, range_of
+from .ranges import last, moving_first, turns
 
-CELLS = 73
+CELLS = 37
 """Cells in which changes of sign are looked for."""
 
 BEYOND = 0.01
@@ -20,6 +25,44 @@ BEYOND = 0.01
 
 TOGETHER = 1e-6
 """What a factor may be at a zero of another one that it vanishes with."""
+
+
+class Meetings:
+    """The sines of a ratio that vanish with others, looked for when they are first asked for."""
+
+    def __init__(
+        self, value: Product, defined: Mapping[str, Formula], near: Values, mechanism: Mechanism
+    ) -> None:
+        """Take the ratio, what is ``defined`` in it, and the values given."""
+        self._value, self._defined, self._mechanism = value, defined, mechanism
+        self._given = {name: x for name, x in near.items() if name not in defined}
+
+    @cached_property
+    def pairs(self) -> Set[frozenset[Trig]]:
+        """Return pairs on either side of the line of which loops find angles in both.
+
+        They are looked for along what moves first.
+        """
+        factors = self._value.factors
+        found = [f for f in factors if isinstance(f, Trig) and not self._is_given(f)]
+        if len({factors[f] > 0 for f in found}) < 2:
+            return frozenset()
+        name = next((n for n in moving_first(self._mechanism) if n in self._given), "")
+        ends = self._ends(name) if name else None
+        if ends is None:
+            return frozenset()
+        formulas = [f.formula() for f in found]
+        pairs = meeting(formulas, self._defined, self._given, name, ends)
+        return frozenset(frozenset((found[i], found[j])) for i, j in pairs)
+
+    def _is_given(self, factor: Trig) -> bool:
+        return factor.angle.names.isdisjoint(self._defined)
+
+    def _ends(self, name: str) -> tuple[float, float] | None:
+        """Return the range of a parameter, a whole turn of an angle without one."""
+        here = self._given[name]
+        turn = (here - math.pi, here + math.pi) if turns(name, self._mechanism) else None
+        return range_of(name, self._mechanism) or turn
 
 
 def meeting(
@@ -37,10 +80,14 @@ def meeting(
     >>> t, twice = Symbol("t"), product([(number(2), 1), (Symbol("t"), 1)])
     >>> sines = [Call("sin", (t,)), Call("sin", (Symbol("u"),)), Call("cos", (t,))]
     >>> list(meeting(sines, {"u": twice}, {}, "t", (-1.0, 2.0)))
-    [(0, 1)]
+    [(0, 1), (1, 2)]
     """
     own = {_place(i): factor for i, factor in enumerate(factors)}
-    code = Chain({**defined, **own}).completion(frozenset((*given, name)), 1)
+    chain = Chain({**defined, **own})
+    needed = chain.needed_by(own)
+    code = Chain({n: f for n, f in chain.definitions if n in needed}).completion(
+        frozenset((*given, name))
+    )
 
     def at(x: float) -> list[float]:
         found = code.complete({**given, name: x})

@@ -14,7 +14,7 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, is_call
 from ..formula.walk import symbols, walk
 from ..model.boxes import stroke_box
-from ..model.values import Chain, range_of
+from ..model.values import Chain
 from ..pose.pose import Arm, Limit, evaluate_vector
 from ..pose.tolerances import SAME_PLACE
 from ..pose.vector_graph import mentioned
@@ -23,8 +23,8 @@ from ..power.definitions import resting_on
 from .analysis import Cause, Vanishing
 from .breaks import dividing_factors, may_vanish
 from .causes import across_of, cause
-from .meeting import meeting
-from .ranges import moving_first, turns, with_range
+from .meeting import Meetings
+from .ranges import moving_first, with_range
 from .tolerances import SAME_RATIO, VANISHED_SUM
 from .trends import is_free_of_zeros
 
@@ -39,31 +39,34 @@ ANYWHERE = 1.0
 """An angle at which neither sine nor cosine is special, in radians."""
 
 
-def zeros(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Vanishing, ...]:
-    """Return the conditions under which a ratio is zero.
+def limits(
+    item: Solved, balance: Balance, near: Mapping[str, float]
+) -> tuple[tuple[Vanishing, ...], tuple[Vanishing, ...]]:
+    """Return the conditions under which a ratio is zero, and those under which it is infinite.
 
-    The load above the line needs no force there: the point of the load below stands
-    still (a dead centre), or moves across it.
+    Where it is zero the load above the line needs no force: the point of the load below stands
+    still (a dead centre), or moves across it. Where it is infinite the point of the load above
+    does, the other dead centre.
     """
-    return tuple(_conditions(_Sought(item, balance, near, 1)))
-
-
-def poles(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Vanishing, ...]:
-    """Return the conditions under which a ratio is infinite.
-
-    The point of the load above stands still while the other moves (the other dead centre),
-    or moves across its load.
-    """
-    return tuple(_conditions(_Sought(item, balance, near, -1)))
+    assert item.value is not None
+    met = Meetings(item.value, dict(item.result.where), near, balance.plan.graph.pose.mechanism)
+    zeros, poles = (tuple(_conditions(_Sought(item, balance, near, s, met))) for s in (1, -1))
+    return zeros, poles
 
 
 class _Sought:
     """A ratio, the side of its line on which factors vanish, and what is asked for each of them."""
 
     def __init__(
-        self, item: Solved, balance: Balance, near: Mapping[str, float], side: int
+        self,
+        item: Solved,
+        balance: Balance,
+        near: Mapping[str, float],
+        side: int,
+        meetings: Meetings,
     ) -> None:
         assert item.value is not None
+        self.meetings = meetings
         self.item, self.value, self.balance = item, item.value, balance
         self.near, self.side = near, side
         self.defined = dict(item.result.where)
@@ -74,22 +77,16 @@ class _Sought:
         self.moving_first = moving_first(mechanism)
 
     @cached_property
-    def meeting(self) -> Set[frozenset[Factor]]:
-        """Return the pairs of sines on either side of the line that vanish in one pose.
-
-        They are looked for along what moves first, where loops find angles in both.
-        """
-        sines = [f for f in self.value.factors if isinstance(f, Trig)]
-        found = [f for f in sines if not f.angle.names.isdisjoint(self.defined)]
-        if len({self.value.factors[f] > 0 for f in found}) < 2:
-            return frozenset()
-        mechanism, formulas = self.balance.plan.graph.pose.mechanism, [f.formula() for f in sines]
-        name = next((n for n in self.moving_first if n in self.given), "")
-        ends = range_of(name, mechanism) if name else None
-        if name and ends is None and turns(name, mechanism):
-            ends = self.given[name] - math.pi, self.given[name] + math.pi
-        pairs = meeting(formulas, self.defined, self.given, name, ends) if ends else ()
-        return frozenset(frozenset((sines[i], sines[j])) for i, j in pairs)
+    def flat(self) -> list[Set[str]]:
+        """Return the names in the angles of each four-bar that may lie flat."""
+        pose, found = self.balance.plan.graph.pose, list[Set[str]]()
+        for limit in pose.limits:
+            if may_lie_flat(limit, self.near):
+                points = set(limit.loop.split("-"))
+                given = {name for arm in limit.side for name in arm.angle.names}
+                solved = (s.names for s in pose.solved if points.issuperset(s.points))
+                found.append(given.union(*solved))
+        return found
 
     def cause(self, factor: Factor, roots: tuple[Root, ...] = ()) -> Cause:
         """Return the point or link that stands still at a zero of a factor, or at some roots."""
@@ -198,29 +195,20 @@ def _at_folds(trig: Trig, of: _Sought) -> list[Trig]:
     found = trig.angle.names & of.defined.keys()
     if any(_is_fold(of.defined[name], of.near) for name in found):
         return _across_the_line(trig, of.value)
-    flat = [names for names in _flat_loops(of) if found and _is_between_sides(trig, names)]
+    flat = [names for names in of.flat if found and _is_between_sides(trig, names)]
     exponent = of.value.factors.get(trig, of.side)
     across = [f for f, e in of.value.factors.items() if isinstance(f, Trig) and e * exponent < 0]
     return [
         other
         for other in across
-        if any(_is_between_sides(other, names) for names in flat) or {trig, other} in of.meeting
+        if any(_is_between_sides(other, names) for names in flat)
+        or {trig, other} in of.meetings.pairs
     ]
 
 
 def _is_between_sides(trig: Trig, names: Set[str]) -> bool:
     """Return whether a sine is that of an angle between the sides that some names belong to."""
     return trig.function == "sin" and trig.angle.names <= names and not trig.angle.degrees % 180
-
-
-def _flat_loops(of: _Sought) -> Iterator[Set[str]]:
-    """Yield the names in the angles of each four-bar that may lie flat."""
-    pose = of.balance.plan.graph.pose
-    for limit in pose.limits:
-        if may_lie_flat(limit, of.near):
-            points = set(limit.loop.split("-"))
-            given = {name for name, _ in (t for arm in limit.side for t in arm.angle.terms)}
-            yield given.union(*(s.names for s in pose.solved if points.issuperset(s.points)))
 
 
 def may_lie_flat(limit: Limit, near: Mapping[str, float]) -> bool:
