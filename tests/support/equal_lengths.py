@@ -1,4 +1,4 @@
-"""Four-bars whose lengths are equal by number: parallelograms, crossed ones, kites, with more on.
+"""Four-bars whose lengths are equal by number: parallelograms, straight or crossed, and others.
 
 Their ranges may pass poses in which all sides lie flat, where angles of the loop vanish together.
 """
@@ -39,9 +39,12 @@ def four_bar(seed: int) -> str:
 
 
 def _sides(rng: Random, frame: int) -> tuple[int, int, int]:
-    """Return crank, coupler and rocker: of a parallelogram, a kite, an arm folded back, or any."""
+    """Return crank, coupler and rocker: of a parallelogram, with equal neighbours, or any.
+
+    None is a kite: folded, its pins lie on one another, and what is between them has no direction.
+    """
     a, b, c = (rng.choice(LENGTHS) for _ in range(3))
-    return rng.choice(((a, frame, a), (frame, a, a), (a, a, frame), (a, b, c)))
+    return rng.choice(((a, frame, a), (a, frame, a), (a, a, c), (a, b, b)))
 
 
 def _range(rng: Random, start: int) -> str:
