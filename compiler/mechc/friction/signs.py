@@ -359,11 +359,10 @@ class AtOnePose(_Names):
     def holding(self) -> Mapping[Formula, int]:
         """Return the signs that were noted, but for those that another one of them implies."""
         kept = dict(self.conditions)
-        for one, side in self.conditions.items():
-            others = [(other, way) for other, way in kept.items() if other != one and way]
-            value = to_product(one).scaled(side)
-            if side and any(self._implies(to_product(o).scaled(way), value) for o, way in others):
-                del kept[one]
+        positive = {one: to_product(one).scaled(side) for one, side in kept.items() if side}
+        for one, value in list(positive.items()):
+            if any(self._implies(by, value) for other, by in positive.items() if other != one):
+                del kept[one], positive[one]
         return kept
 
     def _implies(self, value: Product, other: Product) -> bool:
