@@ -111,3 +111,11 @@ def test_the_screw_of_a_scissor_jack_lies_across():
     for alpha in (0.2, 0.8, 2.0):
         expected = -abs(math.cos(alpha)) / math.sin(alpha)
         assert exact.evaluate(alpha=alpha)["k"] == pytest.approx(expected)
+
+
+def test_a_stroke_is_no_range_that_formulas_may_count_on():
+    """A plot beyond it has the sense in which the cylinder pushes there."""
+    bar = mechc.loads(ACROSS.format(range="") + "drive alpha from 60 deg to 150 deg\n")
+    for alpha, sense in ((2.0, -1), (-1.0, 1)):
+        expected = sense / (0.1 * math.cos((alpha - math.radians(10)) / 2))
+        assert bar.evaluate(alpha=alpha)["k"] == pytest.approx(expected)

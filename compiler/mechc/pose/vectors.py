@@ -10,7 +10,7 @@ from ..algebra.intervals import sign
 from ..algebra.product import Product
 from ..algebra.trigonometry import cosine
 from ..formula.walk import symbols
-from ..model.boxes import stroke_box
+from ..model.boxes import allowed_box
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Pivot, Slider, Turn
 from ..named import NamedTuple
 from ..source import Span
@@ -49,7 +49,7 @@ class Vectors:
 
     def __init__(self, mechanism: Mechanism, terms: Terms, directions: Directions) -> None:
         self._terms, self._directions = terms, directions
-        self._box = stroke_box(mechanism)
+        self._box = allowed_box(mechanism)
         self._edges: dict[str, dict[str, Vector]] = {}
         self._lengths = {
             frozenset((g.tail, g.head)): terms.length(g.length)
