@@ -7,14 +7,17 @@ import pytest
 from branches_by_arcs import (
     BENDS,
     CURVES,
+    NEARLY_CROSSING,
     begun,
     bent,
     bent_end,
     crossing,
+    nearly_crossing,
     of_one,
     own_friction,
     steep,
     steep_along,
+    upper,
     wave,
 )
 from mechc.formula import arcs
@@ -40,6 +43,12 @@ def test_a_branch_that_others_cross_goes_on_though_the_determinant_changes_its_s
     status, found = Arcs(crossing).follow([0.0, 0.0])
     assert status == 0
     assert found == pytest.approx((1.0, 0.0), abs=1e-12)
+
+
+@pytest.mark.parametrize("lines", NEARLY_CROSSING)
+def test_no_arc_leads_across_to_a_branch_that_comes_near(lines):
+    status, found = Arcs(nearly_crossing(*lines)).follow([upper(*lines, 0.0)])
+    assert (status, *found) == (0, pytest.approx(upper(*lines, 1.0), abs=1e-12))
 
 
 @pytest.mark.parametrize("bend", BENDS)

@@ -8,14 +8,17 @@ import pytest
 from branches_by_arcs import (
     BENDS,
     CURVES,
+    NEARLY_CROSSING,
     begun,
     bent,
     bent_end,
     crossing,
+    nearly_crossing,
     of_one,
     own_friction,
     steep,
     steep_along,
+    upper,
     wave,
 )
 from mechc.formula import arcs
@@ -55,6 +58,14 @@ def test_a_branch_that_others_cross_goes_on_though_the_determinant_changes_its_s
     many, unknowns = follow_arcs(of_many(crossing), np.zeros((2, 3)))
     assert list(many) == [0.0] * 3
     assert unknowns == pytest.approx(np.array([[1.0] * 3, [0.0] * 3]), abs=1e-12)
+
+
+@pytest.mark.parametrize("lines", NEARLY_CROSSING)
+def test_no_arc_leads_across_to_a_branch_that_comes_near(lines):
+    start = np.full((1, 2), upper(*lines, 0.0))
+    statuses, many = follow_arcs(of_many(nearly_crossing(*lines)), start)
+    assert list(statuses) == [0.0] * 2
+    assert many == pytest.approx(np.full((1, 2), upper(*lines, 1.0)), abs=1e-12)
 
 
 @pytest.mark.parametrize("bend", BENDS)

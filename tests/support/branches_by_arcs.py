@@ -63,6 +63,28 @@ def crossing(unknowns, share):
     return [x - share, y * (rest - y * y)], [[1.0, 0.0, -1.0], [0.0, rest - 3 * y * y, y]]
 
 
+def nearly_crossing(falls, rises, apart):
+    """Return the sides of two lines across t = 1/2, parted into an upper and a lower branch."""
+
+    def sides(unknowns, share):
+        (y,), u = unknowns, share - 0.5
+        above, below = y + falls * u, y - rises * u
+        return [above * below - apart], [[above + below, falls * below - rises * above]]
+
+    return sides
+
+
+def upper(falls, rises, apart, share):
+    """Return y on the upper of these branches."""
+    u = share - 0.5
+    middle, half = (rises - falls) * u / 2, (rises + falls) * u / 2
+    return middle + math.sqrt(half * half + apart)
+
+
+NEARLY_CROSSING = [(0.5, 2.0, 0.003), (0.3, 3.0, 0.01), (0.3, 1.5, 0.001)]
+"""How the lines fall and rise, and how far the branches are apart."""
+
+
 def bent(slope, bend):
     """Return the sides of t = slope x + bend x²: the share grows ever faster along it."""
 

@@ -52,6 +52,13 @@ BENT = 0.9
 EASY = 0.975
 """The cosine of half that angle: behind an arc that is bent more the next is no longer."""
 
+ALIKE = 0.99
+"""The same where the sign of the determinant changes over an arc: the curve goes straight on.
+
+Along one curve it changes at a crossing alone. An arc that led across to another branch, which
+comes near without crossing, is mostly bent, as both branches turn aside there.
+"""
+
 FEW = 6
 """Corrections of a point at most."""
 
@@ -115,7 +122,7 @@ class Arcs(NamedTuple):
                 return 0, tuple(found[:-1])
             there, turned = self._tangent(found, tangent) if found else (0, [])
             cosine = _dot(turned, tangent) if there else 0.0
-            if not there or found[-1] > 1.0 or cosine < BENT:
+            if not there or found[-1] > 1.0 or cosine < (BENT if there == side else ALIKE):
                 arc = length / 2
                 if arc < LEAST:
                     break

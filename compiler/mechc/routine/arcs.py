@@ -80,7 +80,8 @@ def _ahead(sides: Sides, poses: Poses, curves: _Curves) -> tuple[_Curves, Array]
     is_end = is_found & is_last
     is_within = is_found & (found[-1] <= 1.0)
     cosine = _dot(turned, tangents)
-    good = is_within & (there != 0) & (cosine >= arcs.BENT)
+    bent = np.where(there == side, arcs.BENT, arcs.ALIKE)
+    good = is_within & (there != 0) & (cosine >= bent)
     longer = np.where(cosine >= arcs.EASY, np.minimum(2.0 * arc, arcs.LONGEST), arc)
     is_fold = good & ~is_end & (turned[-1] <= 0.0)
     status = np.where(is_end, 0.0, np.where(is_fold, 1.0, 2.0))
