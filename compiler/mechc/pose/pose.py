@@ -6,6 +6,7 @@ A vector is a sum of ``length @ angle`` terms, never expanded into components:
 
 import math
 from collections.abc import Collection, Iterable, Mapping
+from fractions import Fraction
 from types import MappingProxyType
 from typing import Literal
 
@@ -213,6 +214,19 @@ def gathered(arms: Iterable[Arm]) -> Vector:
         lines.setdefault(back or _wrapped(angle), []).append(-length if back else length)
     sums = ((add(lengths), angle) for angle, lengths in lines.items())
     return tuple(_positive(Arm(length, angle)) for length, angle in sums if length)
+
+
+def halved(vector: Vector) -> Arm | None:
+    """Return the sum of two vectors of one length: along the line that halves their angle."""
+    if len(vector) != 2:
+        return None
+    (length, one), (other_length, other) = vector
+    if length == -other_length:
+        other += Angle.constant(180)
+    elif length != other_length:
+        return None
+    half = Fraction(1, 2)
+    return Arm(length.scaled(2) * cosine((one - other) * half), (one + other) * half)
 
 
 def _positive(arm: Arm) -> Arm:

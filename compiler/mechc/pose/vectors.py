@@ -2,20 +2,18 @@
 
 from collections import deque
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from fractions import Fraction
 from itertools import pairwise
 
 from ..algebra.angle import Angle
 from ..algebra.intervals import sign
 from ..algebra.product import Product
-from ..algebra.trigonometry import cosine
 from ..formula.walk import symbols
 from ..model.boxes import allowed_box
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Pivot, Slider, Turn
 from ..named import NamedTuple
 from ..source import Span
 from .directions import Directions
-from .pose import Arm, Vector, components, gathered, measured_by, reverse, turned_by
+from .pose import Arm, Vector, components, gathered, halved, measured_by, reverse, turned_by
 from .terms import Terms
 from .vector_graph import Edge
 
@@ -101,7 +99,7 @@ class Vectors:
 
     def _of_one_sense(self, vector: Vector) -> Arm | None:
         """Return a vector as an arm, where its line is plain and ranges keep its ends apart."""
-        arm = _halved(vector) or _along_axis(vector)
+        arm = halved(vector) or _along_axis(vector)
         sense = sign(arm.length, self._box) if arm else None
         if arm is None or sense is None:
             return None
@@ -202,16 +200,6 @@ class Vectors:
     def _join(self, tail: str, head: str, vector: Vector) -> None:
         self._edges.setdefault(tail, {})[head] = vector
         self._edges.setdefault(head, {})[tail] = reverse(vector)
-
-
-def _halved(vector: Vector) -> Arm | None:
-    """Return the sum of two equal arms, on the line that halves the angle between them."""
-    if len(vector) != 2 or vector[0].length != vector[1].length:
-        return None
-    (length, first), (_, second) = vector
-    half = Fraction(1, 2)
-    apart, between = (first - second) * half, (first + second) * half
-    return Arm((length * cosine(apart)).scaled(2), between)
 
 
 def _along_axis(vector: Vector) -> Arm | None:

@@ -1,15 +1,13 @@
 """The sides and angles of a dyad under names, with the definitions that these need."""
 
 from collections.abc import Callable, Iterable
-from fractions import Fraction
 
 from ...algebra.angle import Angle
 from ...algebra.from_formula import to_angle
 from ...algebra.product import Product
-from ...algebra.trigonometry import cosine
 from ...formula.layout import has_minus
 from ...formula.tree import Call, Formula, Sum, negative, total
-from ..pose import Arm, Definition, Vector, components, gathered
+from ..pose import Arm, Definition, Vector, components, gathered, halved
 from ..samples import Values, is_behind
 from ..vector_graph import Names, known_span, mentioned
 from .dyads import Loop
@@ -19,20 +17,6 @@ HALF_TURN = Angle.constant(180)
 
 Namer = Callable[[str], str]
 """Makes a name that nothing else has."""
-
-
-def _halved(vector: Vector) -> Arm | None:
-    """Return the sum of two vectors of one length: along the line that halves their angle."""
-    if len(vector) != 2:
-        return None
-    (length, one), (other_length, other) = vector
-    if length == -other_length:
-        other += HALF_TURN
-    elif length != other_length:
-        return None
-    half = Fraction(1, 2)
-    size = length.scaled(2) * cosine((one - other) * half)
-    return Arm(size, (one + other) * half)
 
 
 HALF_TURN_MORE = 1.5
@@ -95,8 +79,8 @@ class Sides:
             length, angle = vector[0]
             behind = is_behind(length, [self._values])
             return (-length, angle + HALF_TURN) if behind else (length, angle)
-        if not positive and (halved := _halved(vector)):
-            return self.polar((halved,), name)
+        if not positive and (arm := halved(vector)):
+            return self.polar((arm,), name)
         turn = common_turn(vector)
         parts = tuple(p.formula() for p in _within(vector))
         size = called or self.name(f"len_{name}")
@@ -119,7 +103,7 @@ class Sides:
         turn. Back along the side its length is what is ``reached``, if that is all of it.
         """
         size, psi = self._known_side(loop, positive, lead, reached)
-        if (half := _halved(loop.known)) and len(psi.terms) == 1:
+        if (half := halved(loop.known)) and len(psi.terms) == 1:
             self._twice[psi.terms[0][0]] = half.angle * 2
         return size, psi
 
@@ -132,7 +116,7 @@ class Sides:
             if len(loop.known) > 1 and {length, direction} <= self._vectors:
                 return Product.symbol(length), Angle.of(direction) + turn
         back = tuple(Arm(arm.length, arm.angle + HALF_TURN) for arm in loop.known)
-        is_sum = len(back) > 1 and (positive or not _halved(back))
+        is_sum = len(back) > 1 and (positive or not halved(back))
         if ends and is_sum and _burden(back, lead, HALF_TURN) < _burden(loop.known, lead, Angle()):
             size, way = self.polar(back, "".join(ends[::-1]), positive, reached)
             return size, way + HALF_TURN
