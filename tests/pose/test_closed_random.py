@@ -142,6 +142,16 @@ def test_a_loop_of_class_three_is_seen_to_close_by_what_else_it_finds():
     assert all(symbols(loop.margin) <= known for loop in compilation.pose.loops)
 
 
+@pytest.mark.parametrize("seed", [60002, 60078, 61269])
+def test_lines_say_which_closure_of_a_link_with_a_pin_in_two_slots_is_meant(seed):
+    """By points of the ground and of the link, by the pin, or by words of the pin in its slot."""
+    seen = Seen()
+    ((grown, compilation, given),) = decided([seed], seen)
+    (function,), expected = compilation.routine.functions, expected_of(seed)
+    seen.compare(grown, np.broadcast_to(evaluate(function, given), expected.shape), expected)
+    assert seen.worst < 1e-10
+
+
 @pytest.mark.slow
 def test_many_strokes(record_property):
     seen = sweep(range(30, 80))

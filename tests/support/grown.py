@@ -18,6 +18,11 @@ REACH = 0.12
 Place = tuple[float, float]
 
 
+def area(a: Place, b: Place, c: Place) -> float:
+    """Return twice the area of a triangle, above zero where its corners turn to the left."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
 class Form(NamedTuple):
     """(q − p) · (s − r), or (q − p) × (s − r), has a value; ``drive`` says how that runs on.
 
@@ -48,7 +53,7 @@ class Grown:
         self.places: dict[str, Place] = {"0": (0, 0), "X": (1, 0), "Y": (0, 1)}
         self.fixed, self.pivots = {"0", "X", "Y"}, list[str]()
         self.lines, self.assemblies = list[str](), list[str]()
-        self.in_slot: dict[str, tuple[str, str, str]] = {}
+        self.in_slot: dict[str, tuple[str, str, str, str]] = {}
         self.forms: list[Form] = []
         self.kinds: list[str] = []
         self.moving: list[str] = []
@@ -149,16 +154,45 @@ class Grown:
 
     def turn(self, a: str, b: str, c: str) -> str:
         """Return the line that says which way round three points turn."""
-        (ax, ay), (bx, by), (cx, cy) = (self.places[p] for p in (a, b, c))
-        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-        return f"assembly {a}{b}{c} {'ccw' if area > 0 else 'cw'}"
+        is_left = area(*(self.places[p] for p in (a, b, c))) > 0
+        return f"assembly {a}{b}{c} {'ccw' if is_left else 'cw'}"
 
     def in_one_of_two(self, pin: str, pivot: str, arm: str) -> None:
         """Say of a pin in two slots in words of either's link how it stands in each of them."""
         line, *first = self.in_slot[pin]
         if line in self.assemblies:
-            self.assemblies[self.assemblies.index(line)] = self.turn(pin, *first)
+            points = self.distinctive(pin, *first)
+            said = self.turn(*points) if points else line
+            self.assemblies[self.assemblies.index(line)] = said
         self.turns(pin, pivot, arm)
+
+    def distinctive(self, pin: str, pivot: str, arm: str, head: str) -> tuple[str, str, str] | None:
+        """Return three points that turn the other way where a slot's link closes otherwise.
+
+        None where all that are looked at turn alike. One is of the link; two are on the ground,
+        or one is, and the other is the pin.
+        """
+        elsewhere = self.other_side(pin, pivot, (arm, head))
+        said = [line.split()[1] for line in self.lines if line.startswith("pivot ")]
+        fixed = [pin, pivot, *(p for p in said if p != pivot)]
+        for corner in (arm, head):
+            for triple in ((*pair, corner) for pair in combinations(fixed, 2)):
+                areas = (area(*(at[p] for p in triple)) for at in (self.places, elsewhere))
+                if math.prod(areas) < 0:
+                    return triple
+        return None
+
+    def other_side(self, pin: str, pivot: str, link: tuple[str, str]) -> dict[str, Place]:
+        """Return the places where a pin is on the other side of the foot of the perpendicular.
+
+        That is from the pivot to the slot, in which the link's last point is.
+        """
+        centre, place = complex(*self.places[pivot]), complex(*self.places[pin])
+        along = complex(*self.toward(pin, link[-1]))
+        foot = place + ((centre - place) * along.conjugate()).real * along
+        turned = (place - centre) / (2 * foot - place - centre)
+        ends = {p: centre + (complex(*self.places[p]) - centre) * turned for p in link}
+        return {**self.places, **{p: (end.real, end.imag) for p, end in ends.items()}}
 
     def stands(self, pin: str, foot: str, along: Place) -> None:
         """Say on which side of the foot of a perpendicular a pin stands on its line."""
@@ -251,7 +285,7 @@ class Grown:
             self.slot(pin, Line(arm, head))
             self.stands(pin, pivot, self.toward(arm, head))
         if pin not in guided:
-            self.in_slot[pin] = self.assemblies[-1], pivot, arm
+            self.in_slot[pin] = self.assemblies[-1], pivot, arm, head
         self.moving.append(arm)
 
     def rpr_block(self) -> None:
