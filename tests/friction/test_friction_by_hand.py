@@ -20,7 +20,7 @@ from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_fr
 from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever import Bearing, on_lever
 from mechc.friction.linear import LinearSolver
-from mechc.friction.naming import Endings, Meanings, OwnNames
+from mechc.friction.naming import Endings, Meanings, OwnNames, renamed
 from mechc.friction.normal_forces import Idle, loaded_pairs, scaled, without_standing
 from mechc.friction.pairs import Component, FrictionPair, LoadedPair
 from mechc.friction.sequential import SequentialSolver
@@ -413,6 +413,18 @@ def test_names_get_endings_where_they_mean_something_else():
     assert signs.define("delta", Symbol("b")) == "delta_hold"
     assert signs.define("delta", Symbol("b")) == "delta_hold"
     assert Endings().of("k", "tightening") == ("k_f",)
+
+
+def test_names_of_code_are_others_on_a_page_where_they_mean_something_else_there():
+    meanings = Meanings()
+    meanings.note([Definition("b", Symbol("x")), Definition("S", Symbol("b"))])
+    code = [
+        Definition("a", Symbol("x")),
+        Definition("b", Symbol("y")),
+        Definition("S", Symbol("b")),
+    ]
+    names = renamed(code, meanings, ("hold",), {"S_hold"})
+    assert {name: other.name for name, other in names.items()} == {"b": "b_hold", "S": "S_hold_"}
 
 
 # ---------------------------------------------------------- ways to the driving load

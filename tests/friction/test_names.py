@@ -68,6 +68,30 @@ def test_a_name_has_one_formula_in_the_library(name):
     assert_names_mean_one_thing(Compilation(Source("a.mech", without_expectations(name))))
 
 
+UNPRINTED = """
+param t1 = 350 deg in 290 deg .. 410 deg
+param t2 = 176.21 deg in 136.21 deg .. 216.21 deg
+param t3 = 55.13 deg in -4.87 deg .. 115.13 deg
+pivot O
+slider A along 219.39 deg
+link AB
+link OBC
+AB = 56 mm @ t1
+OB = 62.6 mm @ t2
+OC = 65.5 mm @ t3
+force P at A along 219.39 deg
+force F at C along 281.6 deg
+friction pins 0.295 diameter 17.7 mm
+friction slider A 0.265
+find k = P/F
+"""
+
+
+def test_a_name_has_one_formula_where_one_motion_is_printed_as_code_has_it():
+    """Of the other motion nothing stands at the values given; b_AB had two signs on a page."""
+    assert_names_mean_one_thing(Compilation(Source("a.mech", UNPRINTED)))
+
+
 @pytest.mark.parametrize("ratio", [True, False])
 def test_a_name_has_one_formula_in_random_mechanisms(ratio):
     made = [with_friction(seed, sample) for seed, sample in samples(range(4), ratio, 1)]

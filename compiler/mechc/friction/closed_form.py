@@ -14,8 +14,8 @@ from ..algebra.sums import add, canonical
 from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
 from ..formula.to_text import text
-from ..formula.tree import Formula, is_call, number, product, total
-from ..formula.walk import symbols
+from ..formula.tree import Formula, Symbol, is_call, number, product, total
+from ..formula.walk import Substitution, symbols
 from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.boxes import POSITIVE, allowed_box
@@ -24,7 +24,7 @@ from ..model.values import Chain, completed
 from ..named import NamedTuple
 from ..power.numbers import default_values
 from .free_bodies import EquationsCoupled
-from .naming import Meanings, OwnNames
+from .naming import Meanings, OwnNames, renamed
 from .signs import AtAnyPose, AtOnePose, Signs, bare, exact_sign, is_root
 from .solution import Step
 
@@ -205,6 +205,23 @@ class DefaultPose:
             return None
         self.meanings.note(found.where)
         return found
+
+    def as_in_code(self, found: Named, endings: Sequence[str]) -> Printed | None:
+        """Return a result as code has it, in names that mean nothing else in what is printed.
+
+        None where its own do not: it is printed as it is.
+        """
+        names = renamed(
+            found.where, self.meanings, endings, {*default_values(self._plan), *self._taken}
+        )
+        own = {name: names.get(name, Symbol(name)) for name, _ in found.where}
+        put = Substitution(names)
+        where = tuple(Definition(own[n].name, put.of(formula)) for n, formula in found.where)
+        self.meanings.note(where)
+        if not names:
+            return None
+        needed = tuple(map(put.of, found.positive))
+        return Printed(put.of(found.formula), where, (), found.steps, needed)
 
     def _distances(self) -> Iterator[str]:
         """Yield the lengths that are distances of points: where one is 0, nothing has a value."""

@@ -5,7 +5,7 @@ name stands for something else already, it gets an ending: ``S_AB_hold``, or ``S
 results of a ratio m.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..algebra.from_formula import to_product
 from ..algebra.sums import canonical
@@ -128,6 +128,20 @@ def with_one_meaning(sizes: Sizes, meanings: Sequence[Meanings], endings: Sequen
     for each in meanings:
         each.note(found.definitions)
     return found
+
+
+def renamed(
+    definitions: Sequence[Definition], meanings: Meanings, endings: Sequence[str], taken: Set[str]
+) -> dict[str, Symbol]:
+    """Return other names for those that mean something else, their own or by what they rest on."""
+    names: dict[str, Symbol] = {}
+    for name, formula in definitions:  # each after those that it rests on
+        whole = Substitution(names).of(formula)
+        if not meanings.allow(name, whole):
+            ways = (f"{name}{ending}" for ending in _tried(endings) if ending)
+            free = (way for way in ways if way not in taken and meanings.allow(way, whole))
+            names[name] = Symbol(next(free))
+    return names
 
 
 def _tried(endings: Sequence[str]) -> Iterator[str]:

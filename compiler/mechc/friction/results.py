@@ -223,8 +223,9 @@ def in_closed_form(
         except EquationsCoupled:
             continue
         problem.in_code.note(found.where)
-        printed = partial(printed_form, way, case.factor)
-        return replace(found, case=problem.default.printed(printed, endings))
+        default, at_pose = problem.default, partial(printed_form, way, case.factor)
+        printed = default.printed(at_pose, endings) or default.as_in_code(found, endings)
+        return replace(found, case=printed)
     return None
 
 
