@@ -89,7 +89,10 @@ find k = P/F
 
 def test_a_name_has_one_formula_where_one_motion_is_printed_as_code_has_it():
     """Of the other motion nothing stands at the values given; b_AB had two signs on a page."""
-    assert_names_mean_one_thing(Compilation(Source("a.mech", UNPRINTED)))
+    compilation = Compilation(Source("a.mech", UNPRINTED))
+    assert_names_mean_one_thing(compilation)
+    holding = next(as_printed(r) for r in compilation.solution.results if r.name == "k_hold")
+    assert "S_AB_hold*s_AB" in [text(condition.left) for condition in holding.holds]
 
 
 @pytest.mark.parametrize("ratio", [True, False])

@@ -14,7 +14,7 @@ from ..algebra.sums import add, canonical
 from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
 from ..formula.to_text import text
-from ..formula.tree import Formula, Symbol, is_call, number, product, total
+from ..formula.tree import Formula, is_call, number, product, total
 from ..formula.walk import Substitution, symbols
 from ..frozen import frozen
 from ..kinematics.plan import Plan
@@ -206,22 +206,17 @@ class DefaultPose:
         self.meanings.note(found.where)
         return found
 
-    def as_in_code(self, found: Named, endings: Sequence[str]) -> Printed | None:
-        """Return a result as code has it, in names that mean nothing else in what is printed.
-
-        None where its own do not: it is printed as it is.
-        """
-        names = renamed(
-            found.where, self.meanings, endings, {*default_values(self._plan), *self._taken}
-        )
-        own = {name: names.get(name, Symbol(name)) for name, _ in found.where}
+    def in_free_names(self, found: Named, endings: Sequence[str]) -> Named:
+        """Return a result of code in names that mean nothing else in what is printed."""
+        taken = {*default_values(self._plan), *self._taken}
+        names = renamed(found.where, self.meanings, endings, taken)
         put = Substitution(names)
-        where = tuple(Definition(own[n].name, put.of(formula)) for n, formula in found.where)
+        where = tuple(
+            Definition(names[name].name if name in names else name, put.of(formula))
+            for name, formula in found.where
+        )
         self.meanings.note(where)
-        if not names:
-            return None
-        needed = tuple(map(put.of, found.positive))
-        return Printed(put.of(found.formula), where, (), found.steps, needed)
+        return Named(put.of(found.formula), where, tuple(map(put.of, found.positive)))
 
     def _distances(self) -> Iterator[str]:
         """Yield the lengths that are distances of points: where one is 0, nothing has a value."""

@@ -75,8 +75,11 @@ def _at_any_pose(named: Named, sums: Sequence[Definition], problem: Problem) -> 
 
     None where it takes nothing for granted, or finds forces by iteration.
     """
-    if named.inside or not named.positive:
-        return None
+    return None if named.inside or not named.positive else _as_it_is(named, sums, problem)
+
+
+def _as_it_is(named: Named, sums: Sequence[Definition], problem: Problem) -> Printed:
+    """Return a formula of code as it is printed, with what it takes for granted."""
     box = allowed_box(problem.mechanism)
     holds = tuple(dict.fromkeys(c for f in named.positive if (c := signed_part(f, box))))
     return Printed(named.formula, (*sums, *named.where), holds, (), named.positive)
@@ -223,8 +226,11 @@ def in_closed_form(
         except EquationsCoupled:
             continue
         problem.in_code.note(found.where)
-        default, at_pose = problem.default, partial(printed_form, way, case.factor)
-        printed = default.printed(at_pose, endings) or default.as_in_code(found, endings)
+        printed = problem.default.printed(partial(printed_form, way, case.factor), endings)
+        if printed is None:
+            free = problem.default.in_free_names(found, endings)
+            renamed = free.where != found.where
+            printed = _as_it_is(free, problem.sums(loaded), problem) if renamed else None
         return replace(found, case=printed)
     return None
 
