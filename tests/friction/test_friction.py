@@ -6,6 +6,7 @@ from functools import cache
 import pytest
 
 import mechc
+from gripping_brake import gripping_brake
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
@@ -530,23 +531,7 @@ def test_signs_with_which_nothing_balances_are_no_case():
     assert not any(c.startswith("S_AB_hold <") for c in shown)
 
 
-GRIPPING = """
-param mu = 0.5 in 0.1 .. 0.6
-pivot O at (0 mm, 0 mm)
-pivot C at (0 mm, -250 mm)
-link OG
-link ACBH
-OG = 200 mm @ 0 deg
-CA = 60 mm @ 180 deg
-CB = 20 mm @ 0 deg
-CH = 350 mm @ 0 deg
-rope A, O along y, B along -y
-torque M on OG
-force P at H along y
-friction rope O mu wrap -180 deg drum 400 mm on OG
-find M
-let P = 300 N
-"""
+GRIPPING = gripping_brake("0.5 in 0.1 .. 0.6", "find M\nlet P = 300 N")
 
 
 def test_a_formula_that_jams_by_default_states_where_it_holds():

@@ -16,6 +16,7 @@ from force_samples import (
     samples,
     sizes_of,
 )
+from gripping_brake import gripping_brake
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import is_call
 from mechc.formula.walk import walk
@@ -328,22 +329,7 @@ force G at D along -y
 find R_A
 """
 
-BRAKE = """
-param mu = 0.4
-pivot O at (0 mm, 0 mm)
-pivot C at (0 mm, -250 mm)
-link OG
-link ACBH
-OG = 200 mm @ 0 deg
-CA = 60 mm @ 180 deg
-CB = 20 mm @ 0 deg
-CH = 350 mm @ 0 deg
-rope A, O along y, B along -y
-torque M on OG
-force P at H along y
-friction rope O mu wrap -180 deg drum 400 mm on OG
-find M, R_C
-"""
+BRAKE = gripping_brake("0.4", "find M, R_C")
 
 
 @pytest.mark.parametrize(("text", "name"), [(BEAM, "R_A"), (BRAKE, "R_C"), (BRAKE, "R_C_f")])

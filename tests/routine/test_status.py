@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from gripping_brake import gripping_brake
 from mechc.driver import compile_source
 from mechc.formula.tree import ZERO, Symbol
 from mechc.model.result import Drive
@@ -74,30 +75,13 @@ def test_a_load_that_has_friction_alone_to_overcome_drives_either_way(
     assert float(status(function, function, values)) == known
 
 
-BRAKE = """
-param mu = {mu} in 0 .. 0.5
-pivot O at (0 mm, 0 mm)
-pivot C at (0 mm, -250 mm)
-link OG
-link ACBH
-OG = 200 mm @ 0 deg
-CA = 60 mm @ 180 deg
-CB = 20 mm @ 0 deg
-CH = 350 mm @ 0 deg
-rope A, O along y, B along -y
-torque M on OG
-force P at H along y
-friction rope O mu wrap -180 deg drum 400 mm on OG
-find M
-find R_C
-let P = 300 N
-"""
+ASKED = "find M\nfind R_C\nlet P = 300 N"
 
 
 @pytest.mark.parametrize(("mu", "state"), [(0.0, "free"), (0.3, "free"), (0.4, "jammed")])
 def test_code_says_of_a_brake_what_is_said_of_it(mu: float, state: str) -> None:
     """Against the arrow of M nothing grips; code said that the load alone does not move it."""
-    compilation = compile_source(Source("brake.mech", BRAKE.format(mu=mu)))
+    compilation = compile_source(Source("brake.mech", gripping_brake(f"{mu} in 0 .. 0.5", ASKED)))
     said = {r.name: r.locking.state for r in compilation.results if r.locking}
     assert said == {"M_f": state, "M_hold": "free"}
     functions = {f.name: f for f in compilation.routine.functions}

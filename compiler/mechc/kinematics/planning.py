@@ -125,8 +125,9 @@ def _speeds_of(
     if recalled is None:
         return zip(group, solve(forms, group, known, drives), strict=True)
     direct = by_one_other(forms[0], group[0], known)
-    is_as_short = direct is not None and _size(direct) <= _size(recalled)
-    return [(group[0], direct if direct is not None and is_as_short else recalled)]
+    if direct is None or _size(direct) > _size(recalled):
+        return [(group[0], recalled)]
+    return [(group[0], direct)]
 
 
 def _size(speeds: Speeds) -> int:

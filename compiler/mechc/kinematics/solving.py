@@ -3,11 +3,10 @@
 from collections.abc import Collection, Mapping, Sequence
 from itertools import count
 
-from ..algebra.cancelling import canonical
 from ..algebra.determinant import determinant, with_column
 from ..algebra.modular import PRIME, Point
 from ..algebra.product import ZERO, Product, Sum
-from ..algebra.sums import Bound, add
+from ..algebra.sums import Bound, add, canonical
 from .graph import Form
 from .plan import Binding, Speeds
 

@@ -6,13 +6,14 @@ itself is a zero or a pole of the ratio, together they are none.
 
 import math
 from collections.abc import Iterator, Mapping, Sequence, Set
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
 
 from ..algebra.factors import Trig
 from ..algebra.product import Product
 from ..formula.roots import spaced
 from ..formula.tree import Formula
+from ..formula.walk import reached, symbols
 from ..model.mechanism import Mechanism
 from ..model.values import Chain, Values, range_of
 from .ranges import last, moving_first, turns
@@ -83,22 +84,23 @@ def meeting(
     [(0, 1), (1, 2)]
     """
     own = {_place(i): factor for i, factor in enumerate(factors)}
-    chain = Chain({**defined, **own})
-    needed = chain.needed_by(own)
-    code = Chain({n: f for n, f in chain.definitions if n in needed}).completion(
-        frozenset((*given, name))
-    )
+    needed = reached(symbols(*factors), defined)
+    chain = Chain({n: f for n, f in defined.items() if n in needed} | own)
+    code = chain.completion(frozenset((*given, name)))
 
     def at(x: float) -> list[float]:
         found = code.complete({**given, name: x})
         return [found.get(place, 1.0) for place in own]
+
+    def is_as_before(i: int, sense: float, x: float) -> bool:
+        return at(x)[i] * sense > 0
 
     beyond = BEYOND * (ends[1] - ends[0])
     rows = [(x, at(x)) for x in spaced(ends[0] - beyond, ends[1] + beyond, CELLS)]
     for (a, before), (b, after) in pairwise(rows):
         passing = [i for i, (u, v) in enumerate(zip(before, after, strict=True)) if u * v < 0]
         for i in passing if len(passing) > 1 else ():
-            here = at(last(lambda x, i=i, u=before[i]: at(x)[i] * u > 0, a, b))  # type: ignore
+            here = at(last(partial(is_as_before, i, before[i]), a, b))
             yield from ((i, j) for j in passing if j > i and abs(here[j]) < TOGETHER)
 
 
