@@ -13,6 +13,7 @@ from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.diagnostics import Report
+from mechc.formula.evaluate import evaluate
 from mechc.formula.rounding import Size
 from mechc.formula.tree import Call, Symbol, number, power, quotient, total
 from mechc.frozen import replace
@@ -146,6 +147,21 @@ def test_where_lengths_are_equal_a_zero_may_be_none(lengths, is_zero):
     item = replace(item, value=value, result=replace(item.result, formula=value.formula()))
     near = {**VALUES, **dict(zip("ab", lengths, strict=True)), "alpha": 0.4}
     assert (("alpha", number(0)) in [zero.at for zero in limits(item, found, near)[0]]) is is_zero
+
+
+def test_a_zero_at_one_end_of_a_diameter_is_stated_where_a_loop_makes_it_none_at_the_other():
+    """The chord from A = (cos α, sin α) to (0, 1) lies along the crank at -90°, not at 90°."""
+    item, found = solved(lever(), "P", "F")
+    alpha, chord = Angle.of("alpha"), Angle.of("chord")
+    up, ahead = (-sine(alpha)).formula(), (-cosine(alpha)).formula()
+    along = Call("atan2", (total([number(1), up]), ahead))
+    value = cosine(alpha) / sine(alpha - chord)
+    formed = replace(item.result, formula=value.formula(), where=(Definition("chord", along),))
+    near = {**VALUES, "alpha": 0.4, "chord": 1.9}
+    (zero,), _ = limits(replace(item, value=value, result=formed), found, near)
+    assert zero.at is not None
+    assert evaluate(zero.at[1], {}) == pytest.approx(math.pi / 2)
+    assert evaluate(zero.factor, {"alpha": -math.pi / 2}) != pytest.approx(0)
 
 
 def test_a_length_that_is_infinite_somewhere_breaks_a_result():

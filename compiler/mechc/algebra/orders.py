@@ -76,11 +76,34 @@ def roots(trig: Trig, *products: Product) -> list[Root]:
     found = []
     for i in range(parts):
         place = (offset + Angle.constant(180 * i)) * Fraction(1, parts)
-        (factor,) = sine(unit - place).factors
-        assert isinstance(factor, Trig)
         value = (place - unit + Angle(((name, c),))) * (1 / Fraction(c))
-        found.append(Root(factor, name, value))
+        found.append(Root(_sine(unit - place), name, value))
     return found
+
+
+def _sine(angle: Angle) -> Trig:
+    """Return a sine, or a cosine that is the same but for its sign."""
+    (factor,) = sine(angle).factors
+    assert isinstance(factor, Trig)
+    return factor
+
+
+def half_turns(root: Root) -> tuple[Root, Root]:
+    """Return the two within a whole turn of its angle that a root stands for.
+
+    >>> from .trigonometry import cosine
+    >>> (c,) = cosine(Angle.of("a")).factors
+    >>> parts = half_turns(*roots(c, Product.of(c)))
+    >>> [(str(r.value), r.factor.function, str(r.factor.angle)) for r in parts]
+    [('90°', 'cos', '1/2*a + 45°'), ('270°', 'sin', '1/2*a + 45°')]
+    """
+    angle, name = root.factor.angle, root.name
+    turn = Angle.constant(180 / Fraction(dict(angle.terms)[name]))
+
+    def at(value: Angle) -> Root:
+        return Root(_sine((angle - angle.put({name: value})) * Fraction(1, 2)), name, value)
+
+    return at(root.value), at(root.value + turn)
 
 
 def _common_step(trig: Trig, product: Product) -> Fraction:

@@ -8,7 +8,7 @@ from itertools import product
 from ..algebra.factors import Factor, Trig
 from ..algebra.halving import without
 from ..algebra.intervals import vanishing_values
-from ..algebra.orders import Root, angles, order, roots
+from ..algebra.orders import Root, angles, half_turns, order, roots
 from ..algebra.product import Product, Sum
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, is_call
@@ -158,7 +158,20 @@ def _at_roots(trig: Trig, of: _Sought) -> Iterator[Vanishing]:
 def _roots(trig: Trig, of: _Sought) -> list[Root]:
     """Return the roots of a sine or cosine that the value tells apart, or what stands still."""
     across = across_of(of.item, of.balance, of.side)
-    return (roots(trig, of.value, across) if across else []) or roots(trig, of.value)
+    found = (roots(trig, of.value, across) if across else []) or roots(trig, of.value)
+    return [part for root in found for part in _separated(root, of)]
+
+
+def _separated(root: Root, of: _Sought) -> tuple[Root, ...]:
+    """Return a root as one, or as its two within a turn where the value vanishes at one only.
+
+    Angles that loops find need not be the same, nor opposite, half a turn on: with a chord AQ of
+    the crank's circle, cos φ/sin(φ - φ_AQ) vanishes at 90° and is finite at -90°.
+    """
+    if not of.defined:
+        return (root,)
+    parts = half_turns(root)
+    return parts if len({_is_refuted(part, of) for part in parts}) > 1 else (root,)
 
 
 def _but_by_chance(root: Root, of: _Sought) -> Iterator[Vanishing]:
