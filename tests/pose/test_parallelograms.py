@@ -85,6 +85,49 @@ def test_where_it_lies_flat_it_can_go_on_in_two_ways():
     assert branch.drive == pytest.approx(flat)
 
 
+def test_one_that_lies_nearly_flat_is_one():
+    """Poses on either side of the flat one are looked at: the law of cosines crosses beyond."""
+    described, ahead, _ = parallelogram(4, False)
+    start = int(described.split("phi = ")[1].split()[0])
+    near = described.replace(
+        f"phi = {start} deg", f"phi = {start + ahead - math.copysign(0.3, ahead)} deg"
+    )
+    pose = Compilation(Source("m.mech", near)).pose
+    assert [text(d.formula) for d in pose.definitions] == ["atan2(y_Q, x_Q)"]
+
+
+ISOSCELES = """
+param r = 50 mm
+param phi = {start} deg
+pivot O at (0 mm, 0 mm)
+link OA
+link AB
+OA = r @ phi
+AB = r
+slider B along x through O
+assembly B {ahead}
+drive phi from 50 deg to 130 deg
+torque M on OA
+force F at B along x
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(("start", "ahead"), [(60, "forward"), (89.3, "forward"), (90.5, "back")])
+@pytest.mark.parametrize("step", [1, -1])
+def test_an_isosceles_slider_crank_is_one_near_its_pose_at_the_crank(start, ahead, step):
+    """At 90° the motion meets another one, in which the slider rests at O, and the rod turns.
+
+    The slider is ahead of O in the one until 90°, in the other from there on; whatever stands
+    first in the description, the one that is meant by default goes on.
+    """
+    lines = ISOSCELES.format(start=start, ahead=ahead).strip().splitlines()
+    compilation = Compilation(Source("m.mech", "\n".join(lines[::step])))
+    (result,) = compilation.solution.results
+    assert text(result.formula) == "2*r*sin(phi)"
+    assert compilation.verdict.agrees
+
+
 KITE = """
 param phi = 50 deg in 20 deg .. 80 deg
 pivot O at (0, 0)

@@ -74,9 +74,8 @@ def test_what_is_on_one_line_in_a_pose_of_the_range_is_looked_for():
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("kind", ["equal lengths", "shared lengths"])
 @pytest.mark.parametrize("seed", range(40))
-def test_nothing_that_is_said_of_four_bars_of_equal_lengths_is_refuted(seed, tmp_path):
-    found = looked_at(
-        "equal lengths", Hunted(Made(made("equal lengths", seed).text), seed, tmp_path)
-    )
+def test_nothing_that_is_said_of_loops_of_equal_lengths_is_refuted(kind, seed, tmp_path):
+    found = looked_at(kind, Hunted(Made(made(kind, seed).text), seed, tmp_path))
     assert not found.refuted

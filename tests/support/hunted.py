@@ -23,6 +23,7 @@ from mechc.syntax import ast
 from open_chains import Chain
 from other_kinds import KINDS as OTHER_KINDS
 from other_kinds import other, put_toggle
+from shared_lengths import shared
 
 
 class Made(NamedTuple):
@@ -118,6 +119,7 @@ KINDS: dict[str, Callable[[int], Made | str | None]] = {
     "small with friction": small_closed,
     "flat": flat,
     "equal lengths": four_bar,
+    "shared lengths": shared,
     **{kind: (lambda seed, kind=kind: other(kind, seed)) for kind in OTHER_KINDS},
     "joined": joined,
 }

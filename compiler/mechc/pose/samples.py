@@ -11,7 +11,8 @@ from ..model.values import Chain, bounds, dependent
 from ..units import ANGLE, LENGTH
 from .pose import Definition
 
-NUMBER = 4
+NUMBER = 5
+"""The default pose, and two pairs of poses on either side of it."""
 
 STEP = 0.02
 """The part of a value, or of a usual one, by which poses lie apart."""
@@ -26,7 +27,11 @@ Given = list[tuple[Parameter, float | None]]
 
 
 def poses_nearby(mechanism: Mechanism, definitions: Iterable[Definition]) -> list[Values]:
-    """Return the default pose and some others; what has no value gets one in the others only."""
+    """Return the default pose and some others; what has no value gets one in the others only.
+
+    The others are pairs, each of which has the default pose in its middle: of two motions that
+    meet near it, one holds in it and in one pose at least of each pair.
+    """
     chain = Chain({**dependent(mechanism), **dict(definitions)})
     given = _given(mechanism)
     return [chain.complete(_moved(given, number)) for number in range(NUMBER)]
@@ -55,8 +60,9 @@ def _moved(given: Given, number: int) -> Values:
     lengths = (abs(v) for p, v in given if v is not None and p.dimension == LENGTH)
     longest = max(lengths, default=0.0)
     values: Values = {}
+    pair, side = (number + 1) // 2, 1 if number % 2 else -1
     for i, (parameter, value) in enumerate(given):
-        part = math.sin(1 + 7 * number + i)
+        part = side * math.sin(1 + 7 * pair + i)
         if value is None and number:
             low, high = bounds(parameter) if parameter.range else (0.6, 1.2)
             values[parameter.name] = (low + high) / 2 + (high - low) / 2 * part

@@ -53,10 +53,15 @@ class AssemblyHints:
         group: Loops,
         guide_lines: Mapping[str, GuideLine],
         measure: Measure,
+        size: float,
         angles: Collection[str],
     ) -> None:
-        """``guide_lines`` are those whose pins the group places, ``angles`` unknown directions."""
-        self._group, self._guide_lines, self._measure = group, guide_lines, measure
+        """``guide_lines`` are those whose pins the group places, ``angles`` unknown directions.
+
+        ``size`` is the longest side of the loops.
+        """
+        self._group, self._guide_lines = group, guide_lines
+        self._measure, self._size = measure, size
         self._angles = sorted(n for n in group.unknown if n in angles)
 
     def hint(self, poses: Sequence[Values], drive: str, refuted: bool) -> str:
@@ -138,14 +143,17 @@ class AssemblyHints:
         mine = self._measure(probe, values) or 0.0
         if len(probe.points) == 1:
             places = [self._measure(probe, p) or 0.0 for p in poses]
-            return "forward" if is_ahead(mine, places) else "back"
+            return "forward" if is_ahead(mine, places, self._size) else "back"
         return "" if mine == 0 else "ccw" if mine > 0 else "cw"
 
 
-def is_ahead(place: float, places: Sequence[float]) -> bool:
-    """Return whether a place is the farthest along the guide; several closures may share it."""
+def is_ahead(place: float, places: Sequence[float], size: float) -> bool:
+    """Return whether a place is the farthest along the guide; several closures may share it.
+
+    ``size`` is the longest side of the loop: all places may be zero but for rounding.
+    """
     known = [p for p in places if not math.isnan(p)]
-    return place > max(known) - SAME_PLACE * max(map(abs, known))
+    return place > max(known) - SAME_PLACE * max(size, *map(abs, known))
 
 
 def _degrees(angle: float) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from ...diagnostics import MechcError, Report
 from ...diagnostics import closures as closure_messages
 from ...diagnostics import pose as messages
+from ...formula.walk import symbols
 from ...model.mechanism import Assembly
 from ...named import NamedTuple
 from ..samples import Values
@@ -51,7 +52,7 @@ class Choice:
         if len(closures) == 1:
             return closures[0]
         possible = _with_lengths(possible, poses, group, state) or possible
-        read = Reading(state, _guide_lines(group, state))
+        read = Reading(state, _guide_lines(group, state), _longest_side(group, state.base))
         lines = [a for a in self._unused if within is None or _is_of_shape(a, within)]
         decisive = read.decisive(lines, poses, possible)
         self._unused = [a for a in self._unused if a not in decisive]
@@ -103,7 +104,7 @@ class Choice:
         """Report that nothing distinguishes the closures at some poses, and what would."""
         drive = self._state.mechanism.drive
         lines = {point: line for point, line in read.lines.items() if line.length in group.unknown}
-        hints = AssemblyHints(group, lines, read.measure, self._state.angles)
+        hints = AssemblyHints(group, lines, read.measure, read.size, self._state.angles)
         hint = hints.hint(poses, drive.parameter if drive else "", refuted)
         if decisive:
             self._report.stop_on_errors()
@@ -134,6 +135,13 @@ def _guide_lines(group: Loops, state: State) -> Mapping[str, GuideLine]:
     return {line.pin: line for line in guide_lines}
 
 
+def _longest_side(group: Loops, values: Values) -> float:
+    """Return the longest of the sides of which the length is known."""
+    lengths = (arm.length for edge in group.cycle for arm in edge.arms)
+    known = (n for n in lengths if symbols(n.formula()) <= values.keys())
+    return max((abs(length.evaluate(values)) for length in known), default=0.0)
+
+
 def _ahead(possible: list[int], group: Loops, poses: Sequence[Values], state: State) -> list[int]:
     """Return the one closure ahead of its guide; else all."""
     ahead = _reaching_ahead(group, poses, state)
@@ -148,10 +156,14 @@ def _reaching_ahead(group: Loops, poses: Sequence[Values], state: State) -> list
 
 
 class Reading(NamedTuple):
-    """How ``assembly`` lines are read at poses; a line on a pin along its guide, of ``lines``."""
+    """How ``assembly`` lines are read at poses; a line on a pin along its guide, of ``lines``.
+
+    ``size`` is the longest side of the loops.
+    """
 
     state: State
     lines: Mapping[str, GuideLine]
+    size: float
 
     def decisive(
         self, lines: Sequence[Assembly], poses: Sequence[Values], possible: Sequence[int]
@@ -183,7 +195,7 @@ class Reading(NamedTuple):
         if assembly.mode in ("ccw", "cw"):
             return mine > 0 if assembly.mode == "ccw" else mine < 0
         others = [self.measure(assembly, p) or 0.0 for p in poses]
-        ahead = [is_ahead(place, others) for place in others]
+        ahead = [is_ahead(place, others, self.size) for place in others]
         return not all(ahead) and ahead[i] == (assembly.mode == "forward")
 
     def measure(self, assembly: Assembly, values: Values) -> float | None:

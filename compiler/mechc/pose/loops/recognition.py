@@ -16,6 +16,9 @@ from ..vector_graph import Cycle, Names
 from .dyads import Closure
 from .state import State
 
+MOST_OF_THEM = 3
+"""The default pose, and one of each pair of poses around it."""
+
 
 def unwound(closure: Closure, state: State) -> Closure:
     """Return a closure with each angle of the user's within half a turn of the default pose.
@@ -58,7 +61,8 @@ def recognised(closure: Closure, unknown: Names, around: Iterable[Angle], state:
     """Return a closure with each direction that is one of those ``around`` written as that one.
 
     A parallelogram's coupler stays parallel to its frame: the numbers at several poses
-    show it, each with other lengths.
+    show it, each with other lengths. Near a pose where closures meet, those on this side
+    of it do.
     """
     poses = [state.tried(closure, values) for values in state.values]
     known = [a for a in around if state.graph.sought.isdisjoint(a.names)]
@@ -75,7 +79,7 @@ def _turns_whole(name: str, arm: Arm) -> bool:
 
 
 def _alike(name: str, angle: Angle, poses: Iterable[Values]) -> Angle | None:
-    """Return an angle, or its opposite, turned by quarters, if the unknown is it at all poses."""
+    """Return an angle, or its opposite, turned by quarters, if the unknown is it at most poses."""
     known = [v for v in poses if name in v and angle.names <= v.keys()]
     for sense in (1, -1):
         gaps = [values[name] - sense * angle.evaluate(values) for values in known]
@@ -85,14 +89,21 @@ def _alike(name: str, angle: Angle, poses: Iterable[Values]) -> Angle | None:
 
 
 def _quarters(gaps: Sequence[float]) -> int | None:
-    """Return how many quarters of a turn all gaps are, None where they are not alike."""
-    if len(gaps) < 3 or not all(map(math.isfinite, gaps)):
+    """Return how many quarters of a turn most gaps are, the first among them; None of others.
+
+    Beyond a pose where closures meet the gaps are those of another motion, or there are none.
+    """
+    if not gaps or not math.isfinite(gaps[0]):
         return None
     quarters = round(gaps[0] / (math.pi / 2))
-    turned = quarters * math.pi / 2
-    if any(abs(math.remainder(gap - turned, 2 * math.pi)) > SAME_ANGLE for gap in gaps):
-        return None
-    return quarters
+    alike = [gap for gap in gaps if _is_turned(gap, quarters)]
+    return quarters if gaps[0] in alike and len(alike) >= MOST_OF_THEM else None
+
+
+def _is_turned(gap: float, quarters: int) -> bool:
+    if not math.isfinite(gap):
+        return False
+    return abs(math.remainder(gap - quarters * math.pi / 2, 2 * math.pi)) <= SAME_ANGLE
 
 
 def _rewritten(closure: Closure, name: str, angle: Angle, keep: bool) -> Closure:
