@@ -249,3 +249,38 @@ def test_where_a_closure_that_is_followed_ends_another_one_may_be():
     assert compilation.gaps
     (warning,) = [w for w in warnings(compilation) if w.code == "W594"]
     assert warning.message.startswith("no pose is reached from the default one for phi from 152.7")
+
+
+UPRIGHT = """
+param a = 50 mm
+param phi = 30 deg
+pivot O at (-50 mm, 0 mm)
+pivot Q at (0 mm, 0 mm)
+link OA
+link AB
+OA = a @ phi
+AB = a
+slider B along y through Q
+assembly B back
+drive phi from 25 deg to {high} deg
+force F at B along y
+torque M on OA
+find k = M/F
+"""
+
+
+def test_a_loop_that_ends_where_the_drive_does_has_its_pole_there():
+    """The rod lies across its guide at 90°: its cosine is the root of a difference that is 0."""
+    stroke = Compilation(Source("m.mech", UPRIGHT.format(high=90))).stroke(5)
+    (pole,) = [s for s in stroke.singular if s.value == "infinite"]
+    assert pole.drive == pytest.approx(math.pi / 2)
+    short = Compilation(Source("m.mech", UPRIGHT.format(high=89.9999999))).stroke(5)
+    assert not [s for s in short.singular if s.value == "infinite"]
+
+
+def test_the_greatest_value_is_not_met_where_all_values_are_small_beside_the_least():
+    compilation = Compilation(Source("m.mech", UPRIGHT.format(high=89.9999999)))
+    (result,) = compilation.reported.results
+    (extent,) = result.extents
+    assert extent.greatest.x == pytest.approx(math.radians(40.5555), abs=1e-5)
+    assert not extent.greatest.again

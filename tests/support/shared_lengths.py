@@ -14,7 +14,7 @@ def shared(seed: int) -> str:
     rng = Random(seed)
     family = rng.choice((_slider, _four_bar, _slotted, _geared, _scott_russell, _six_bar))
     # how gears press on their pivots would have to be given; nothing loads the pivot of QC
-    can_rub = family not in (_geared, _slider)
+    may_have_friction = family not in (_geared, _slider)
     start = rng.choice((30, 45, 60, 90, 120, rng.randrange(5, 175)))
     lines = [
         f"param a = {rng.choice((40, 50, 60))} mm{_in(rng, 30, 80, 'mm')}",
@@ -22,7 +22,11 @@ def shared(seed: int) -> str:
         f"param phi = {start} deg",
         f"drive phi from {start - rng.choice((5, 40))} deg to {start + rng.choice((5, 60))} deg",
         *family(rng),
-        *(["friction pins 0.1 diameter 10 mm"] if can_rub and rng.random() < 0.25 else []),
+        *(
+            ["friction pins 0.1 diameter 10 mm"]
+            if may_have_friction and rng.random() < 0.25
+            else []
+        ),
     ]
     return "\n".join(lines) + "\n"
 

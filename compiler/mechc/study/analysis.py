@@ -12,7 +12,7 @@ from ..model.result import Definition, FrictionResult, Result
 from ..named import NamedTuple
 from ..units import Dimension
 from .intervals import EfficiencyRange, Locking, Range
-from .tolerances import SAME_RATIO, SAME_TURN
+from .tolerances import SAME_FIGURE, SAME_RATIO, SAME_TURN
 
 
 class Acted(NamedTuple):
@@ -77,9 +77,13 @@ class Extreme(NamedTuple):
 def least_and_greatest(found: Sequence[Extreme]) -> tuple[Extreme | None, Extreme | None]:
     """Return the extremes of all that were found, each with every place at which it is met.
 
+    A small value is not met wherever another one is small beside the greatest.
+
     >>> low, high = least_and_greatest([Extreme(1.0, 2.0), Extreme(3.0, 2.0), Extreme(2.0, 5.0)])
     >>> low, high
     (Extreme(x=1.0, value=2.0, again=(3.0,)), Extreme(x=2.0, value=5.0, again=()))
+    >>> least_and_greatest([Extreme(1.0, 2.0), Extreme(2.0, 2.01), Extreme(3.0, 1e9)])[0]
+    Extreme(x=1.0, value=2.0, again=())
     """
     if not found:
         return None, None
@@ -87,7 +91,8 @@ def least_and_greatest(found: Sequence[Extreme]) -> tuple[Extreme | None, Extrem
     width = max(each.x for each in found) - min(each.x for each in found)
 
     def met(best: Extreme) -> Extreme:
-        alike = (each.x for each in found if abs(each.value - best.value) <= SAME_RATIO * size)
+        near = SAME_RATIO * abs(best.value) + SAME_FIGURE * size
+        alike = (each.x for each in found if abs(each.value - best.value) <= near)
         places: list[float] = []
         for x in sorted(alike):
             if not places or x - places[-1] > SAME_TURN * width:

@@ -40,6 +40,9 @@ ALIKE, VARIES = 0.1, 0.3
 PLACES = 60
 """In how many parts a stroke is looked at for the usual size of a result."""
 
+NO_PART = 1e-3
+"""What a factor is at an end where it is nothing, at most, as a part of what it is beside it."""
+
 GROWS = 5.0
 """How much larger what is infinite somewhere is ten times nearer to it, at least."""
 
@@ -144,12 +147,14 @@ def roots_at(
 def _at_the_ends(factor: Function, stretch: StrokeInterval) -> Iterator[Root]:
     """Yield the ends beyond which nothing can be assembled, where the factor goes to zero.
 
-    It does so as a square root: it halves where the distance from the end is quartered.
+    It does so as a square root: it halves where the distance from the end is quartered. The drive
+    may end there, too: then the factor is nothing at the end itself, but for rounding.
     """
     step = DIFFERENCE * (stretch.high - stretch.low)
     ends = ((stretch.low, stretch.before, step), (stretch.high, stretch.after, -step))
     for end, why, inwards in ends:
-        if why and abs(factor(end + inwards)) < 0.7 * abs(factor(end + 4 * inwards)):
+        there, near, away = (abs(factor(end + part * inwards)) for part in (0, 1, 4))
+        if near < 0.7 * away and (why or there < NO_PART * near):
             yield Root(end, math.ulp(end))
 
 
