@@ -43,6 +43,9 @@ VIEWS: Mapping[str, str] = {
 }
 """The stages, and what is made only when it is asked for: nothing rests on it."""
 
+OF_WHAT_IS_FOUND = ("derivation", "routine")
+"""The stages that no message comes from."""
+
 EXACT = 15
 """Digits of a value that is handed on to a used mechanism."""
 
@@ -273,7 +276,7 @@ def settings_of(mechanism: Mechanism, given: Mapping[str, Given]) -> Settings:
 
 
 def compile_source(source: Source, settings: Settings | None = None) -> Compilation:
-    """Return a compilation that has gone through every stage, second opinions included.
+    """Return a compilation that has gone through every stage of :func:`complete`.
 
     Raises :class:`MechcError` with all diagnostics of the stage that found errors.
     """
@@ -281,9 +284,13 @@ def compile_source(source: Source, settings: Settings | None = None) -> Compilat
 
 
 def complete(compilation: Compilation) -> Compilation:
-    """Run every stage that has something to say: all but the program that targets emit."""
-    stages = (value for value in STAGES.values() if value != "routine")
-    compilation.run((*stages, *SECOND_OPINIONS))
+    """Run every stage that has something to say of a description, second opinions included.
+
+    The derivation and the program are made of what is found, and say nothing more; they wait
+    until they are asked for.
+    """
+    stages = (stage for stage in STAGES if stage not in OF_WHAT_IS_FOUND)
+    compilation.run((*map(STAGES.__getitem__, stages), *SECOND_OPINIONS))
     return compilation
 
 

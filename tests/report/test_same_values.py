@@ -9,7 +9,7 @@ from mechc.formula.facing import as_in, facing, led
 from mechc.formula.layout import in_degrees
 from mechc.formula.tree import Sum
 from mechc.report.book_forms import book_form
-from mechc.report.sentences.wording import geometry_first
+from mechc.report.sentences.order import geometry_first
 
 TURNS = {19: -90, 40: 90, -90: 90}
 

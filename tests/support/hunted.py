@@ -45,7 +45,9 @@ class Hunted:
     @cached_property
     def compilation(self) -> Compilation:
         put_toggle(self.folder)
-        return complete(Compilation(Source("hunted.mech", self.text, folder=self.folder)))
+        found = complete(Compilation(Source("hunted.mech", self.text, folder=self.folder)))
+        found.run(["derivation"])
+        return found
 
     @property
     def is_compiled(self) -> bool:

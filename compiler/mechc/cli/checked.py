@@ -85,7 +85,7 @@ def report(
     compilation: Compilation, verbose: bool, language: str = "en", width: int = sys.maxsize
 ) -> Iterator[str]:
     """Yield the lines on a sound description; those wider than ``width`` are broken."""
-    spell = _speller(compilation.mechanism, compilation.derivation.results, language, width)
+    spell = _speller(compilation.mechanism, compilation.results, language, width)
     if verbose:
         yield from overview_of(compilation, language)
     else:

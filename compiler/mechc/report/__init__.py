@@ -9,5 +9,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"book_forms"}
+    SELDOM = {"book_forms", "steps"}
     __getattr__ = waiting(__name__, SELDOM)

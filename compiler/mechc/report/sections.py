@@ -6,6 +6,7 @@
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Implicit, Symbol, System
@@ -16,11 +17,14 @@ from ..model.parts.targets import Efficiency, LoadRatio, SpeedRatio, WithFrictio
 from ..model.result import Definition
 from ..named import NamedTuple
 from ..study.analysis import Analysis
+from . import steps
 from .definitions import Letters, as_written, given_loads, letters
-from .derivation.friction import exact_name
+from .derivation import friction
 from .note import NoteLine, own_lines
 from .sentences.remarks import own_conditions, reaction
-from .steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
+
+if TYPE_CHECKING:
+    from .steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
 
 LONG = 24
 """The size of a force that takes more operations is given by the components."""
@@ -34,7 +38,7 @@ class Section:
     ``lines`` the formulas of the user's own among the results, as they are written.
     """
 
-    paragraphs: tuple[Paragraph, ...]
+    paragraphs: "tuple[Paragraph, ...]"
     results: tuple[Analysis, ...]
     where: tuple[Definition, ...]
     has_usual_g: bool = False
@@ -47,7 +51,7 @@ class Section:
 class PositionSection:
     """The position by one loop, as it is written, and the lengths given by numbers met in it."""
 
-    step: PositionStep
+    step: "PositionStep"
     where: tuple[Definition, ...]
     literals: tuple[Parameter, ...]
 
@@ -56,12 +60,12 @@ class Outline(NamedTuple):
     """A report in order: the position, ratios of speeds, the results under their headings."""
 
     position: tuple[PositionSection, ...]
-    ratios: tuple[NamedRatio, ...]
+    ratios: "tuple[NamedRatio, ...]"
     results: tuple[Section, ...]
 
 
 def outline(
-    derivation: Derivation, mechanism: Mechanism, given: Iterable[Parameter] = ()
+    derivation: "Derivation", mechanism: Mechanism, given: Iterable[Parameter] = ()
 ) -> Outline:
     """Return the outline of a report, each name defined once and where it is first needed.
 
@@ -77,7 +81,7 @@ def outline(
 
 
 def _position(
-    derivation: Derivation, mechanism: Mechanism, shown: "Shown", known: Letters
+    derivation: "Derivation", mechanism: Mechanism, shown: "Shown", known: Letters
 ) -> Iterator[PositionSection]:
     for step in derivation.position:
         shown.definitions(step.definitions)
@@ -87,7 +91,7 @@ def _position(
 
 
 def _results(
-    derivation: Derivation, mechanism: Mechanism, earlier: "Shown", known: Letters
+    derivation: "Derivation", mechanism: Mechanism, earlier: "Shown", known: Letters
 ) -> Iterator[Section]:
     lines = own_lines(mechanism, derivation.results)
     for explanation, results in _grouped(derivation, _found(derivation, mechanism)):
@@ -171,7 +175,7 @@ class Shown:
         """Note names with what they stand for."""
         self._known |= {d.name: d.formula for d in where}
 
-    def equations(self, explanation: Explanation) -> None:
+    def equations(self, explanation: "Explanation") -> None:
         """Note the names that the equations of an account define."""
         for paragraph in explanation.paragraphs:
             for left, right in paragraph.equations:
@@ -213,21 +217,21 @@ def _system(definition: Definition) -> System | None:
     return formula.system if isinstance(formula, Implicit) else None
 
 
-def _found(derivation: Derivation, mechanism: Mechanism) -> list[Analysis]:
+def _found(derivation: "Derivation", mechanism: Mechanism) -> list[Analysis]:
     """Return the results but for loads that are given, if there are others."""
     given = {load.name for load in given_loads(mechanism)}
     return [r for r in derivation.results if r.name not in given] or list(derivation.results)
 
 
 def _grouped(
-    derivation: Derivation, results: Sequence[Analysis]
-) -> Iterator[tuple[Explanation, Sequence[Analysis]]]:
+    derivation: "Derivation", results: Sequence[Analysis]
+) -> "Iterator[tuple[Explanation, Sequence[Analysis]]]":
     owners = {
         name: explanation for explanation in derivation.explanations for name in explanation.results
     }
     left = list(results)
     while left:
-        explanation = owners.get(left[0].name) or Explanation((left[0].name,), ())
+        explanation = owners.get(left[0].name) or steps.Explanation((left[0].name,), ())
         yield explanation, [r for r in left if r.name in explanation.results]
         left = [r for r in left if r.name not in explanation.results]
 
@@ -239,9 +243,9 @@ def _conditioned_once(results: Sequence[Analysis]) -> Iterator[Analysis]:
         yield replace(result, holds=()) if alike else result
 
 
-def _by_exact(result: Analysis, derivation: Derivation) -> Analysis:
+def _by_exact(result: Analysis, derivation: "Derivation") -> Analysis:
     """Return a result of first order by the exact one, if that is equal to it."""
-    name = exact_name(result, derivation.results)
+    name = friction.exact_name(result, derivation.results)
     return replace(result, formula=Symbol(name)) if name else result
 
 
@@ -272,7 +276,7 @@ def _components(result: Analysis, results: Iterable[Analysis]) -> tuple[Formula,
     return (beside["x"], beside["y"]) if {"x", "y"} <= beside.keys() else ()
 
 
-def chosen(derivation: Derivation, mechanism: Mechanism) -> Derivation:
+def chosen(derivation: "Derivation", mechanism: Mechanism) -> "Derivation":
     """Return a derivation with the results that the report holds; all where it names none.
 
     What friction makes of a result belongs to it.

@@ -16,7 +16,7 @@ from ...power.balance import Solved
 from ...power.definitions import intermediates
 from ...study.analysis import Analysis
 from ..kinds import SentenceKind
-from ..sentences.wording import positive_first
+from ..sentences.order import positive_first
 from ..steps import Derivation, Equation, Explanation, Paragraph
 from .forces import of_forces
 from .friction import of_friction

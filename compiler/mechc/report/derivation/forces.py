@@ -16,7 +16,7 @@ from ...pose.pose import Pose, Vector
 from ...power.balance import Release, Solved, Term
 from ...power.definitions import resting_on
 from ..kinds import SentenceKind
-from ..sentences.wording import positive_first
+from ..sentences.order import positive_first
 from ..steps import Equation, Explanation, Paragraph
 from .notation import direction_formula
 

@@ -22,7 +22,7 @@ from ...model.result import FrictionResult, Result
 from ...power.balance import Solved
 from ...study.analysis import Analysis
 from ..kinds import SentenceKind
-from ..sentences.wording import geometry_first, positive_first
+from ..sentences.order import geometry_first, positive_first
 from ..steps import Equation, Explanation, Paragraph
 from .earlier import EarlierSteps, driving, renamed
 

@@ -12,7 +12,8 @@ from ...formula.layout import has_minus
 from ...formula.tree import Formula, Sum, Symbol, negative, number, product, quotient, total
 from ...formula.walk import symbols
 from ...model.mechanism import LoadRatio, SpeedRatio
-from ..sentences.wording import is_speed, positive_first
+from ..sentences.order import positive_first
+from ..sentences.wording import is_speed
 from ..steps import Derivation, Equation, LastStep, PowerTerm, SpeedChain, Step
 
 Owners = Mapping[str, tuple[str, Product]]

@@ -16,7 +16,7 @@ from ...kinematics.plan import Plan
 from ...named import NamedTuple
 from ...power.balance import Balance
 from ...power.numbers import default_values
-from ..sentences.wording import positive_first
+from ..sentences.order import positive_first
 
 
 class Named(NamedTuple):

@@ -11,7 +11,7 @@ from ...model.mechanism import Force, ForcePair, Torque
 from ...named import NamedTuple
 from ...power.balance import Term
 from ..kinds import Rule
-from ..sentences.wording import positive_first
+from ..sentences.order import positive_first
 from ..steps import Equation, PowerTerm, Step
 from .notation import linear, times
 from .rules import rule_of_component

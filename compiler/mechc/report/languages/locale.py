@@ -1,9 +1,12 @@
 """What a language must say, and how its books write formulas."""
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from ...named import NamedTuple
-from ..kinds import PositionKind
+
+if TYPE_CHECKING:
+    from ..kinds import PositionKind
 
 
 class Locale(NamedTuple):
@@ -67,7 +70,7 @@ class Locale(NamedTuple):
     direction: str
 
     position: str
-    loops: Mapping[PositionKind, str]
+    loops: "Mapping[PositionKind, str]"
     turns: Mapping[str, str]
     velocities: str
     magnitudes: str

@@ -20,8 +20,8 @@ from ...model.mechanism import (
     WheelFriction,
 )
 from ..languages.locale import Locale
+from ..sentences.order import enumeration
 from ..sentences.speller import LoadWords
-from ..sentences.wording import enumeration
 from .notation import Notation, name, points
 from .printer import latex
 from .quantity import length_of, math

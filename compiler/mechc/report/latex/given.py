@@ -29,7 +29,7 @@ from ...named import NamedTuple
 from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale
-from ..sentences.wording import enumeration
+from ..sentences.order import enumeration
 from .friction import friction_sentences
 from .joints import joint_sentences
 from .notation import Notation, name, points, translated

@@ -8,8 +8,8 @@ from ...units import behind, size_of
 from ..languages.locale import Locale
 from .limits import states_both
 from .locking import rounded_value, span
+from .order import enumeration
 from .speller import Speller
-from .wording import enumeration
 
 MANY = 8
 """More zeros, or poles, than this are not listed."""

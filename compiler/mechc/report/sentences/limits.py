@@ -8,8 +8,8 @@ from ...formula.tree import ZERO, Formula, Sum, Symbol, total
 from ...study.analysis import Analysis, Cause, DeadCentre, Extent, Vanishing
 from ..languages.locale import Locale
 from .locking import span
+from .order import alternatives, positive_first
 from .speller import Speller
-from .wording import alternatives, positive_first
 
 LONG = 8
 """A condition of more operations says less than the places at which it holds."""

@@ -16,8 +16,8 @@ from ...study.intervals import (
 )
 from ...units import behind, size_of
 from ..languages.locale import Locale
+from .order import enumeration, positive_first
 from .speller import LoadWords, Speller
-from .wording import enumeration, positive_first
 
 Along = LockingIntervals | EfficiencyRange | Extent
 """What is stated along a parameter."""

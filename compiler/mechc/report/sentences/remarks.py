@@ -1,7 +1,7 @@
 """The remarks on a result, in sentences, whatever the language and whoever prints."""
 
 from collections.abc import Iterable
-from typing import assert_never
+from typing import TYPE_CHECKING, assert_never
 
 from ...formula.layout import is_angle
 from ...formula.names import split_ratio
@@ -24,16 +24,18 @@ from ...model.parts.targets import drives_from_below, drives_the_return
 from ...model.parts.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
 from ..languages.locale import Locale
-from ..steps import Paragraph
 from . import extents
 from .forces import force_words
 from .limits import limits
 from .locking import friction_remarks
+from .order import enumeration, joined
 from .speller import LoadWords, Speller
-from .wording import enumeration, joined
+
+if TYPE_CHECKING:
+    from ..steps import Paragraph
 
 
-def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
+def said(paragraph: "Paragraph", locale: Locale, spell: Speller) -> str:
     """Return the sentence of a paragraph."""
     names = {
         place: enumeration((spell.point(n) for n in listed), locale)
