@@ -9,6 +9,7 @@ import pytest
 import mechc
 from friction_chains import COUPLED
 from friction_statements import refuted
+from gripping_brake import gripping_brake
 from mechc.api import SolvedMechanism
 from mechc.cli.main import main
 from mechc.driver import Compilation
@@ -696,39 +697,19 @@ def test_a_wedge_is_judged_by_the_force_that_it_gives(tmp_path, capsys):
     assert "equilibrium of the free bodies agrees" in out
 
 
-BAND_BRAKE = """
-param mu = {mu} in 0 .. 0.5
-param a = 60 mm
-param b = 20 mm
-pivot O at (0 mm, 0 mm)
-pivot C at (0 mm, -250 mm)
-link OG "drum"
-link ACBH "lever"
-OG = 200 mm @ 0 deg
-CA = a @ 180 deg
-CB = b @ 0 deg
-CH = 350 mm @ 0 deg
-rope A, O along y, B along -y
-torque M on OG
-force P at H along y
-friction rope O mu wrap -180 deg drum 400 mm on OG
-find M
-let P = 300 N
-"""
-
-
 @pytest.mark.parametrize("mu", [0.3, 0.4])
 def test_a_brake_that_grips_by_itself_is_said_to_jam(mu, tmp_path, capsys):
-    """Without friction M is 0 everywhere; with it the band grips at a = b·exp(π·μ).
+    """Without friction M is 0 everywhere; with it the band grips at CA = CB·exp(π·μ).
 
     At μ = 0, an end of the range, nothing resists at all.
     """
-    result = mechc.loads(BAND_BRAKE.format(mu=mu)).results["M_f"]
+    brake = gripping_brake(f"{mu} in 0 .. 0.5", "find M\nlet P = 300 N")
+    result = mechc.loads(brake).results["M_f"]
     (reach,) = result.locking.reaches
     (part,) = reach.stretches
     assert (part.state, part.within) == ("jammed", (pytest.approx(math.log(3) / math.pi), 0.5))
     assert result.locking.state == ("free" if mu < math.log(3) / math.pi else "jammed")
-    out = stated(BAND_BRAKE.format(mu=mu), tmp_path, capsys, "check")
+    out = stated(brake, tmp_path, capsys, "check")
     assert "Jammed: no force M can move the mechanism for 0.3497 <= mu <= 0.5." in out
     assert out.count("can move") == (1 if mu == 0.3 else 2)
     assert SAMPLED in out

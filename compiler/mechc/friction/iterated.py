@@ -56,10 +56,9 @@ def first_order_case(
     for part in parts:
         factor = named_factor(part.pair, labels, signs).formula()
         force = _called(f"r_{part.pair.name}", part.force, forces, signs)
-        own = _slip_name(part.pair)
-        slip = ONE if part.slip == UNIT else _called(own, part.slip, slips, signs)
+        slip = _slip_called(part.pair, part.slip, partial(_called, named=slips, signs=signs))
         added.append(Part(factor, force, slip, sense * part.times))
-    equations = [(own, known) for named in (forces, slips) for own, known in named.items()]
+    equations = [*forces.items(), *slips.items()]
     step = Step(
         "first order",
         equations=(*equations, (Symbol(name), _sum(Symbol(ideal.name), added))),
@@ -81,7 +80,7 @@ def _in_names(ideal: Result, parts: Sequence["Power"], sense: int, signs: AtOneP
     for part in parts:
         factor = named_factor(part.pair, labels, signs).formula()
         force = called(f"r_{part.pair.name}", part.force)
-        slip = ONE if part.slip == UNIT else called(_slip_name(part.pair), part.slip)
+        slip = _slip_called(part.pair, part.slip, called)
         added.append(Part(factor, force, slip, sense * part.times))
     where = (_called_so(ideal), *signs.definitions)
     return Printed(
@@ -109,13 +108,14 @@ def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
     return lambda value: value * signs.of("", value)
 
 
-def _slip_name(pair: FrictionPair) -> str:
-    return f"{'Omega' if pair.joint.kind == 'pin' else 'v'}_{pair.name}"
+Naming = Callable[[str, Product], Formula]
+"""Gives a size a name, and returns it; what is alike may have one already."""
 
 
-def _slip_called(pair: FrictionPair, size: Product, signs: AtOnePose) -> Formula:
+def _slip_called(pair: FrictionPair, size: Product, called: Naming) -> Formula:
     """Return the name of a slip; one is no factor, as where a pin turns as much as the drive."""
-    return ONE if size == UNIT else Symbol(signs.define(_slip_name(pair), size.formula()))
+    letter = "Omega" if pair.joint.kind == "pin" else "v"
+    return ONE if size == UNIT else called(f"{letter}_{pair.name}", size)
 
 
 def named_factor(pair: FrictionPair, labels: Mapping[str, str], signs: AtOnePose) -> Product:
@@ -201,10 +201,14 @@ def exact_case(
     So has the load without friction, where it is long. A slip that is zero adds nothing.
     """
     labels, positive = radii(p.pair for p in loaded), positive_at(signs)
+
+    def called(name: str, size: Product) -> Formula:
+        return Symbol(signs.define(name, size.formula()))
+
     parts = []
     for p in loaded:
         if size := positive(p.slip_of_one):
-            slip = _slip_called(p.pair, size, signs)
+            slip = _slip_called(p.pair, size, called)
             factor = named_factor(p.pair, labels, signs).formula()
             parts.append(Part(factor, sizes.of(p.pair), slip, sizes.sense * p.times))
     is_long = count_operations(ideal.formula) > SHORT

@@ -1,9 +1,14 @@
-"""Columns along a stroke that say nothing new: of one value, or of the values of a result."""
+"""Columns along a stroke: what their names mean in words, and which of them say nothing new.
+
+A column says nothing new that has one value, or the values of a result.
+"""
 
 import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import assert_never
 
 from ..named import NamedTuple
-from ..study.stroke.stroke import Column, Stroke
+from ..study.stroke.stroke import AngleAt, Column, SpeedOf, Stroke
 
 SAME = 1e-9
 """Values along a stroke that differ by less than this part are one: rounding of operations."""
@@ -49,3 +54,35 @@ def _are_alike(index: int, other: int, factor: int, stroke: Stroke) -> bool:
     return all(
         a == b or abs(a - b) <= SAME * size or (math.isnan(a) and math.isnan(b)) for a, b in pairs
     )
+
+
+Spelled = Callable[[str], str]
+
+
+def legend(
+    columns: Iterable[Column],
+    words: Mapping[str, str],
+    symbol: Callable[[SpeedOf | AngleAt], str],
+    spell: Spelled,
+) -> Iterator[str]:
+    """Yield a sentence without its stop on each speed and each transmission angle.
+
+    ``symbol`` writes what it is called, ``spell`` points, links, loads and parameters.
+    """
+    for about in dict.fromkeys(about for column in columns for about in column.about):
+        yield _meaning(about, words, symbol(about), spell)
+
+
+def _meaning(
+    about: SpeedOf | AngleAt, words: Mapping[str, str], symbol: str, spell: Spelled
+) -> str:
+    match about:
+        case SpeedOf(_, kind, of, load):
+            said = words[f"means {kind}"]
+            return said.format(name=symbol, of=spell(of), load=spell(load) if load else "")
+        case AngleAt(_, pin, rod, link):
+            said = words["means angle" if link else "means at guide"]
+            other = spell(link) if link else ""
+            return said.format(name=symbol, of=spell(pin), rod=spell(rod), link=other)
+        case _:
+            assert_never(about)

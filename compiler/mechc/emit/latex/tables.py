@@ -5,13 +5,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import assert_never
 
-from ...report.columns import is_constant, repeated
+from ...report.columns import is_constant, legend, repeated
 from ...report.languages.locale import Locale
 from ...report.latex.notation import Notation, name, of_result, points
 from ...report.latex.quantity import decimal, usual_unit
 from ...report.latex.results import Speller
 from ...report.latex.unit_symbols import unit_symbol
-from ...report.sentences.legend import legend
 from ...study.stroke.stroke import AngleAt, Column, SpeedOf, Stroke
 from ...units import size_of
 

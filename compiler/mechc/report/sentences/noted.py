@@ -4,9 +4,8 @@ from ...model.mechanism import Axial, Normal, Reaction, WithFriction
 from ...study.analysis import Analysis
 from ..languages.locale import Locale
 from ..note import NoteLine
-from .forces import component_words
 from .remarks import kind
-from .speller import Speller
+from .speller import Speller, component_words
 
 
 def label(line: NoteLine, text: str, locale: Locale, spell: Speller) -> str:

@@ -25,11 +25,10 @@ from ...model.parts.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend
 from ..languages.locale import Locale
 from . import extents
-from .forces import force_words
 from .limits import limits
 from .locking import friction_remarks
 from .order import enumeration, joined
-from .speller import LoadWords, Speller
+from .speller import LoadWords, Speller, force_words
 
 if TYPE_CHECKING:
     from ..steps import Paragraph

@@ -25,10 +25,9 @@ from ...study.stroke.stroke import (
 )
 from ...study.tolerances import EXACT
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
-from ..columns import repeated
+from ..columns import legend, repeated
 from ..languages.letters import letters
 from ..languages.registry import locale
-from ..sentences.legend import legend
 from ..sentences.limits import dead_centre
 
 ENDS = {
