@@ -1,11 +1,17 @@
 """A size below zero is doubted in the sheet whose line gives it, once, and not where it is used."""
 
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
+from mechc.calculation.signs import _force
 from mechc.driver import Compilation, complete
 from mechc.files import read
+from mechc.formula.tree import Symbol, total
+from mechc.model.mechanism import Mechanism
+from mechc.units import FORCE, LENGTH
 
 TUBE = """sheet tube
 param D = {outer} mm
@@ -35,3 +41,16 @@ def test_one_of_a_used_sheet_is_doubted_there(tmp_path: Path) -> None:
     user = tmp_path / "user.mech"
     user.write_text('sheet user\nuse "tube.mech" as T\nlet w = T_A + T_A in mm^2\n', "utf-8")
     assert warned(user) == []
+
+
+@pytest.mark.parametrize(("asked", "force"), [("u", "m_F"), ("m_F", "m_F"), ("w", ""), ("x", "")])
+def test_the_force_that_a_bound_rests_on_is_found_through_formulas(asked: str, force: str) -> None:
+    """u = v, v = m_F, which is a force of a used mechanism; w = x + x, which is none."""
+    values = {"u": Symbol("v"), "v": Symbol("m_F"), "w": total([Symbol("x"), Symbol("x")])}
+    lets = [SimpleNamespace(name=name, value=value) for name, value in values.items()]
+    taken = [
+        SimpleNamespace(name="m_F", dimension=FORCE),
+        SimpleNamespace(name="x", dimension=LENGTH),
+    ]
+    mechanism = cast(Mechanism, SimpleNamespace(lets=lets, taken=taken))
+    assert _force(Symbol(asked), mechanism) == force

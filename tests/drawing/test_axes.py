@@ -2,7 +2,8 @@
 
 import pytest
 
-from mechc.drawing.axes import Frame, heading, numbers_below, numbers_beside
+from mechc.drawing.axes import Frame, heading, label, numbers_below, numbers_beside
+from mechc.drawing.drawing import Run
 from mechc.drawing.ticks import Scale
 from mechc.plot.plot import Axis
 from mechc.pose.places import Plane
@@ -53,3 +54,9 @@ def test_numbers_stand_below_and_beside_their_ticks():
     ]
     assert all(label.at.y + label.height / 2 < FRAME.low.y for label in below)
     assert all(label.at.x + label.width / 2 < FRAME.low.x for label in beside)
+
+
+def test_a_label_begins_at_its_place_in_the_middle_of_its_height():
+    found = label(Plane(10.0, 5.0), (Run("k_f"),))
+    assert found.at.x - found.width / 2 == pytest.approx(10.0)
+    assert found.at.y == 5.0

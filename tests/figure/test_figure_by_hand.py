@@ -7,16 +7,16 @@ from types import SimpleNamespace
 import pytest
 
 from mechc.figure import layout
-from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Rack
+from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Pivot, Rack
 from mechc.figure.from_balance import _Maker
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
 from mechc.figure.velocities import Velocities, rates
 from mechc.figure.ways import Linear, Way, Ways, along
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
-from mechc.formula.tree import Symbol, degrees, negative, number, total
+from mechc.formula.tree import Symbol, degrees, negative, number, product, total
 from mechc.frozen import replace
-from mechc.model.mechanism import Absolute, Along, Arrow, Force, Mirror
+from mechc.model.mechanism import Absolute, Along, Arrow, Force, ForcePair, Mirror
 from mechc.pose.places import Plane
 from small_poses import (
     ALONG,
@@ -25,11 +25,13 @@ from small_poses import (
     VALUES,
     at,
     driven_slider,
+    force,
     lever,
     on_pivots,
     plan,
     slider_crank,
     slotted,
+    torque,
     two_bars,
     wheels,
 )
@@ -260,3 +262,48 @@ def test_the_drive_is_as_fast_as_the_coordinates_of_points_say():
     here = Velocities("", {"A": Plane(-1.5, 2.0)}, {}, ())
     assert Known(None, None, None, 0)._rate(here) == pytest.approx(2.0)
     assert _Maker(None, None, None, 0)._rate(here) == 0
+
+
+class Asked(_Maker):
+    """What is driven is told, as a balance would tell it."""
+
+    def __init__(self, load, *quantities):
+        graph = SimpleNamespace(pose=slider_crank(definitions=[("w", number(2))]))
+        solved, term = SimpleNamespace(above=load.name), SimpleNamespace(load=load)
+        balance = SimpleNamespace(solved=[solved], terms=[term], plan=SimpleNamespace(graph=graph))
+        motion = SimpleNamespace(quantities=quantities, definitions=[("v", product_of("w", "r"))])
+        super().__init__(balance, SimpleNamespace(values=VALUES), motion, 0)
+
+
+def product_of(*names):
+    return product((Symbol(name), 1) for name in names)
+
+
+@pytest.mark.parametrize(
+    ("load", "points"),
+    [
+        (torque("T", "AB"), ("A", "B")),
+        (force("F", "B"), ("B",)),
+        (ForcePair("S", "O", "B", HERE), ("B", "O")),
+    ],
+)
+def test_velocities_are_measured_by_what_the_driving_load_acts_on(load, points):
+    assert Asked(load)._loaded() == points
+
+
+def test_velocities_and_slopes_of_coordinates_say_how_fast_the_drive_is():
+    """v = w r with w = 2 of the pose; accelerations and directions say nothing of it."""
+
+    def quantity(kind, axis):
+        return SimpleNamespace(kind=kind, axis=axis, of="B", formula=Symbol("v"))
+
+    asked = [("velocity", "x"), ("slope", "y"), ("acceleration", "x"), ("velocity", "")]
+    found = Asked(torque("M", "OA"), *(quantity(*each) for each in asked))._slopes()
+    assert list(found) == [("B", "x", pytest.approx(2 * R)), ("B", "y", pytest.approx(2 * R))]
+
+
+@pytest.mark.parametrize(("phi", "ground"), [(90, (0, -1)), (-90, (0, 1)), (-30, (0, -1))])
+def test_the_ground_of_a_pivot_is_down_unless_a_bar_hangs_there(phi, ground):
+    figure = draw(slider_crank(), {"phi": math.radians(phi)})
+    (pivot,) = (part for part in figure.parts if isinstance(part, Pivot))
+    assert pivot.ground == ground

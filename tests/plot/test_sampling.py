@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from mechc.plot.fitting import limits, pieces, smooth
+from mechc.plot.query import _is_round
 from mechc.plot.sampling import traced
 
 
@@ -125,3 +126,26 @@ def test_near_a_pole_the_rest_is_shown():
     low, high = limits([trace])
     assert -10 < low < -1
     assert 1 < high < 10
+
+
+def test_a_curve_that_ends_at_zero_has_one_there_and_one_that_fades_has_none():
+    assert whole(np.sin, 1.0, math.pi).zeros == pytest.approx([math.pi])
+    assert whole(np.cos, math.pi / 2, 3.0).zeros == pytest.approx([math.pi / 2])
+    assert whole(lambda x: np.exp(-100 * x), 0.0, 1.0).zeros == ()
+    assert whole(lambda x: np.exp(-100 * x), -1.0, 0.0).zeros == ()
+    assert whole(lambda x: np.exp(100 * x), -1.0, 0.0).zeros == ()
+
+
+@pytest.mark.parametrize(
+    ("step", "unit", "is_round"),
+    [
+        (30.0, "deg", True),
+        (36.0, "deg", False),
+        (0.25, "mm", True),
+        (0.3, "mm", False),
+        (200.0, "mm", True),
+        (0.0, "mm", False),
+    ],
+)
+def test_a_step_of_a_table_is_one_that_a_person_takes(step, unit, is_round):
+    assert _is_round(step, unit) is is_round
