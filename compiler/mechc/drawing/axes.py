@@ -16,6 +16,9 @@ PAPER = Pen("paper", 0.0)
 _SMALL = 3.3
 """The size of the numbers at ticks."""
 
+BELOW, BESIDE = 2.0, 1.2
+"""How far these are from the frame, in millimetres: letters leave room above them, not beside."""
+
 
 @frozen
 class Frame:
@@ -78,18 +81,22 @@ def numbers_below(frame: Frame, across: Scale) -> Iterator[Label]:
     """Yield the numbers at the ticks of the lower side."""
     for value in across.ticks:
         at = frame.at(Plane(value, frame.least.y))
-        runs = (Run(across.text(value)),)
-        width, height = box(runs, _SMALL)
-        yield Label(Plane(at.x, at.y - 2.0 - height / 2), runs, SYMBOL, _SMALL, width, height)
+        yield _number(across.text(value), at.minus(Plane(0.0, BELOW)), Plane(0.0, -0.5))
 
 
 def numbers_beside(frame: Frame, up: Scale) -> Iterator[Label]:
     """Yield the numbers at the ticks of the left side."""
     for value in up.ticks:
         at = frame.at(Plane(frame.least.x, value))
-        runs = (Run(up.text(value)),)
-        width, height = box(runs, _SMALL)
-        yield Label(Plane(at.x - 1.2 - width / 2, at.y), runs, SYMBOL, _SMALL, width, height)
+        yield _number(up.text(value), at.minus(Plane(BESIDE, 0.0)), Plane(-0.5, 0.0))
+
+
+def _number(text: str, at: Plane, away: Plane) -> Label:
+    """Return a number whose box has its middle so many widths and heights away from a place."""
+    runs = (Run(text),)
+    width, height = box(runs, _SMALL)
+    middle = at.plus(Plane(away.x * width, away.y * height))
+    return Label(middle, runs, SYMBOL, _SMALL, width, height)
 
 
 def label(at: Plane, runs: tuple[Run, ...], pen: Pen = SYMBOL) -> Label:

@@ -32,30 +32,37 @@ class Pins:
         if radius is None:
             return
         if statement.point is None:
-            self._remark_on_overlap(statement)
-            points = dict.fromkeys(p for body in self._bodies() for p in body.points)
-            pins = [point for point in points if self._is_pin(point)]
-            if not pins and not self._built.ropes:
-                self._scope.report.add(messages.friction_of_no_pins(statement.span))
-            for point in pins:
-                if point not in self._named:
-                    yield self._pin(point, radius, statement.span)
-            return
-        point = statement.point.text
-        if point not in self._scope.points.places:
-            return
+            yield from self._all_others(statement, radius)
+        elif statement.point.text in self._scope.points.places:
+            pin = self._one(statement.point, statement.link, radius, statement.span)
+            yield from (pin,) if pin else ()
+
+    def _all_others(self, statement: ast.PinFriction, radius: Formula) -> Iterator[PinFriction]:
+        """Yield the pins that have no line of their own; report where there are no pins at all."""
+        self._remark_on_overlap(statement)
+        points = dict.fromkeys(p for body in self._bodies() for p in body.points)
+        pins = [point for point in points if self._is_pin(point)]
+        if not pins and not self._built.ropes:
+            self._scope.report.add(messages.friction_of_no_pins(statement.span))
+        for point in pins:
+            if point not in self._named:
+                yield self._pin(point, radius, statement.span)
+
+    def _one(
+        self, named: ast.Name, fast: ast.Name | None, radius: Formula, span: Span
+    ) -> PinFriction | None:
+        """Return the pin at a point, ``fast`` in a link if that is said; None where it is wrong."""
+        point = named.text
         if not self._is_pin(point):
-            self._scope.report.add(messages.nothing_turns(statement.point.span, point))
-            return
-        if statement.link is None:
-            yield self._pin(point, radius, statement.span)
-            return
-        link = self._scope.points.link(statement.link)
+            self._scope.report.add(messages.nothing_turns(named.span, point))
+            return None
+        if fast is None:
+            return self._pin(point, radius, span)
+        link = self._scope.points.link(fast)
         if link and point not in link.points:
-            found = messages.pin_of_another(statement.link.span, point, link.name)
-            self._scope.report.add(found)
-        elif link:
-            yield PinFriction(point, link.name, radius, statement.span)
+            self._scope.report.add(messages.pin_of_another(fast.span, point, link.name))
+            return None
+        return PinFriction(point, link.name, radius, span) if link else None
 
     def _remark_on_overlap(self, statement: ast.PinFriction) -> None:
         """Say which pins would be thicker than they are apart on one body."""

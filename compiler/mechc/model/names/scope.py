@@ -1,6 +1,6 @@
 """The world of names: parameters, loads, results and lets, and what formulas may use."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import permutations
 from typing import Literal
 
@@ -205,32 +205,39 @@ class Scope:
         return found.pop() if len(found) == 1 else None
 
     def _unknown(self, symbol: ast.Symbol, usage: Usage) -> None:
-        vector = len(points_of(symbol.name)) > 1
-        hint = messages.vector_as_quantity(symbol.name, usage.posed) if vector else ""
-        if symbol.name.lower() in ("inf", "infinity", "nan"):
-            hint = "a value is a number, and finite"
-        if len(symbol.name) > 1 and symbol.name in PARTS:
-            hint = messages.unit_alone(symbol.name)
-        text, at = self.report.source.part(symbol.span)
-        hint = hint or messages.rest_of_unit(text.text[: at.start], symbol.name)
-        hint = hint or messages.power_of_unit(symbol.name)
-        if symbol.name == "radius":
-            hint = messages.NEGATIVE_RADIUS
-        if symbol.name in self.points.places:
-            hint = messages.point_as_quantity(symbol.name)
-        if symbol.name.lower() in AXES:
-            hint = messages.axis_in_words(symbol.name, AXES[symbol.name.lower()])
-        if form_of_pose(raised := _with_capitals(symbol.name)):
-            hint = hint or messages.points_in_small(symbol.name, raised)
-        if symbol.name == "z" and text.text[: at.start].endswith("along "):
-            hint = messages.PLANAR
-        if not_brought.without_friction(symbol.name) in self._results():
-            hint = messages.with_friction(symbol.name)
         use = not_brought.of_a_use(symbol.name, self.brought)
-        hint = hint or (not_brought.reason(symbol.name, use, self.entries) if use else "")
         near = f"{use.prefix}_" if use else ""
         offered = [name for name in self._offered(usage) if name.startswith(near)]
+        hint = next(filter(None, self._hints(symbol, usage, use)), "")
         self.unknown(symbol.span, symbol.name, offered, hint, use)
+
+    def _hints(self, symbol: ast.Symbol, usage: Usage, use: ast.Brought | None) -> Iterator[str]:
+        """Yield what an unknown name may have been meant as, the surest first, or ''."""
+        name, small, raised = symbol.name, symbol.name.lower(), _with_capitals(symbol.name)
+        text, at = self.report.source.part(symbol.span)
+        before = text.text[: at.start]
+        if not_brought.without_friction(name) in self._results():
+            yield messages.with_friction(name)
+        if name == "z" and before.endswith("along "):
+            yield messages.PLANAR
+        if small in AXES:
+            yield messages.axis_in_words(name, AXES[small])
+        if name in self.points.places:
+            yield messages.point_as_quantity(name)
+        if name == "radius":
+            yield messages.NEGATIVE_RADIUS
+        if len(name) > 1 and name in PARTS:
+            yield messages.unit_alone(name)
+        if small in ("inf", "infinity", "nan"):
+            yield "a value is a number, and finite"
+        if len(points_of(name)) > 1:
+            yield messages.vector_as_quantity(name, usage.posed)
+        yield messages.rest_of_unit(before, name)
+        yield messages.power_of_unit(name)
+        if form_of_pose(raised):
+            yield messages.points_in_small(name, raised)
+        if use:
+            yield not_brought.reason(name, use, self.entries)
 
     def _results(self) -> set[str]:
         return {name for name, entry in self.entries.items() if entry.kind == "result"}

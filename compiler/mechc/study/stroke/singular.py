@@ -247,14 +247,7 @@ def _merged(
 
     ``flat`` are the values at which a loop is flat.
     """
-    groups: list[list[Singular]] = []
-    for one in found:
-        last = groups[-1][-1] if groups else None
-        if last and last.result == one.result and one.drive - last.drive <= width:
-            groups[-1].append(one)
-        else:
-            groups.append([one])
-    for ones in groups:
+    for ones in _at_one_value(found, width):
         first = next((one for one in ones if one.sides), ones[0])
         if first.sides:
             yield first
@@ -263,15 +256,34 @@ def _merged(
         value = orders[first.result](first.drive, parts)
         if any(one.kind == "far" for one in ones):
             yield from _at_what_is_far(first, value)
-            continue
-        kind: Kind = "jump" if value == "jump" else "branch point"
-        undetermined = first._replace(value="undetermined", kind=kind)
-        if len({one.value for one in ones}) > 1:
-            yield next((one for one in ones if one.value == value), undetermined)
-        elif value == "jump":
-            yield undetermined
-        elif value != "finite" or first.value == "undetermined":
-            yield first
+        else:
+            yield from _of_order(ones, value)
+
+
+def _at_one_value(found: Sequence[Singular], width: float) -> list[list[Singular]]:
+    """Return singular poses, in order, those of a result together that are so near each other."""
+    groups: list[list[Singular]] = []
+    for one in found:
+        last = groups[-1][-1] if groups else None
+        if last and last.result == one.result and one.drive - last.drive <= width:
+            groups[-1].append(one)
+        else:
+            groups.append([one])
+    return groups
+
+
+def _of_order(ones: Sequence[Singular], value: Order | None) -> Iterator[Singular]:
+    """Yield one of singular poses at one value, as its order there says; none that is finite."""
+    first = ones[0]
+    undetermined = first._replace(
+        value="undetermined", kind="jump" if value == "jump" else "branch point"
+    )
+    if len({one.value for one in ones}) > 1:
+        yield next((one for one in ones if one.value == value), undetermined)
+    elif value == "jump":
+        yield undetermined
+    elif value != "finite" or first.value == "undetermined":
+        yield first
 
 
 def _at_what_is_far(one: Singular, value: Order | None) -> Iterator[Singular]:
