@@ -11,6 +11,8 @@ from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import substitute
+from mechc.model.mechanism import Pivot, Rack, Rope, Screw, WheelPair
+from small_poses import ALONG, HERE
 
 CRANK = """
 param phi = 40 deg in 0 deg .. 360 deg
@@ -190,3 +192,24 @@ def test_both_intensities_of_a_load_differ_on_paper() -> None:
     sizes = {p.name: p.unit for p in varied._compilation.mechanism.literals}
     assert (sizes["q_Q"], sizes["q_Q_2"]) == ("N/mm", "N/mm")
     assert "q_Q+2q_{Q,2}" in varied.emit("latex")
+
+
+R, S, P = Symbol("r"), Symbol("s"), Symbol("p")
+GEARS = WheelPair("gear", "O", "OA", R, "Q", "QB", S, False, HERE)
+
+
+@pytest.mark.parametrize(
+    ("joint", "sizes"),
+    [
+        (GEARS, [("r", "O", R), ("r", "Q", S)]),
+        (Rack("K", "O", "OA", R, HERE), [("r", "O", R)]),
+        (Screw("K", P, "OA", HERE), [("p", "K", P)]),
+        (Pivot("O", HERE), []),
+        (Rope(("A", "B"), (ALONG,), HERE), []),
+    ],
+)
+def test_the_sizes_of_a_joint_are_named_and_come_back_in_their_order(joint, sizes):
+    assert [tuple(size) for size in joint.sizes] == sizes
+    assert joint.with_sizes([formula for *_, formula in sizes]) == joint
+    others = [Symbol(f"n{i}") for i in range(len(sizes))]
+    assert [size.formula for size in joint.with_sizes(others).sizes] == others

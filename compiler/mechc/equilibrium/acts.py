@@ -16,15 +16,13 @@ from ..model.mechanism import (
     ForcePair,
     Link,
     Mechanism,
+    Meshing,
     Pivot,
-    Rack,
     Rope,
-    Screw,
     Slide,
     Slider,
     Slot,
     Torque,
-    WheelPair,
 )
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector, components, reverse
@@ -99,7 +97,7 @@ def bent(pose: Pose) -> Iterator[str]:
     yield from (contact.body for contact in pose.contacts)
     for joint in pose.mechanism.joints:
         match joint:
-            case WheelPair() | Rack() | Screw():
+            case Meshing():
                 yield from joint.bodies
             case Slot(guided=guided):
                 yield guided

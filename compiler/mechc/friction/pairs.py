@@ -21,11 +21,11 @@ from ..kinematics.release import Measure
 from ..model.mechanism import (
     CollarFriction,
     FaceFriction,
+    Feed,
     GuideFriction,
     JointFriction,
     PinFriction,
     PivotFriction,
-    Rack,
     Rope,
     RopeFriction,
     Screw,
@@ -198,7 +198,7 @@ def _rim(joint: JointRef, pose: Pose) -> Measure:
     match meshes.mesh_of(pose, joint.of):
         case WheelPair(first_link=link, first_radius=radius, arm=arm):
             return lambda graph: scaled(meshes.turning(graph, link, arm), pose.radii[radius])
-        case Rack(point) | Screw(point):
+        case Feed(point=point):
             return lambda graph: projection(graph.velocities[point], _guide(point, pose))
         case Rope():
             raise AssertionError("a rope has no rim")

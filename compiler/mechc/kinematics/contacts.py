@@ -4,15 +4,13 @@ from collections.abc import Iterator, Mapping
 from typing import assert_never
 
 from ..algebra.angle import Angle
-from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
-from ..formula.tree import PI
 from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..pose.pose import PointContact, Pose
 from . import meshes
-from .forms import combined, projection, scaled, subtract, turned
-from .graph import Form, Relation, Rule, Velocity
+from .forms import combined, projection, subtract, turned
+from .graph import Relation, Rule, Velocity
 
 Velocities = Mapping[str, Velocity]
 Spins = Mapping[str, int]
@@ -26,10 +24,8 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
         match joint:
             case WheelPair():
                 yield _mesh(joint, pose, spins)
-            case Rack():
-                yield _rack(joint, pose, velocities, spins)
-            case Screw():
-                yield _screw(joint, pose, velocities, spins)
+            case Rack() | Screw():
+                yield _feed(joint, pose, velocities, spins)
             case Rope():
                 yield _rope(joint, pose, velocities)
             case Slot(guided=guided) if guided:
@@ -76,34 +72,17 @@ def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:
     return Relation(rule, mesh.bodies[0], mesh.points, Angle(), form, mesh.span, mesh.id)
 
 
-def _rack(rack: Rack, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
-    along = _guide(rack.point, pose)
-    form = _driven(rack.point, spins[rack.link], pose.radii[rack.radius], pose, velocities)
-    form = subtract(form, projection(velocities[rack.pivot], along))
-    points = (rack.pivot, rack.point)
-    return Relation(Rule.RACK, rack.link, points, along, form, rack.span, rack.id)
-
-
-def _screw(screw: Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
-    lead = pose.radii[screw.pitch] / to_product(PI).scaled(2)
-    form = _driven(screw.point, spins[screw.link], lead, pose, velocities)
-    along = _guide(screw.point, pose)
-    return Relation(Rule.SCREW, screw.link, (screw.point,), along, form, screw.span, screw.id)
+def _feed(feed: Rack | Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
+    """V − ω · lead = 0, V the speed of a point along its guide, seen from a rack's pivot."""
+    along = pose.guide_of(feed.point)
+    assert along is not None, "the model lets racks and screws move guided points only"
+    form = meshes.travel(feed, pose, velocities, {spins[feed.link]: ONE})
+    rule = Rule.RACK if isinstance(feed, Rack) else Rule.SCREW
+    points = (feed.base, feed.point) if feed.base else (feed.point,)
+    return Relation(rule, feed.link, points, along, form, feed.span, feed.id)
 
 
 def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:
     """Σ (V_head − V_tail) · way = 0."""
     form = combined((ONE, growth) for growth in meshes.growths(rope, pose, velocities))
     return Relation(Rule.ROPE, "", rope.points, Angle(), form, rope.span)
-
-
-def _driven(point: str, spin: int, reach: Product, pose: Pose, velocities: Velocities) -> Form:
-    """Return V − ω·reach, V the speed of a slider along its guide."""
-    speed = projection(velocities[point], _guide(point, pose))
-    return subtract(speed, scaled({spin: ONE}, reach))
-
-
-def _guide(point: str, pose: Pose) -> Angle:
-    guide = pose.guide_of(point)
-    assert guide is not None, "the model lets racks and screws move guided points only"
-    return guide

@@ -9,8 +9,8 @@ from ..model.mechanism import (
     ForcePair,
     Link,
     Mechanism,
+    Meshing,
     Pivot,
-    Rack,
     Rope,
     Screw,
     Slider,
@@ -64,7 +64,7 @@ def _held(mechanism: Mechanism) -> Iterator[str]:
         match joint:
             case Pivot(point) | Slider(point) | Slot(point) | Contact(point):
                 yield point
-            case WheelPair() | Rack() | Screw() | Rope():
+            case Meshing() | Rope():
                 pass
             case _:
                 assert_never(joint)

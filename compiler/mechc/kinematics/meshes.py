@@ -8,7 +8,7 @@ from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI
-from ..model.mechanism import Mesh, Rack, Rope, Screw, WheelPair
+from ..model.mechanism import Feed, Mesh, Meshing, Rack, Rope, Screw, WheelPair
 from ..pose.pose import Pose
 from .forms import combined, projection, scaled, spin, subtract
 from .graph import Form, Graph, Velocity
@@ -17,7 +17,7 @@ from .graph import Form, Graph, Velocity
 def mesh_of(pose: Pose, id: str) -> Mesh | Rope:
     """Return the wheels, the rack, the screw or the rope of an id."""
     mesh = pose.mechanism.joint(id)
-    assert isinstance(mesh, WheelPair | Rack | Screw | Rope), "no other joint meshes"
+    assert isinstance(mesh, Meshing | Rope), "no other joint meshes"
     return mesh
 
 
@@ -25,6 +25,25 @@ def rims(mesh: WheelPair, pose: Pose) -> tuple[Product, Product]:
     """Return the radii of two wheels, the second one negative where both turn alike."""
     first, second = pose.radii[mesh.first_radius], pose.radii[mesh.second_radius]
     return first, -second if mesh.same else second
+
+
+def lead(feed: Rack | Screw, pose: Pose) -> Product:
+    """Return how far a link moves a point while it turns by a radian, as the guide points."""
+    match feed:
+        case Rack(radius=radius):
+            return pose.radii[radius]
+        case Screw(pitch=pitch):
+            return pose.radii[pitch] / to_product(PI).scaled(2)
+        case _:
+            assert_never(feed)
+
+
+def travel(feed: Rack | Screw, pose: Pose, velocities: Mapping[str, Velocity], turn: Form) -> Form:
+    """Return V of the point along its guide, less ω · lead, less that of what it is seen from."""
+    along = pose.guide_of(feed.point) or Angle()
+    ahead = subtract(projection(velocities[feed.point], along), scaled(turn, lead(feed, pose)))
+    base = velocities[feed.base] if feed.base else ()
+    return subtract(ahead, projection(base, along))
 
 
 def turning(graph: Graph, link: str, carrier: str) -> Form:
@@ -56,15 +75,8 @@ def slipping(graph: Graph, pose: Pose, mesh: Mesh | Rope) -> Form:
                     (second, turning(graph, mesh.second_link, mesh.arm)),
                 ]
             )
-        case Rack(point, pivot, link):
-            guide = pose.guide_of(point) or Angle()
-            ahead = projection(graph.velocities[point], guide)
-            rim = scaled(spin(graph, link), pose.radii[mesh.radius])
-            return subtract(subtract(ahead, rim), projection(graph.velocities[pivot], guide))
-        case Screw(point, pitch, link):
-            ahead = projection(graph.velocities[point], pose.guide_of(point) or Angle())
-            lead = pose.radii[pitch] / to_product(PI).scaled(2)
-            return subtract(ahead, scaled(spin(graph, link), lead))
+        case Feed():
+            return travel(mesh, pose, graph.velocities, spin(graph, mesh.link))
         case Rope():
             return combined((ONE, growth) for growth in growths(mesh, pose, graph.velocities))
         case _:

@@ -28,6 +28,8 @@ from .parts.friction import ThreadFriction as ThreadFriction
 from .parts.friction import WheelFriction as WheelFriction
 from .parts.friction import coulomb as coulomb
 from .parts.friction import tension_share as tension_share
+from .parts.holding import Feed as Feed
+from .parts.holding import Meshing as Meshing
 from .parts.linkage import Absolute as Absolute
 from .parts.linkage import Along as Along
 from .parts.linkage import ArcSlot as ArcSlot
@@ -210,7 +212,7 @@ class Mechanism:
     @property
     def meshes(self) -> tuple[Mesh, ...]:
         """Return the wheels, racks and screws."""
-        return tuple(j for j in self.joints if isinstance(j, WheelPair | Rack | Screw))
+        return tuple(j for j in self.joints if isinstance(j, Meshing))
 
     @property
     def brought_angles(self) -> frozenset[str]:

@@ -9,13 +9,11 @@ from .mechanism import (
     ForcePair,
     Link,
     Mechanism,
+    Meshing,
     Pivot,
-    Rack,
     Rope,
-    Screw,
     Slider,
     Slot,
-    WheelPair,
 )
 
 
@@ -37,7 +35,7 @@ def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
                 yield from (point, tail, head)
             case Rope():
                 yield from joint.points
-            case Pivot() | WheelPair() | Rack() | Screw():
+            case Pivot() | Meshing():
                 pass
             case _:
                 assert_never(joint)

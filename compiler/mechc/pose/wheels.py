@@ -2,22 +2,10 @@
 
 import math
 from collections.abc import Iterator
-from typing import assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..model.mechanism import (
-    Contact,
-    Mechanism,
-    Pivot,
-    Rack,
-    Rope,
-    RopeFriction,
-    Screw,
-    Slider,
-    Slot,
-    WheelPair,
-)
+from ..model.mechanism import Mechanism, RopeFriction, WheelPair
 from ..named import NamedTuple
 from ..source import Span
 from .pose import Pose, evaluate_vector
@@ -44,15 +32,7 @@ def radii(mechanism: Mechanism) -> Iterator[Formula]:
     """Yield the radius of every wheel, drum and circular slot and the pitch of every screw."""
     yield from (link.arc.radius for link in mechanism.links if link.arc)
     for joint in mechanism.joints:
-        match joint:
-            case WheelPair(first_radius=first, second_radius=second):
-                yield from (first, second)
-            case Rack(radius=size) | Screw(pitch=size):
-                yield size
-            case Pivot() | Slider() | Slot() | Contact() | Rope():
-                pass
-            case _:
-                assert_never(joint)
+        yield from (size.formula for size in joint.sizes)
     for friction in mechanism.friction.joints:
         if isinstance(friction, RopeFriction) and friction.reach is not None:
             yield friction.reach

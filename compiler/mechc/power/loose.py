@@ -6,12 +6,11 @@ from typing import assert_never
 from ..diagnostics import syntax
 from ..model.mechanism import (
     Contact,
+    Feed,
     Link,
     Mechanism,
     Pivot,
-    Rack,
     Rope,
-    Screw,
     Slider,
     Slot,
     WheelPair,
@@ -86,7 +85,7 @@ def _parts(mechanism: Mechanism) -> Iterable[tuple[str, set[str]]]:
                 yield "", {point, tail, head, f"link {link}"} - mechanism.fixed
             case WheelPair():
                 yield "", {f"link {name}" for name in joint.bodies}
-            case Rack(point, link=link) | Screw(point, link=link):
+            case Feed(point=point, link=link):
                 yield "", {point, f"link {link}"}
             case Rope():
                 yield "", {*joint.points} - mechanism.fixed

@@ -33,6 +33,7 @@ from ..mechanism import (
     Along,
     Arrow,
     Direction,
+    Feed,
     Geometry,
     Joint,
     Mechanism,
@@ -43,6 +44,7 @@ from ..mechanism import (
     Slider,
     WheelPair,
 )
+from ..parts.holding import Size
 from ..standing import direction_matters, place_matters
 from ..tolerances import VANISHED
 from .rigidity import Independent, Row, direction, fixed
@@ -72,15 +74,15 @@ def with_named_sizes(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
 
 
 def _with_named_size(joint: Joint, sketch: Sketch) -> Joint:
-    match joint:
-        case Rack(point) | Screw(point) if point not in sketch.places:
-            return joint
-        case Rack(point, pivot, radius=Number() as radius):
-            return replace(joint, radius=sketch.length_called(f"r_{pivot}", radius, point))
-        case Screw(point, Number() as pitch):
-            return replace(joint, pitch=sketch.length_called(f"p_{point}", pitch, point))
-        case _:
-            return joint
+    if not isinstance(joint, Feed) or joint.point not in sketch.places:
+        return joint
+
+    def named(size: Size) -> Formula:
+        if not isinstance(size.formula, Number):
+            return size.formula
+        return sketch.length_called(f"{size.letter}_{size.of}", size.formula, joint.point)
+
+    return joint.with_sizes([named(size) for size in joint.sizes])
 
 
 # -------------------------------------------------------------------- what wheels tie

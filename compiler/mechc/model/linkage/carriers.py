@@ -26,6 +26,7 @@ from ..mechanism import (
     Absolute,
     Arrow,
     Contact,
+    Feed,
     Force,
     ForcePair,
     Link,
@@ -35,9 +36,7 @@ from ..mechanism import (
     Mechanism,
     Offset,
     Pivot,
-    Rack,
     Rope,
-    Screw,
     Slider,
     Slot,
     Telescope,
@@ -153,10 +152,8 @@ class Carriers:
                 case WheelPair(kind):
                     first, *others = joint.bodies
                     yield from ((("body", first), ("body", other), kind) for other in others)
-                case Rack(point, link=link):
-                    yield ("point", point), ("body", link), "rack"
-                case Screw(point, link=link):
-                    yield ("point", point), ("body", link), "screw"
+                case Feed(point=point, link=link):
+                    yield ("point", point), ("body", link), type(joint).__name__.lower()
                 case Rope(route):
                     yield from ((("point", a), ("point", b), "rope") for a, b in pairwise(route))
                 case _:

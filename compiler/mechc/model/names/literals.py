@@ -7,7 +7,6 @@ own: of two links that are as long as each other a formula names the one that is
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from typing import assert_never
 
 from ...formula.names import another
 from ...formula.tree import ZERO, Constant, Formula, Sum, negative, number
@@ -19,23 +18,14 @@ from ...syntax import ast
 from ...units import LENGTH, UNITS, Dimension, si_unit
 from ..mechanism import (
     Arrow,
-    Contact,
     Force,
     ForcePair,
     Geometry,
-    Joint,
     Link,
     Load,
     Mechanism,
     Offset,
     Parameter,
-    Pivot,
-    Rack,
-    Rope,
-    Screw,
-    Slider,
-    Slot,
-    WheelPair,
 )
 from .scope import Named
 
@@ -117,18 +107,7 @@ def _vector(tail: str, head: str) -> str:
 
 def _of_joints(mechanism: Mechanism) -> Iterator[Quantity]:
     for joint in mechanism.joints:
-        match joint:
-            case WheelPair(first=first, second=second, span=span):
-                yield Quantity("r", first, joint.first_radius, span)
-                yield Quantity("r", second, joint.second_radius, span)
-            case Rack(pivot=pivot, radius=radius, span=span):
-                yield Quantity("r", pivot, radius, span)
-            case Screw(point, pitch, span=span):
-                yield Quantity("p", point, pitch, span)
-            case Pivot() | Slider() | Slot() | Contact() | Rope():
-                pass
-            case _:
-                assert_never(joint)
+        yield from (Quantity(*size, joint.span) for size in joint.sizes)
 
 
 def _numbers(quantity: Quantity) -> Iterator[Quantity]:
@@ -200,7 +179,7 @@ def _put(mechanism: Mechanism, known: Known) -> Mechanism:
         mechanism,
         loads=loads,
         geometry=tuple(_entry(entry, known, reach) for entry in mechanism.geometry),
-        joints=tuple(_joint(joint, known) for joint in mechanism.joints),
+        joints=tuple(j.with_sizes([_named(*s, known) for s in j.sizes]) for j in mechanism.joints),
         links=tuple(_link(link, lengths) for link in mechanism.links),
     )
 
@@ -216,24 +195,6 @@ def _link(link: Link, lengths: Lengths) -> Link:
     centre, pin = link.points
     radius = _between(centre, pin, lengths) or link.arc.radius
     return replace(link, arc=replace(link.arc, radius=radius))
-
-
-def _joint(joint: Joint, known: Known) -> Joint:
-    match joint:
-        case WheelPair(first=first, second=second):
-            return replace(
-                joint,
-                first_radius=_named("r", first, joint.first_radius, known),
-                second_radius=_named("r", second, joint.second_radius, known),
-            )
-        case Rack(pivot=pivot):
-            return replace(joint, radius=_named("r", pivot, joint.radius, known))
-        case Screw(point=point):
-            return replace(joint, pitch=_named("p", point, joint.pitch, known))
-        case Pivot() | Slider() | Slot() | Contact() | Rope():
-            return joint
-        case _:
-            assert_never(joint)
 
 
 def _reaches(loads: Iterable[Load]) -> Lengths:

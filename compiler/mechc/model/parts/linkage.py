@@ -6,13 +6,13 @@ from its mechanics in statics, never from this. Each has an ``id`` that no other
 share are no joints of their own: the links' points say them.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Literal
 
 from ...formula.tree import Formula
-from ...frozen import frozen
+from ...frozen import frozen, replace
 from ...source import Span
-from .holding import OnePoint, OnGround, OnLink
+from .holding import Feed, Meshing, OnePoint, OnGround, OnLink, Size, Unsized
 
 # ---------------------------------------------------------------------- directions
 
@@ -98,7 +98,7 @@ class Telescope:
 
 
 @frozen
-class Pivot(OnePoint, OnGround):
+class Pivot(OnePoint, OnGround, Unsized):
     """A point pinned to the ground."""
 
     point: str
@@ -111,7 +111,7 @@ class Pivot(OnePoint, OnGround):
 
 
 @frozen
-class Slider(OnePoint, OnGround):
+class Slider(OnePoint, OnGround, Unsized):
     """A point guided by the ground; ``through`` is a point of the guide's line, if given.
 
     ``is_of_slide`` marks the guide that states where a drawn slide runs, for loops to close. It
@@ -131,7 +131,7 @@ class Slider(OnePoint, OnGround):
 
 
 @frozen
-class Slot(OnePoint, OnLink):
+class Slot(OnePoint, OnLink, Unsized):
     """Pin ``point`` slides along the line from ``tail`` to ``head`` of a link.
 
     (V_B − V of the link's point under B) · normal of the line = 0. A ``guided`` link is fast
@@ -157,7 +157,7 @@ class Slot(OnePoint, OnLink):
 
 
 @frozen
-class Contact(OnePoint, OnLink):
+class Contact(OnePoint, OnLink, Unsized):
     """``point`` of its own link touches ``link`` (its line ``tail``–``head``).
 
     ``normal`` is the direction in which the link pushes the point; it can only push.
@@ -178,7 +178,7 @@ class Contact(OnePoint, OnLink):
 
 
 @frozen
-class WheelPair:
+class WheelPair(Meshing):
     """Two wheels, each fixed to a link on its centre: a pair of gears, a belt, a chain.
 
     Seen from the ``arm``, the link that carries both centres, ω₁ r₁ = ω₂ r₂ where ``same`` is
@@ -220,9 +220,20 @@ class WheelPair:
         """Return the bodies that it names."""
         return tuple(name for name in (*self.wheels, self.arm) if name)
 
+    @property
+    def sizes(self) -> tuple[Size, Size]:
+        """Return the radii of both wheels."""
+        first = Size("r", self.first, self.first_radius)
+        return first, Size("r", self.second, self.second_radius)
+
+    def with_sizes(self, formulas: Sequence[Formula]) -> "WheelPair":
+        """Return the pair with other radii."""
+        first, second = formulas
+        return replace(self, first_radius=first, second_radius=second)
+
 
 @frozen
-class Rack(OnLink):
+class Rack(Feed):
     """A slider, or a point of a slide, carries a rack that a gear on ``pivot`` drives.
 
     V of the slider along its guide = ω · radius: the rack passes the pivot on the right of
@@ -245,9 +256,24 @@ class Rack(OnLink):
         """Return the points that it holds."""
         return (self.point, self.pivot)
 
+    @property
+    def base(self) -> str:
+        """Return the pivot of the gear: the rack moves along as it does, too."""
+        return self.pivot
+
+    @property
+    def sizes(self) -> tuple[Size]:
+        """Return the radius of the gear."""
+        return (Size("r", self.pivot, self.radius),)
+
+    def with_sizes(self, formulas: Sequence[Formula]) -> "Rack":
+        """Return the rack with another radius of its gear."""
+        (radius,) = formulas
+        return replace(self, radius=radius)
+
 
 @frozen
-class Screw(OnePoint, OnLink):
+class Screw(OnePoint, Feed):
     """Turning ``link`` moves slider ``point`` along its guide by ``pitch`` per turn.
 
     V = ω · pitch/2π, right-handed for a positive pitch.
@@ -263,9 +289,19 @@ class Screw(OnePoint, OnLink):
         """Return the joint's name among all joints."""
         return f"screw {self.point} on {self.link}"
 
+    @property
+    def sizes(self) -> tuple[Size]:
+        """Return the pitch."""
+        return (Size("p", self.point, self.pitch),)
+
+    def with_sizes(self, formulas: Sequence[Formula]) -> "Screw":
+        """Return the screw with another pitch."""
+        (pitch,) = formulas
+        return replace(self, pitch=pitch)
+
 
 @frozen
-class Rope:
+class Rope(Unsized):
     """A rope from its first point over pulleys on the axles between to its last one.
 
     ``ways`` are the directions of its falls. Its length stays the same, whatever the radii of
@@ -300,7 +336,10 @@ def rope_id(route: Iterable[str]) -> str:
 Body = Link | Slide | Telescope
 Mesh = WheelPair | Rack | Screw
 Joint = Pivot | Slider | Slot | Contact | WheelPair | Rack | Screw | Rope
-"""A pass over joints matches all of them and ends in ``assert_never``: mypy names what is left."""
+"""A pass over joints matches all of them and ends in ``assert_never``: mypy names what is left.
+
+Kinds that are alike to it are one case, by what they have in common (``Meshing``, ``Feed``).
+"""
 
 
 # ------------------------------------------------------------------- drive, closure

@@ -12,13 +12,11 @@ from ...model.mechanism import (
     Contact,
     ForcePair,
     Mechanism,
+    Meshing,
     Pivot,
-    Rack,
     Rope,
-    Screw,
     Slider,
     Slot,
-    WheelPair,
 )
 from ...named import NamedTuple
 from ...source import Span
@@ -55,7 +53,7 @@ def guide_lines(mechanism: Mechanism, directions: Directions) -> Iterator[GuideL
                 angle, start = directions.resolve(along, f"theta_{pin}"), through
             case Slot(pin, _, start, head, span):
                 angle = directions.of(start, head)
-            case Pivot() | Contact() | WheelPair() | Rack() | Screw() | Rope():
+            case Pivot() | Contact() | Meshing() | Rope():
                 continue
             case _:
                 assert_never(joint)
