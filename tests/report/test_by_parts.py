@@ -7,6 +7,7 @@ from fractions import Fraction
 import mechc
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Symbol, number, product, total
+from mechc.model.values import UsualUnits
 from mechc.report.by_parts import by_parts
 from mechc.report.evaluated import Evaluated, Known
 from mechc.report.put_in import Quantity
@@ -14,7 +15,7 @@ from mechc.report.text.printer import UNICODE, print_formula
 
 A, B, Z = map(Symbol, ("a", "b", "Z_1"))
 SUM = total([A, B])
-KNOWN = Known({"a": Quantity(0.04, "mm"), "b": Quantity(0.03, "mm")}, "mm")
+KNOWN = Known({"a": Quantity(0.04, "mm"), "b": Quantity(0.03, "mm")}, UsualUnits("mm"))
 
 
 VOLUME = product([(A, 1), (SUM, 2)])

@@ -158,6 +158,25 @@ def test_a_ratio_that_is_another_one_is_shown_once():
     assert "vanishes" in text
 
 
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        (
+            "d45_11_screw_lever",
+            r"where $m$ vanishes, $n$ becomes infinite, and vice versa; "
+            "where $m$ rises, $n$ falls, and vice versa.",
+        ),
+        ("d45_10_two_screws", None),
+    ],
+)
+def test_what_is_said_of_a_ratio_is_not_said_of_its_inverse(name, said):
+    text = loaded(name).emit("latex").rpartition(r"\textbf{Force transmission coefficient:}")[2]
+    stated = [line.strip() for line in text.splitlines() if r"\item " in line]
+    inverse = r"\item $n=\frac{1}{m}$"
+    assert stated == [f"{inverse}: {said}" if said else f"{inverse}."]
+    assert "partial" not in text
+
+
 def test_what_is_nothing_but_rounding_is_zero_in_a_table():
     table = loaded("crank_slider").emit("latex", pictures=True).rpartition(r"\toprule")[2]
     assert r"$165$ & $0.000$ \\" in table

@@ -36,6 +36,32 @@ def test_a_report_says_the_unit():
     assert r"=25\,\text{м}^{-1}" in mechc.loads(LEVER, "u.mech").emit("latex", language="uk")
 
 
+WEIGHED = """param b = 24 in
+param h = 12 in
+param mu = 0.5
+slider A along x
+slider B along x
+link ABCG
+AB = b @ 0 deg
+AC = (0 in, h)
+AG = (b/2, b)
+force P at C along x
+force W at G along -y
+friction slider A mu
+friction slider B mu
+find P
+let W = 120 lbf
+"""
+
+
+def test_forces_are_in_the_unit_that_the_description_gives_them_in():
+    page = mechc.loads(WEIGHED, "u.mech").emit("latex")
+    assert "60\\,\\text{lbf}" in page
+    assert r"\text{N}" not in page
+    in_newtons = mechc.loads(WEIGHED.replace("let W = 120 lbf", "let W = 120 N"), "u.mech")
+    assert r"60\,\text{N}" in in_newtons.emit("latex")
+
+
 @pytest.mark.parametrize("unit", UNITS)
 def test_the_unit_printed_for_what_a_unit_measures_can_be_typed(unit):
     shown = si_unit(UNITS[unit].dimension)

@@ -17,8 +17,8 @@ from ..formula.straight_line import OFTEN, Solution, StraightLine, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
 from ..named import NamedTuple
-from ..units import ANGLE, LENGTH
-from .mechanism import Mechanism, Parameter, Require
+from ..units import ANGLE, FORCE, LENGTH, TORQUE, Dimension, of_length, si_unit
+from .mechanism import Let, Mechanism, Parameter, Require
 from .result import Result
 
 Values = Mapping[str, float]
@@ -207,10 +207,33 @@ def own_stroke(mechanism: Mechanism) -> tuple[Parameter, Formula, Formula] | Non
     return parameter, drive.low, drive.high
 
 
-def usual_length(mechanism: Mechanism) -> str:
-    """Return the unit in which a description gives its lengths first, metres where in none."""
-    given = (*mechanism.parameters, *mechanism.literals)
-    return next((p.unit for p in given if p.dimension == LENGTH and p.unit), "m")
+class UsualUnits(NamedTuple):
+    """The units of a page: of its lengths, its forces and its moments."""
+
+    length: str = "m"
+    force: str = "N"
+    moment: str = "N*m"
+
+    def of(self, dimension: Dimension) -> str:
+        """Return the unit of a value that none is given for, an angle's in degrees.
+
+        >>> usual = UsualUnits("mm", "lbf")
+        >>> [usual.of(LENGTH.scaled(power)) for power in (1, 2, 4, -1)]
+        ['mm', 'mm^2', 'mm^4', '1/m']
+        >>> usual.of(FORCE), usual.of(TORQUE), usual.of(ANGLE)
+        ('lbf', 'N*m', 'deg')
+        """
+        own = {ANGLE: "deg", FORCE: self.force, TORQUE: self.moment}
+        return own.get(dimension) or of_length(self.length, dimension) or si_unit(dimension)
+
+
+def usual_units(mechanism: Mechanism) -> UsualUnits:
+    """Return the units in which a description gives quantities first, of the SI where in none."""
+    given: tuple[Parameter | Let, ...]
+    given = (*mechanism.parameters, *mechanism.literals, *mechanism.lets)
+    first = {quantity.dimension: quantity.unit for quantity in reversed(given) if quantity.unit}
+    length, force, moment = map(first.get, (LENGTH, FORCE, TORQUE))
+    return UsualUnits(length or "m", force or "N", moment or "N*m")
 
 
 def own_unit(name: str, mechanism: Mechanism) -> str:

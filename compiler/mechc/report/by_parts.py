@@ -158,6 +158,6 @@ def _value(part: Formula, known: Known) -> Quantity | None:
     angles = [name for name, unit in units.items() if unit == "deg"]
     if not names_in(part) <= known.quantities.keys():
         return None
-    unit = found_unit(Definition("_", part), known.lengths, angles, values, units)
+    unit = found_unit(Definition("_", part), known.usual, angles, values, units)
     value = evaluate(part, values)
     return Quantity(value, unit) if unit is not None and isfinite(value) else None

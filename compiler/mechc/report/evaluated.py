@@ -22,12 +22,13 @@ from ..model.parts import written
 from ..model.result import Definition
 from ..model.values import (
     Chain,
+    UsualUnits,
     complete,
     completed,
     defaults,
     dependent,
     is_constant,
-    usual_length,
+    usual_units,
 )
 from ..named import NamedTuple
 from ..study.analysis import Analysis
@@ -35,7 +36,7 @@ from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
 from .definitions import FREE_FALL, given_loads, looked_up, usual_weights
 from .dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
-from .put_in import Quantity, has_units, in_numbers, usual_unit, values_of, without_rounding
+from .put_in import Quantity, has_units, in_numbers, values_of, without_rounding
 from .sections import Outline, Section
 from .sentences.remarks import asked
 
@@ -50,10 +51,10 @@ NOTHING = 1e-40
 
 
 class Known(NamedTuple):
-    """The quantities that formulas mention, and the unit of lengths that none is given for."""
+    """The quantities that formulas mention, and the units of those that none is given for."""
 
     quantities: Mapping[str, Quantity]
-    lengths: str
+    usual: UsualUnits
 
 
 def following(mechanism: Mechanism, shown: Set[Formula]) -> Mapping[str, Formula]:
@@ -86,7 +87,7 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     """Yield the definitions and results of a report that have a value, in its order."""
     given = _given(whole, mechanism)
     turned = [section for section in whole.results if not _is_as_printed(section, given)]
-    usual = usual_length(mechanism)
+    usual = usual_units(mechanism)
     known = Known(given, usual)
     yield from _of_looked_up(whole, mechanism, given)
     idle = _idle_directions(whole)
@@ -100,7 +101,7 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
             if section not in turned:
                 yield from _of_definition(name, formula, known)
         if section not in turned:
-            parts = _parts_of_force(section, whole, given)
+            parts = _parts_of_force(section, whole, given, usual)
             given |= {d.name: quantity for d, quantity in parts}
             for (name, formula), _ in parts:
                 yield from _of_definition(name, formula, known)
@@ -108,8 +109,8 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
             if line := section.lines.get(result.name):
                 yield from _of_line(line)
             else:
-                unit = usual_unit(result.dimension, usual)
-                forces = _iterated(result, mechanism, given)
+                unit = usual.of(result.dimension)
+                forces = _iterated(result, mechanism, given, usual)
                 yield from (Evaluated(Symbol(n), None, q, False) for n, q in forces.items())
                 given |= forces
                 numbers = Known({}, usual) if section in turned else known
@@ -231,7 +232,7 @@ def _accounted(section: Section, shown: set[str]) -> Iterator[Definition]:
 
 
 def _parts_of_force(
-    section: Section, whole: Outline, given: Mapping[str, Quantity]
+    section: Section, whole: Outline, given: Mapping[str, Quantity], usual: UsualUnits
 ) -> list[tuple[Definition, Quantity]]:
     """Return the forces of solved bodies that one at a joint is said to be made of.
 
@@ -247,7 +248,7 @@ def _parts_of_force(
         if isinstance(left, Symbol) and left.name in made_of and symbols(right) <= values.keys():
             made_of -= {left.name}
             if math.isfinite(size := evaluate(right, values)) and _is_force(left.name):
-                quantity = Quantity(size, si_unit(FORCE))
+                quantity = Quantity(size, usual.force)
                 found.append((Definition(left.name, right), quantity))
     return found
 
@@ -280,7 +281,7 @@ def _value(result: Analysis, unit: str) -> dict[str, Quantity]:
 
 
 def _iterated(
-    result: Analysis, mechanism: Mechanism, given: Mapping[str, Quantity]
+    result: Analysis, mechanism: Mechanism, given: Mapping[str, Quantity], usual: UsualUnits
 ) -> dict[str, Quantity]:
     """Return the forces at joints that a result with friction mentions, whatever they rest on.
 
@@ -290,7 +291,7 @@ def _iterated(
     if not named or result.default is None:
         return {}
     values = completed(values_of(given), result.where)
-    unit = si_unit(FORCE.over(_measured_by(result, mechanism)))
+    unit = usual.of(FORCE.over(_measured_by(result, mechanism)))
     known = (d.name for d in result.where if d.name in named and d.name in values)
     finite = ((name, values[name]) for name in known if math.isfinite(values[name]))
     return {name: Quantity(size * (abs(size) > NOTHING), unit) for name, size in finite}
@@ -328,10 +329,10 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals, *loads)}
     units = {name: _unit(p) for name, p in named.items()}
     units |= dict.fromkeys(usual_g, "m/s^2") | _of_loads(where, mechanism)
-    usual = usual_length(mechanism)
+    usual = usual_units(mechanism)
     bare = (p for p in looked_up(mechanism) if not p.unit)
-    units |= {p.name: _written_unit(p) or usual_unit(p.dimension, usual) for p in bare}
-    units |= {r.name: usual_unit(r.dimension, usual) for r in whole.ratios}
+    units |= {p.name: _written_unit(p) or usual.of(p.dimension) for p in bare}
+    units |= {r.name: usual.of(r.dimension) for r in whole.ratios}
     angles = {name for name, unit in units.items() if unit == "deg"}
     constants = (*mechanism.literals, *loads)
     values |= {p.name: evaluate(p.value, {}) for p in constants if p.value}
@@ -369,7 +370,7 @@ def _unit(parameter: Parameter) -> str:
 
 def found_unit(
     definition: Definition,
-    usual: str,
+    usual: UsualUnits,
     angles: Iterable[str],
     values: Mapping[str, float],
     units: Mapping[str, str],
@@ -378,4 +379,4 @@ def found_unit(
     plain = {"": NUMBER} | {unit: UNITS[unit].dimension for unit in units.values() if unit in UNITS}
     dimensions = {name: plain[unit] for name, unit in units.items() if unit in plain}
     found = found_dimension(definition, angles, values, dimensions)
-    return None if found is None else usual_unit(found, usual)
+    return None if found is None else usual.of(found)

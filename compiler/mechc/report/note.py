@@ -17,7 +17,7 @@ from ..model.dependence import unused
 from ..model.mechanism import Let, Mechanism, Parameter
 from ..model.parts.written import WrittenTable
 from ..model.result import Result
-from ..model.values import Chain, defaults, dependent, usual_length
+from ..model.values import Chain, UsualUnits, defaults, dependent, usual_units
 from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
@@ -33,7 +33,6 @@ from .put_in import (
     on_the_way,
     put_in,
     tables_of,
-    usual_unit,
     values_of,
 )
 
@@ -114,11 +113,11 @@ def own_lines(mechanism: Mechanism, results: Sequence[Result]) -> Mapping[str, N
     """Return the formulas of the user's own in a mechanism, by their names."""
     quantities: tuple[Parameter | Let, ...]
     quantities = (*mechanism.parameters, *mechanism.literals, *mechanism.lets)
-    units = {q.name: q.unit or usual_unit(q.dimension, "m") for q in quantities}
-    lengths = usual_length(mechanism)
-    units |= {r.name: usual_unit(r.dimension, lengths) for r in results if r.target is not None}
+    units = {q.name: q.unit or UsualUnits().of(q.dimension) for q in quantities}
+    usual = usual_units(mechanism)
+    units |= {r.name: usual.of(r.dimension) for r in results if r.target is not None}
     where = {d.name: d.formula for r in results for d in r.where}
-    units = {name: _unit_by_name(name, lengths) for name in where} | units
+    units = {name: _unit_by_name(name, usual.length) for name in where} | units
     chain = Chain({**where, **dependent(mechanism)})
     values = chain.complete(defaults(mechanism))
     values |= {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
@@ -203,7 +202,7 @@ def _on_the_way(
     dimensions = {p.name: p.dimension for p in (*mechanism.parameters, *mechanism.literals)}
     dimensions |= {let.name: let.dimension for let in mechanism.lets}
     dimensions |= {taken.name: taken.dimension for taken in mechanism.taken}
-    return on_the_way(result, values, dimensions, usual_length(mechanism))
+    return on_the_way(result, values, dimensions, usual_units(mechanism))
 
 
 def _number(known: Parameter) -> NoteLine:

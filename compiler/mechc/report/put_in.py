@@ -31,7 +31,7 @@ from ..formula.walk import children, constants, rebuild, symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism
 from ..model.parts.written import WrittenTable
-from ..model.values import Values, completed
+from ..model.values import UsualUnits, Values, completed
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..study.tolerances import SAME_RATIO
@@ -42,8 +42,6 @@ from ..units import (
     UNITS,
     Dimension,
     in_unit,
-    of_length,
-    si_unit,
     size_of,
 )
 from .dimensions import found_dimension, is_homogeneous, is_plain, is_solved, names_in, with_symbols
@@ -70,18 +68,6 @@ class Quantity(NamedTuple):
     def text(self, digits: int) -> str:
         """Return the value to so many digits in its unit: ``5 mm``."""
         return in_unit(self.value, self.unit, digits)
-
-
-def usual_unit(dimension: Dimension, lengths: str) -> str:
-    """Return the unit of a value that none is given for, ``lengths`` for one of these.
-
-    >>> from mechc.units import LENGTH
-    >>> [usual_unit(LENGTH.scaled(power), "mm") for power in (1, 2, 4, -1)]
-    ['mm', 'mm^2', 'mm^4', '1/m']
-    """
-    if dimension == ANGLE:
-        return "deg"
-    return of_length(lengths, dimension) or si_unit(dimension)
 
 
 def values_of(given: Mapping[str, Quantity]) -> dict[str, float]:
@@ -319,7 +305,7 @@ class Found(NamedTuple):
 
 
 def on_the_way(
-    result: Analysis, values: Values, dimensions: Mapping[str, Dimension], lengths: str
+    result: Analysis, values: Values, dimensions: Mapping[str, Dimension], usual: UsualUnits
 ) -> dict[str, Found]:
     """Return the values of the names that a result rests on, as far as their units are known.
 
@@ -334,7 +320,7 @@ def on_the_way(
         dimension = found_dimension(definition, angles, known, measures)
         if dimension is not None and math.isfinite(known[definition.name]):
             measures[definition.name] = dimension
-            value = Quantity(known[definition.name], usual_unit(dimension, lengths))
+            value = Quantity(known[definition.name], usual.of(dimension))
             found[definition.name] = Found(value, dimension)
     return found
 

@@ -123,6 +123,7 @@ class Shown:
         self._results: set[str] = set()
         self._known: dict[str, Formula] = {}
         self._ratios: dict[Formula, str] = {}
+        self._of_loads: dict[frozenset[str], Analysis] = {}
         self._conditions: dict[tuple[tuple[Formula, str, Formula], ...], str] = {}
         self._accounted: set[str] = set()
         self._stated: set[str] = set()
@@ -149,12 +150,25 @@ class Shown:
         return fresh
 
     def said_once(self, results: Iterable[Analysis]) -> Iterator[Analysis]:
-        """Yield results, a ratio that is equal to an earlier one with the name of that."""
+        """Yield results, a ratio that is equal to an earlier one, or its inverse, with its name."""
         for result in results:
             is_ratio = isinstance(result.target, LoadRatio | SpeedRatio) and symbols(result.formula)
             known = self._ratios.setdefault(result.formula, result.name) if is_ratio else ""
-            is_known = known not in ("", result.name)
-            yield replace(result, same_as=known, derivatives=None) if is_known else result
+            if known not in ("", result.name):
+                yield replace(result, same_as=known, derivatives=None)
+            elif inverse := self._inverse_of(result):
+                yield replace(result, inverse_of=inverse, derivatives=None)
+            else:
+                yield result
+
+    def _inverse_of(self, result: Analysis) -> str:
+        """Return the name of the earlier ratio of the same two loads, upside down; '' if none."""
+        if not isinstance(result.target, LoadRatio) or not symbols(result.formula):
+            return ""
+        loads = result.target.above, result.target.below
+        known = self._of_loads.setdefault(frozenset(loads), result)
+        is_inverse = isinstance(known.target, LoadRatio) and known.target.above == loads[1]
+        return known.name if is_inverse else ""
 
     def conditioned(self, results: Iterable[Analysis]) -> Iterator[Analysis]:
         """Yield results, one with several conditions that an earlier one had with its name."""

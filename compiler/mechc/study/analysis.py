@@ -156,7 +156,8 @@ class Analysis(Result):
     which values that is proved;
     ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
     the conditions of a result that is printed for one case, those of the earlier result
-    ``holds_as`` if it is named; of a ratio that is the ``same_as`` an earlier one no more is said;
+    ``holds_as`` if it is named; of a ratio that is the ``same_as`` an earlier one no more is said,
+    and of the ``inverse_of`` one only how what is said of that is to be read;
     ``inside`` are the names of its ``where`` that are coefficients of a system. ``locking`` states
     of a ratio with friction where nothing moves, ``driven`` of it whether the other loads drive
     the motion at the default pose (None where that is not known), ``efficiency_ranges`` of an
@@ -178,6 +179,7 @@ class Analysis(Result):
     holds: tuple[Require, ...] = ()
     holds_as: str = ""
     same_as: str = ""
+    inverse_of: str = ""
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
     driven: bool | None = None

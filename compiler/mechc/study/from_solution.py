@@ -22,7 +22,7 @@ from ..model.boxes import range_box
 from ..model.dependence import in_geometry
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
 from ..model.result import Definition, Result
-from ..model.values import Values, holds, usual_length
+from ..model.values import Values, holds, usual_units
 from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
@@ -153,7 +153,7 @@ def _sloping(
         size = numbers.of(replace(result, formula=formula)).number
         if size is not None and isfinite(size):
             dimension = result.dimension.over(mechanism.parameter(name).dimension)
-            unit = usual_length(mechanism) if dimension == LENGTH else ""
+            unit = usual_units(mechanism).length if dimension == LENGTH else ""
             slopes[name] = Slope(size, dimension, unit)
     return replace(result, derivatives=derivatives, slopes=slopes)
 

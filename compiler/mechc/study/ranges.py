@@ -8,8 +8,8 @@ from ..formula.roots import narrowed
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Result
-from ..model.values import own_unit, usual_length
-from ..units import ANGLE, LENGTH, in_unit, si_unit
+from ..model.values import own_unit, usual_units
+from ..units import ANGLE, LENGTH, in_unit
 from .intervals import Range
 from .tolerances import EXACT, NEARLY
 
@@ -74,12 +74,10 @@ def unit_of(name: str, mechanism: Mechanism) -> str:
 
 
 def scale_of(result: Result, mechanism: Mechanism) -> str:
-    """Return the unit in which a person reads a result: its own, degrees, lengths as given."""
+    """Return the unit in which a person reads a result: its own, else as others are given."""
     if own := own_unit(result.name, mechanism):
         return own
-    if result.dimension == ANGLE:
-        return "deg"
-    return usual_length(mechanism) if result.dimension == LENGTH else si_unit(result.dimension)
+    return usual_units(mechanism).of(result.dimension)
 
 
 Measure = Callable[[float], float]

@@ -347,6 +347,10 @@ LOCALE = Locale(
     holds="This holds while {conditions}.",
     holds_as="This holds under the same conditions as {result}.",
     same_as="{result} = {other}: what is said of {other} holds for it, too.",
+    inverse_of={
+        "limits": "where {other} vanishes, {result} becomes infinite, and vice versa",
+        "trends": "where {other} rises, {result} falls, and vice versa",
+    },
     requirements="The result holds for",
     numbers="Numerical values",
     at_default="At the values given",

@@ -157,6 +157,7 @@ class Locale(NamedTuple):
     holds: str
     holds_as: str
     same_as: str
+    inverse_of: Mapping[str, str]
     requirements: str
     numbers: str
     at_default: str

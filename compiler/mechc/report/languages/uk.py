@@ -357,6 +357,10 @@ LOCALE = Locale(
     holds="Це справедливо, доки {conditions}.",
     holds_as="Це справедливо за тих самих умов, що й {result}.",
     same_as="{result} = {other}: сказане про {other} справедливе й тут.",
+    inverse_of={
+        "limits": "там, де {other} дорівнює нулю, {result} прямує до нескінченності, і навпаки",
+        "trends": "там, де {other} зростає, {result} спадає, і навпаки",
+    },
     requirements="Результат справедливий, якщо",
     numbers="Числові значення",
     at_default="За заданих значень",

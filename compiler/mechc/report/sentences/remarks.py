@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, assert_never
 
 from ...formula.layout import is_angle
 from ...formula.names import split_ratio
-from ...formula.tree import ZERO, Call, Formula, Symbol, is_call, product, quotient
+from ...formula.tree import ONE, ZERO, Call, Formula, Symbol, is_call, product, quotient
 from ...formula.walk import symbols, walk
 from ...model.mechanism import (
     Axial,
@@ -208,6 +208,8 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
         senses = _senses(result, symbol, locale, spell)
         same = locale.same_as.format(result=symbol, other=other)
         return (*(senses if isinstance(result.target, SpeedRatio) else ()), same)
+    if result.inverse_of:
+        return (_inverse(result, symbol, locale, spell),)
     said = _holds(result, locale, spell) + _senses(result, symbol, locale, spell)
     said += limits(result, symbol, locale, spell)
     said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
@@ -222,6 +224,23 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     said += _trends(result, symbol, locale, spell)
     said += extents.extent_remarks(result, symbol, locale, spell)
     return (*said, *friction_remarks(result, locale, spell))
+
+
+def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> str:
+    """Say how what is said of the ratio that a result is the inverse of is to be read."""
+    other = _spelled(Symbol(result.inverse_of), spell)
+    told = ((n, trend) for n, trend in (result.trends or {}).items() if _is_news([n], result))
+    moves = (trend in ("rises", "falls") for _, trend in told)
+    kinds = {"limits": bool(result.zeros or result.poles), "trends": any(moves)}
+    said = [
+        locale.inverse_of[kind].format(result=symbol, other=other)
+        for kind, is_said in kinds.items()
+        if is_said
+    ]
+    inverse = spell.relation(
+        (asked(result), quotient(ONE, Symbol(result.inverse_of))), ("=",), False
+    )
+    return f"{inverse}: {'; '.join(said)}." if said else f"{inverse}."
 
 
 def _is_news(names: Iterable[str], result: Analysis) -> bool:
