@@ -37,14 +37,53 @@ def test_one_step_says_that_a_link_translates():
     "steps",
     [
         [PROJECTION, ALONG],
-        [AT_REST, ALONG],
         [PROJECTION, Step(Rule.ROTATION, AT_REST.subject, (), (Equation(SPIN, V_B),)), ALONG],
-        [Step(Rule.PROJECTION, ("B", "D"), (EQUAL,), (EQUAL,)), AT_REST],
-        [Step(Rule.PROJECTION, ("B", "C"), (), (Equation(V_C, negative(V_B)),)), AT_REST],
     ],
 )
 def test_what_is_not_of_two_equal_velocities_stays(steps):
     assert translating(steps) == tuple(steps)
+
+
+ALONE = Step(Rule.ROTATION, AT_REST.subject, AT_REST.relations, AT_REST.results)
+AWAY = Step(Rule.ROTATION, AT_REST.subject, (Equation(SPIN, ZERO),), AT_REST.results)
+
+
+@pytest.mark.parametrize(
+    ("step", "guided", "rule", "said"),
+    [
+        (ALONE, "", Rule.EQUAL_VELOCITIES, (EQUAL, Equation(SPIN, ZERO))),
+        (AWAY, "", Rule.EQUAL_VELOCITIES, (Equation(SPIN, ZERO),)),
+        (AWAY, "C", Rule.EQUAL_VELOCITIES, (Equation(SPIN, ZERO),)),
+        (ALONE, "BC", Rule.PARALLEL_GUIDES, (Equation(SPIN, ZERO),)),
+    ],
+)
+def test_a_link_whose_velocities_are_known_to_be_equal_translates(step, guided, rule, said):
+    found = translating([step, ALONG], frozenset(guided))
+    assert [each.rule for each in found] == [rule, Rule.COMPONENT_OF_TRANSLATION]
+    assert found[0].relations == said
+    assert found[0].results == (Equation(SPIN, ZERO),)
+    assert found[1].relations == (Equation(SAID.left, V_B),)
+
+
+PARALLEL = {
+    "en": "The guides of A and B are parallel: the link ABCG translates.",
+    "uk": "Напрямні точок A та B паралельні: ланка ABCG рухається поступально.",
+    "ru": "Направляющие точек A и B параллельны: звено ABCG движется поступательно.",
+}
+EQUAL_ENDS = {
+    "en": "The velocities of B and D are equal: the link BDH translates.",
+    "uk": "Швидкості точок B та D рівні: ланка BDH рухається поступально.",
+    "ru": "Скорости точек B и D равны: звено BDH движется поступательно.",
+}
+
+
+@pytest.mark.parametrize("language", PARALLEL)
+@pytest.mark.parametrize(
+    ("name", "expected"), [("cabinet_on_casters", PARALLEL), ("roberval_balance", EQUAL_ENDS)]
+)
+def test_it_is_said_that_guides_are_parallel_or_velocities_equal(name, expected, language):
+    steps = compiled(name).derivation.steps
+    assert expected[language] in sentences(steps, locale(language), lambda point: point)
 
 
 SENTENCES = {

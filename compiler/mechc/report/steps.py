@@ -50,7 +50,7 @@ class Step:
     """One numbered step: the rule, the points and link it is applied to, what it gives.
 
     ``subject`` are names of the drawing: for LEVER and ARM the pivot first, then the points;
-    for PROJECTION the two ends of the rod; for TRANSLATION the link and two points;
+    for PROJECTION the two ends of the rod; for TRANSLATION and its kinds the link and two points;
     for TURNING both links; for SLOT and CONTACT the pin
     and the body, for GEAR
     and BELT the two pivots, for ON_ARM the arm and the two centres, for RACK the pivot and the

@@ -8,7 +8,7 @@ from ...formula.facing import LONG, as_in, condition, facing, led
 from ...formula.layout import has_minus
 from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula, Product, Symbol, negative
-from ...formula.walk import substitute, walk
+from ...formula.walk import substitute, symbols, walk
 from ...friction.solution import Solution
 from ...frozen import replace
 from ...kinematics.plan import Plan
@@ -16,6 +16,7 @@ from ...pose.given_angles import given_lines
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
 from ..kinds import Rule
+from ..sentences.speller import guided_of
 from ..steps import Derivation, Equation, Explanation, LastStep, Step
 from . import equilibrium
 from .forces import of_forces
@@ -39,16 +40,17 @@ def derive(
     speeds = SpeedSteps(solution.balance)
     steps = tuple(speeds.steps())
     along = speeds_along(speeds)
+    mechanism = solution.plan.graph.pose.mechanism
     terms = power_terms(speeds, along)
     at_joints = equilibrium.explained_by_sums(solution, forces) if forces else of_forces(solution)
     derivation = Derivation(
-        translating((*steps, *(each.step for each in along.values()))),
+        translating((*steps, *(each.step for each in along.values())), guided_of(mechanism)),
         terms,
         tuple(power_equations(speeds, terms)),
         tuple(results),
         (*at_joints, *of_friction(solution, results)),
         ratios=tuple(speeds.ratios),
-        requires=solution.plan.graph.pose.mechanism.requires,
+        requires=mechanism.requires,
     )
     face = Facing(solution.plan)
     derivation = _facing(derivation, face)
@@ -134,27 +136,33 @@ def _facing(derivation: Derivation, face: Facing) -> Derivation:
 # -------------------------------------------------------------------------------------- translation
 
 
-def translating(steps: Sequence[Step]) -> tuple[Step, ...]:
+def translating(steps: Sequence[Step], guided: Set[str] = frozenset()) -> tuple[Step, ...]:
     """Return steps in which one says that a link translates, and why.
 
-    It stands for two, the equal projections of two velocities and the angular velocity that
-    comes to nothing; of what follows from that nothing has this angular velocity.
+    It may stand for two, the equal projections of two velocities and the angular velocity that
+    comes to nothing; of what follows from that nothing has this angular velocity. Points that
+    are ``guided`` move along guides of the ground.
     """
-    found = {step: ends for step in steps if (ends := _equal_ends(step, steps))}
-    still = {step.results[-1].left for step in found}
-    links = {step.subject[0] for step in found}
+    resting = {step: _equal_ends(step, steps) for step in steps if _is_at_rest(step)}
+    still = {step.results[-1].left for step in resting}
+    links = {step.subject[0] for step in resting}
     merged = [
-        _at_rest(each, still, links) if each not in found else _translation(each, found[each])
+        _translation(each, resting[each], guided)
+        if each in resting
+        else _at_rest(each, still, links)
         for each in steps
-        if each not in found.values()
+        if each not in resting.values()
     ]
     return tuple(merged)
 
 
+def _is_at_rest(step: Step) -> bool:
+    """Return whether a step finds that a link does not turn."""
+    return step.rule is Rule.ROTATION and bool(step.results) and step.results[-1].right == ZERO
+
+
 def _equal_ends(step: Step, steps: Sequence[Step]) -> Step | None:
-    """Return the step by which the ends of a link have one speed, if the link does not turn."""
-    if step.rule is not Rule.ROTATION or not step.results or step.results[-1].right != ZERO:
-        return None
+    """Return the step by which the ends of a link that does not turn have one speed."""
     ends = set(step.subject[1:])
     for before in steps[: steps.index(step)]:
         if before.rule is Rule.PROJECTION and set(before.subject) == ends and before.results:
@@ -162,9 +170,23 @@ def _equal_ends(step: Step, steps: Sequence[Step]) -> Step | None:
     return None
 
 
-def _translation(step: Step, ends: Step) -> Step:
-    equations = (ends.results[-1], step.results[-1])
-    return Step(Rule.TRANSLATION, step.subject, equations, equations)
+def _translation(step: Step, ends: Step | None, guided: Set[str]) -> Step:
+    """Return the step that says why a link translates, with what its points' speeds are."""
+    still = step.results[-1:]
+    if ends:
+        equations = (*ends.results[-1:], *still)
+        return Step(Rule.TRANSLATION, step.subject, equations, equations)
+    if guided >= {*step.subject[1:]}:
+        return Step(Rule.PARALLEL_GUIDES, step.subject, still, still)
+    return Step(Rule.EQUAL_VELOCITIES, step.subject, (*_equal_speeds(step), *still), still)
+
+
+def _equal_speeds(step: Step) -> list[Equation]:
+    """Return that the speeds of a link's two points are equal, where both are in its relation."""
+    speeds = [Symbol(f"V_{point}") for point in step.subject[1:]]
+    met = symbols(*(e.right for e in step.relations))
+    is_met = len(speeds) == 2 and met.issuperset(speed.name for speed in speeds)
+    return [Equation(*speeds)] if is_met else []
 
 
 def _at_rest(step: Step, still: Set[Formula], links: Set[str]) -> Step:

@@ -141,6 +141,8 @@ LOCALE = Locale(
         "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
         "translation": "The velocities of {rest} are parallel, and their projections on the line "
         "between these points are equal: the link {first} translates.",
+        "equal_velocities": "The velocities of {rest} are equal: the link {first} translates.",
+        "parallel_guides": "The guides of {rest} are parallel: the link {first} translates.",
         "body": "Plane motion of the link {first}: the velocity of one point and the rotation "
         "about it give the velocity of another ({rest}).",
         "plane": "Plane motion of the link {first}: the velocity of {last} is that of {second} "
