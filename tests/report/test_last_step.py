@@ -8,6 +8,7 @@ from mechc.algebra.equality import equal
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import substitute, symbols
+from mechc.report.kinds import Rule
 
 OPEN = ["karpenko_fig1_parallel_levers", "karpenko_fig9_packet_clamp", "tied_chain", "claw_closed"]
 
@@ -19,6 +20,33 @@ def test_speeds_found_one_after_another_make_a_product():
     assert text(last.chain.product) == "a*sin(alpha + beta)/(b*cos(beta))"
     assert text(last.ratio.left) == "P/F"
     assert text(last.ratio.right) == "V_K/(2*V_A*cos(alpha))"
+
+
+def test_speeds_that_lead_from_the_load_below_to_the_one_above_make_a_product_too():
+    """Steps go from the driven end; M/F asks for V_C/ω, so that each ratio is turned over."""
+    (last,) = compiled("four_bar").derivation.last_steps
+    assert text(last.chain.ratio) == "V_C/omega_O1A"
+    assert [text(link) for link in last.chain.links] == ["V_C/V_B", "V_B/V_A", "V_A/omega_O1A"]
+    assert text(last.chain.product) == "a*d*sin(phi - psi)/(c*sin(theta - psi))"
+    assert text(last.ratio.right) == "V_C/omega_O1A"
+
+
+def test_a_product_is_not_stated_once_more_upside_down():
+    steps = compiled("table_4_4_lever").derivation.last_steps
+    assert [text(step.ratio.left) for step in steps] == ["M/P", "P/M"]
+    assert [step.chain is not None for step in steps] == [True, False]
+
+
+def test_the_angular_velocity_under_a_couple_is_a_step():
+    derivation = compiled("four_bar").derivation
+    last = derivation.steps[-1]
+    assert last.rule is Rule.ARM
+    assert [text(e.right) for e in (*last.relations, *last.results)] == [
+        "len_O1A*omega_O1A",
+        "V_A/a",
+    ]
+    (balance,) = derivation.balances
+    assert text(balance.left) == "F*V_C - M*omega_O1A"
 
 
 @pytest.mark.parametrize("name", [n for n in (*CLOSED, *OPEN) if n != "triad_closed"])

@@ -25,13 +25,16 @@ def last_steps(derivation: Derivation, owners: Owners) -> Iterator[LastStep]:
     if len(derivation.balances) != 1:
         return
     terms = {term.load: term for term in derivation.terms}
-    found = _found(derivation.steps)
+    found, stated = _found(derivation.steps), set[frozenset[str]]()
     for target in (r.target for r in derivation.results if isinstance(r.target, LoadRatio)):
         ratio = quotient(Symbol(target.above), Symbol(target.below))
         if {target.above, target.below} == terms.keys():
             above, below = terms[target.above], terms[target.below]
             chain = _in_ratios(above, below, found)
-            chain = None if chain and _has_other_sign(chain, derivation) else chain
+            speeds = frozenset(symbols(chain.ratio)) if chain else frozenset()
+            if chain and (speeds in stated or _has_other_sign(chain, derivation)):
+                chain = None
+            stated.add(speeds)
             yield LastStep(chain, Equation(ratio, _ratio(above, below)))
         elif whole := _of_tied(target, derivation.terms, owners):
             yield LastStep(None, Equation(ratio, whole))
@@ -116,12 +119,14 @@ def _in_ratios(above: PowerTerm, below: PowerTerm, found: Found) -> SpeedChain |
     if any(len(names) != 1 for names in speeds):
         return None
     (of,), (to,) = speeds
-    chain = _chain(of, to, found)
+    chain, exponent = _chain(of, to, found), 1
+    if not chain:
+        chain, exponent = _chain(to, of, found), -1
     if len(chain) < 2:
         return None
-    names = [of, *(found[name][0] for name in chain)]
+    names = [chain[0], *(found[name][0] for name in chain)][::exponent]
     links = tuple(quotient(Symbol(a), Symbol(b)) for a, b in pairwise(names))
-    whole = to_product(product((found[name][1], 1) for name in chain)).formula()
+    whole = to_product(product((found[name][1], exponent) for name in chain)).formula()
     return SpeedChain(quotient(Symbol(of), Symbol(to)), links, whole)
 
 

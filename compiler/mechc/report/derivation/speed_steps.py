@@ -66,6 +66,7 @@ class SpeedSteps:
         self._names: dict[int, Named] = {}
         self._levered: set[str] = set()
         self._composed: set[str] = set()
+        self._turning: dict[int, Named] = {}
 
     @property
     def names(self) -> Names:
@@ -78,10 +79,14 @@ class SpeedSteps:
         return self._ratios.shown
 
     def names_at(self, form: Form, *points: str) -> Names:
-        """Return the names of a form's unknowns, by the speed of one of the points if it is met."""
+        """Return the names of a form's unknowns, by the speed of one of the points if it is met.
+
+        Of a link under a couple it is its angular velocity that is met.
+        """
+        turning = {u: n for u, n in self._turning.items() if self._graph.unknowns[u].of in points}
         met = self._levered | {n.symbol.name for n in self._names.values()}
         named = ((u, self._notation.of_point(u, point)) for u in form for point in points)
-        return {**self._names, **{u: n for u, n in named if n and n.symbol.name in met}}
+        return {**self._names, **turning, **{u: n for u, n in named if n and n.symbol.name in met}}
 
     def steps(self) -> Iterator[Step]:
         """Yield the steps that what was asked for rests on."""
@@ -97,6 +102,27 @@ class SpeedSteps:
             for flow in self._graph.velocities.get(point, ()):
                 if named := self._notation.of_point(flow.unknown, point):
                     yield from self._lever(flow.unknown, named)
+        if self.plan.mobility == 1:
+            yield from self._turning_under_couples()
+
+    def _turning_under_couples(self) -> Iterator[Step]:
+        """Yield the angular velocities of links under couples that are known by a point's speed."""
+        for term in self.balance.terms:
+            if isinstance(term.load, Torque) and any(term.power):
+                (unknown, *others) = spin(self._graph, term.load.link)
+                if self._names[unknown].point and not others and unknown not in self._turning:
+                    yield self._turn(unknown)
+
+    def _turn(self, unknown: int) -> Step:
+        """Return the step from the speed of a link's point to its angular velocity."""
+        known, named = self._names[unknown], self._notation.of_itself(unknown)
+        self._turning[unknown] = named
+        pivot = self._pivot_of(self._graph.unknowns[unknown].of)
+        rate = Equation(named.symbol, times(known.factor / named.factor, known))
+        arm = product([(self._arm(pivot, known.point), 1), (named.symbol, 1)])
+        is_positive = self._notation.sign(known.factor / named.factor) > 0
+        relation = Equation(known.symbol, arm) if is_positive else rate
+        return Step(Rule.ARM, (pivot, known.point), (relation,), (rate,))
 
     def _first_name(self, unknown: int) -> Named:
         """Name a drive by the first loaded point that moves with it."""
