@@ -185,6 +185,15 @@ LOCALE = Locale(
         "triangle": "Likewise triangle {loop}, its vertices in {turn} order.",
         "projection": "Likewise on the line {joined} the velocities of {all} have equal "
         "projections.",
+        "lever": "Likewise about the pivot {first} the velocities of {rest} are proportional to "
+        "their arms.",
+        "arm": "Likewise about the pivot {first} the velocity of {rest} is the angular velocity "
+        "times the arm.",
+        "slot": "Likewise the pin {first} slides in {rest}: their velocities across the slot "
+        "are equal.",
+        "contact": "Likewise {first} and {rest} have equal velocities along their common normal.",
+        "rack": "Likewise the rack {rest} moves with the gear on {first}.",
+        "screw": "Likewise the screw moves {rest}.",
         "translation": "Likewise the link {first} translates: the velocities of {rest} are equal.",
         "component_of_translation": "Likewise the velocity of {point} is that of {second}, here "
         "its component in the direction of the load {last}.",

@@ -19,7 +19,7 @@ from types import MappingProxyType
 
 from ...formula.layout import TRIGONOMETRIC, decimal, letter_of
 from ...formula.names import GREEK, split_name, words_in
-from ...formula.tree import Formula, Number, Pi, Power, Symbol
+from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
 from ...frozen import frozen
 from ...patterns import pattern
@@ -28,6 +28,9 @@ _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 _POWER = pattern(r"\^(\d+)")
+
+_RECIPROCAL = pattern(r" 1/(\w+)(?:\^(\d+))?$")
+"""A reciprocal unit behind its number: ``1/m``."""
 
 _WORD = pattern(r"[\w.°₀-₉]+")
 """An argument that needs no parentheses: a letter with its indices, a multiple, a number."""
@@ -88,11 +91,13 @@ def print_formula(formula: Formula, signs: Signs, angle: bool = False) -> str:
 
 
 def print_side(formula: Formula, signs: Signs, angle: bool) -> str:
-    """Return a side of a relation: a number alone is a decimal where it can be.
+    """Return a side of a relation: a number alone is a decimal, an angle in degrees, if it can be.
 
-    >>> print_side(Number(Fraction(3, 4)), UNICODE, False)
-    '0.75'
+    >>> print_side(Number(Fraction(3, 4)), UNICODE, False), print_side(ZERO, UNICODE, True)
+    ('0.75', '0°')
     """
+    if angle and formula == ZERO:
+        return _Terminal(signs).degrees("0")
     if isinstance(formula, Number) and not angle:
         return _Terminal(signs).number(formula.value, decimal(formula.value), Around.SUM)
     return print_formula(formula, signs, angle)
@@ -136,10 +141,13 @@ def print_quantity(quantity: str, signs: Signs) -> str:
 
     >>> print_quantity("-14.8 N*m", UNICODE), print_quantity("12 mm^3", UNICODE)
     ('−14.8 N·m', '12 mm³')
+    >>> print_quantity("25 1/m", UNICODE), print_quantity("25 1/m^2", UNICODE)
+    ('25 m⁻¹', '25 m⁻²')
     """
     written = quantity.replace(" deg", signs.degree).replace("-", signs.minus)
     if not signs.fancy:
         return written
+    written = _RECIPROCAL.sub(lambda m: f" {m[1]}{f'-{m[2] or 1}'.translate(_RAISED)}", written)
     raised = _POWER.sub(lambda power: power[1].translate(_RAISED), written)
     return raised.replace("*", "·")
 
