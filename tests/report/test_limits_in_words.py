@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import good_mechanisms
+import mechc
 from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
@@ -30,7 +31,7 @@ def said(name: str, language: str = "en") -> list[str]:
 def test_conditions_of_one_kind_stand_together_and_those_off_the_stroke_are_stated_as_such():
     (line,) = (each for each in said("jansen_leg") if "infinite when" in each)
     assert "sin μ_D = 0, sin μ_B = 0 or sin μ_E = 0 (dead centre" in line
-    assert line.endswith("; sampling finds none for 0 ≤ φ ≤ 360° and the values given.")
+    assert line.endswith("; sampling finds none for 0° ≤ φ ≤ 360° and the values given.")
     (line,) = (each for each in said("jansen_leg", "uk") if "нескінченності" in each)
     assert "sin μ_B = 0 або sin μ_E = 0" in line
 
@@ -57,7 +58,7 @@ def test_a_place_that_is_rounding_beside_its_range_is_zero(place):
     extent = replace(k.extents[0], least=least)
     spell = speller([k], found.mechanism, True, "en")
     (line,) = extent_remarks(replace(k, extents=(extent,)), "k", spell.locale, spell)
-    assert "at φ = 0;" in line
+    assert "at φ = 0°;" in line
 
 
 @pytest.mark.parametrize("name", ["crank_rocker", "toggle_clamp", "watt_closed", "whitworth"])
@@ -80,7 +81,7 @@ def test_a_stroke_without_zeros_or_poles_has_none(name):
 def test_friction_angles_are_not_followed_below_zero():
     for name in ("d45_16_wedge_hook_with_friction", "screw_jack_with_friction"):
         assert not any("−90° < ρ" in line or "ρ < 98°" in line for line in said(name))
-    assert any("0 < β ≤ ρ" in line for line in said("d45_16_wedge_hook_with_friction"))
+    assert any("0° < β ≤ ρ" in line for line in said("d45_16_wedge_hook_with_friction"))
 
 
 def test_a_law_is_explained_once():
@@ -137,3 +138,24 @@ def test_every_place_within_a_range_is_named(language, places, many):
         spell = speller(found.reported.results, found.mechanism, True, language)
         (k,) = found.reported.results
         assert any(expected in line for line in remarks(k, spell.locale, spell))
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "outside the ranges given, except perhaps where {} as well (dead centre"),
+        ("uk", "крім, можливо, випадків, коли водночас {} (мертве положення"),
+        ("ru", "кроме, возможно, случаев, когда одновременно {} (мёртвое положение"),
+    ],
+)
+def test_what_makes_a_condition_doubtful_is_written_as_in_the_formula(language, said):
+    """The sine of ψ − φ was the one of φ − ψ there, beside ψ − φ in the line before."""
+    text = mechc.load("bench_shears").emit("latex", language=language)
+    assert said.format(r"$\sin(\psi-\varphi)=0$") in text
+    assert r"\sin(\varphi-\psi)" not in text
+
+
+def test_a_condition_that_is_made_a_sine_is_the_one_of_the_formula():
+    text = mechc.load("steering_trapezium").emit("latex")
+    assert r"vanishes when $\sin(\psi-\delta+67^\circ)=0$" in text
+    assert r"\delta-\psi" not in text

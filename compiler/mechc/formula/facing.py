@@ -195,6 +195,15 @@ def _turned_as(formula: Formula, known: Mapping[frozenset[Formula], Sum]) -> For
     return None
 
 
+def without_sign(formula: Formula) -> Formula:
+    """Return a function without the minus before it.
+
+    >>> without_sign(negative(Call("sin", (number(1),)))) == Call("sin", (number(1),))
+    True
+    """
+    return _without_sign(formula)[1]
+
+
 def _without_sign(formula: Formula) -> tuple[int, Formula]:
     match formula:
         case Product((Number(value), Call() as call)) if value == -1:

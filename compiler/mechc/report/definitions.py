@@ -7,6 +7,7 @@ from fractions import Fraction
 from ..formula.choices import is_looked_up
 from ..formula.evaluate import equations
 from ..formula.layout import decimal, has_minus, short_decimal
+from ..formula.over_line import over_line
 from ..formula.tree import (
     ZERO,
     Constant,
@@ -123,7 +124,8 @@ def _as_written(definition: Definition, known: Letters) -> Definition:
     if name in known.choices:
         return Definition(name, known.choices[name])
     if unit is None or not isinstance(formula, Number):
-        return Definition(name, book_forms.book_form(formula, known.positive, known.ranges))
+        book = book_forms.book_form(formula, known.positive, known.ranges)
+        return Definition(name, over_line(book))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
     is_short = value.denominator < 10**DIGITS
     shown = value if is_short else Fraction(f"{float(value):.{DIGITS}g}")

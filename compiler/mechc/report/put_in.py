@@ -11,6 +11,7 @@ from itertools import pairwise
 from ..formula.evaluate import evaluate
 from ..formula.layout import TRIGONOMETRIC, diameters_behind, squares
 from ..formula.operations import count_operations
+from ..formula.over_line import over_line
 from ..formula.tree import (
     Call,
     Constant,
@@ -101,7 +102,7 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             return put_in(power(squares(sides), HALF), given)
         case Call(function, arguments):
             return Call(function, tuple(_argument(a, given) for a in arguments))
-        case Constant():
+        case Constant() | Power(Number()):
             return formula
         case Sum((Symbol(name) as first, *others)) if not isinstance(first, Constant):
             begun = _argument(first, given)  # nothing stands before its sign
@@ -203,9 +204,12 @@ def in_numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> F
     if has_units(formula, {name: given[name] for name in names}, bare):
         return None
     units = {given[n].unit for n in names} - {"", "deg"}
+    named = with_symbols(formula)
+    if over_line(formula) == formula:
+        named = over_line(named)
     if bare and len(units) == 1:
-        return put_in(with_symbols(formula), {n: _bare(q) for n, q in given.items()})
-    return put_in(with_symbols(formula), given)
+        return put_in(named, {n: _bare(q) for n, q in given.items()})
+    return put_in(named, given)
 
 
 def _is_value(formula: Formula, given: Mapping[str, Quantity]) -> bool:

@@ -4,9 +4,10 @@ from collections.abc import Iterable, Sequence, Set
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
-from ...formula.facing import LONG, as_in, condition, facing, led
+from ...formula.facing import LONG, as_in, condition, facing, led, without_sign
 from ...formula.layout import has_minus
 from ...formula.operations import count_operations
+from ...formula.over_line import over_line
 from ...formula.tree import ZERO, Formula, Product, Symbol, negative
 from ...formula.walk import substitute, symbols, walk
 from ...friction.solution import Solution
@@ -67,8 +68,11 @@ class Facing:
         self._quarter = given_lines(plan.graph.pose)
 
     def of(self, formula: Formula) -> Formula:
-        """Return a formula with its sines of differences turned, its sums led by a plus."""
-        faced = facing(formula, self._values, self._quarter)
+        """Return a formula with its sines of differences turned, its sums led by a plus.
+
+        Its quotients have whole numbers, not decimals.
+        """
+        faced = over_line(facing(formula, self._values, self._quarter))
         return faced if count_operations(faced) > LONG else led(faced)
 
     def relation(self, equation: Equation) -> Equation:
@@ -84,11 +88,16 @@ class Facing:
 
     def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
         """Return a condition under which a formula is zero or infinite as the formula has it."""
-        if limit.factor in walk(formula):
-            return limit
-        factor = condition(limit.factor, self._values, self._quarter)
-        but = (condition(other, self._values, self._quarter) for other in limit.but)
+        factor, *but = (self._condition(f, formula) for f in (limit.factor, *limit.but))
         return limit._replace(factor=factor, but=tuple(but))
+
+    def _condition(self, factor: Formula, formula: Formula) -> Formula:
+        """Return a factor that is zero as a formula has it, else as it would be written alone."""
+        if factor in walk(formula):
+            return factor
+        turned = condition(factor, self._values, self._quarter)
+        shown = (without_sign(as_in(one, formula)) for one in (factor, turned))
+        return next((one for one in shown if one in walk(formula)), turned)
 
     def equations(self, equations: Iterable[Equation]) -> tuple[Equation, ...]:
         """Return equations, either side of each by itself."""

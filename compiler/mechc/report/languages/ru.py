@@ -282,7 +282,7 @@ LOCALE = Locale(
     when="то есть при {condition}",
     and_every="{first} и далее через каждые {period}",
     unmet="; при {span} и приведённых значениях выборочная проверка такого не обнаружила",
-    but_where="возможно, кроме случаев, когда выполняется ещё и одно из следующего: {conditions}",
+    but_where="кроме, возможно, случаев, когда одновременно {conditions}",
     causes={
         "dead centre": "мёртвое положение: {still}, а {moving}",
         "still": "{name} не движется",

@@ -281,7 +281,7 @@ LOCALE = Locale(
     when="тобто при {condition}",
     and_every="{first} і далі через кожні {period}",
     unmet="; за {span} і наведених значень вибіркова перевірка такого не виявила",
-    but_where="можливо, крім випадків, коли справджується ще й одне з такого: {conditions}",
+    but_where="крім, можливо, випадків, коли водночас {conditions}",
     causes={
         "dead centre": "мертве положення: {still}, а {moving}",
         "still": "{name} не рухається",

@@ -78,11 +78,11 @@ def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: 
     said = template.format(result=symbol, condition=_zero(limit.factor, spell))
     if limit.at:
         said += ", " + locale.when.format(condition=_places(*limit.at, limit, locale, spell))
-    if limit.but:
-        but = (_zero(factor, spell) for factor in limit.but)
-        said += ", " + locale.but_where.format(conditions=", ".join(but))
     if limit.outside:
         said += ", " + locale.out_of_ranges
+    if limit.but:
+        but = alternatives([_zero(factor, spell) for factor in limit.but], locale)
+        said += ", " + locale.but_where.format(conditions=but)
     return f"{_with_cause(said, limit, locale, spell)}."
 
 
