@@ -229,8 +229,8 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
 def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> str:
     """Say how what is said of the ratio that a result is the inverse of is to be read."""
     other = _spelled(Symbol(result.inverse_of), spell)
-    told = ((n, trend) for n, trend in (result.trends or {}).items() if _is_news([n], result))
-    moves = (trend in ("rises", "falls") for _, trend in told)
+    trends = ((n, trend) for n, trend in (result.trends or {}).items() if _is_news([n], result))
+    moves = (trend in ("rises", "falls") for _, trend in trends)
     kinds = {"limits": bool(result.zeros or result.poles), "trends": any(moves)}
     said = [
         locale.inverse_of[kind].format(result=symbol, other=other)
