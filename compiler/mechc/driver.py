@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from .diagnostics import Diagnostic, MechcError, Report
-from .emit.target import Emitted, Options, Target
 from .frozen import replace
 from .model.mechanism import Mechanism
 from .model.values import defaults, independent
@@ -24,6 +23,7 @@ from .work import Allowance
 if TYPE_CHECKING:
     from .drawing.drawing import Drawing
     from .drawing.moving import Marks
+    from .emit.target import Emitted, Options, Target
     from .equilibrium.equilibrium import Equilibrium
     from .figure.figure import Figure
     from .figure.velocities import Velocities
@@ -300,7 +300,7 @@ def checked(compilation: Compilation) -> Compilation:
     return compilation
 
 
-def emit(compilation: Compilation, target: Target, options: Options) -> tuple[Emitted, ...]:
+def emit(compilation: Compilation, target: "Target", options: "Options") -> "tuple[Emitted, ...]":
     """Return the files of one target; the first is the main one."""
     compiled = checked(compilation)
     with within(Allowance(), compilation.report):

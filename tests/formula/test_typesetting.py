@@ -11,7 +11,8 @@ from mechc.formula.tree import Call, Formula, Implicit, Number, Power, Product, 
 from mechc.formula.typesetting import Row, Typesetter
 from mechc.report.latex.notation import notation
 from mechc.report.latex.printer import latex
-from mechc.report.text.printer import ASCII, UNICODE, print_formula
+from mechc.report.text.printer import print_formula
+from mechc.report.text.signs import ASCII, UNICODE
 from report_samples import formula
 
 BOTH = {

@@ -11,7 +11,8 @@ from mechc.model.values import UsualUnits
 from mechc.report.by_parts import by_parts
 from mechc.report.evaluated import Evaluated, Known
 from mechc.report.put_in import Quantity
-from mechc.report.text.printer import UNICODE, print_formula
+from mechc.report.text.printer import print_formula
+from mechc.report.text.signs import UNICODE
 
 A, B, Z = map(Symbol, ("a", "b", "Z_1"))
 SUM = total([A, B])

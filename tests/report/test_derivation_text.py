@@ -12,7 +12,8 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Constant, Symbol, number, product
 from mechc.report.sentences.wording import as_ratio
 from mechc.report.text.derivation import render
-from mechc.report.text.printer import ASCII, UNICODE, print_formula
+from mechc.report.text.printer import print_formula
+from mechc.report.text.signs import ASCII, UNICODE
 from mechc.report.text.speller import WIDTH
 from mechc.source import Source
 from report_samples import equations, formula, packet_clamp, six_bar

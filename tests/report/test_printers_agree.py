@@ -13,7 +13,8 @@ from mechc.formula.tree import (
 )
 from mechc.report.latex.notation import notation
 from mechc.report.latex.printer import latex
-from mechc.report.text.printer import ASCII, print_formula
+from mechc.report.text.printer import print_formula
+from mechc.report.text.signs import ASCII
 from report_samples import formula
 
 

@@ -30,13 +30,12 @@ from ..report.definitions import (
     looked_up,
     without_minus,
 )
-from ..report.note import own_lines
+from ..report.note import NoteLine, own_lines
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
-from ..report.text.note import as_given, in_brief, in_language
-from ..report.text.overview import overview
-from ..report.text.printer import WRITTEN
+from ..report.text import note, overview
+from ..report.text.signs import WRITTEN
 from ..report.text.speller import Speller, speller
 from ..report.text.verdict import agreement, said, trials, untried
 from ..source import Source
@@ -59,7 +58,7 @@ def overview_of(compilation: Compilation, language: str) -> Iterator[str]:
         mechanism = described.moved
         spell = speller((), mechanism, unicode=False, language=language)
         yield f"{compilation.source.name}: {mechanism.name}"
-        yield from overview(
+        yield from overview.overview(
             mechanism, Compilation.pose.kept(compilation), compilation.source, spell
         )
 
@@ -71,7 +70,7 @@ def failing(
     if calculation := refused(compilation, found):
         mechanism, results = calculation.pose.mechanism, calculation.results
         yield f"{compilation.source.name}: {mechanism.name}"
-        yield from in_brief(mechanism, results, _speller(mechanism, results, language, width))
+        yield from note.in_brief(mechanism, results, _speller(mechanism, results, language, width))
 
 
 def refused(compilation: Compilation, found: Iterable[Diagnostic]) -> "Calculation | None":
@@ -127,7 +126,7 @@ def _speller(mechanism: Mechanism, results: Iterable[Result], language: str, wid
 def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
     """Yield the lines on each result, and on the outcome of every expectation."""
     if compilation.calculation:
-        yield from in_brief(compilation.mechanism, compilation.results, spell)
+        yield from note.in_brief(compilation.mechanism, compilation.results, spell)
         yield from _of_findings(compilation, spell)
         return
     known = letters(compilation.mechanism, compilation.results)
@@ -164,8 +163,24 @@ def _entries(compilation: Compilation) -> Iterator[_Entry]:
         literals = [*earlier.new_literals(formulas, mechanism)]
         shown = in_short(result, results)
         written = own.get(result.name)
-        formula = in_language(written) if written else text_in_degrees(shown.formula)
+        formula = _in_language(written) if written else text_in_degrees(shown.formula)
         yield _Entry(shown, formula, scale_of(result, mechanism), where, literals, read_up)
+
+
+def _in_language(line: NoteLine) -> str:
+    """Return a user-defined formula as the language has it, and its text."""
+    assert line.formula
+    inner = text(line.formula)
+    match line.kind:
+        case "table":
+            said = f"{line.of} at {inner}"
+        case "row":
+            said = f"{line.of} at exactly {inner}"
+        case "list":
+            said = f"next {inner} in {line.of}"
+        case "":
+            said = inner
+    return f"{said}  # {line.label}" if line.label else said
 
 
 def _is_given(result: Analysis) -> bool:
@@ -183,7 +198,7 @@ def _of_result(
         return
     yield f"  {result.name} = {entry.formula}"
     yield from _of_literals(entry.literals, spell)
-    yield from (_where(as_given(quantity, spell), spell) for quantity in entry.looked_up)
+    yield from (_where(note.as_given(quantity, spell), spell) for quantity in entry.looked_up)
     for group in grouped(as_written(entry.where, known)):
         yield from _of_definition(group, known, spell)
     yield from _of_iterated(result, before, words)

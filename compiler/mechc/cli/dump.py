@@ -21,7 +21,8 @@ from ..formula.tree import Formula
 from ..frozen import REQUIRED, fields
 from ..named import NamedTuple
 from ..patterns import pattern
-from ..report.text.printer import ASCII, print_formula
+from ..report.text.printer import print_formula
+from ..report.text.signs import ASCII
 from ..source import Span
 from ..syntax import ast
 from ..syntax.text import direction

@@ -4,6 +4,7 @@ Text of the user's goes through :func:`one_line` first: it may hold anything.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
 from unicodedata import category
 
 from ..formula.to_text import text
@@ -11,10 +12,12 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Definition
-from ..pose.motion import Quantity
 from ..report.definitions import Solved, grouped
 from ..routine.steps import Checks, Function, Guard, Input, Routine
 from ..units import DIMENSIONS, Dimension, in_unit, si_unit
+
+if TYPE_CHECKING:
+    from ..pose.motion import Quantity
 
 
 def one_line(words: str) -> str:
@@ -67,7 +70,7 @@ POINTS = "coordinates of points and directions of links"
 """What the function of a mechanism's points returns."""
 
 
-def quantity_words(quantity: Quantity) -> str:
+def quantity_words(quantity: "Quantity") -> str:
     """Return one line on what a number of a motion is, with its SI unit."""
     point = one_line(quantity.of)
     match quantity.kind, quantity.axis:
@@ -84,7 +87,7 @@ def quantity_words(quantity: Quantity) -> str:
     return measured_words(words, quantity.dimension)
 
 
-def quantity_lines(quantities: Iterable[Quantity]) -> list[str]:
+def quantity_lines(quantities: "Iterable[Quantity]") -> list[str]:
     """Return a line on each number of a motion."""
     return [f"{q.name}: {quantity_words(q)}" for q in quantities]
 

@@ -5,3 +5,11 @@
 walk over it that the terminal and LaTeX share. ``to_text``, ``to_sympy``: the ways out
 that belong to no target.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ..later import waiting
+
+    SELDOM = {"derivative", "newton", "roots"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -3,16 +3,14 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
-from typing import assert_never
+from typing import TYPE_CHECKING, assert_never
 
 from ..named import NamedTuple
 from ..work import LIMIT, Allowance, at_most, spend
+from . import derivative, newton
 from .choices import chosen
-from .derivative import along, jacobian
-from .elimination import Matrix
 from .functions import FUNCTIONS
 from .names import another
-from .newton import Along, Equations, Status, Way, nearest, scale, side_of
 from .straight_line import Solution, StraightLine, in_order
 from .tree import (
     Call,
@@ -28,6 +26,10 @@ from .tree import (
     System,
 )
 from .walk import substitute, symbols
+
+if TYPE_CHECKING:
+    from .elimination import Matrix
+    from .newton import Along, Equations, Status, Way
 
 SYSTEMS = 256
 """Of so many systems the code is kept."""
@@ -123,13 +125,13 @@ def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
     return solver(system)(outer)
 
 
-def status(formula: Implicit, values: Mapping[str, float]) -> Status:
+def status(formula: Implicit, values: Mapping[str, float]) -> "Status":
     """Return how a solution was found, or why it was not; the work was counted as it was found."""
     here = Evaluation(values)
     return _followed(formula.system)(tuple(map(here.of, formula.arguments))).status
 
 
-def status_along(formula: Implicit) -> Callable[[Mapping[str, float]], Status]:
+def status_along(formula: Implicit) -> "Callable[[Mapping[str, float]], Status]":
     """Return how solutions are found as a function of the names' values, for many of them."""
     names = sorted(symbols(formula))
     code, given = straight_line(formula.arguments, names), in_order(names)
@@ -162,7 +164,7 @@ def solver(system: System) -> Solution:
 class _Ended(NamedTuple):
     """Where a way ended, and the work that it took, which counts however often it is asked."""
 
-    status: Status
+    status: "Status"
     unknowns: tuple[float, ...]
     work: int
 
@@ -183,11 +185,11 @@ def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
     return followed
 
 
-def way_of(system: System) -> Way:
+def way_of(system: System) -> "Way":
     """Return the values that are the same on all ways to a system's solutions."""
-    scales = [scale(value) for value in system.start]
+    scales = [newton.scale(value) for value in system.start]
     along = numeric_along(system) if system.by_arcs else None
-    return Way(numeric(system), side(system), scales, along)
+    return newton.Way(numeric(system), side(system), scales, along)
 
 
 def beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:
@@ -202,7 +204,7 @@ def turned_back(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
     if not system.turning:
         return outer
     return tuple(
-        nearest(value, anchor) if name in system.turning and anchor is not None else value
+        newton.nearest(value, anchor) if name in system.turning and anchor is not None else value
         for (name, anchor), value in zip(system.anchor, outer, strict=True)
     )
 
@@ -213,19 +215,19 @@ def side(system: System) -> int:
     It does not depend on what stays the same along it.
     """
     anchor, start = beginning(system, (0.0,) * len(system.anchor))
-    return side_of(numeric(system), start, anchor)
+    return newton.side_of(numeric(system), start, anchor)
 
 
 @lru_cache(maxsize=SYSTEMS)
-def numeric(system: System) -> Equations:
+def numeric(system: System) -> "Equations":
     """Return residuals and Jacobian as a function of floats."""
-    rows = jacobian(system.equations, system.unknowns)
+    rows = derivative.jacobian(system.equations, system.unknowns)
     names = (*system.unknowns, *(name for name, _ in system.anchor))
     code = straight_line([*system.equations, *(entry for row in rows for entry in row)], names)
     size = len(system.unknowns)
     ends = range(size, size * size + 1, size)
 
-    def at(unknowns: Sequence[float], outer: Sequence[float]) -> tuple[list[float], Matrix]:
+    def at(unknowns: Sequence[float], outer: Sequence[float]) -> "tuple[list[float], Matrix]":
         found = code.at((*unknowns, *outer))
         return found[:size], [found[end : end + size] for end in ends]
 
@@ -233,11 +235,13 @@ def numeric(system: System) -> Equations:
 
 
 @lru_cache(maxsize=SYSTEMS)
-def numeric_along(system: System) -> Along:
+def numeric_along(system: System) -> "Along":
     """Return residuals and their slopes, by the unknowns and by a share of the way, on floats."""
     names = changes(system)
-    slopes = along(system.equations, {outer: Symbol(name) for outer, name in names.items()})
-    rows = jacobian(system.equations, system.unknowns)
+    slopes = derivative.along(
+        system.equations, {outer: Symbol(name) for outer, name in names.items()}
+    )
+    rows = derivative.jacobian(system.equations, system.unknowns)
     entries = [e for row, last in zip(rows, slopes, strict=True) for e in (*row, last)]
     outer = [name for name, _ in system.anchor]
     code = straight_line([*system.equations, *entries], [*system.unknowns, *outer, *names.values()])
@@ -247,7 +251,7 @@ def numeric_along(system: System) -> Along:
 
     def at(
         unknowns: Sequence[float], outer: Sequence[float], by: Sequence[float]
-    ) -> tuple[list[float], Matrix]:
+    ) -> "tuple[list[float], Matrix]":
         found = code.at((*unknowns, *outer, *(by[place] for place in places)))
         return found[:size], [found[end : end + size + 1] for end in ends]
 

@@ -151,7 +151,7 @@ class Implicit(Compound):
 
 Formula = Number | Pi | Symbol | Sum | Product | Power | Call | Implicit
 
-ZERO, ONE, PI = Number(Fraction(0)), Number(Fraction(1)), Pi()
+ZERO, HALF, ONE, PI = Number(Fraction(0)), Number(Fraction(1, 2)), Number(Fraction(1)), Pi()
 
 
 FEW = 64

@@ -26,6 +26,7 @@ from .layout import (
     unstacked,
 )
 from .tree import (
+    HALF,
     ZERO,
     Call,
     Formula,
@@ -41,8 +42,6 @@ from .tree import (
 )
 
 Piece = TypeVar("Piece")
-
-HALF = Number(Fraction(1, 2))
 
 Row = tuple[Formula, ...]
 

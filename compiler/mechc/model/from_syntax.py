@@ -15,8 +15,8 @@ from ..units import FORCE, TORQUE
 from . import drawn, translations
 from .doubts.beyond_ranges import beyond_ranges
 from .doubts.remarks import doubts
+from .forces import friction
 from .forces.force_pairs import inside_telescopes, spring_name
-from .forces.friction import read_friction
 from .forces.loads import read_loads
 from .formulas.definitions import Definitions, in_file_order, read_definitions, spread_feeding
 from .formulas.for_readers import for_readers
@@ -44,6 +44,9 @@ from .results.reactions import (
 from .results.reported import read_reported
 from .statements import check_doubled, every, only, refuse_links_in_a_sheet, written_as_sheet
 
+OF_FRICTION = (ast.Friction, ast.Motion, ast.Efficiency)
+"""Statements about friction."""
+
 
 def resolve(file: ast.File, report: Report) -> Mechanism:
     """Return the mechanism that a description describes, with everything checked.
@@ -64,7 +67,8 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     found = read_definitions(file, scope)
     mechanism = replace(_headed(file, report), finds=tuple(finds), spans=points.places)
     mechanism = _under_loads(_built(mechanism, file, scope), file, scope)
-    mechanism = replace(mechanism, friction=read_friction(file, mechanism, scope))
+    if any(isinstance(s, OF_FRICTION) for s in file.statements):
+        mechanism = replace(mechanism, friction=friction.read_friction(file, mechanism, scope))
     mechanism = replace(mechanism, loads=inside_telescopes(mechanism.loads, mechanism, scope))
     check_rods(mechanism, scope)
     warn_of_shared_pivots(mechanism, scope)

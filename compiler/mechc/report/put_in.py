@@ -13,6 +13,7 @@ from ..formula.layout import TRIGONOMETRIC, diameters_behind, squares
 from ..formula.operations import count_operations
 from ..formula.over_line import over_line
 from ..formula.tree import (
+    HALF,
     Call,
     Constant,
     Formula,
@@ -27,7 +28,6 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.typesetting import HALF
 from ..formula.walk import children, constants, rebuild, symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism

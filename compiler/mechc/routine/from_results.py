@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import starmap
+from typing import TYPE_CHECKING
 
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula, Implicit, Symbol
@@ -10,7 +11,6 @@ from ..model.dependence import unused
 from ..model.mechanism import Load, Mechanism, Parameter, WithFriction
 from ..model.result import FrictionResult, Result
 from ..model.statements import is_sheet
-from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
 from ..units import TORQUE
 from . import together
@@ -21,6 +21,9 @@ from .scope import Scope
 from .sharing import share
 from .steps import Function, Input, Points, Pose, Routine, formulas_of, leading_to, names_of
 
+if TYPE_CHECKING:
+    from ..pose.motion import Motion
+
 LONG = 24
 """Definitions beyond which functions may compute together what they have in common."""
 
@@ -30,7 +33,7 @@ def program(
     results: tuple[Result, ...],
     definitions: Mapping[str, Formula] | None = None,
     loops: Sequence[ClosedLoop] = (),
-    motion: Motion | None = None,
+    motion: "Motion | None" = None,
 ) -> Routine:
     """Return the routine that computes every result.
 
@@ -116,7 +119,7 @@ def _pose(scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
 
 def _points(
     mechanism: Mechanism,
-    motion: Motion,
+    motion: "Motion",
     inputs: Mapping[str, Input],
     definitions: Mapping[str, Formula],
 ) -> Points:

@@ -11,7 +11,7 @@ from functools import lru_cache
 from itertools import count
 from typing import assert_never
 
-from ..formula.derivative import along, jacobian
+from ..formula import derivative
 from ..formula.evaluate import changes, side
 from ..formula.sharing import each_part
 from ..formula.tree import (
@@ -102,11 +102,12 @@ def solver(system: System) -> Solver:
     used = used_outer(system)
     outer = tuple(system.anchor[i][0] for i in used)
     equations = angle_offsets.turned_alike(system.equations)
-    rows = jacobian(equations, system.unknowns)
+    rows = derivative.jacobian(equations, system.unknowns)
     entries = [entry for row in rows for entry in row]
     moved = changes(system) if system.by_arcs else {}
     changed = {name: change for name, change in moved.items() if name in outer}
-    by_share = along(equations, {name: Symbol(change) for name, change in changed.items()})
+    shares = {name: Symbol(change) for name, change in changed.items()}
+    by_share = derivative.along(equations, shares)
     taken = [*system.unknowns, *outer, *changed.values()]
     shared, formulas = share([], [*equations, *entries, *by_share], taken)
     size = len(system.unknowns)

@@ -7,15 +7,17 @@ linearly with the mechanism.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Literal, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 from ..formula.tree import Formula
 from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Require
 from ..model.result import Drive
-from ..pose.motion import Quantity
 from ..units import ANGLE, LENGTH, Dimension
+
+if TYPE_CHECKING:
+    from ..pose.motion import Quantity
 
 
 @frozen
@@ -290,7 +292,7 @@ class Points:
     """
 
     program: Pose
-    quantities: tuple[Quantity, ...]
+    quantities: "tuple[Quantity, ...]"
 
 
 @frozen

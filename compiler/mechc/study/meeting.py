@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from ..algebra.factors import Trig
 from ..algebra.product import Product
-from ..formula.roots import spaced
+from ..formula import roots
 from ..formula.tree import Formula
 from ..formula.walk import reached, symbols
 from ..model.mechanism import Mechanism
@@ -96,7 +96,7 @@ def meeting(
         return at(x)[i] * sense > 0
 
     beyond = BEYOND * (ends[1] - ends[0])
-    rows = [(x, at(x)) for x in spaced(ends[0] - beyond, ends[1] + beyond, CELLS)]
+    rows = [(x, at(x)) for x in roots.spaced(ends[0] - beyond, ends[1] + beyond, CELLS)]
     for (a, before), (b, after) in pairwise(rows):
         passing = [i for i, (u, v) in enumerate(zip(before, after, strict=True)) if u * v < 0]
         for i in passing if len(passing) > 1 else ():

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import groupby
 
-from ..formula.roots import narrowed
+from ..formula import roots
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Result
@@ -133,7 +133,7 @@ def _beside_zero(measure: Measure, good: float, bad: float, least: float) -> Col
             taken[x] = measure(x)
         return taken[x]
 
-    narrowed(noted, good, bad, least)
+    roots.narrowed(noted, good, bad, least)
     return taken
 
 

@@ -5,8 +5,7 @@ from itertools import groupby
 
 from ...formula.facing import led
 from ...formula.names import split_points
-from ...formula.tree import ONE, Call, Formula, Implicit, Number, Power, Product, Sum
-from ...formula.typesetting import HALF
+from ...formula.tree import HALF, ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.walk import reached, symbols, walk
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop

@@ -1,1 +1,9 @@
 """Reports as plain text for the terminal."""
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ...later import waiting
+
+    SELDOM = {"note", "overview", "printer"}
+    __getattr__ = waiting(__name__, SELDOM)

@@ -5,7 +5,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ...formula.choices import is_choice
 from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
-from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
@@ -18,7 +17,8 @@ from ..checks import NoteCheck
 from ..note import NoteLine, note
 from ..put_in import Quantity
 from ..sentences.noted import label
-from .printer import Signs, print_formula, print_name, print_quantity
+from .printer import print_formula, print_name, print_quantity
+from .signs import Signs
 from .speller import SHOWN, Speller
 
 Words = Mapping[str, str]
@@ -138,22 +138,6 @@ def _set(formula: Formula, signs: Signs) -> str:
 def formula_alone(line: NoteLine, spell: Speller) -> str:
     """Return a user-defined formula as it is written."""
     return _line(line._replace(value=None), spell.signs, spell, in_numbers=False).said
-
-
-def in_language(line: NoteLine) -> str:
-    """Return a user-defined formula as the language has it, and its text."""
-    assert line.formula
-    inner = text(line.formula)
-    match line.kind:
-        case "table":
-            said = f"{line.of} at {inner}"
-        case "row":
-            said = f"{line.of} at exactly {inner}"
-        case "list":
-            said = f"next {inner} in {line.of}"
-        case "":
-            said = inner
-    return f"{said}  # {line.label}" if line.label else said
 
 
 def tables(shown: Iterable[WrittenTable], spell: Speller) -> list[str]:

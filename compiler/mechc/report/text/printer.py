@@ -15,14 +15,13 @@
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from types import MappingProxyType
 
 from ...formula.layout import TRIGONOMETRIC, decimal, letter_of
 from ...formula.names import GREEK, split_name, words_in
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
-from ...frozen import frozen
 from ...patterns import pattern
+from .signs import Signs
 
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -37,50 +36,6 @@ _WORD = pattern(r"[\w.°₀-₉]+")
 
 _MEASURED = pattern(r"[−-]?\d[\d.,e+−-]* \S+")
 """A number and its unit: ``5 kN``."""
-
-
-WRITTEN: Mapping[str, str] = MappingProxyType(
-    {
-        "case": "{value} when {condition}",
-        "other": "else {value}",
-        "of table": "{name} at {asked}",
-        "of row": "{name} at exactly {asked}",
-        "of list": "next {asked} in {name}",
-    }
-)
-"""The words of choices, tables and lists as a description has them."""
-
-
-@frozen
-class Signs:
-    """The signs of one character set; ``fancy`` when it has Greek letters and raised digits.
-
-    ``functions`` are called otherwise in the language: tg, ctg; ``choices`` are the words of cases,
-    tables and lists, and ``between`` stands between arguments. So are the ``subscripts`` that
-    mechc gives; the user's ``own`` names keep theirs, but for what ``texts`` translates.
-    """
-
-    fancy: bool
-    times: str
-    joint: str
-    minus: str
-    degree: str
-    pi: str
-    relations: Mapping[str, str]
-    angles: frozenset[str] = frozenset()
-    couples: frozenset[str] = frozenset()
-    guided: frozenset[str] = frozenset()
-    functions: Mapping[str, str] = MappingProxyType({})
-    choices: Mapping[str, str] = WRITTEN
-    between: str = ", "
-    subscripts: Mapping[str, str] = MappingProxyType({})
-    own: frozenset[str] = frozenset()
-    texts: Mapping[str, str] = MappingProxyType({})
-
-
-UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠"})
-ASCII = Signs(False, " * ", "*", "-", " deg", "pi", {})
-
 
 _INVERSE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 

@@ -16,7 +16,8 @@ from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..put_in import Quantity, in_degrees
 from ..sentences.speller import angles_of, couples_of, guided_of, own_names
-from .printer import ASCII, UNICODE, Signs, print_point, print_quantity, print_side
+from . import printer
+from .signs import ASCII, UNICODE, Signs
 
 SHOWN = 6
 """Significant digits of values."""
@@ -68,10 +69,10 @@ class Speller(NamedTuple):
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
-        line = print_side(sides[0], self.signs, angle)
+        line = printer.print_side(sides[0], self.signs, angle)
         for sign, side in zip(signs, sides[1:], strict=True):
             shown = self.signs.relations.get(sign, sign)
-            line += f" {shown} {print_side(side, self.signs, angle)}"
+            line += f" {shown} {printer.print_side(side, self.signs, angle)}"
         return self.decimals(line)
 
     def number(self, value: float) -> str:
@@ -81,8 +82,8 @@ class Speller(NamedTuple):
     def quantity(self, quantity: Quantity) -> str:
         """Return a value in its unit, an angle in degrees."""
         if quantity.unit != "deg":
-            return print_quantity(quantity.text(SHOWN), self.signs)
-        return print_side(in_degrees(quantity.value, SHOWN), self.signs, True)
+            return printer.print_quantity(quantity.text(SHOWN), self.signs)
+        return printer.print_side(in_degrees(quantity.value, SHOWN), self.signs, True)
 
     def unit_behind(self, unit: str) -> str:
         """Return a unit behind its number."""
@@ -90,7 +91,7 @@ class Speller(NamedTuple):
 
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
-        return print_point(names, self.signs)
+        return printer.print_point(names, self.signs)
 
     def text(self, text: str) -> str:
         """Return a text of the description in the language, where it is translated."""
