@@ -136,7 +136,7 @@ def _components(point: str, bodies: Iterable[str], cut: Cutting) -> tuple[str, t
 
 
 def _contact(contact: PointContact, name: str, cut: Cutting) -> Exerted:
-    """Let a body push a pin, and the pin the body."""
+    """Return the force with which a body pushes a pin, and the pin the body."""
     body = contact.body
     both = (contact.point, *cut.points(body))
     at = (*cut.pose.frames[body][contact.tail], *contact.reach)
@@ -170,7 +170,7 @@ def _passed_on(joint: Joint, cut: Cutting) -> Exerted | None:
 
 
 def _wheels(pair: WheelPair, cut: Cutting) -> Exerted:
-    """Let two rims push each other along, and their centres push the arm."""
+    """Return the force at two rims that push each other along, their centres the arm."""
     name = f"T_{pair.first}{pair.second}"
     first = cut.pose.radii[pair.first_radius]
     second = cut.pose.radii[pair.second_radius].scaled(-1 if pair.same else 1)
@@ -206,7 +206,7 @@ def _thread(screw: Screw, cut: Cutting) -> Exerted:
 
 
 def _rope(rope: Rope, cut: Cutting) -> Exerted:
-    """Let one tension draw the ends of each fall together."""
+    """Return the tension that draws the ends of each fall together."""
     name = f"S_{rope.route[0]}"
     falls = zip(pairwise(rope.route), cut.pose.falls[rope.id], strict=True)
     acts = [

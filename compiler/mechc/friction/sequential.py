@@ -67,7 +67,7 @@ class SequentialSolver:
         return (canonical(self.sizes[self._driving]),)
 
     def _solves(self, body: str) -> bool:
-        """Solve a body if it has no more unknowns than equations."""
+        """Return whether a body has no more unknowns than equations; it is then solved."""
         kind, forces = self._bodies.kind(body), self.on(body)
         unknown = [p for p in forces if p.name not in self.sizes]
         if len(unknown) != (2 if kind == "pin" else 1):

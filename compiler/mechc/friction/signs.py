@@ -68,9 +68,9 @@ class Signs(Protocol):
         ...
 
     def turned_by(self, arm: Product, radius: Product, ahead: Product) -> bool:
-        """Note that a force turns a lever: its arm exceeds a radius, or ``ahead`` is positive.
+        """Return whether an arm exceeds a radius, as it does if a force turns a lever; note it.
 
-        The sign of the arm itself was asked for before. Return whether the first was noted.
+        Otherwise ``ahead`` is positive, and that is noted. The arm's sign was asked for before.
         """
         ...
 
@@ -318,7 +318,7 @@ class AtOnePose(_Names):
         return value
 
     def turned_by(self, arm: Product, radius: Product, ahead: Product) -> bool:
-        """Note the one of the two that is so at the pose; the first where neither is.
+        """Return whether the arm exceeds the radius at the pose; note that, or what is so instead.
 
         That an arm exceeds a radius says more than that it is positive, which need not be said.
         """

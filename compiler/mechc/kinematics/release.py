@@ -134,7 +134,7 @@ def _released(pose: Pose, joint: JointRef, along: Angle) -> Released:
 
 
 def _without_pin(pose: Pose, joint: JointRef, along: Angle) -> Released:
-    """Give the link a point of its own that parts from the pin along one direction.
+    """Return the linkage in which the link has a point of its own that leaves the pin one way.
 
     What acts on the link there goes with it. A telescope holds its ends at no distance, so
     that its own point moves like a body.
@@ -192,7 +192,7 @@ def _carried(mechanism: Mechanism, joint: JointRef) -> tuple[Load, ...]:
 
 
 def _with_pin(pose: Pose, point: str) -> Pose:
-    """Let a pin be a body of its own where nothing is left that holds it."""
+    """Return a pose in which a pin is a body of its own where nothing is left that holds it."""
     if any(point in held for held in _holding(pose)):
         return pose
     mechanism = pose.mechanism
@@ -215,7 +215,7 @@ def _renamed(link: Link, point: str, own: str) -> Link:
 
 
 def _sharing(mechanism: Mechanism, joint: JointRef) -> Mechanism:
-    """Let both halves share the link's own point where they share the whole link."""
+    """Return the mechanism with the link's own point shared by both halves if the link is."""
     mirror = mechanism.mirror
     points = next(b.points for b in mechanism.bodies if b.name == joint.of)
     if mirror is None or not mirror.shares(points):
@@ -224,7 +224,7 @@ def _sharing(mechanism: Mechanism, joint: JointRef) -> Mechanism:
 
 
 def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
-    """Let a pivot move along one direction, or a slider leave its guide."""
+    """Return the linkage in which a pivot moves one way, or a slider leaves its guide."""
     mechanism = pose.mechanism
     joints = tuple(
         j for j in mechanism.joints if not (isinstance(j, Pivot | Slider) and j.point == point)
@@ -241,7 +241,7 @@ def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
 
 
 def _without_slide(pose: Pose, joint: JointRef, along: Angle) -> Released:
-    """Let a translating body leave its guide; it still does not turn."""
+    """Return the linkage in which a body leaves its guide; it still does not turn."""
     mechanism = pose.mechanism
     slide = next(s for s in mechanism.slides if s.name == joint.of)
     slides = tuple(s for s in mechanism.slides if s is not slide)
@@ -256,7 +256,7 @@ def _without_slide(pose: Pose, joint: JointRef, along: Angle) -> Released:
 
 
 def _without_mesh(pose: Pose, joint: JointRef) -> Released:
-    """Let the teeth of a pair, a rack or a thread lose each other, or a rope stretch."""
+    """Return the linkage in which rims, a rack or a thread slip, or a rope stretches."""
     joints = tuple(j for j in pose.mechanism.joints if j.id != joint.of)
     free = replace(pose, mechanism=replace(pose.mechanism, joints=joints))
     mesh = meshes.mesh_of(pose, joint.of)

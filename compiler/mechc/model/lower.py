@@ -69,7 +69,7 @@ def _with_point(mechanism: Mechanism, load: Force) -> Mechanism:
 
 
 def _placed(mechanism: Mechanism, load: Force, spread: Spread) -> Mechanism:
-    """Say where a spread load acts: drawn between its ends where they are, else by a vector."""
+    """Return the mechanism with a place for a spread load: between drawn ends, or by a vector."""
     tail, head, span = spread.tail, spread.head, load.span
     places = drawn_places(mechanism)
     if places.keys() >= {tail, head}:

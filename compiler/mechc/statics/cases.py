@@ -45,7 +45,7 @@ def sizes_of(mechanism: Mechanism, values: Sizes, given: Sizes) -> dict[str, flo
 
 
 def _distinct(cases: Iterable[Case]) -> Iterator[Case]:
-    """Leave out what would be the same diagrams again."""
+    """Yield the cases but for those whose diagrams would be the same again."""
     seen = set()
     for case in cases:
         key = case.known, frozenset(case.sizes)

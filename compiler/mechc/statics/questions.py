@@ -72,7 +72,7 @@ def questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Que
 def _coefficients(
     result: Result, load: str, given: set[str], mechanism: Mechanism
 ) -> Iterator[Question]:
-    """Ask for the load under one of the others after another: none has any other size here."""
+    """Yield the question for a load under each other one alone: none has any other size here."""
     coefficients = result.coefficients or {}
     loads = {load.name for load in mechanism.loads}
     where = tuple(d for d in result.where if d.name not in loads)
@@ -83,7 +83,7 @@ def _coefficients(
 
 
 def _forces(result: Result, target: ForceAtJoint, mechanism: Mechanism) -> Iterator[Question]:
-    """Ask for a force at a joint under one given load after another.
+    """Yield the question for a force at a joint under each given load alone.
 
     The size of a force is checked where one load makes it; under several it follows from
     the components.
@@ -97,7 +97,7 @@ def _forces(result: Result, target: ForceAtJoint, mechanism: Mechanism) -> Itera
 
 
 def _with_friction(result: Result, target: WithFriction, mechanism: Mechanism) -> Question:
-    """Ask for a load or force with friction where every other load is 1 or what is known."""
+    """Return the question for a load or force with friction, other loads being 1 or known."""
     known = {d.name: d.formula for d in result.where}
     asked = _asked(target, mechanism)
     free = [load.name for load in mechanism.loads if load.tie is None or load.name in known]

@@ -129,7 +129,7 @@ def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
 
 
 def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
-    """Push the pin along the face, and the body under it back at the same place."""
+    """Return the pair that pushes the pin along a face, and the body under it back there."""
     if found := unfolding.pose.mechanism.arc_at(point):
         rod, arc = found
         return _arc(point, size, rod.name, arc, unfolding)
@@ -139,7 +139,7 @@ def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
 
 
 def _arc(point: str, size: float, rod: str, arc: ArcSlot, unfolding: Unfolding) -> Pair:
-    """Turn the pin in a circular slot about the centre, and the link that has the slot back.
+    """Return the pair that turns a pin in a circular slot about the centre, and the link back.
 
     The wall gives N and μN across it: together R = N·√(1 + μ²), at r·μ/√(1 + μ²) of the centre.
     """

@@ -223,7 +223,7 @@ def _differ(found: Rounded, expected: Rounded) -> bool:
 
 
 def _everything(values: Values, expect: Expect, result: Result) -> Values:
-    """Give what has no value (a load, a length by dimension only) one; the same in each run."""
+    """Return values with one for what has none, such as a load; the same in each run."""
     wanted = symbols(result.formula) | symbols(expect.value)
     wanted |= {s for d in result.where for s in symbols(d.formula)}
     inner = {d.name for d in result.where}

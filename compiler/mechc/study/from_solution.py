@@ -243,7 +243,7 @@ def _swaps(formula: Formula, mechanism: Mechanism, names: list[str]) -> tuple[tu
 
 
 def _agree_at_a_pose(formula: Formula, a: str, b: str) -> bool:
-    """Rule most pairs out at one pose, before the exact test."""
+    """Return whether two names may be exchanged at one pose: most may not, which saves a proof."""
     names = sorted(symbols(formula))
     values = {name: 0.3 + 0.61803 * i % 0.7 for i, name in enumerate(names)}
     here = evaluate(formula, values)

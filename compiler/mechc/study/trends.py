@@ -53,7 +53,7 @@ def _divisors(product: Product) -> Iterator[Product]:
 
 
 def _changes_sign(divisor: Product, name: str, box: Box) -> bool:
-    """Prove that a divisor is zero somewhere along a parameter, the others in the middle."""
+    """Return whether a divisor is proved to vanish along a parameter, others in the middle."""
     if name not in box:
         return False
     low, high = box[name]
@@ -77,7 +77,7 @@ def _keeps_sign(slope: Product, box: Box) -> bool:
 
 
 def is_free_of_zeros(factor: Product, box: Box) -> bool:
-    """Prove that one factor has no zero in a box, halving the box where needed."""
+    """Return whether a factor is proved to have no zero in a box, halved where needed."""
     waiting = [box]
     for _ in range(PARTS):
         if not waiting:

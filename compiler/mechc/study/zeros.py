@@ -93,7 +93,7 @@ class _Sought:
         return cause(factor, roots, self.item, self.balance, self.side)
 
     def is_outside(self, factor: Factor) -> bool:
-        """Prove that a factor does not vanish within the ranges given, whatever has none."""
+        """Return whether a factor is proved not to vanish within the ranges that are given."""
         ranged = symbols(factor.formula()) & self._ranged
         return bool(ranged) and is_free_of_zeros(Product.of(factor), self.box)
 
@@ -258,7 +258,7 @@ def _is_fold(formula: Formula, near: Mapping[str, float]) -> bool:
 
 
 def _has_order(root: Root, of: _Sought) -> bool:
-    """Prove that a value is zero (infinite) at a root, with the values given, too."""
+    """Return whether a value is proved zero (infinite) at a root, at the values given, too."""
     found = order(of.value, root.name, root.value)
     there = found is not None and found * of.side > 0
     return there and not _is_refuted(root, of)

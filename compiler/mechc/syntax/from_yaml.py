@@ -119,7 +119,7 @@ def items(section: Section, name: Scalar, value: Node, report: Report) -> Iterat
 
 
 def expected_shape(section: Section) -> str:
-    """Say what a section is."""
+    """Return the shape of a section in words, as what was expected."""
     match section.shape:
         case Shape.LISTED:
             return f"a list ({section.name}: [{{…}}, {{…}}])"

@@ -128,7 +128,7 @@ def split_quantity(text: str) -> tuple[str, str]:
 
 
 def counted(arity: Arity) -> str:
-    """Say how many arguments a function takes.
+    """Return how many arguments a function takes, in words.
 
     >>> counted(ONE), counted(SEVERAL)
     ('1 argument', '2 arguments or more')

@@ -114,7 +114,7 @@ def _in_rows(sections: Iterable[Section], style: Notation) -> list[list[Section]
 
 
 def _is_wide(section: Section, style: Notation) -> bool:
-    """Say whether a section is wider than its column."""
+    """Return whether a section is wider than its column."""
     return width(section, style) > _ROOM
 
 

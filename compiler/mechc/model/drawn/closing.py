@@ -78,7 +78,7 @@ def _moved(
 
 
 def _through_places(mechanism: Mechanism, sketch: Sketch, placed: Collection[str]) -> Mechanism:
-    """Let guides that have no place pass through where their points are drawn, or ``placed``.
+    """Return the mechanism with guides that had no place through points drawn, or ``placed``.
 
     Where arrows lead to a point from the ground its guide is but a direction, drawn or not.
     """

@@ -137,7 +137,7 @@ class _Writer:
         return Equation(Symbol(self.names[0]), quotient(whole, Call("hypot", tuple(sides))))
 
     def _one_sided(self) -> Paragraph:
-        """Say why a force has one component."""
+        """Return the paragraph that says why a force has one component."""
         guided = self._releases and self._releases[0].kind in ("ground", "slide")
         point = self._target.point if isinstance(self._target, Reaction) else ""
         return Paragraph(

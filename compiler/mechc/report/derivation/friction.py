@@ -159,7 +159,7 @@ def _opening(
     mechanism: Mechanism,
     earlier: EarlierSteps,
 ) -> Iterator[Paragraph]:
-    """Say which way friction acts, how, and what forces are measured by."""
+    """Yield which way friction acts, how, and what forces are measured by."""
     kind = steps[0].kind
     if kind == "efficiency":
         return
@@ -176,7 +176,7 @@ def _opening(
 
 
 def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragraph:
-    """Say which way the mechanism moves, and which load drives it at the values given."""
+    """Return which way the mechanism moves, and which load drives it at the values given."""
     is_by_other = drives_from_below(target, result.name, result.driven)
     ways = _HELD_BACK if result.driven else _WAYS
     if drives_the_return(target, result.driven, result.default):
@@ -188,7 +188,7 @@ def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragr
 
 
 def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:
-    """Say what forces are measured by, and what the load of the drive then is, where it is met."""
+    """Return the paragraph on the unit of forces, and on the driving load if it is met then."""
     names, drive = {"load": (asked.below,)}, Symbol(asked.above)
     met = {name for step in steps for pair in step.equations for s in pair for name in symbols(s)}
     if drive.name not in met:
@@ -198,7 +198,7 @@ def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:
 
 
 def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
-    """Say how what there is resists, and what is looked at."""
+    """Yield how each kind of friction resists, and what part of the mechanism is looked at."""
     radii = [d.name for step in steps for d in step.defined if d.name.startswith("rho")]
     if any(step.kind in _AT_PINS or (step.kind == "lever" and step.sense) for step in steps):
         circle = Symbol(radii[0] if len(radii) == 1 else "rho")

@@ -256,7 +256,7 @@ def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
 
 
 def _senses(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
-    """Say what a minus means: of a ratio of velocities, as steps count them as they move.
+    """Return the sentences on a minus: of a ratio of velocities, as steps count them as they move.
 
     That of a load, or of a ratio of two, says which one acts against its arrow.
     """

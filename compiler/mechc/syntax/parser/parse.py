@@ -208,7 +208,7 @@ def meant_by_assignment(line: Sequence[Token]) -> str:
 
 
 def described(token: Token) -> str:
-    """Say what was found."""
+    """Return a token in words, as what was found."""
     match token.type:
         case "NUMBER":
             return f"the number {token}"
@@ -223,7 +223,7 @@ def described(token: Token) -> str:
 
 
 def expected_words(allowed: set[str]) -> list[str]:
-    """Say what may stand here: an operand in two words, operators in one."""
+    """Return words for what may stand here: an operand in two words, operators in one."""
     words: list[str] = []
     rest = set(allowed)
     if rest >= OPERAND:

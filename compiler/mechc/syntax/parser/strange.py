@@ -156,7 +156,7 @@ def _of_kind(character: str) -> str:
 
 
 def script(character: str) -> str:
-    """Say which alphabet a letter is from; look-alikes are hard to see.
+    """Return which alphabet a letter is from; look-alikes are hard to see.
 
     >>> script("А"), script("α"), script("é")
     ('a Cyrillic letter', 'a Greek letter: write its name, as in alpha', 'another letter')

@@ -138,7 +138,7 @@ def check(line: Iterable[Token]) -> None:
 
 
 def dotted(before: Token | None, behind: Token | None) -> str:
-    """Say what a single dot was meant as, by what stands on either side; '' where unclear."""
+    """Return a hint at what a single dot was meant as, by what is on either side; '' if unclear."""
     if behind is None or behind.type != "NAME":
         return ""
     if behind.lower() in ("inf", "nan"):

@@ -17,7 +17,7 @@ ESCAPES = {"x": 4, "u": 6, "U": 10}
 
 
 def described(node: Node) -> str:
-    """Say what was found."""
+    """Return a node in words, as what was found."""
     match node:
         case Table():
             return "a mapping"
