@@ -41,16 +41,16 @@ def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
     values |= layout.lengths
     copies, ways = pose.mechanism.copies, Ways(pose, values)
     return Figure(
-        pose.mechanism.name,
-        pose.mechanism.title,
-        points,
-        tuple(_parts(ways, layout, points, twins)),
-        layout.mirror,
-        int(copies.number) if copies else 1,
-        _axis(ways, layout, copies.sharing) if copies else None,
-        layout.size,
-        values,
-        (*chosen, *layout.lengths),
+        name=pose.mechanism.name,
+        title=pose.mechanism.title,
+        points=points,
+        parts=tuple(_parts(ways, layout, points, twins)),
+        mirror=layout.mirror,
+        copies=int(copies.number) if copies else 1,
+        axis=_axis(ways, layout, copies.sharing) if copies else None,
+        size=layout.size,
+        values=values,
+        chosen=(*chosen, *layout.lengths),
     )
 
 
@@ -201,15 +201,15 @@ def _spread(load: model.Force, spread: model.Spread, half: Half) -> drawn.Spread
     given = all(symbols(q) <= values.keys() for q in spread.intensities)
     sizes = [evaluate(q, values) for q in spread.intensities if given] or [1.0]
     return drawn.SpreadLoad(
-        load.name,
-        half.point(load.point),
-        half.unit(half.ways.pose.lines[load.name]),
-        float(load.times),
-        half.link(spread.link),
-        half.point(spread.tail),
-        half.point(spread.head),
-        sizes[0],
-        sizes[-1],
+        name=load.name,
+        point=half.point(load.point),
+        along=half.unit(half.ways.pose.lines[load.name]),
+        times=float(load.times),
+        link=half.link(spread.link),
+        tail=half.point(spread.tail),
+        head=half.point(spread.head),
+        tail_intensity=sizes[0],
+        head_intensity=sizes[-1],
     )
 
 

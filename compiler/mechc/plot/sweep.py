@@ -165,13 +165,13 @@ def plot_of(sweep: Sweep, x: Axis, panels: tuple[Panel, ...], columns: tuple[Col
     given = range_of(sweep.x.name, mechanism) if sweep.x.name in parameters else None
     inside = given is None or (given[0] <= sweep.low and sweep.high <= given[1])
     return Plot(
-        mechanism.title or mechanism.name,
-        x,
-        sweep.x,
-        sweep.low,
-        sweep.high,
-        panels,
-        columns,
-        None if inside else given,
+        title=mechanism.title or mechanism.name,
+        x=x,
+        varied=sweep.x,
+        low=sweep.low,
+        high=sweep.high,
+        panels=panels,
+        columns=columns,
+        given=None if inside else given,
         equal=x is not sweep.x,
     )

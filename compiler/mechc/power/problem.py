@@ -101,7 +101,16 @@ def problem_of(plan: Plan, report: Report) -> Problem:
 
     reading, numbers = Reading(plan), DefaultNumbers(plan)
     problem = Problem(
-        plan, parts, equations, reading, report, loads, asked, left, at_joints, numbers
+        plan=plan,
+        terms=parts,
+        equations=equations,
+        reading=reading,
+        report=report,
+        loads=loads,
+        asked_for=asked,
+        left=left,
+        reactions=at_joints,
+        numbers=numbers,
     )
     return problem
 

@@ -224,7 +224,19 @@ def _plain(
     name: str, label: str, formula: Formula | None, value: Quantity | None, dimension: Dimension
 ) -> NoteLine:
     """Return a line of a used mechanism, without the numbers put in."""
-    return NoteLine(name, label, "", "", formula, None, value, None, None, dimension, True)
+    return NoteLine(
+        name=name,
+        label=label,
+        kind="",
+        of="",
+        formula=formula,
+        numbers=None,
+        value=value,
+        asked=None,
+        decides=None,
+        dimension=dimension,
+        is_taken=True,
+    )
 
 
 def _with_numbers(line: NoteLine, given: Mapping[str, Quantity]) -> NoteLine:
@@ -243,16 +255,16 @@ def _line(let: Let, given: Mapping[str, Quantity], tables: Tables) -> NoteLine:
     value = given.get(let.name)
     asked = Quantity(evaluate(formula, values), value.unit) if known and value else None
     return NoteLine(
-        let.name,
-        let.label,
-        let.written.kind,
-        let.written.of,
-        _rounded(formula, value),
-        _numbers(formula, let.written.kind, given) if known else None,
-        value,
-        asked,
-        _deciding(formula, given),
-        let.dimension,
+        name=let.name,
+        label=let.label,
+        kind=let.written.kind,
+        of=let.written.of,
+        formula=_rounded(formula, value),
+        numbers=_numbers(formula, let.written.kind, given) if known else None,
+        value=value,
+        asked=asked,
+        decides=_deciding(formula, given),
+        dimension=let.dimension,
         between=line_between(table, evaluate(formula, values)) if known and table else None,
         source=table.source if table else "",
     )

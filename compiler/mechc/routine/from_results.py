@@ -63,7 +63,16 @@ def program(
     name, title, source = mechanism.name, mechanism.title, mechanism.source
     checked = {id(r) for one in listed for r in one.requires}
     unchecked = tuple(r for r in mechanism.requires if id(r) not in checked and not tests)
-    return Routine(name, title, source, functions, pose, points, tests, unchecked)
+    return Routine(
+        name=name,
+        title=title,
+        source=source,
+        functions=functions,
+        pose=pose,
+        points=points,
+        checks=tests,
+        unchecked=unchecked,
+    )
 
 
 def _needed(mechanism: Mechanism, results: Sequence[Result]) -> list[Result]:
@@ -172,14 +181,14 @@ def _inputs(mechanism: Mechanism) -> dict[str, Input]:
 def _parameter(parameter: Parameter) -> Input:
     low, high = parameter.range or (None, None)
     return Input(
-        parameter.name,
-        parameter.dimension,
-        parameter.unit,
-        _constant(parameter.value),
-        _constant(low),
-        _constant(high),
-        "; ".join(text for text in (parameter.label, parameter.about) if text),
-        _constant(parameter.tolerance),
+        name=parameter.name,
+        dimension=parameter.dimension,
+        unit=parameter.unit,
+        default=_constant(parameter.value),
+        low=_constant(low),
+        high=_constant(high),
+        label="; ".join(text for text in (parameter.label, parameter.about) if text),
+        tolerance=_constant(parameter.tolerance),
     )
 
 

@@ -115,23 +115,23 @@ def solver(system: System) -> Solver:
     steps = [step for step in shared if isinstance(step, Step)]
     corrected = leading_to(names_in(formulas[:own]), steps)
     return Solver(
-        system.unknowns,
-        outer,
-        system.equations,
-        system.start,
-        tuple(system.anchor[i][1] for i in used),
-        side(system),
-        corrected,
-        formulas[:size],
-        tuple(formulas[size * i : size * (i + 1)] for i in range(1, size + 1)),
-        ByArcs(
+        unknowns=system.unknowns,
+        outer=outer,
+        equations=system.equations,
+        start=system.start,
+        anchor=tuple(system.anchor[i][1] for i in used),
+        side=side(system),
+        steps=corrected,
+        residuals=formulas[:size],
+        jacobian=tuple(formulas[size * i : size * (i + 1)] for i in range(1, size + 1)),
+        by_arcs=ByArcs(
             tuple((outer.index(name), change) for name, change in changed.items()),
             tuple(step for step in steps if step not in corrected),
             formulas[own:],
         )
         if system.by_arcs
         else None,
-        tuple(name for name in outer if name in system.turning),
+        turning=tuple(name for name in outer if name in system.turning),
     )
 
 

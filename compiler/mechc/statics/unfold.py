@@ -131,15 +131,15 @@ class Unfolding(Halves):
         """Return the unfolded mechanism with its own loads and ``more`` named ones."""
         loads = {load.name: self._actions(load) for load in self.pose.mechanism.loads}
         return Assembly(
-            tuple(bodies(self)),
-            tuple(pivots(self)),
-            tuple(guides(self)),
-            tuple(slides(self)),
-            tuple(point_contacts(self)),
-            tuple(transfers(self)),
-            tuple(telescopes(self)),
-            {**loads, **dict(more)},
-            self.twins(),
+            bodies=tuple(bodies(self)),
+            pivots=tuple(pivots(self)),
+            guides=tuple(guides(self)),
+            slides=tuple(slides(self)),
+            contacts=tuple(point_contacts(self)),
+            transfers=tuple(transfers(self)),
+            cylinders=tuple(telescopes(self)),
+            loads={**loads, **dict(more)},
+            twins=self.twins(),
         )
 
 

@@ -81,7 +81,17 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
                 low, high = least_and_greatest(extremes)
                 unit = unit_of(name, mechanism)
                 scale = scale_of(result, mechanism)
-                yield Extent(name, unit, ends, (), (), low, high, scale, False)
+                yield Extent(
+                    parameter=name,
+                    unit=unit,
+                    range=ends,
+                    zeros=(),
+                    poles=(),
+                    least=low,
+                    greatest=high,
+                    scale=scale,
+                    looked=False,
+                )
 
 
 def _extremes(sweep: Sweep, result: Analysis, grid: Sequence[float]) -> list[Extreme]:

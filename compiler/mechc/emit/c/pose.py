@@ -96,22 +96,22 @@ def _context(
     inputs = list(own.values())
     given = [*(f"{a}[{loop}]" for a in inputs), *(f"{o} + {loop}" for o in outputs.values())]
     return PoseContext(
-        single,
-        list(outputs.values()),
-        [*remarks, "", *map(harmless, _remarks(pose, own, outputs, meanings, number))],
-        wrapped(
+        name=single,
+        outputs=list(outputs.values()),
+        remarks=[*remarks, "", *map(harmless, _remarks(pose, own, outputs, meanings, number))],
+        single=wrapped(
             f"int {single}(",
             [*(f"double {a}" for a in inputs), *(f"double *{o}" for o in outputs.values())],
         ),
-        wrapped(f"void {batch}(", arrays(number, inputs, list(outputs.values()), status)),
-        body,
-        [f"*{o} = {names[n]};" for n, o in outputs.items()],
-        broken(" || ", [f"{names[n]} != {names[n]}" for n in pose.closed]),
-        statuses,
-        f"{single}({', '.join(given)})",
-        status,
-        number,
-        loop,
+        batch=wrapped(f"void {batch}(", arrays(number, inputs, list(outputs.values()), status)),
+        body=body,
+        results=[f"*{o} = {names[n]};" for n, o in outputs.items()],
+        missing=broken(" || ", [f"{names[n]} != {names[n]}" for n in pose.closed]),
+        statuses=statuses,
+        call=f"{single}({', '.join(given)})",
+        status=status,
+        number=number,
+        loop=loop,
     )
 
 

@@ -34,16 +34,25 @@ class Real(NamedTuple):
 
 
 DOUBLE = Real(
-    "double",
-    "uint64_t",
-    63,
-    "0x7ff0000000000000u",
-    "0x7fffffffffffffffu",
-    newton.TINY,
-    newton.ROUNDING,
-    arcs.LEAST,
+    name="double",
+    bits="uint64_t",
+    top=63,
+    infinity="0x7ff0000000000000u",
+    size="0x7fffffffffffffffu",
+    tiny=newton.TINY,
+    rounding=newton.ROUNDING,
+    least=arcs.LEAST,
 )
-FLOAT = Real("float", "uint32_t", 31, "0x7f800000u", "0x7fffffffu", 3e-4, 1e-8, 2.0**-10)
+FLOAT = Real(
+    name="float",
+    bits="uint32_t",
+    top=31,
+    infinity="0x7f800000u",
+    size="0x7fffffffu",
+    tiny=3e-4,
+    rounding=1e-8,
+    least=2.0**-10,
+)
 """A correction of 3e-4 leaves some 1e-7, which is ``float``'s rounding."""
 
 REALS = {real.name: real for real in (DOUBLE, FLOAT)}

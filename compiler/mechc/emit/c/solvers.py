@@ -258,7 +258,9 @@ def lines(
     statuses: list[str] = []
     for statement in statements:
         if isinstance(statement, Solve):
-            made += _solution(statement, used, solvers, printer, space, statuses)
+            status = space.claim("status_1")
+            statuses.append(status)
+            made += _solution(statement, status, used, solvers, printer, space)
         else:
             value = printer.print(statement.formula)
             made.append(f"const double {printer.names[statement.name]} = {value};")
@@ -267,15 +269,15 @@ def lines(
 
 def _solution(
     statement: Solve,
+    status: str,
     used: Set[str],
     solvers: Mapping[Solver, str],
     printer: Printer,
     space: Names,
-    statuses: list[str],
 ) -> Iterator[str]:
-    solution, status = space.claim("solution"), space.claim("status_1")
+    """Yield the lines that solve a system, its status under a name, and give what is used one."""
+    solution = space.claim("solution")
     given = [*map(printer.print, statement.arguments), solution]
-    statuses.append(status)
     yield f"double {solution}[{len(statement.names)}];"
     yield f"const int {status} = {solvers[statement.solver]}({', '.join(given)});"
     for i, name in enumerate(statement.names):

@@ -140,15 +140,15 @@ def checks_context(
     status, number, loop = map(space.claim, ("status", "n", "i"))
     inputs = list(own.values())
     return ChecksContext(
-        [harmless(line) for line in _remarks_on_checks(checks, own, number)],
-        wrapped(f"int {single}(", [f"double {a}" for a in inputs] or ["void"]),
-        wrapped(f"void {batch}(", arrays(number, inputs, [], status)),
-        body,
-        [printer.condition(guard) for guard in checks.guards],
-        f"{single}({', '.join(f'{a}[{loop}]' for a in inputs)})",
-        status,
-        number,
-        loop,
+        remarks=[harmless(line) for line in _remarks_on_checks(checks, own, number)],
+        single=wrapped(f"int {single}(", [f"double {a}" for a in inputs] or ["void"]),
+        batch=wrapped(f"void {batch}(", arrays(number, inputs, [], status)),
+        body=body,
+        conditions=[printer.condition(guard) for guard in checks.guards],
+        call=f"{single}({', '.join(f'{a}[{loop}]' for a in inputs)})",
+        status=status,
+        number=number,
+        loop=loop,
     )
 
 

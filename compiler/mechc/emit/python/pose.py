@@ -78,15 +78,15 @@ def _context(
         body.append(line(step, used, solvers, printer, status))
         statuses += [status] if status else []
     return PoseContext(
-        name,
-        title,
-        list(own.values()),
-        [Line(own[i.name], describe.input_words(i, own[i.name])) for i in pose.inputs],
-        list(meanings),
-        body,
-        [Line(repr(n), printer.names[n]) for n in pose.outputs],
-        [] if pose.closed == pose.outputs else [repr(n) for n in pose.closed],
-        statuses,
+        name=name,
+        title=title,
+        arguments=list(own.values()),
+        inputs=[Line(own[i.name], describe.input_words(i, own[i.name])) for i in pose.inputs],
+        meanings=list(meanings),
+        body=body,
+        outputs=[Line(repr(n), printer.names[n]) for n in pose.outputs],
+        closed=[] if pose.closed == pose.outputs else [repr(n) for n in pose.closed],
+        statuses=statuses,
     )
 
 

@@ -66,23 +66,24 @@ def status_context(
         status = space.claim("status_1") if isinstance(step, Solve) else ""
         body.append(line(step, used, solvers, printer, status))
         statuses += [status] if status else []
+    ideal, load = driving(asked, printer, lambda n: describe.call(functions[n], names, own))
+    moves = "np.where(ahead, load, np.negative(load)) > 0.0"
     return StatusContext(
-        names[asked.name],
-        function.name,
-        list(own.values()),
-        [Line(own[i.name], describe.input_words(i, own[i.name])) for i in asked.inputs],
-        list(describe.numbered(STATUSES)),
-        describe.call(function, names, own),
-        *driving(asked, printer, lambda name: describe.call(functions[name], names, own)),
-        body,
-        [printer.condition(g) for g in asked.guards],
-        statuses[:-1],
-        statuses[-1] if statuses else "2",
-        asked.is_idle,
-        f"load {asked.way} 0.0"
-        if asked.is_idle
-        else "np.where(ahead, load, np.negative(load)) > 0.0",
-        asked.standstill,
+        name=names[asked.name],
+        of=function.name,
+        arguments=list(own.values()),
+        inputs=[Line(own[i.name], describe.input_words(i, own[i.name])) for i in asked.inputs],
+        meanings=list(describe.numbered(STATUSES)),
+        value=describe.call(function, names, own),
+        ideal=ideal,
+        load=load,
+        body=body,
+        conditions=[printer.condition(g) for g in asked.guards],
+        loops=statuses[:-1],
+        friction=statuses[-1] if statuses else "2",
+        idle=asked.is_idle,
+        moves=f"load {asked.way} 0.0" if asked.is_idle else moves,
+        standstill=asked.standstill,
     )
 
 

@@ -31,7 +31,16 @@ def read_rope_friction(
     if size is not None and not _fits(statement, size, rope.ways[place - 1 : place + 1], scope):
         return None
     angle = product([(number(-1), 1), (wrap, 1)]) if clockwise else wrap
-    held = RopeFriction(rope.id, point, place, f, angle, None, "", statement.span)
+    held = RopeFriction(
+        joint=rope.id,
+        point=point,
+        place=place,
+        coefficient=f,
+        wrap=angle,
+        reach=None,
+        link="",
+        span=statement.span,
+    )
     return _with_drum(held, statement, clockwise, scope)
 
 

@@ -56,16 +56,19 @@ def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along
         _is_on(b.drive, part) for b in stroke.branches
     )
     extremes = [] if poles or is_open else _extremes(result, stroke, part, along)
+    least, greatest = least_and_greatest(extremes)
+    nil = (n for n in stroke.nil if n.result == result.name and _is_in(n, part))
     return Extent(
-        stroke.drive,
-        "" if stroke.dimension == ANGLE else stroke.unit,
-        (part.low, part.high),
-        zeros,
-        poles,
-        *least_and_greatest(extremes),
-        scale_of(result, along.mechanism),
-        not is_open,
-        tuple((n.low, n.high) for n in stroke.nil if n.result == result.name and _is_in(n, part)),
+        parameter=stroke.drive,
+        unit="" if stroke.dimension == ANGLE else stroke.unit,
+        range=(part.low, part.high),
+        zeros=zeros,
+        poles=poles,
+        least=least,
+        greatest=greatest,
+        scale=scale_of(result, along.mechanism),
+        looked=not is_open,
+        nil=tuple((n.low, n.high) for n in nil),
     )
 
 

@@ -73,23 +73,25 @@ def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
     singular = singular_along(run, stretches, branches)
     extrema = extrema_along(run, stretches, singular, branches)
     return Stroke(
-        drive.name,
-        drive.dimension,
-        drive.unit,
-        run.low,
-        run.high,
-        tuple(f.column for f in filled),
-        tuple(r for _, r in zip(watch(drives), rows(run, drives, filled, stretches), strict=True)),
-        stretches,
-        tuple(one for one in singular if is_apart(one, nil, run.range)),
-        tuple(branches),
-        tuple(one for one in extrema if is_apart(one, nil, run.range)),
-        tuple(standstills(run.results, drive.name)),
-        tuple(efficiency_ranges(run.results, drive.name)),
-        along.defaults,
-        run.open,
-        tuple((r.name, _looked(run, r, stretches)) for r in run.results),
-        tuple(part for part in nil if part.result in {r.name for r in run.quotients}),
+        drive=drive.name,
+        dimension=drive.dimension,
+        unit=drive.unit,
+        low=run.low,
+        high=run.high,
+        columns=tuple(f.column for f in filled),
+        rows=tuple(
+            r for _, r in zip(watch(drives), rows(run, drives, filled, stretches), strict=True)
+        ),
+        stretches=stretches,
+        singular=tuple(one for one in singular if is_apart(one, nil, run.range)),
+        branches=tuple(branches),
+        extrema=tuple(one for one in extrema if is_apart(one, nil, run.range)),
+        standstills=tuple(standstills(run.results, drive.name)),
+        efficiency_ranges=tuple(efficiency_ranges(run.results, drive.name)),
+        defaults=along.defaults,
+        without=run.open,
+        looked=tuple((r.name, _looked(run, r, stretches)) for r in run.results),
+        nil=tuple(part for part in nil if part.result in {r.name for r in run.quotients}),
     )
 
 

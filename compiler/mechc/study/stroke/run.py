@@ -111,7 +111,17 @@ def run_of(
     open_ = tuple((r.name, without[r.name]) for r in shown if without[r.name])
     grid = tuple(spaced(low, high, SAMPLES))
     branches = tuple(branch_points(pose, along, grid))
-    return Run(solution, drive, low, high, along, valued, open_, grid, branches)
+    return Run(
+        solution=solution,
+        drive=drive,
+        low=low,
+        high=high,
+        along=along,
+        results=valued,
+        open=open_,
+        grid=grid,
+        branches=branches,
+    )
 
 
 def plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:
