@@ -295,9 +295,13 @@ OF_GEARS = {
 """Hints at centres that do not fit, by what the radii would fit as."""
 
 
+ONE_POSE = 1e-7
+"""Ends of a stretch that differ by less than this part are one pose: a root has half the digits."""
+
+
 def _is_long(stretch: AssemblyRange) -> bool:
     """Return whether a stretch is more than one pose, by more than rounding."""
-    return stretch.high - stretch.low > 1e-7 * max(abs(stretch.low), abs(stretch.high))
+    return stretch.high - stretch.low > ONE_POSE * max(abs(stretch.low), abs(stretch.high))
 
 
 def _stretch(stretch: AssemblyRange) -> str:

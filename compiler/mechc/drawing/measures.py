@@ -28,6 +28,14 @@ RADII = (8.0, 10.5, 13.0, 16.0, 19.0, 23.0)
 """The radii that are tried for the arc of an angle."""
 
 SMALL_HEAD = 2.2
+"""How long the heads of dimension lines are: shorter than those of forces."""
+
+NEAR = 0.06
+"""The cost of a millimetre between a length and its dimension line: sixteen are a line crossed."""
+
+TRIMMED, MOST = 0.8, 0.4
+"""How much of a line is left out at either end where others meet it, at most this part of it."""
+
 FLAT = math.radians(1.0)
 """An angle below this is not drawn."""
 
@@ -126,7 +134,7 @@ def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[Line]:
 def _cost(sheet: Sheet, found: Line, tail: Plane, tip: Plane) -> float:
     """Return the cost of a dimension line: lines that it crosses, and its distance."""
     distance = math.dist(found.start, tail) + math.dist(found.end, tip)
-    return _in_the_way(sheet, found) + 0.06 * distance
+    return _in_the_way(sheet, found) + NEAR * distance
 
 
 def _in_the_way(sheet: Sheet, found: Line) -> int:
@@ -167,7 +175,7 @@ def _across(start: Plane, end: Plane) -> Plane:
 
 def _shortened(start: Plane, end: Plane) -> tuple[Plane, Plane]:
     """Return a line without its ends, at which others may meet it."""
-    step = end.minus(start).times(min(0.8 / max(math.dist(start, end), SHORTEST), 0.4))
+    step = end.minus(start).times(min(TRIMMED / max(math.dist(start, end), SHORTEST), MOST))
     return start.plus(step), end.minus(step)
 
 

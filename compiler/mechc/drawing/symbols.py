@@ -37,7 +37,10 @@ RIM = 16.0
 """How long the hatching is on a wheel that stands still."""
 
 _HATCH, _STEP = 2.0, 1.6
+"""How long the strokes of hatching are, and how far apart."""
+
 _HEAD, _SPREAD = 3.2, 0.8
+"""How long the head of an arrow is, and half how wide."""
 
 
 def line(start: Plane, end: Plane, pen: Pen) -> Polyline:

@@ -27,6 +27,8 @@ from .tree import (
 from .walk import symbols
 
 EPS = 2.0**-52
+"""What one operation on doubles is off by at most, against its result: twice half a last place."""
+
 SOLVED = 64 * EPS
 """The error of what Newton's method gives, against its size or 1."""
 

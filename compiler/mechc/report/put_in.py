@@ -56,6 +56,9 @@ COMPUTED = 12
 LONGEST = 60
 """A formula of more operations than this is given by its value alone."""
 
+ONE_ROW = 1e-12
+"""A number nearer to a row of a table than this part is that row: a unit has rounded it."""
+
 FINEST = 9
 """Decimals of an angle in degrees, beyond which there is nothing but rounding."""
 
@@ -287,7 +290,7 @@ def _less(one: Formula, other: Formula) -> Formula:
 
 
 def _is_one_of(asked: float, *rows: float) -> bool:
-    return any(math.isclose(asked, row, rel_tol=1e-12) for row in rows)
+    return any(math.isclose(asked, row, rel_tol=ONE_ROW) for row in rows)
 
 
 def _asked(value: float, row: Formula) -> Constant:

@@ -72,6 +72,8 @@ sum cancel, ``float`` leaves three digits. A slip has no sense below
 :data:`~mechc.formula.choices.EQUAL`, 1e-5 too, equal sides may differ.
 """
 _LARGEST, _LEAST = 3.4e38, 1.2e-38
+"""The largest number of ``float``, and the least that has all of its digits."""
+
 _FUNCTIONS = """
     sin cos tan asin acos atan atan2 sqrt hypot fabs exp log pow fmin fmax floor
 """

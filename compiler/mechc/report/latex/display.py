@@ -27,8 +27,10 @@ TOGETHER = 4
 """An equation of no more lines than this stands on one page."""
 
 _INDENT = 2.0
+"""The indentation of a line that continues an equation, in em: a quad on either side."""
 
 _GAP = 1.0
+"""What two equations in one line keep apart at least, in em."""
 
 
 class Line(NamedTuple):

@@ -1,5 +1,6 @@
 """Where a mechanism is locked by friction, and how its efficiency runs, in sentences."""
 
+import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
@@ -27,8 +28,6 @@ DIGITS, MOST = 4, 10
 
 Two are enough for an efficiency.
 """
-
-HALF_CIRCLE = 180 / 3.141592653589793
 
 NIL = 1e-7
 """An angle in radians that is nothing but rounding, beside a pose in which all sides lie flat."""
@@ -205,7 +204,7 @@ def _figure(at: float, reach: LockingIntervals, locale: Locale, spell: Speller) 
 def rounded_value(at: float, reach: Along, spell: Speller, digits: int = DIGITS) -> Formula:
     """Return a value with few digits, an angle in degrees, of which rounding alone makes none."""
     if reach.parameter in spell.angles:
-        return degrees(Fraction(f"{at * HALF_CIRCLE:.{digits}g}") if abs(at) > NIL else 0)
+        return degrees(Fraction(f"{math.degrees(at):.{digits}g}") if abs(at) > NIL else 0)
     return number(Fraction(f"{at / size_of(reach.unit):.{digits}g}"))
 
 
