@@ -27,7 +27,7 @@ def plot(curve, **more):
 
 
 def said(curve, **more):
-    """Return what is said, sentence by sentence."""
+    """Return the sentences that describe a plot of a curve."""
     return describe(plot(curve, **more), EN).removesuffix(".").split(". ")
 
 

@@ -307,3 +307,18 @@ def test_the_ground_of_a_pivot_is_down_unless_a_bar_hangs_there(phi, ground):
     figure = draw(slider_crank(), {"phi": math.radians(phi)})
     (pivot,) = (part for part in figure.parts if isinstance(part, Pivot))
     assert pivot.ground == ground
+
+
+@pytest.mark.parametrize(
+    ("speeds", "per"),
+    [
+        ({"O": 0.0, "A": 2.0, "B": 3.0}, "A"),
+        ({"O": 1e-14, "A": 2.0, "B": 3.0}, "A"),
+        ({"O": 0.5, "A": 2.0, "B": 3.0}, "O"),
+        ({"O": 0.0, "A": 0.0, "B": 3.0}, "B"),
+    ],
+)
+def test_the_unit_is_the_speed_of_the_first_point_of_the_load_that_moves(speeds, per):
+    """A couple on OA: of O where it moves by more than rounding, of A, else of the fastest."""
+    here = Velocities("", {name: Plane(0.0, v) for name, v in speeds.items()}, {}, ())
+    assert Asked(torque("M", "OA"))._reference(here) == per
