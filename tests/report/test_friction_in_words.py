@@ -6,11 +6,13 @@ from functools import cache
 import pytest
 
 import mechc
-from good_mechanisms import loaded
+from good_mechanisms import compiled, loaded
 from mechc.cli.checked import report
 from mechc.driver import compile_source
 from mechc.files import find, read
 from mechc.formula.evaluate import evaluate
+from mechc.formula.to_text import text
+from mechc.formula.tree import Sum
 from mechc.report.sentences.speller import LoadWords
 from mechc.report.text.derivation import render
 from mechc.source import Source
@@ -555,3 +557,31 @@ def test_a_load_has_its_own_name_in_the_balance_with_friction(way, balance):
     assert [line for line in lines if line in balance] == balance
     assert "M_f1 = M + rho * r_O" in lines  # the drive itself turns in O
     assert not any(line.startswith(("M + F", "M = rho", "M = -rho")) for line in lines)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "karpenko_fig3_with_friction",
+        "karpenko_fig4_with_friction",
+        "karpenko_fig9_with_friction",
+        "tongs_fig4_9_with_friction",
+    ],
+)
+def test_angles_of_friction_stand_behind_those_of_the_drawing(name):
+    """An equation had cos(θ − δ), the root of it cos(δ − θ), and numbers sin²(−38.854°)."""
+    text = loaded(name).emit("latex")
+    assert not re.search(r"[({]\\delta_\{[A-Z]{2}\}-", text)
+    assert "(-" not in text.partition("Numerical values")[2]
+
+
+def test_what_a_lever_is_solved_by_has_a_positive_arm():
+    """The quadratic of the lifting tongs had −a sin(2θ − δ) − ρ for an arm, and −b cos α beside."""
+    found = compiled("karpenko_fig4_with_friction")
+    (k_hold,) = (r for r in found.derivation.results if r.name == "k_hold")
+    where = dict(k_hold.where)
+    assert text(where["a_AB_hold"]) == "rho_A + a*sin(2*theta - delta_AB)"
+    assert "b_AB_hold" not in where
+    assert all(condition.operator == ">" for condition in k_hold.holds)
+    (arm,) = (h.left for h in k_hold.holds if isinstance(h.left, Sum) and len(h.left.terms) == 3)
+    assert text(arm) == "rho_A + a*sin(2*theta - delta_AB) - rho_O"

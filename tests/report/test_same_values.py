@@ -7,6 +7,7 @@ from formula_strategies import VALUES, formulas
 from mechc.formula.evaluate import evaluate
 from mechc.formula.facing import as_in, facing, led
 from mechc.formula.layout import in_degrees
+from mechc.formula.over_line import over_line
 from mechc.formula.tree import Sum
 from mechc.report.book_forms import book_form
 from mechc.report.sentences.order import geometry_first
@@ -25,6 +26,7 @@ REWRITINGS = {
     "led": led,
     "as in its negative": lambda formula: as_in(formula, facing(formula, lambda: VALUES, quarter)),
     "geometry first": lambda formula: geometry_first(formula, {"alpha", "theta"}),
+    "over a line": over_line,
     "as in books": lambda formula: book_form(formula, {"a", "b", "c"}),
 }
 

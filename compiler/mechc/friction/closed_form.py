@@ -11,10 +11,12 @@ from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add, canonical
+from ..formula import tree
 from ..formula.evaluate import evaluate
+from ..formula.layout import has_minus
 from ..formula.operations import count_operations
 from ..formula.to_text import text
-from ..formula.tree import Formula, is_call, number, product, total
+from ..formula.tree import Formula, is_call, negative, number, product, total
 from ..formula.walk import Substitution, symbols
 from ..frozen import frozen
 from ..kinematics.plan import Plan
@@ -128,9 +130,16 @@ def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
 
     They are met in an order that the lines of a description may have a part in.
     """
-    operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
-    met = ((value, operators[sign]) for value, sign in signs.holding().items())
+    met = (_condition(value, sign) for value, sign in signs.holding().items())
     return tuple(sorted(met, key=lambda c: (count_operations(c[0]), text(c[0]))))
+
+
+def _condition(value: Formula, sign: int) -> tuple[Formula, Operator]:
+    """Return that a value has a sign; a sum of which it is negative is turned to be positive."""
+    if sign < 0 and isinstance(value, tree.Sum):
+        return total(sorted(map(negative, value.terms), key=has_minus)), ">"
+    operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
+    return value, operators[sign]
 
 
 def power(times: Fraction, factor: Formula, force: Formula, slip: Formula) -> Formula:

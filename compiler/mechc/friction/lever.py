@@ -16,7 +16,7 @@ from collections.abc import Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
-from ..algebra.product import ONE, Product
+from ..algebra.product import ONE, Product, Sum
 from ..algebra.sums import add
 from ..formula.tree import (
     Call,
@@ -90,8 +90,8 @@ def on_lever(
 def _with_friction(name: str, parts: Sequence[Product], bearing: Bearing, signs: Signs) -> Balanced:
     """Return the force along a line that balances a lever; a negative arm is reversed."""
     arm, rest, along, across = parts
-    way = -1 if arm.coefficient < 0 else 1
-    arm, rest = arm.scaled(way), rest.scaled(-way)
+    way = signs.way(arm)
+    arm, rest = (arm, -rest) if way > 0 else (_opposite(arm), rest)
     across = -across if across.coefficient < 0 else across
     bearing = bearing._replace(turn=bearing.turn.scaled(way))
     label = _label(name)
@@ -104,6 +104,15 @@ def _with_friction(name: str, parts: Sequence[Product], bearing: Bearing, signs:
     is_beyond, made = signs.turned_by(arm, bearing.radius, ahead), (arm, rest, along, across)
     found = _root(name, made, bearing, turn, signs)
     return found._replace(alike=_sense(made, bearing, signs)) if is_beyond else found
+
+
+def _opposite(value: Product) -> Product:
+    """Return the opposite of a value, of a sum that of its terms."""
+    match list(value.factors.items()):
+        case [(Sum() as only, 1)]:
+            return add(term.scaled(-value.coefficient) for term in only.terms)
+        case _:
+            return -value
 
 
 def _sense(parts: Sequence[Product], bearing: Bearing, signs: Signs) -> Product | None:

@@ -55,6 +55,10 @@ class Signs(Protocol):
         """Return the sign of a value, which may be called ``name``."""
         ...
 
+    def way(self, value: Product) -> int:
+        """Return -1 for a value that is written as the opposite of a positive one, else 1."""
+        ...
+
     def sense(self, name: str, slip: Product) -> Product:
         """Return the sense of a slip, 0 where that is rounding; it may be called ``name``."""
         ...
@@ -162,6 +166,10 @@ class AtAnyPose(_Names):
         factors = Product(1, signed.factors)
         return self._defined(name, Call("sign", (factors.formula(),)), signed)
 
+    def way(self, value: Product) -> int:
+        """Return the sign of what stands before a value."""
+        return -1 if value.coefficient < 0 else 1
+
     def sense(self, name: str, slip: Product) -> Product:
         """Return the name of the sense, with a minus for that of the opposite."""
         signed = bare(slip)
@@ -245,6 +253,10 @@ class AtOnePose(_Names):
             return telling
         parts = map(self._sign_of, telling.factors)
         return Product(math.prod(parts)).scaled(telling.coefficient)
+
+    def way(self, value: Product) -> int:
+        """Return the sign of a value at the pose, without noting it."""
+        return -1 if value.evaluate(self._values) < 0 else 1
 
     def sense(self, name: str, slip: Product) -> Product:
         """Return 1, 0 or -1, and note what the slip is the product of."""

@@ -8,15 +8,17 @@ from ...formula.facing import LONG, as_in, condition, facing, led, without_sign
 from ...formula.layout import has_minus
 from ...formula.operations import count_operations
 from ...formula.over_line import over_line
-from ...formula.tree import ZERO, Formula, Product, Symbol, negative
+from ...formula.tree import ZERO, Formula, Product, Symbol, is_call, negative
 from ...formula.walk import substitute, symbols, walk
 from ...friction.solution import Solution
 from ...frozen import replace
 from ...kinematics.plan import Plan
+from ...model.mechanism import Mechanism, WithFriction
 from ...pose.given_angles import given_lines
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
 from ..kinds import Rule
+from ..sentences.order import geometry_first
 from ..sentences.speller import guided_of
 from ..steps import Derivation, Equation, Explanation, LastStep, Step
 from . import equilibrium
@@ -53,7 +55,7 @@ def derive(
         ratios=tuple(speeds.ratios),
         requires=mechanism.requires,
     )
-    face = Facing(solution.plan)
+    face = Facing(solution.plan, _turns(results, mechanism))
     derivation = _facing(derivation, face)
     position = position_steps(solution.plan.graph.pose, derivation)
     last = map(face.last_step, last_steps(derivation, solution.balance.equations.owners))
@@ -63,7 +65,9 @@ def derive(
 class Facing:
     """Writes formulas as :func:`facing` does, at the default pose of a plan."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, turns: Set[str] = frozenset()) -> None:
+        """Take the angles by which friction ``turns`` forces: they stand behind others."""
+        self._turns = turns
         self._values = cache(partial(default_values, plan))
         self._quarter = given_lines(plan.graph.pose)
 
@@ -73,7 +77,10 @@ class Facing:
         Its quotients have whole numbers, not decimals.
         """
         faced = over_line(facing(formula, self._values, self._quarter))
-        return faced if count_operations(faced) > LONG else led(faced)
+        if count_operations(faced) > LONG:
+            return faced
+        is_turned = not self._turns.isdisjoint(symbols(formula))
+        return led(geometry_first(faced, self._turns) if is_turned else faced)
 
     def relation(self, equation: Equation) -> Equation:
         """Return an equation of such sides, with the fewer minuses at their heads.
@@ -121,13 +128,29 @@ class Facing:
         poles = tuple(self.zero(limit, formula) for limit in result.poles)
         slopes = result.derivatives
         derivatives = slopes and {n: as_in(self.of(s), formula) for n, s in slopes.items()}
-        return replace(result, formula=formula, zeros=zeros, poles=poles, derivatives=derivatives)
+        where = tuple(d._replace(formula=self._turned(d.formula)) for d in result.where)
+        holds = tuple(replace(h, left=self._turned(h.left)) for h in result.holds)
+        result = replace(result, where=where, holds=holds, derivatives=derivatives)
+        return replace(result, formula=formula, zeros=zeros, poles=poles)
+
+    def _turned(self, formula: Formula) -> Formula:
+        """Return a formula with an angle of friction in front as it is written, else as it is."""
+        if self._turns.isdisjoint(symbols(formula)):
+            return formula
+        return formula if geometry_first(formula, self._turns) == formula else self.of(formula)
 
     def last_step(self, step: LastStep) -> LastStep:
         """Return the step that gives a ratio."""
         ratio = step.ratio._replace(right=self.of(step.ratio.right))
         chain = step.chain and step.chain._replace(product=self.of(step.chain.product))
         return LastStep(chain, ratio)
+
+
+def _turns(results: Sequence[Analysis], mechanism: Mechanism) -> Set[str]:
+    """Return the names of angles by which friction turns a force."""
+    found = (d for r in results if isinstance(r.target, WithFriction) for d in r.where)
+    turned = (d.name for d in found if is_call(d.formula, "asin", "atan"))
+    return mechanism.friction.parameters | {*turned}
 
 
 def _facing(derivation: Derivation, face: Facing) -> Derivation:
