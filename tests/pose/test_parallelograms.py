@@ -155,3 +155,58 @@ def test_a_rod_mirrors_the_one_that_hangs_on_the_same_pin():
     (result,) = compilation.solution.results
     assert text(result.formula) == "2*cos(beta_AS)*cos(phi)/cos(beta_AS - phi)"
     assert compilation.verdict.agrees
+
+
+FOUR_BAR = """
+param a = 40 mm
+param b = 100 mm
+param phi = 60 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (b, 0 mm)
+link OA
+link AB
+link QB
+OA = a @ phi
+AB = {coupler}
+QB = {rocker}
+assembly QBA {turn}
+drive phi from 5 deg to 355 deg
+torque M on OA
+torque T on QB
+find k = M/T
+"""
+
+
+@pytest.mark.parametrize(
+    ("coupler", "rocker", "turn", "formula"),
+    [
+        ("b", "a", "cw", "sin(phi - 2*phi_AQ)/sin(phi)"),  # a crossed parallelogram
+        ("a", "b", "ccw", "a*sin(2*phi - 2*phi_AQ)/(b*sin(phi))"),  # a kite
+    ],
+)
+def test_the_sides_of_a_loop_that_mirror_the_known_ones_have_their_directions(
+    coupler, rocker, turn, formula
+):
+    """They go on beyond 180°, where by the law of cosines the loop would fold on the known side."""
+    text_ = FOUR_BAR.format(coupler=coupler, rocker=rocker, turn=turn)
+    compilation = Compilation(Source("m.mech", text_))
+    pose, (result,) = compilation.pose, compilation.solution.results
+    assert [d.name for d in pose.definitions] == ["phi_AQ"]
+    assert [loop.kind for loop in pose.solved] == ["mirrored"]
+    assert text(result.formula) == formula
+    assert compilation.verdict.agrees
+    for phi in (0.5, 2.0, 4.0, 6.0):
+        values = completed({**defaults(pose.mechanism), "phi": phi}, pose.definitions)
+        (ab,), (qb,) = pose.vector("AB", "A", "B"), pose.vector("QB", "Q", "B")
+        ends = [
+            rotor(turn) * length + start
+            for turn, length, start in (
+                (ab.angle.evaluate(values), ab.length.evaluate(values), 0.04 * rotor(phi)),
+                (qb.angle.evaluate(values), qb.length.evaluate(values), 0.1),
+            )
+        ]
+        assert abs(ends[0] - ends[1]) < 1e-12
+
+
+def rotor(phi):
+    return complex(math.cos(phi), math.sin(phi))

@@ -9,7 +9,7 @@ from mechc.formula.to_text import text
 from mechc.source import Source
 from mechc.study.zeros import may_lie_flat
 
-CROSSED = """
+FLAT = """
 param phi = -30 deg in -35 deg .. 30 deg
 pivot O at (0 mm, 0 mm)
 pivot Q at (150 mm, 0 mm)
@@ -18,7 +18,7 @@ link QBD
 link AB
 OA = 100 mm @ phi
 AB = {coupler} mm
-QB = 100 mm
+QB = 120 mm
 QD = 150 mm @ QB
 assembly ABQ cw
 torque M on OA
@@ -55,14 +55,22 @@ def conditions(description):
     return {text(limit.factor): {text(other) for other in limit.but} for limit in limits}
 
 
-@pytest.mark.parametrize(("coupler", "is_flat"), [(150, True), (149, False)])
+@pytest.mark.parametrize(("coupler", "is_flat"), [(130, True), (129, False)])
 def test_angles_of_a_four_bar_that_may_lie_flat_vanish_together(coupler, is_flat):
-    """The crossed parallelogram passes the pose in which all of it lies on the x axis."""
-    description = CROSSED.format(coupler=coupler)
+    """Frame and crank are together as long as the others: at 0 degrees all lies on the x axis."""
+    description = FLAT.format(coupler=coupler)
     pose = Compilation(Source("m.mech", description)).pose
     near = {"phi": 0.3, "len_OA": 0.1}
     assert [may_lie_flat(limit, near) for limit in pose.limits] == [is_flat]
     assert conditions(description)["sin(mu_B)"] == ({"sin(phi - phi_AB)"} if is_flat else set())
+
+
+def test_what_loops_find_vanishes_with_what_is_given():
+    """A crossed parallelogram passes the same pose; where sin(φ) is not zero, k vanishes."""
+    crossed = FLAT.format(coupler=150).replace("QB = 120 mm", "QB = 100 mm")
+    found = conditions(crossed)
+    assert found["sin(phi - 2*phi_AQ)"] == {"sin(phi)"}
+    assert found["cos(phi - 2*phi_AQ)"] == set()
 
 
 def test_what_is_on_one_line_in_a_pose_of_the_range_is_looked_for():

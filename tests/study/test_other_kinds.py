@@ -12,7 +12,7 @@ from mechc.model.parts.targets import Efficiency, ForceAtJoint, WithFriction
 from mechc.report.text.derivation import render
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
-from other_kinds import KINDS, other, put_toggle
+from other_kinds import KINDS, of_two_lengths, other, put_toggle
 from statements import missing, refuted
 
 
@@ -59,8 +59,7 @@ def test_a_toggle_that_folds_has_no_zeros_of_rounding(tmp_path):
 
     It comes to each of them from -9 and 9 mm, so that it jumps there.
     """
-    put_toggle(tmp_path)
-    text = other("joined", 91000108)
+    text = of_two_lengths(other("joined", 91000108), tmp_path)
     compilation = Compilation(Source("fold.mech", text, folder=tmp_path))
     stroke = compilation.stroke(3)
     (part,) = stroke.nil

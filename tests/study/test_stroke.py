@@ -15,7 +15,7 @@ from mechc.formula.walk import symbols
 from mechc.source import Source
 from mechc.study.analysis import Acted, DeadCentre
 from mechc.study.stroke.along import Along
-from other_kinds import put_toggle
+from other_kinds import of_two_lengths
 from paths import LIBRARY
 from sources import in_thirds
 from stroke_statements import rate
@@ -740,8 +740,8 @@ find k = M/T_F
 
 
 def test_equal_links_that_fold_make_no_pole_and_no_jumps_of_rounding(tmp_path):
-    put_toggle(tmp_path)
-    (tmp_path / "press.mech").write_text(FOLDED, encoding="utf-8")
+    folded = of_two_lengths(FOLDED, tmp_path)
+    (tmp_path / "press.mech").write_text(folded, encoding="utf-8")
     mechanism = mechc.load(tmp_path / "press.mech")
     (pole,) = [p for p in mechanism.results["k"].poles if symbols(p.factor) == {"beta_BK1"}]
     assert [written(factor) for factor in pole.but] == ["sin(T_alpha + beta_BK1)"]

@@ -5,13 +5,14 @@ from functools import lru_cache
 import pytest
 
 from grown import Grown, wide
-from hunted import Hunted, made
+from hunted import Hunted, Made, made
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.frozen import replace
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
 from mechc.study.stroke.stroke import Stroke
+from other_kinds import of_two_lengths
 from stroke_curves import Curve, changes_of_sign, curves, refuted
 
 
@@ -120,6 +121,7 @@ def test_a_zero_that_is_left_out_would_be_seen():
 @pytest.mark.parametrize("seed", [103001117, 104001391])
 def test_what_is_said_to_be_zero_throughout_does_not_change_its_sign(seed, tmp_path):
     """A toggle that folds stands still on a third, or most, of its stroke, but for 1e-14."""
-    found = Hunted(made("joined", seed), seed, tmp_path)
+    text = of_two_lengths(made("joined", seed).text, tmp_path)
+    found = Hunted(Made(text), seed, tmp_path)
     assert found.stroke.nil
     assert list(refuted(found.compilation, found.stroke)) == []

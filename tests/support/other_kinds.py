@@ -3,6 +3,7 @@
 Each function returns the text of one; numbers have ranges, over which statements can be sampled.
 """
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from random import Random
@@ -29,6 +30,20 @@ def put_toggle(folder: Path) -> None:
     toggle = (EXAMPLES / "press" / "toggle.mech").read_text("utf-8")
     free = toggle.replace("in 2 deg .. 40 deg", "in -180 deg .. 180 deg")
     (folder / "toggle.mech").write_text(free, "utf-8")
+
+
+def of_two_lengths(text: str, folder: Path) -> str:
+    """Return a description whose toggle has links that are equally long by number only.
+
+    The toggle is written beside it. Folded, its ram rests at the pivot from there on; where one
+    parameter is the length of both it goes on.
+    """
+    put_toggle(folder)
+    toggle = (folder / "toggle.mech").read_text("utf-8")
+    own = toggle.replace("BK = l", "BK = m").replace("param alpha", "param m = 100 mm\nparam alpha")
+    (folder / "toggle2.mech").write_text(own, "utf-8")
+    text = text.replace('"toggle.mech"', '"toggle2.mech"')
+    return re.sub(r"\(l = (.*?)\)", r"(l = \1, m = \1)", text)
 
 
 def ranged(name: str, dice: Random, low: float, high: float, unit: str = "") -> str:

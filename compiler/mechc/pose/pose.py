@@ -73,7 +73,9 @@ class Limit(NamedTuple):
                 return ()
 
 
-LoopKind = Literal["triangle", "guide", "slot", "aligned", "equal", "lengths", "vector", "system"]
+LoopKind = Literal[
+    "triangle", "guide", "slot", "aligned", "equal", "mirrored", "lengths", "vector", "system"
+]
 """What the two unknowns of a loop are: two directions (``triangle``), a direction and a length
 along a given line (``guide``) or along a line that turns with it (``slot``; ``aligned`` where it
 passes through the other end), two ``lengths``. It is ``equal`` where a direction is that of
@@ -84,11 +86,12 @@ points that have places; more than two make a ``system``."""
 class SolvedLoop(NamedTuple):
     """A loop as it was solved: its points, what kind it is, the names it gave, in order.
 
-    The points of a triangle are its vertices, the pin between the unknown sides the second;
-    ``is_clockwise`` is how they lie, None for other loops. One that is congruent to an earlier
-    one has ``again`` what that gave, and ``like`` are the earlier one's points. ``put_in`` are
-    directions that no name stands for in vectors: those of other vectors all the way, and that of
-    a side that mirrors one of the earlier triangle in a line of symmetry.
+    The points of a triangle are its vertices, the pin between the unknown sides the second, those
+    of one that is mirrored, too; ``is_clockwise`` is how they lie, None for other loops. One that
+    is congruent to an earlier one has ``again`` what that gave, and ``like`` are the earlier one's
+    points. ``put_in`` are directions that no name stands for in vectors: those of other vectors
+    all the way or mirrored, and that of a side that mirrors one of the earlier triangle in a line
+    of symmetry.
     """
 
     kind: LoopKind

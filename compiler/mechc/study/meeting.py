@@ -38,23 +38,35 @@ class Meetings:
         self._value, self._defined, self._mechanism = value, defined, mechanism
         self._given = {name: x for name, x in near.items() if name not in defined}
 
-    @cached_property
-    def pairs(self) -> Set[frozenset[Trig]]:
-        """Return pairs on either side of the line of which loops find angles in both.
+    def across(self, sine: Trig, side: int) -> frozenset[Trig]:
+        """Return those on the other side of the line that a sine vanishes with.
 
-        They are looked for along what moves first.
+        ``side`` is that of the sine, 1 above the line and -1 below it. It may be a part of a
+        factor, as cos x is of sin 2x. Loops find angles in it, or in the other one.
         """
+        if sine in self._value.factors:
+            return frozenset().union(*(pair - {sine} for pair in self._pairs if sine in pair))
+        factors = self._value.factors.items()
+        others = [f for f, e in factors if isinstance(f, Trig) and e * side < 0]
+        return frozenset().union(*self._meeting([sine, *others])) - {sine}
+
+    @cached_property
+    def _pairs(self) -> Set[frozenset[Trig]]:
+        """Return the pairs on either side of the line that vanish together."""
         factors = self._value.factors
-        found = [f for f in factors if isinstance(f, Trig) and not self._is_given(f)]
-        if len({factors[f] > 0 for f in found}) < 2:
-            return frozenset()
+        found = [f for f in factors if isinstance(f, Trig)]
+        pairs = self._meeting(found) if len({factors[f] > 0 for f in found}) > 1 else ()
+        return frozenset(p for p in pairs if len({factors[f] > 0 for f in p}) > 1)
+
+    def _meeting(self, sines: Sequence[Trig]) -> Set[frozenset[Trig]]:
+        """Return the pairs of sines that vanish together, along what moves first."""
         name = next((n for n in moving_first(self._mechanism) if n in self._given), "")
         ends = self._ends(name) if name else None
-        if ends is None:
+        if ends is None or len(sines) < 2 or all(map(self._is_given, sines)):
             return frozenset()
-        formulas = [f.formula() for f in found]
+        formulas = [f.formula() for f in sines]
         pairs = meeting(formulas, self._defined, self._given, name, ends)
-        return frozenset(frozenset((found[i], found[j])) for i, j in pairs)
+        return frozenset(frozenset((sines[i], sines[j])) for i, j in pairs)
 
     def _is_given(self, factor: Trig) -> bool:
         return factor.angle.names.isdisjoint(self._defined)

@@ -28,7 +28,7 @@ from .ranges import moving_first, with_range
 from .tolerances import SAME_RATIO, VANISHED_SUM
 from .trends import is_free_of_zeros
 
-STEPS = (1e-4, 1e-7)
+STEPS = (1e-4, 1e-6)
 """How far from a root the values are compared that refute it, in radians.
 
 Far from it rounding does no harm; near it no other root that is close by does.
@@ -210,12 +210,12 @@ def _at_folds(trig: Trig, of: _Sought) -> list[Trig]:
         return _across_the_line(trig, of.value)
     flat = [names for names in of.flat if found and _is_between_sides(trig, names)]
     exponent = of.value.factors.get(trig, of.side)
+    together = of.meetings.across(trig, of.side) if found else frozenset()
     across = [f for f, e in of.value.factors.items() if isinstance(f, Trig) and e * exponent < 0]
     return [
         other
         for other in across
-        if any(_is_between_sides(other, names) for names in flat)
-        or {trig, other} in of.meetings.pairs
+        if other in together or any(_is_between_sides(other, names) for names in flat)
     ]
 
 

@@ -31,9 +31,9 @@ from .closed import Closed
 from .drawn import start
 from .dyad_closures import dyad
 from .dyad_sides import Sides
-from .dyads import Loop
+from .dyads import Closure, Loop
 from .groups import closures, left_open, remaining_blocks
-from .recognition import familiar, recognised, unwound
+from .recognition import familiar, in_known_angles, unwound
 from .redundant import check_fit, joined
 from .state import State
 
@@ -222,20 +222,22 @@ class _Closing:
         state = self._state
         name, base, found = state.free_name, state.base, state.definitions
         sides = Sides(name, state.named, self._fixed, base, state.signed, found, state.twice)
-        group = dyad(Loop.of(cycle, wanted), sides)
+        loop = Loop.of(cycle, wanted)
+        group = dyad(loop, sides)
         if group is None:
             return False
         self._check_values(cycle)
         around = familiar(cycle, state)
-        known = [recognised(c, wanted, around, state) for c in group.closures]
+        known = [in_known_angles(c, loop, around, state) for c in group.closures]
         candidates = [joined(c, wanted, cycle, state) for c in known]
         chosen = self._choice.choose(candidates, group, within)
         is_new = not sides.again
         state.limits += [group.limit] if group.limit and is_new else []
         if group.root is not None and is_new and any(chosen is each for each in group.closures):
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
-        kind: LoopKind = "equal" if chosen.alike else group.kind
-        points = group.triples()[0] if kind == "triangle" else points_around(cycle)
+        kind = _how(chosen, group.kind)
+        is_triangle = kind in ("triangle", "mirrored")
+        points = group.triples()[0] if is_triangle else points_around(cycle)
         side = tuple(arm for edge in cycle for arm in edge.arms)
         state.take(unwound(chosen, state), wanted, [side], kind, points, sides.again)
         return True
@@ -266,6 +268,15 @@ def _turns_as_a_whole(cycle: Cycle, wanted: Names, reference: str, state: State)
         for arm in edge.arms
     )
     return all(turn == 1 for turn in turns)
+
+
+def _how(closure: Closure, kind: LoopKind) -> LoopKind:
+    """Return how a loop of a kind is solved: without its law where its lengths are equal."""
+    if not closure.alike:
+        return kind
+    own = {d.name for d in closure.definitions}
+    by_side = any(not own.isdisjoint(angle.names) for angle in closure.alike.values())
+    return "mirrored" if by_side else "equal"
 
 
 def in_closed_form(loop: str, definitions: Sequence[Definition], root: Call) -> ClosedLoop:

@@ -7,13 +7,13 @@ from fractions import Fraction
 from ...algebra.angle import Angle
 from ...algebra.from_formula import to_angle
 from ...formula.evaluate import evaluate
-from ...formula.tree import Call, Formula, Sum, degrees, negative, total
+from ...formula.tree import Call, Formula, Sum, degrees, is_call, negative, total
 from ...formula.walk import symbols
-from ..pose import Arm, Definition
+from ..pose import Arm, Definition, Vector
 from ..samples import Values
 from ..tolerances import SAME_ANGLE
 from ..vector_graph import Cycle, Names
-from .dyads import Closure
+from .dyads import Closure, Loop
 from .state import State
 
 MOST_OF_THEM = 3
@@ -55,6 +55,28 @@ def familiar(cycle: Cycle, state: State) -> list[Angle]:
     points = {p for edge in cycle for p in (edge.tail, edge.head)}
     around = (e for e in state.graph.edges if not points.isdisjoint((e.tail, e.head)))
     return list(dict.fromkeys(arm.angle for edge in (*cycle, *around) for arm in edge.arms))
+
+
+def in_known_angles(closure: Closure, loop: Loop, around: Iterable[Angle], state: State) -> Closure:
+    """Return a closure without its law, where its lengths are equal: else the closure.
+
+    Its directions are those of other vectors, or those of its known arms, mirrored in the side
+    that these make: of a kite, and of a crossed parallelogram.
+    """
+    alike = recognised(closure, loop.unknown, around, state)
+    if alike.alike:
+        return alike
+    mirror = recognised(closure, loop.unknown, _mirrored(closure, loop.known), state)
+    return mirror if loop.unknown <= mirror.alike.keys() else closure
+
+
+def _mirrored(closure: Closure, known: Vector) -> list[Angle]:
+    """Return the directions of the arms of a loop's known side, mirrored in this side."""
+    sides = (d.name for d in closure.definitions if is_call(d.formula, "atan2"))
+    side = next((name for name in sides if name.startswith("phi_")), None)
+    if side is None or len(known) < 2:
+        return []
+    return [Angle.of(side) * 2 - arm.angle for arm in known]
 
 
 def recognised(closure: Closure, unknown: Names, around: Iterable[Angle], state: State) -> Closure:

@@ -50,7 +50,8 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
         put_in = [d for d in loop.put_in if any(map((_ends(d.name) - fixed).issubset, subjects))]
         if names or put_in or not loop.again.isdisjoint(needed):
             shown = (Definition(d.name, led(d.formula)) for d in put_in)
-            found = (*shown, *(Definition(n, formulas[n]) for n in names))
+            given = (Definition(n, formulas[n]) for n in names)
+            found = (*given, *shown) if loop.kind == "mirrored" else (*shown, *given)
             yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found, loop.like)
 
 

@@ -114,6 +114,8 @@ LOCALE = Locale(
         "aligned": "Loop {loop}: the line of the slot has the direction of the vector between its"
         " ends, the place on it is the length of that vector.",
         "equal": "Loop {loop}: lengths in it are equal, so that its directions follow at once.",
+        "mirrored": "Loop {loop}: its unknown sides are as long as the known ones, so that they "
+        "have the directions of these, mirrored in the line {side}.",
         "congruent": "Triangles {loop} and {like} are congruent by their three sides: their angles "
         "at {pins} are equal.",
         "lengths": "Loop {loop}: its projections give two lengths.",

@@ -81,10 +81,12 @@ def position_sentences(
 def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
     turn = locale.turns["cw" if step.is_clockwise else "ccw"]
     loop, like = (spell("".join(points)) for points in (step.points, step.like))
+    side = spell("".join((step.points[0], step.points[-1]))) if step.points else ""
     pins = dict.fromkeys(points[1] for points in (step.points, step.like) if points)
     return template.format(
         loop=loop,
         like=like,
+        side=side,
         turn=turn,
         pins=enumeration(map(spell, pins), locale),
         all=enumeration(map(spell, step.points), locale),
