@@ -24,7 +24,8 @@ from mechc.friction.naming import Endings, Meanings, OwnNames, renamed
 from mechc.friction.normal_forces import Idle, loaded_pairs, scaled, without_standing
 from mechc.friction.pairs import Component, FrictionPair, LoadedPair
 from mechc.friction.sequential import SequentialSolver
-from mechc.friction.signs import AtAnyPose, AtOnePose, bare, is_root
+from mechc.friction.signs import AtAnyPose, bare, is_root
+from mechc.friction.signs_at_a_pose import AtOnePose
 from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import LoadRatio, Mirror, Rope

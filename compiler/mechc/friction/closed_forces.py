@@ -30,7 +30,8 @@ from .linear import LinearSolver
 from .normal_forces import load_of
 from .pairs import LoadedPair
 from .sequential import SequentialSolver
-from .signs import AtOnePose, Signs
+from .signs import Signs
+from .signs_at_a_pose import AtOnePose
 from .solution import Kind, Step
 
 X, Y = (Arm(ONE, Angle()),), (Arm(ONE, QUARTER),)

@@ -27,7 +27,8 @@ from ..named import NamedTuple
 from ..power.numbers import default_values
 from .free_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames, renamed
-from .signs import AtAnyPose, AtOnePose, Signs, bare, exact_sign, is_root
+from .signs import AtAnyPose, Signs, bare, exact_sign, is_root
+from .signs_at_a_pose import AtOnePose
 from .solution import Step
 
 Operator = Literal["<", ">", "="]

@@ -22,7 +22,8 @@ from ..power.magnitudes import even, magnitude
 from .closed_form import Named, Printed, conditions, power, readable
 from .naming import Sizes
 from .pairs import FrictionPair, LoadedPair, radii, reduced
-from .signs import AtOnePose, is_root
+from .signs import is_root
+from .signs_at_a_pose import AtOnePose
 from .solution import Step
 
 

@@ -21,7 +21,7 @@ from .naming import Sizes
 from .normal_forces import load_of, term_of
 from .pairs import FrictionPair, LoadedPair, radii
 from .senses import sense_of
-from .signs import AtOnePose
+from .signs_at_a_pose import AtOnePose
 from .solution import Step
 
 
