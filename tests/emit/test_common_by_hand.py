@@ -1,0 +1,51 @@
+"""What long functions have in common, in C and in Python: computed once, taken by each."""
+
+from mechc.emit.c import pose as in_c
+from mechc.emit.c.reserved import RESERVED as C_WORDS
+from mechc.emit.names import Names
+from mechc.emit.python import pose as in_python
+from mechc.emit.python.printer import RESERVED as PYTHON_WORDS
+from mechc.formula.tree import Symbol, product, total
+from mechc.routine.steps import Common, Input, Step
+from mechc.units import NUMBER
+
+A, B, U, V = map(Symbol, "abuv")
+SUM = Step("u", total([A, B]))
+SQUARE = Step("v", product([(U, 2)]))
+INPUTS = Input("a", NUMBER), Input("b", NUMBER)
+FIRST = Common(0, INPUTS, (SUM,), ("u",))
+SECOND = Common(1, INPUTS, (SQUARE,), ("u", "v"), FIRST)
+ARGUMENTS = {"a": "a", "b": "b_"}
+CALLED = {0: "common", 1: "common_2"}
+
+
+def test_c_takes_what_is_common_from_an_array_in_the_order_of_its_outputs():
+    found = in_c.taking(SECOND, CALLED, ARGUMENTS, Names(C_WORDS))
+    assert found.body == ["double taken[2];", "common_2(a, b_, taken);"]
+    assert found.names == {"u": "taken[0]", "v": "taken[1]"}
+    assert in_c.taking(None, CALLED, ARGUMENTS, Names(C_WORDS)) == ([], {})
+
+
+def test_c_fills_the_array_with_what_another_one_gave_among_that():
+    first = in_c.common_context(FIRST, CALLED, ARGUMENTS, {})
+    assert first.head == "static void common(double a, double b_, double *values)"
+    assert first.body == ["const double u = a + b_;", "values[0] = u;"]
+    second = in_c.common_context(SECOND, CALLED, ARGUMENTS, {})
+    assert second.body == [
+        "double taken[1];",
+        "common(a, b_, taken);",
+        "const double v = taken[0]*taken[0];",
+        "values[0] = taken[0];",
+        "values[1] = v;",
+    ]
+
+
+def test_python_takes_what_is_common_by_its_name():
+    space = Names(PYTHON_WORDS, {*ARGUMENTS.values()})
+    found = in_python.taken(FIRST, (SQUARE,), (V,), ARGUMENTS, space, {})
+    assert [(line.name, line.code) for line in found.body] == [
+        ("values", "_values_0(a, b_)"),
+        ("v", 'values["u"]*values["u"]'),
+    ]
+    alone = in_python.taken(None, (SUM,), (U,), ARGUMENTS, Names(PYTHON_WORDS), {})
+    assert [(line.name, line.code) for line in alone.body] == [("u", "a + b_")]
