@@ -76,6 +76,11 @@ def test_other_targets_are_not_imported(target: str) -> None:
     assert found & others == {f"mechc.emit.{target}.to_{target}"}
 
 
+def test_no_other_package_is_asked_for_a_format_that_is_named(tmp_path: Path) -> None:
+    command = ("-m", "mechc", "compile", CLAMP, "-o", str(tmp_path / "k.txt"))
+    assert "importlib.metadata" not in imports(*command, "--emit", "latex")
+
+
 @pytest.mark.parametrize("target", ["c", "python", "latex"])
 def test_what_draws_nothing_makes_no_figure(target: str) -> None:
     found = imports("-m", "mechc", "compile", CLAMP, "--emit", target)

@@ -43,12 +43,12 @@ def _output(path: str, target: str | None) -> Output:
         return Output(target or _choose(f"the folder {path!r} has no suffix"), Path(path), True)
     refuse_pictures(Path(path))
     suffix = Path(path).suffix
-    by_suffix = registry.by_suffix(suffix)
-    if target and by_suffix in registry.BUILT_IN.keys() - {target} and target in registry.BUILT_IN:
+    ours = registry.own_by_suffix(suffix)
+    if target in registry.BUILT_IN and ours not in (None, target):
         raise usage.UsageError(
-            f"{path!r} is a file of {by_suffix} by its suffix, and --emit asks for {target}"
+            f"{path!r} is a file of {ours} by its suffix, and --emit asks for {target}"
         )
-    chosen = target or by_suffix or _choose(f"no format has the suffix {suffix!r}")
+    chosen = target or registry.by_suffix(suffix) or _choose(f"no format has the suffix {suffix!r}")
     return Output(chosen, Path(path))
 
 

@@ -68,10 +68,14 @@ def by_suffix(suffix: str, report: Report | None = None) -> str | None:
     >>> by_suffix(".h")
     'c'
     """
-    for name, place in BUILT_IN.items():
-        if suffix in place.suffixes:
-            return name
+    if ours := own_by_suffix(suffix):
+        return ours
     return next((n for n, t in _loaded(report).items() if suffix in t.suffixes), None)
+
+
+def own_by_suffix(suffix: str) -> str | None:
+    """Return the name of the target of our own that a file suffix chooses, or None."""
+    return next((name for name, place in BUILT_IN.items() if suffix in place.suffixes), None)
 
 
 def targets(report: Report | None = None) -> dict[str, Target]:
