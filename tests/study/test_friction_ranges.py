@@ -12,7 +12,11 @@ import pytest
 from force_samples import Compiled, tree_of
 from friction_chains import COUPLED, chain, made_of
 from friction_statements import refuted
+from good_mechanisms import begun
+from mechc.model.parts.targets import LoadRatio
+from mechc.study import sampling
 from mechc.study.ratios import Study
+from mechc.study.sampling import looked_at
 from reference_balance import ratio
 from reference_forces import Forces
 from reference_geometry import defined
@@ -177,3 +181,15 @@ def test_beside_a_pole_what_sticks_is_stated_where_iteration_gives_up():
     assert [s.state for s in stuck] == ["jammed"]
     assert list(refuted(made.compilation)) == []
     assert [efficiency.least for efficiency in result(made, "eta_k").efficiency_ranges] == [0]
+
+
+def test_dead_centres_are_looked_for_once_for_both_ways_of_the_motion(monkeypatch):
+    study = Study(begun("karpenko_fig9_with_friction").solution)
+    of = LoadRatio("P", "F")
+    there, back = (study.moving(of, sense, "alpha") for sense in ("tightening", "releasing"))
+    ends = (-0.5, 1.5)  # sin(alpha + beta) is zero at -7 deg between them
+    assert looked_at(there, *ends)
+    monkeypatch.setattr(sampling, "_dead_centres", None)
+    assert looked_at(back, *ends)
+    (centre,) = back.ideal_along.centres[ends]
+    assert math.degrees(centre) == pytest.approx(-7)

@@ -21,7 +21,7 @@ from ..model.values import range_of
 from .ranges import moved, shown, spans, turns
 from .ratios import sizes
 from .sampling import looked_at
-from .states import Moving, Ratios
+from .states import Ideal, Moving, Ratios
 from .sweep import Sweep
 from .tolerances import DIFFERENCE
 
@@ -68,7 +68,8 @@ class _Comparison:
     def __init__(self, solution: Solution, find: Find, ideal: Result, real: FrictionResult) -> None:
         assert isinstance(find.target, WithFriction)
         self._solution, self._find = solution, find
-        self._ideal, self._real, self._sense = ideal, real, find.target.sense
+        self._ideal, self._real = ideal, real
+        self._ratios = Ratios(Ideal(ideal), real, find.target.sense)
         self._mechanism = solution.plan.graph.pose.mechanism
         self._loads = sizes(self._mechanism, real)
 
@@ -88,7 +89,7 @@ class _Comparison:
 
     def _moving(self, name: str) -> Moving:
         sweep = Sweep(self._solution.plan, name, self._loads or {})
-        return Ratios(self._ideal, self._real, self._sense).along(sweep)
+        return self._ratios.along(self._ratios.ideal_along(sweep))
 
     def _given(self, moving: Moving, x: float) -> float:
         efficiency, values = self._mechanism.friction.efficiency, moving.sweep.values(x)

@@ -13,7 +13,7 @@ from ..model.values import range_of
 from .intervals import USUAL, EfficiencyRange, Range
 from .ranges import moved, spans, unit_of, varying
 from .sampling import looked_at
-from .states import Moving, Ratios
+from .states import Ideal, IdealAlong, Moving, Ratios
 from .sweep import Code, Sweep
 from .tolerances import SAME_EFFICIENCY
 
@@ -25,6 +25,8 @@ class Study:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
         self._code = Code(solution.plan)
+        self._ideals: dict[str, Ideal] = {}
+        self._ideals_along: dict[tuple[str, bool, str, frozenset[str]], IdealAlong] = {}
         self._ratios: dict[tuple[str, Sense], Ratios] = {}
         self._moving: dict[tuple[str, Sense, str], Moving] = {}
         self._sweep: dict[tuple[str, frozenset[str]], Sweep] = {}
@@ -47,14 +49,22 @@ class Study:
             return None
         if key not in self._moving:
             ratios = self._both(key[:2], ideal, real)
-            self._moving[key] = ratios.along(self._along(parameter, loads))
+            self._moving[key] = ratios.along(self._ideal_along(ratios, parameter, loads))
         return self._moving[key]
 
     def _both(self, key: tuple[str, Sense], ideal: Result, real: FrictionResult) -> Ratios:
         """Return the ratio without friction and the one with it, the same for all parameters."""
         if key not in self._ratios:
-            self._ratios[key] = Ratios(ideal, real, key[1])
+            known = self._ideals.setdefault(ideal.name, Ideal(ideal))
+            self._ratios[key] = Ratios(known, real, key[1])
         return self._ratios[key]
+
+    def _ideal_along(self, of: Ratios, parameter: str, loads: dict[str, float]) -> IdealAlong:
+        """Return the ratio without friction along a parameter, the same in both senses."""
+        key = of.ideal.result.name, of.real.is_idle, parameter, frozenset(loads)
+        if key not in self._ideals_along:
+            self._ideals_along[key] = of.ideal_along(self._along(parameter, loads))
+        return self._ideals_along[key]
 
     def _along(self, parameter: str, loads: dict[str, float]) -> Sweep:
         """Return the sweep along a parameter: poses are the same in both senses of motion."""

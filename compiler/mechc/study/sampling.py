@@ -60,7 +60,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     None is nearer to a dead centre than what rounding leaves to be solved there.
     """
     even = spaced(low, high, CELLS)
-    centres = list(_in_cells(_dead_centres, moving, even))
+    centres = _centres(moving, even)
     step = even[1] - low
     beside = [c + away for c in (low, high, *centres) for away in _near(moving, step)]
     solved = chain.from_iterable(_solved_beside(moving, c, step) for c in centres)
@@ -78,6 +78,17 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
         grid, _bulging(moving, grid), _turning_beside_jumps(moving, grid), _loose(moving, grid)
     )
     return _with(grid, _extremes(moving, grid))
+
+
+def _centres(moving: Moving, even: Sequence[float]) -> tuple[float, ...]:
+    """Return the dead centres between the ends of a grid, found once for both ways of the motion.
+
+    To look for them is a fifth of what a range takes.
+    """
+    found, ends = moving.ideal_along.centres, (even[0], even[-1])
+    if ends not in found:
+        found[ends] = tuple(_in_cells(_dead_centres, moving, even))
+    return found[ends]
 
 
 def _with(grid: Sequence[float], *more: Iterable[float]) -> list[float]:

@@ -23,7 +23,7 @@ from ..model.parts.targets import SIGNS, Sense
 from ..model.result import Definition, FrictionResult, Result
 from ..model.values import Values
 from ..named import NamedTuple
-from .intervals import State
+from .intervals import Range, State
 from .sweep import VALUE, Sweep
 from .tolerances import NEGLIGIBLE
 
@@ -47,18 +47,104 @@ Way = tuple[Set[str], Callable[[Values], Status]]
 NOWHERE = Found(None, math.nan, None)
 
 
-class Ratios:
-    """A ratio with friction next to the one without, and what of them is looked at everywhere."""
+class Ideal:
+    """A ratio without friction, and what of it is looked at everywhere."""
 
-    def __init__(self, ideal: Result, real: FrictionResult, sense: Sense) -> None:
+    def __init__(self, result: Result) -> None:
+        self.result = result
+
+    @cached_property
+    def factors(self) -> Result:
+        """Return a result that has the factors of the ratio."""
+        return parts_of(self.result, factors(self.result.formula, dict(self.result.where)))
+
+    @cached_property
+    def divisors(self) -> Result:
+        """Return a result that has the divisors in the terms of the ratio."""
+        divisors = divisors_of_terms(self.result.formula, dict(self.result.where))
+        return parts_of(self.result, divisors)
+
+
+class IdealAlong:
+    """A ratio without friction along one parameter, the same whichever way the motion goes.
+
+    ``centres`` are the dead centres found between two ends.
+    """
+
+    def __init__(self, sweep: Sweep, ideal: Ideal) -> None:
+        self.sweep, self.result, self._ideal = sweep, ideal.result, ideal
+        self.centres: dict[Range, tuple[float, ...]] = {}
+        self._dead: dict[float, bool] = {}
+        self._factors: dict[float, tuple[float, ...]] = {}
+        self._divisors: dict[float, tuple[float, ...]] = {}
+
+    def at(self, x: float) -> float:
+        """Return the ratio."""
+        return self.sweep.of(self.result, x)
+
+    def is_dead_centre(self, x: float) -> bool:
+        """Return whether the ratio is 0 or infinite, but for rounding, or there is none."""
+        if x not in self._dead:
+            self._dead[x] = self._is_dead_centre(x)
+        return self._dead[x]
+
+    def _is_dead_centre(self, x: float) -> bool:
+        """Return the same; rounding is looked at only far from the ratio that is by default."""
+        ideal = self.at(x)
+        if not math.isfinite(ideal) or not ideal:
+            return True
+        if self._usual and NEGLIGIBLE < abs(ideal / self._usual) < 1 / NEGLIGIBLE:
+            return False
+        return not self._beyond_rounding(x)
+
+    @cached_property
+    def _usual(self) -> float:
+        """Return the ratio by default, 0 at a dead centre."""
+        return self._beyond_rounding(self.sweep.default)
+
+    def _beyond_rounding(self, x: float) -> float:
+        """Return the ratio, 0 where it is 0 or infinite but for rounding."""
+        ideal = self.sweep.beyond_rounding(self.result, x)
+        return ideal if ideal is not None and math.isfinite(ideal) else 0.0
+
+    def factors(self, x: float) -> tuple[float, ...]:
+        """Return the factors of the ratio: each is zero at a dead centre."""
+        if x not in self._factors:
+            is_dead = self.is_dead_centre(x)
+            self._factors[x] = () if is_dead else self.sweep.parts(self._ideal.factors, x)
+        return self._factors[x]
+
+    def divisors(self, x: float) -> tuple[float, ...]:
+        """Return the divisors in terms of the ratio: each is 0 at a pole."""
+        if x not in self._divisors:
+            self._divisors[x] = self.sweep.parts(self._ideal.divisors, x)
+        return self._divisors[x]
+
+
+class ZeroAlong(IdealAlong):
+    """A ratio that is zero everywhere, and so has no dead centre."""
+
+    def is_dead_centre(self, _: float) -> bool:
+        """Return False."""
+        return False
+
+
+class Ratios:
+    """A ratio with friction next to the one without, and what of it is looked at everywhere."""
+
+    def __init__(self, ideal: Ideal, real: FrictionResult, sense: Sense) -> None:
         """Take both, and the sense of the motion."""
         self.ideal, self.real = ideal, real
         self.sign = SIGNS[sense]
         self._ways: dict[int, list[Way]] = {}
 
-    def along(self, sweep: Sweep) -> "Moving":
-        """Return the ratio along the parameter of a sweep."""
-        return (AgainstFriction if self.real.is_idle else Moving)(sweep, self)
+    def ideal_along(self, sweep: Sweep) -> IdealAlong:
+        """Return the ratio without friction along the parameter of a sweep."""
+        return (ZeroAlong if self.real.is_idle else IdealAlong)(sweep, self.ideal)
+
+    def along(self, ideal: IdealAlong) -> "Moving":
+        """Return the ratio along the parameter along which the one without friction is given."""
+        return (AgainstFriction if self.real.is_idle else Moving)(ideal, self)
 
     @cached_property
     def is_iterated(self) -> bool:
@@ -76,16 +162,6 @@ class Ratios:
         parts = (part for d in self.real.where for part in walk(d.formula))
         return parts_of(self.real, filter(is_sign, parts))
 
-    @cached_property
-    def factors(self) -> Result:
-        """Return a result that has the factors of the ratio without friction."""
-        return parts_of(self.ideal, factors(self.ideal.formula, dict(self.ideal.where)))
-
-    @cached_property
-    def divisors(self) -> Result:
-        """Return a result that has the divisors in the terms of the ratio without friction."""
-        return parts_of(self.ideal, divisors_of_terms(self.ideal.formula, dict(self.ideal.where)))
-
     def ways(self, result: Result) -> list[Way]:
         """Return the ways to the solutions of a result's systems."""
         if id(result) not in self._ways:
@@ -97,14 +173,13 @@ class Ratios:
 class Moving:
     """A ratio with friction next to the one without, along one parameter."""
 
-    def __init__(self, sweep: Sweep, ratios: Ratios) -> None:
-        self.sweep, self.ideal, self._ratios = sweep, ratios.ideal, ratios
+    def __init__(self, along: IdealAlong, ratios: Ratios) -> None:
+        self.sweep, self.ideal, self.ideal_along = along.sweep, along.result, along
+        self._ratios = ratios
         self.is_iterated, self.is_slow = ratios.is_iterated, ratios.is_slow
         self._known: dict[float, Found] = {}
         self._driven: dict[float, bool | None] = {}
         self._signs: dict[float, tuple[float, ...]] = {}
-        self._factors: dict[float, tuple[float, ...]] = {}
-        self._divisors: dict[float, tuple[float, ...]] = {}
 
     def at(self, x: float) -> Found:
         """Return the state at a value of the parameter."""
@@ -120,30 +195,12 @@ class Moving:
         return self._driven[x]
 
     def is_dead_centre(self, x: float) -> bool:
-        """Return whether the ratio without friction is 0 or infinite, but for rounding, or none.
-
-        Rounding is looked at only where the ratio is far from what it is by default.
-        """
-        ideal = self.without(x)
-        if not math.isfinite(ideal) or not ideal:
-            return True
-        if self._usual and NEGLIGIBLE < abs(ideal / self._usual) < 1 / NEGLIGIBLE:
-            return False
-        return not self._beyond_rounding(x)
-
-    @cached_property
-    def _usual(self) -> float:
-        """Return the ratio without friction by default, 0 at a dead centre."""
-        return self._beyond_rounding(self.sweep.default)
-
-    def _beyond_rounding(self, x: float) -> float:
-        """Return the ratio without friction, 0 where it is 0 or infinite but for rounding."""
-        ideal = self.sweep.beyond_rounding(self.ideal, x)
-        return ideal if ideal is not None and math.isfinite(ideal) else 0.0
+        """Return whether the ratio without friction is 0 or infinite there, or none."""
+        return self.ideal_along.is_dead_centre(x)
 
     def without(self, x: float) -> float:
         """Return the ratio without friction."""
-        return self.sweep.of(self.ideal, x)
+        return self.ideal_along.at(x)
 
     def signs(self, x: float) -> tuple[float, ...]:
         """Return the signs of slips and forces: where one changes, friction may jump."""
@@ -153,16 +210,11 @@ class Moving:
 
     def factors(self, x: float) -> tuple[float, ...]:
         """Return the factors of the ratio without friction: each is zero at a dead centre."""
-        if x not in self._factors:
-            is_dead = self.driven(x) is None
-            self._factors[x] = () if is_dead else self.sweep.parts(self._ratios.factors, x)
-        return self._factors[x]
+        return self.ideal_along.factors(x)
 
     def divisors(self, x: float) -> tuple[float, ...]:
         """Return the divisors in terms of the ratio without friction: each is 0 at a pole."""
-        if x not in self._divisors:
-            self._divisors[x] = self.sweep.parts(self._ratios.divisors, x)
-        return self._divisors[x]
+        return self.ideal_along.divisors(x)
 
     def _look(self, x: float) -> Found:
         driven = self.driven(x)
@@ -218,10 +270,6 @@ class AgainstFriction(Moving):
 
     def driven(self, _: float) -> bool:
         """Return False: no load drives the motion."""
-        return False
-
-    def is_dead_centre(self, _: float) -> bool:
-        """Return False: a ratio that is zero everywhere has no dead centre."""
         return False
 
     def _state(self, real: float, x: float, driven: bool) -> Found:

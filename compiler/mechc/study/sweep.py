@@ -69,7 +69,7 @@ class Form:
 
     def parts(self, found: Sequence[float]) -> tuple[float, ...]:
         """Return the values of the definitions that are called parts, as far as they have any."""
-        return tuple(found[place] for place in self._parts)
+        return tuple(map(found.__getitem__, self._parts))
 
     def named(self, found: Sequence[float]) -> dict[str, float]:
         """Return all of them by name."""
