@@ -35,7 +35,7 @@ EACH_JOINT = (
     "loads_on_links",
 )
 Loads = LoadRatio | LoadForm
-BEYOND = {"roberval_balance", "mirror_beam_torque"}
+BEYOND = {"roberval_balance"}
 """What bodies that hang together more closely keep from being found so."""
 
 
@@ -156,6 +156,23 @@ def test_the_moment_centre_is_where_most_unknown_forces_pass():
     ]
     assert [f.names for f in equilibrium.forces] == [("N_BK",)]
     assert equilibrium.parts == 2
+
+
+def test_teeth_press_a_planet_where_they_mesh(capsys):
+    """Its pin had no force at all: the teeth were couples, and two forces had one name."""
+    compilation = begun("planetary_gear")
+    assert agree(compilation, 3)
+    assert main(["derive", str(ALL["planetary_gear"]), "--by", "equilibrium"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert "R_A_n and R_A_t are the components, along OA and perpendicular to it" in text
+    assert "T_OS − R_A_t + T_O = 0" in text
+    assert "T_OS is the circumferential force between the wheels on OS and AP" in text
+    assert "R_A_t = 0" not in text
+
+
+def test_a_pin_shared_with_a_crank_has_its_force_along_the_crank():
+    compilation = begun("mirror_beam_torque")
+    assert agree(compilation, 3)
 
 
 @pytest.mark.parametrize("name", sorted(BEYOND))

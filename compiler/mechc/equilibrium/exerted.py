@@ -119,9 +119,11 @@ def _held(
 def _components(point: str, bodies: Iterable[str], cut: Cutting) -> tuple[str, tuple[Angle, Angle]]:
     """Return the arm of a body along which and across which its force at a pin is taken.
 
-    About the other end of a crank the force along it has no moment. '' is for x and y.
+    About the other end of a crank the force along it has no moment. '' is for x and y. One that
+    turns about a pivot comes first.
     """
-    for body in filter(cut.rigid.__contains__, bodies):
+    rigid = filter(cut.rigid.__contains__, bodies)
+    for body in sorted(rigid, key=lambda body: cut.mechanism.fixed.isdisjoint(cut.rigid[body])):
         points = cut.rigid[body]
         ends = [p for p in points if p in cut.mechanism.fixed] or [
             p for p in points if len(points) == 2 and p != point
@@ -170,17 +172,45 @@ def _passed_on(joint: Joint, cut: Cutting) -> Exerted | None:
 
 
 def _wheels(pair: WheelPair, cut: Cutting) -> Exerted:
-    """Return the force at two rims that push each other along, their centres the arm."""
-    name = f"T_{pair.first}{pair.second}"
+    """Return the force at two rims that push each other along, their centres the arm.
+
+    Of gears on an arm it acts at the pitch point; else the centres may have no place.
+    """
+    force = _force_of_rims(pair, cut)
+    (name,) = force.names
     first = cut.pose.radii[pair.first_radius]
     second = cut.pose.radii[pair.second_radius].scaled(-1 if pair.same else 1)
+    centres = cut.pose.vector(pair.arm, pair.first, pair.second) if pair.arm else ()
+    if pair.kind == "gear" and len(centres) == 1:
+        along, ends = centres[0].angle, zip(pair.wheels, pair.points, strict=True)
+        sides = zip(ends, (first, -second), (ONE, Product(-1)), strict=True)
+        acts = [
+            (link, _at(name, along + QUARTER, _from(link, point, Arm(radius, along), cut), size))
+            for (link, point), radius, size in sides
+            if link
+        ]
+        return _exerted(force, acts)
     return _exerted(
-        JointForce("rim", (name,), pair.points),
+        force,
         _couple(name, pair.first_link, first),
         _couple(name, pair.second_link, second),
         _couple(name, pair.arm, -first),
         _couple(name, pair.arm, -second),
     )
+
+
+def _from(link: str, point: str, arm: Arm, cut: Cutting) -> Vector:
+    """Return where an arm from a point of a link ends, from the point that its moments are of."""
+    return (*cut.pose.frames[link][point], arm)
+
+
+def _force_of_rims(pair: WheelPair, cut: Cutting) -> JointForce:
+    """Return the name of the force between two wheels, by their links where centres are shared."""
+    pairs = [j for j in cut.mechanism.joints if isinstance(j, WheelPair)]
+    if sum(other.points == pair.points for other in pairs) == 1:
+        return JointForce("rim", (f"T_{pair.first}{pair.second}",), pair.points)
+    wheels = tuple(link or point for link, point in zip(pair.wheels, pair.points, strict=True))
+    return JointForce("rim", (f"T_{wheels[0]}",), wheels)
 
 
 def _rack(rack: Rack, cut: Cutting) -> Exerted:

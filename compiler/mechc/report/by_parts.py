@@ -5,6 +5,7 @@ from fractions import Fraction
 from math import isclose, isfinite
 
 from ..formula.evaluate import evaluate
+from ..formula.over_line import over_line
 from ..formula.tree import Formula, Number, Power, Product, Sum, Symbol, is_call, power, product
 from ..formula.walk import children, rebuild, symbols
 from ..model.result import Definition
@@ -138,6 +139,7 @@ def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | Non
     if not isinstance(formula, Sum | Product):
         return None
     shorter = rebuild(formula, tuple(valued(part) for part in children(formula)))
+    shorter = over_line(shorter) if over_line(formula) == formula else shorter
     as_printed = {n: q.value for n, q in known.quantities.items()}
     as_printed |= {n: float(f"{q.value:.{DIGITS}g}") for n, q in found.items()}
     if not found or not names_in(shorter) <= as_printed.keys():
