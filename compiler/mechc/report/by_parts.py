@@ -57,8 +57,8 @@ def _in_names(formula: Formula, named: Named) -> Formula:
 
 
 def _inside(formula: Formula, named: Named) -> Formula:
-    parts = children(formula)
-    return rebuild(formula, tuple(_in_names(p, named) for p in parts)) if parts else formula
+    parts = tuple(_in_names(part, named) for part in children(formula))
+    return rebuild(formula, parts) if parts != children(formula) else formula
 
 
 def _parts(formula: Formula, named: Named) -> Iterator[tuple[Symbol, Formula]]:
