@@ -84,6 +84,20 @@ def test_across_two_equal_arms_a_cylinder_is_on_the_line_that_halves_their_angle
         assert bar.evaluate(alpha=alpha)["k"] == pytest.approx(expected)
 
 
+def test_beyond_the_range_that_it_rests_on_it_has_no_value():
+    """Below 10 degrees A and B have changed places, and P would push the other way."""
+    bar = mechc.loads(ACROSS.format(range=" in 60 deg .. 150 deg"))
+    found = bar.evaluate(alpha=[math.radians(11), math.radians(9)])["k"]
+    assert found[0] == pytest.approx(-1 / (0.1 * math.cos(math.radians(0.5))))
+    assert math.isnan(found[1])
+
+
+def test_where_the_value_lies_beyond_the_range_nothing_rests_on_the_range():
+    beyond = ACROSS.replace("100 deg{range}", "5 deg in 60 deg .. 150 deg")
+    whole = ACROSS.replace("100 deg{range}", "5 deg in 0 deg .. 150 deg")
+    assert mechc.loads(beyond).evaluate() == mechc.loads(whole).evaluate()
+
+
 JACK = """
 param alpha = 30 deg{range}
 param a = 150 mm

@@ -4,6 +4,8 @@ import math
 
 from ..algebra.intervals import LEAST, Box, Interval, widened
 from ..formula.evaluate import evaluate
+from ..formula.walk import symbols
+from ..frozen import replace
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter
 from .values import is_constant, range_of
@@ -33,6 +35,13 @@ def allowed_box(mechanism: Mechanism) -> Box:
     return {name: interval for name, interval in box.items() if interval is not None}
 
 
+def size_box(mechanism: Mechanism) -> Box:
+    """Return the box of lengths and the like that keep their sign, whatever ranges there are."""
+    free = (p for p in mechanism.parameters if not p.dependent)
+    boxes = {p.name: _allowed(replace(p, range=None)) for p in free}
+    return {name: interval for name, interval in boxes.items() if interval is not None}
+
+
 def stroke_box(mechanism: Mechanism) -> Box:
     """Return the box of all values within the ranges given, that of the drive being its stroke."""
     return {**allowed_box(mechanism), **_stroke(mechanism)}
@@ -48,13 +57,24 @@ def _stroke(mechanism: Mechanism) -> Box:
 
 
 def _allowed(parameter: Parameter) -> Interval | None:
-    """Return the range of a parameter; without one, lengths and the like keep their sign."""
+    """Return the range of a parameter; without one, lengths and the like keep their sign.
+
+    A value from outside that lies beyond the range is allowed, with all between.
+    """
     if parameter.range is not None or is_constant(parameter):
-        return _range(parameter)
+        return _with_values(_range(parameter), parameter)
     if parameter.dimension == ANGLE:
         return None
     value = 1.0 if parameter.value is None else evaluate(parameter.value, {})
     return POSITIVE if value > 0 else NEGATIVE if value < 0 else None
+
+
+def _with_values(interval: Interval | None, parameter: Parameter) -> Interval | None:
+    given = (v for v in (parameter.value, parameter.outside) if v is not None and not symbols(v))
+    values = [evaluate(value, {}) for value in given]
+    if interval is None or not values:
+        return interval
+    return widened(min(interval.low, *values), max(interval.high, *values))
 
 
 def _range(parameter: Parameter) -> Interval | None:

@@ -32,7 +32,7 @@ from .samples import default_pose, poses_nearby
 from .terms import Terms
 from .unfound import explained, unfound_angles
 from .vector_graph import chained, mentioned
-from .vectors import Missing, Vectors
+from .vectors import Missing, Vectors, senses
 from .wheels import misfits, radii
 
 
@@ -138,8 +138,9 @@ def _pose(read: _Read, closed: Closed) -> Pose:
     held = tuple(contacts(mechanism, directions, vectors, named.of))
     laid_out = frames(mechanism, vectors, missing, report)
     slides = lines.slides(mechanism, named)
+    requires = (*mechanism.requires, *senses(vectors, mechanism))
     return Pose(
-        mechanism=mechanism,
+        mechanism=replace(mechanism, requires=requires) if vectors.ahead else mechanism,
         frames=laid_out,
         guides=guides,
         lines=of_loads,

@@ -68,7 +68,9 @@ class Lines:
             return 0
         length, names = vector[0].length, mentioned(vector) - vector[0].angle.names
         if len(names) > 1 and names <= self._box.keys():
-            return sign(length, self._box) or 0
+            sense = sign(length, self._box) or 0
+            self._vectors.ahead += [length.scaled(sense)] if sense else []
+            return sense
         return -1 if is_behind(length, self._poses()) else 1
 
 

@@ -1,15 +1,28 @@
 """Vectors between points: given arms as edges of a graph, paths through it as sums."""
 
+import math
 from collections import deque
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import Literal
 
 from ..algebra.angle import Angle
 from ..algebra.intervals import sign
 from ..algebra.product import Product
+from ..formula.tree import ZERO
 from ..formula.walk import symbols
-from ..model.boxes import allowed_box
-from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Pivot, Slider, Turn
+from ..model.boxes import allowed_box, size_box
+from ..model.mechanism import (
+    Arrow,
+    Geometry,
+    Mechanism,
+    Offset,
+    Pivot,
+    Require,
+    Slider,
+    Subject,
+    Turn,
+)
 from ..named import NamedTuple
 from ..source import Span
 from .directions import Directions
@@ -41,7 +54,8 @@ class Loop(NamedTuple):
 class Vectors:
     """The graph of points and given vectors.
 
-    ``placeholders`` are the names made up for lengths that are not given. ``loops`` are
+    ``placeholders`` are the names made up for lengths that are not given. ``ahead`` are the
+    lengths that ranges keep positive, where a direction rests on that. ``loops`` are
     the closed chains, one for each vector between points that were connected before.
     """
 
@@ -58,6 +72,7 @@ class Vectors:
             frozenset((g.tail, g.head)) for g in mechanism.geometry if isinstance(g, Offset)
         }
         self.placeholders: list[str] = []
+        self.ahead: list[Product] = []
         self._along_lines: dict[tuple[str, str], Vector] = {}
         self.loops: list[Loop] = []
         self.edges: list[Edge] = []
@@ -103,6 +118,7 @@ class Vectors:
         sense = sign(arm.length, self._box) if arm else None
         if arm is None or sense is None:
             return None
+        self.ahead.append(arm.length.scaled(sense))
         return arm if sense > 0 else Arm(-arm.length, arm.angle + Angle.constant(180))
 
     def is_open(self, vector: Vector) -> bool:
@@ -200,6 +216,22 @@ class Vectors:
     def _join(self, tail: str, head: str, vector: Vector) -> None:
         self._edges.setdefault(tail, {})[head] = vector
         self._edges.setdefault(head, {})[tail] = reverse(vector)
+
+
+def senses(vectors: Vectors, mechanism: Mechanism) -> Iterator[Require]:
+    """Yield the conditions under which lengths are positive that only ranges keep so.
+
+    Beyond the ranges a direction that rests on them would be the opposite one.
+    """
+    box = size_box(mechanism)
+    for length in dict.fromkeys(vectors.ahead):
+        factors = [Product.of(f) for f, e in length.factors.items() if e % 2]
+        signs = [1 if length.coefficient > 0 else -1, *(sign(f, box) for f in factors)]
+        operator: Literal["<", ">"] = ">" if math.prod(s for s in signs if s) > 0 else "<"
+        left = math.prod((f for f in factors if sign(f, box) is None), start=Product(1)).formula()
+        spans = (p.span for p in mechanism.parameters if p.name in symbols(left))
+        if span := next(spans, None):
+            yield Require(left, operator, ZERO, span, Subject("ranges", "", ""))
 
 
 def _along_axis(vector: Vector) -> Arm | None:

@@ -114,10 +114,11 @@ class Subject(NamedTuple):
 
     The formula that has no value where it fails is that of the ``let``. A ``range`` is that of a
     parameter of a used sheet, and stands at a ``place`` of its own. A condition of a used
-    mechanism on what its loops give, ``pose``, concerns all that its values decide.
+    mechanism on what its loops give, ``pose``, concerns all that its values decide, and so do
+    ``ranges``: that a direction is as it is within the ranges given.
     """
 
-    kind: Literal["first row", "last row", "row", "list", "choice", "range", "pose"]
+    kind: Literal["first row", "last row", "row", "list", "choice", "range", "pose", "ranges"]
     name: str
     let: str
     place: Span | None = None
@@ -143,7 +144,7 @@ class Require:
     def concerns(self, names: Container[str]) -> bool:
         """Return whether it is a condition of use, or one of a formula among these."""
         subject = self.subject
-        return subject is None or subject.kind == "pose" or subject.let in names
+        return subject is None or subject.kind in ("pose", "ranges") or subject.let in names
 
 
 @frozen

@@ -23,7 +23,7 @@ def failure(condition: Require, sides: tuple[float, float], source: Source) -> D
     span, subject = condition.span, condition.subject
     left, right = _with_values(condition, sides, source)
     match subject:
-        case None | Subject("pose"):
+        case None | Subject("pose" | "ranges"):
             return messages.requirement_fails(span, *_found_first(condition, left, right))
         case Subject("first row", name, _):
             return messages.beyond_the_table(span, name, f"begins at {left}", right)
