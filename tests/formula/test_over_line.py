@@ -8,7 +8,8 @@ import mechc
 from mechc.formula.evaluate import evaluate
 from mechc.formula.over_line import over_line
 from mechc.formula.tree import Call, Symbol, number, product, total
-from mechc.report.text.printer import UNICODE, print_formula
+from mechc.report.text.printer import print_formula
+from mechc.report.text.signs import UNICODE
 
 A, B = Symbol("a"), Symbol("b")
 SINE = Call("sin", (B,))
@@ -37,8 +38,6 @@ def test_small_whole_numbers_stand_in_a_quotient(times, factors, shown):
 
 def test_a_quotient_inside_a_function_has_whole_numbers_in_numbers_too():
     page = mechc.load("hoeken").emit("latex")
-    brief = mechc.load("hoeken").emit("latex", brief=True)
-    assert r"\arccos\left(\frac{60}{5\cdot 20}\right)" in brief
     assert r"\arccos\left(\frac{AQ}{5a}\right)" in page
     assert r"\arccos\left(\frac{60}{5\cdot 20}\right)" in page
     assert r"&=\frac{2}{5}\cdot\frac{\sin" in page

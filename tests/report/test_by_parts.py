@@ -107,3 +107,10 @@ def test_sums_named_on_a_page_have_their_numbers_there() -> None:
     assert len(values) == 2
     for value in values.values():  # S_KA = Z_2/(a² − ρ²)
         assert rf"=\frac{{{value}}}" in numbers
+
+
+def test_a_sum_of_which_one_term_is_left_is_not_its_value_twice():
+    """On the brief page of Hoeken's linkage φ_AQ is 0: φ_AB = 53.1301° = 53.1301°."""
+    page = mechc.load("hoeken").emit("latex", brief=True)
+    assert r"$\varphi_{AB}=53.1301^\circ$" in page
+    assert r"53.1301^\circ=53.1301^\circ" not in page

@@ -5,8 +5,20 @@ from fractions import Fraction
 from math import isclose, isfinite
 
 from ..formula.evaluate import evaluate
+from ..formula.layout import in_degrees
 from ..formula.over_line import over_line
-from ..formula.tree import Formula, Number, Power, Product, Sum, Symbol, is_call, power, product
+from ..formula.tree import (
+    Constant,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    is_call,
+    power,
+    product,
+)
 from ..formula.walk import children, rebuild, symbols
 from ..model.result import Definition
 from .dimensions import names_in
@@ -146,7 +158,13 @@ def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | Non
         return None
     if not isclose(evaluate(shorter, as_printed), value.value, rel_tol=ROUNDED):
         return None
-    return _numbers(shorter, value, {**known.quantities, **found})
+    numbers = _numbers(shorter, value, {**known.quantities, **found})
+    return None if numbers is not None and _is_a_value(numbers) else numbers
+
+
+def _is_a_value(numbers: Formula) -> bool:
+    """Return whether numbers are one angle or quantity: a sum of which the others are zero."""
+    return isinstance(numbers, Number | Constant) or in_degrees(numbers) is not None
 
 
 def _is_sum(part: Formula) -> bool:
