@@ -13,11 +13,11 @@ WIDE = 180.0
 """How wide a row may become, in millimetres."""
 
 
-Side = Literal["middle", "top"]
+Level = Literal["middle", "top"]
 """What of drawings beside each other is at one height."""
 
 
-def in_rows(drawings: Sequence[Drawing], level: Side = "middle") -> Drawing:
+def in_rows(drawings: Sequence[Drawing], level: Level = "middle") -> Drawing:
     """Return drawings beside each other, in rows that are not too wide; no title."""
     rows: list[list[Drawing]] = []
     for drawing in drawings:
@@ -61,7 +61,7 @@ def _lowered(drawings: Iterable[Drawing]) -> Iterator[Drawing]:
         yield moved
 
 
-def _beside(drawings: Sequence[Drawing], level: Side) -> Drawing:
+def _beside(drawings: Sequence[Drawing], level: Level) -> Drawing:
     right, moved = 0.0, list[Drawing]()
     for drawing in drawings:
         top = drawing.high.y

@@ -57,7 +57,7 @@ Whole = Callable[[Sequence[RoundedColumn]], Pairs]
 """Makes values and errors of columns; raises where a value is not defined at each pose."""
 
 
-class Operation(NamedTuple):
+class ColumnOperation(NamedTuple):
     """What makes a column of others under a name, by its ``whole`` or only at ``one`` pose each."""
 
     name: object
@@ -140,7 +140,9 @@ class RoundedColumns:
             self._constants[number] = RoundedColumn(*columns)
         return self._constants[number]
 
-    def _made_of(self, operation: Operation, columns: Sequence[RoundedColumn]) -> RoundedColumn:
+    def _made_of(
+        self, operation: ColumnOperation, columns: Sequence[RoundedColumn]
+    ) -> RoundedColumn:
         """Return the column that an operation makes of others; each is made once."""
         key = operation.name, *map(id, columns)
         if key not in self._made:
@@ -164,7 +166,7 @@ class RoundedColumns:
         return RoundedColumn(found, [SOLVED * max(1.0, abs(number)) for number in found])
 
 
-def _carried_out(operation: Operation, columns: Sequence[RoundedColumn]) -> RoundedColumn:
+def _carried_out(operation: ColumnOperation, columns: Sequence[RoundedColumn]) -> RoundedColumn:
     """Return an operation on whole columns; pose by pose where it is not defined in all."""
     if operation.whole is None:
         return _pose_by_pose(operation, columns)
@@ -177,13 +179,13 @@ def _carried_out(operation: Operation, columns: Sequence[RoundedColumn]) -> Roun
     return RoundedColumn([v if math.isfinite(v) else math.nan for v in values], errors)
 
 
-def _pose_by_pose(operation: Operation, columns: Sequence[RoundedColumn]) -> RoundedColumn:
+def _pose_by_pose(operation: ColumnOperation, columns: Sequence[RoundedColumn]) -> RoundedColumn:
     parts = [[*map(Rounded, column.values, column.errors)] for column in columns]
     found = [_at_one(operation, at_one) for at_one in zip(*parts, strict=True)]
     return RoundedColumn([f.value for f in found], [f.error for f in found])
 
 
-def _at_one(operation: Operation, parts: Sequence[Rounded]) -> Rounded:
+def _at_one(operation: ColumnOperation, parts: Sequence[Rounded]) -> Rounded:
     if any(math.isnan(part.value) for part in parts):
         return NOTHING
     try:
@@ -242,15 +244,17 @@ def _moved(function: Callable[[float], float], columns: Sequence[RoundedColumn])
     return values, moved
 
 
-def _to_the(exponent: float, error: float) -> Operation:
+def _to_the(exponent: float, error: float) -> ColumnOperation:
     """Return a power that is the same at all poses."""
     size = Rounded(exponent, error)
-    return Operation(size, partial(_powers, exponent=size), lambda base: powered(base[0], size))
+    return ColumnOperation(
+        size, partial(_powers, exponent=size), lambda base: powered(base[0], size)
+    )
 
 
-def _function(name: str) -> Operation:
+def _function(name: str) -> ColumnOperation:
     whole = partial(_moved, FUNCTIONS[name]) if name in SMOOTH else None
-    return Operation(name, whole, CHOICES.get(name, partial(called, name)))
+    return ColumnOperation(name, whole, CHOICES.get(name, partial(called, name)))
 
 
 def _chosen(parts: Sequence[Rounded]) -> Rounded:
@@ -263,9 +267,9 @@ def _next(parts: Sequence[Rounded]) -> Rounded:
     return next((size for size in sizes if least.value <= size.value), NOTHING)
 
 
-SUM = Operation("+", _sum, summed)
-PRODUCT = Operation("*", _product, multiplied)
-POWER = Operation("^", None, lambda pair: powered(*pair))
+SUM = ColumnOperation("+", _sum, summed)
+PRODUCT = ColumnOperation("*", _product, multiplied)
+POWER = ColumnOperation("^", None, lambda pair: powered(*pair))
 CHOICES = {"choose": _chosen, "next": _next}
 
 

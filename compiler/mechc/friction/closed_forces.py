@@ -32,7 +32,7 @@ from .pairs import LoadedPair
 from .sequential import SequentialSolver
 from .signs import Signs
 from .signs_at_a_pose import AtOnePose
-from .solution import Kind, Step
+from .solution import Step, StepKind
 
 X, Y = (Arm(ONE, Angle()),), (Arm(ONE, QUARTER),)
 
@@ -225,7 +225,9 @@ SHORT = 8
 Signed = Sequence[tuple[BodyForce, int]]
 
 
-def _acting(joint: JointRef, solver: SequentialSolver) -> tuple[Kind, str, Signed, Angle | None]:
+def _acting(
+    joint: JointRef, solver: SequentialSolver
+) -> tuple[StepKind, str, Signed, Angle | None]:
     """Return how a joint's force is found, on which body, and its parts with their signs.
 
     Where there is a line the joint presses along that alone.
@@ -249,7 +251,7 @@ def _acting(joint: JointRef, solver: SequentialSolver) -> tuple[Kind, str, Signe
             raise EquationsCoupled
 
 
-def _of_guide(body: str, solver: SequentialSolver) -> tuple[Kind, str, Signed, Angle]:
+def _of_guide(body: str, solver: SequentialSolver) -> tuple[StepKind, str, Signed, Angle]:
     """Return the force that balances all others on a slider across its guide."""
     if solver.bodies.kind(body) != "slider":
         raise EquationsCoupled
@@ -265,7 +267,7 @@ def _carrier(point: str, bodies: Bodies) -> str:
     return body
 
 
-def _at_pin(joint: JointRef, solver: SequentialSolver) -> tuple[Kind, str, Signed]:
+def _at_pin(joint: JointRef, solver: SequentialSolver) -> tuple[StepKind, str, Signed]:
     """Return the force on a link at one of its pins."""
     bodies = solver.bodies
     if joint.of in bodies.levers:
@@ -286,7 +288,7 @@ def _of_only_rod(point: str, lever: str, solver: SequentialSolver) -> Signed:
     return [(forces[0], 1)]
 
 
-def _of_pivot(point: str, solver: SequentialSolver) -> tuple[Kind, str, Signed]:
+def _of_pivot(point: str, solver: SequentialSolver) -> tuple[StepKind, str, Signed]:
     """Return the force of the ground on the only link at a pivot."""
     links = [k for k in solver.bodies.mechanism.links if point in k.points]
     if len(links) != 1:

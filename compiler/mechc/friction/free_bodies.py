@@ -20,7 +20,7 @@ from ..power.loads import occurrences
 from ..power.reactions import Reactions
 from .pairs import Given, LoadedPair
 
-Kind = Literal["lever", "slider", "pin"]
+BodyKind = Literal["lever", "slider", "pin"]
 
 HALF_TURN = Angle.constant(180)
 
@@ -114,7 +114,7 @@ class Bodies:
             p for k in self.rods.values() for p in k.points if p not in carried
         )
 
-    def kind(self, body: str) -> Kind:
+    def kind(self, body: str) -> BodyKind:
         """Return the kind of a body."""
         if body in self.levers:
             return "lever"

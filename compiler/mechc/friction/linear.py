@@ -16,7 +16,7 @@ from .closed_form import Condition, power
 from .free_bodies import EquationsCoupled
 from .pairs import LoadedPair
 from .signs import Signs
-from .solution import Kind, Step
+from .solution import Step, StepKind
 
 MOST = 3
 """More pairs than this make a formula that nobody reads."""
@@ -121,7 +121,7 @@ class LinearSolver:
             for p in self.loaded
         )
         whole = total([self._ideal.formula(), *powers])
-        kind: Kind = "ropes" if all(p.pair.tensions for p in self.loaded) else "straight"
+        kind: StepKind = "ropes" if all(p.pair.tensions for p in self.loaded) else "straight"
         return Step(kind, equations=(*equations, (Symbol(self._driving), whole)))
 
     def _balance(self, loaded: LoadedPair, side: Product) -> tuple[Formula, Formula]:

@@ -9,10 +9,9 @@ from ..formula.tree import ZERO, Formula, Symbol, is_call, number, product, tota
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import Link
 from ..power.joint_forces import size_of_two
-from .free_bodies import Bodies, BodyForce, Kind
+from .free_bodies import Bodies, BodyForce, BodyKind
 from .signs import Signs, exact_sign
-from .solution import Kind as StepKind
-from .solution import Step
+from .solution import Step, StepKind
 
 Pair = tuple[Formula, Formula]
 
@@ -42,7 +41,7 @@ class Notes:
 
     def balance(
         self,
-        kind: Kind,
+        kind: BodyKind,
         body: str,
         forces: Sequence[BodyForce],
         friction: Product,

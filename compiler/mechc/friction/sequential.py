@@ -25,7 +25,7 @@ from ..model.mechanism import Link
 from . import surfaces
 from .closed_form import Condition
 from .force_lines import ForceLines
-from .free_bodies import Bodies, BodyForce, EquationsCoupled, Kind
+from .free_bodies import Bodies, BodyForce, BodyKind, EquationsCoupled
 from .lever import Bearing, Sides, on_lever
 from .notes import Notes
 from .signs import Signs
@@ -95,7 +95,7 @@ class SequentialSolver:
         return self._lines.of_rod(rod, point)
 
     def _balance(
-        self, kind: Kind, body: str, unknown: Sequence[BodyForce], known: Sequence[BodyForce]
+        self, kind: BodyKind, body: str, unknown: Sequence[BodyForce], known: Sequence[BodyForce]
     ) -> Product:
         """Find the unknown sizes; return friction per unit of what presses, with its sign."""
         match kind:

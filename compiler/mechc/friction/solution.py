@@ -11,7 +11,7 @@ from ..kinematics.plan import Plan
 from ..model.result import Definition, FrictionResult, Result
 from ..power.balance import Balance, Solved
 
-Kind = Literal[
+StepKind = Literal[
     "internal",
     "external",
     "parallel",
@@ -45,7 +45,7 @@ class Step:
     ``equations`` are pairs that are equal, ``defined`` what gets a name by it.
     """
 
-    kind: Kind
+    kind: StepKind
     body: str = ""
     pivot: str = ""
     sense: int = 0

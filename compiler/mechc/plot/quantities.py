@@ -3,16 +3,13 @@
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ..model.mechanism import Mechanism
 from ..named import NamedTuple
 from ..routine.evaluate import evaluate, pose
 from ..routine.steps import Input, Pose, Routine, closed_dimensions
 from ..units import ANGLE, USUAL_UNITS, Dimension, si_unit
+from .narrowing import Array
 
-Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
 
 

@@ -14,9 +14,9 @@ from ..model.mechanism import Mechanism
 from ..model.values import defaults, range_of
 from ..routine.steps import Input
 from ..units import USUAL_UNITS, Dimension
-from .narrowing import Function
+from .narrowing import Array, Function
 from .plot import Axis, Column, Panel, Plot, Value
-from .quantities import Array, Quantity, unit_of
+from .quantities import Quantity, unit_of
 from .query import Given, Query
 
 MOST = 12

@@ -25,7 +25,7 @@ from .dimensions import names_in
 from .evaluated import Evaluated, Known, found_unit
 from .put_in import DIGITS, Quantity, in_numbers, values_of
 
-Named = Mapping[Formula, Symbol]
+NamedSums = Mapping[Formula, Symbol]
 """The sums that have got names of their own on a page."""
 
 
@@ -34,7 +34,7 @@ ROUNDED = 5e-6
 
 
 def by_parts(
-    found: Iterable[Evaluated], named: Named, fits: Callable[[Evaluated], bool]
+    found: Iterable[Evaluated], named: NamedSums, fits: Callable[[Evaluated], bool]
 ) -> Iterator[Evaluated]:
     """Yield values; before one whose numbers do not fit, those of the named sums in its formula.
 
@@ -63,17 +63,17 @@ def by_parts(
         yield shorter
 
 
-def _in_names(formula: Formula, named: Named) -> Formula:
+def _in_names(formula: Formula, named: NamedSums) -> Formula:
     """Return a formula with a name for the largest of its sums that have one."""
     return named[formula] if formula in named else _inside(formula, named)
 
 
-def _inside(formula: Formula, named: Named) -> Formula:
+def _inside(formula: Formula, named: NamedSums) -> Formula:
     parts = tuple(_in_names(part, named) for part in children(formula))
     return rebuild(formula, parts) if parts != children(formula) else formula
 
 
-def _parts(formula: Formula, named: Named) -> Iterator[tuple[Symbol, Formula]]:
+def _parts(formula: Formula, named: NamedSums) -> Iterator[tuple[Symbol, Formula]]:
     """Yield the named sums that a formula mentions, behind those that they mention."""
     for whole, symbol in named.items():
         if symbol.name in symbols(formula):
@@ -85,7 +85,7 @@ def _parts(formula: Formula, named: Named) -> Iterator[tuple[Symbol, Formula]]:
 class _Sums:
     """The values of named sums, each found once: what it rests on keeps its value on a page."""
 
-    def __init__(self, named: Named) -> None:
+    def __init__(self, named: NamedSums) -> None:
         self._named = named
         self._needs: dict[str, frozenset[str]] = {}
         self._found: dict[str, Quantity | None] = {}

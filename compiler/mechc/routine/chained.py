@@ -31,7 +31,7 @@ from .steps import (
 )
 
 
-class Program:
+class GroupProgram:
     """One program that computes many results: its steps, and what each result makes of them."""
 
     def __init__(self, group: Sequence[Asked], scope: Scope, names: Sequence[str]) -> None:
@@ -96,7 +96,7 @@ class Way(NamedTuple):
     steps: tuple[Statement, ...]
 
 
-def chained(program: Program, first: int) -> Iterator[Function]:
+def chained(program: GroupProgram, first: int) -> Iterator[Function]:
     """Yield the functions that take what others compute; the latter get numbers from first on.
 
     A result that needs an input which its formula does not show has none here.
@@ -115,7 +115,7 @@ def chained(program: Program, first: int) -> Iterator[Function]:
 class Needs:
     """The needs of formulas in a program, as numbers with a bit for each step and each input."""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: GroupProgram) -> None:
         self._all = program.steps
         self._bits = {n: 1 << i for i, s in enumerate(program.steps) for n in names_of(s)}
         inputs = dict.fromkeys(i.name for one in program.outputs for i in one.asked.inputs)
@@ -145,7 +145,7 @@ class Needs:
         return needs >> len(self._all)
 
 
-def _ways(program: Program, needs: Needs) -> tuple[list[Stop], list[Way]]:
+def _ways(program: GroupProgram, needs: Needs) -> tuple[list[Stop], list[Way]]:
     """Return where results hand on what they compute, and how each is computed.
 
     What another one rests on needs less than that, and comes first.

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..frozen import replace
 from ..model.result import FrictionResult
-from .chained import Program, chained
+from .chained import GroupProgram, chained
 from .functions import Asked, operations
 from .scope import Scope
 from .steps import Common, Function, names_in
@@ -36,7 +36,7 @@ def together(listed: Iterable[Asked], scope: Scope, names: Sequence[str]) -> dic
         number += 1
         made.update((f.name, f) for f in _sharing(number, group, scope, names))
     if _repeats(left):
-        chain = chained(Program(left, scope, names), number + 1)
+        chain = chained(GroupProgram(left, scope, names), number + 1)
         made.update((f.name, f) for f in chain)
     return made
 
@@ -50,7 +50,7 @@ def _repeats(group: Sequence[Asked]) -> bool:
 def _sharing(
     number: int, group: Sequence[Asked], scope: Scope, names: Sequence[str]
 ) -> Iterator[Function]:
-    program = Program(group, scope, names)
+    program = GroupProgram(group, scope, names)
     used = names_in(list(program.ends))
     inputs = group[0].inputs
     handed = sorted(used - {i.name for i in inputs})

@@ -8,9 +8,9 @@ import math
 from collections.abc import Mapping, Set
 
 from ..named import NamedTuple
-from .balanced import Balanced, Row, Tie
+from .balanced import Balanced, Tie
 from .free_bodies import System
-from .solve import Factors
+from .solve import Factors, Row
 from .tolerances import EPSILON, INCONSISTENT
 from .verdict import OPEN, UNBALANCED
 

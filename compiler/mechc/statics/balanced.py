@@ -10,10 +10,8 @@ from ..model.mechanism import Load, Mechanism
 from ..model.result import Definition
 from ..named import NamedTuple
 from .free_bodies import System, equilibrium
-from .solve import Factors, factor, scale_of
+from .solve import Factors, Row, factor, scale_of
 from .unfold import Unfolding
-
-Row = Mapping[int, float]
 
 T = TypeVar("T")
 

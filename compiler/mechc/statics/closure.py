@@ -20,14 +20,14 @@ from ..pose.pose import Pose, evaluate_vector
 from .tolerances import LOOP_GAP
 
 
-class Gap(NamedTuple):
+class Discrepancy(NamedTuple):
     """What does not fit, and by how much in metres."""
 
     what: str
     size: float
 
 
-def worst_gap(pose: Pose, values: Mapping[str, float]) -> Gap | None:
+def worst_gap(pose: Pose, values: Mapping[str, float]) -> Discrepancy | None:
     """Return the largest gap of the pose at these values, None where all fits."""
     edges = [*_links(pose, values), *_vectors(pose, values)]
     drawing = Drawing(placed(edges), values)
@@ -76,15 +76,15 @@ class Drawing:
     places: Sweep
     values: Mapping[str, float]
 
-    def loop(self, edge: Edge) -> Gap | None:
+    def loop(self, edge: Edge) -> Discrepancy | None:
         """Return the gap that opens at a vector when all others are in place."""
         found = between(self.places, edge.tail, edge.head)
         if found is None:
             return None
         gap = math.hypot(*found.minus(edge.vector))
-        return Gap(f"the loop through {edge.tail} and {edge.head}", gap)
+        return Discrepancy(f"the loop through {edge.tail} and {edge.head}", gap)
 
-    def entry(self, entry: Geometry) -> Gap | None:
+    def entry(self, entry: Geometry) -> Discrepancy | None:
         """Return the gap of something given, None for what :meth:`loop` has measured."""
         match entry:
             case Offset():
@@ -94,18 +94,18 @@ class Drawing:
                 if found is None:
                     return None
                 gap = max(self._length(found, length), self._line(found, line))
-                return Gap(f"the vector {tail}{head}", gap)
+                return Discrepancy(f"the vector {tail}{head}", gap)
             case Turn():
                 return self._turn(entry)
             case _:
                 assert_never(entry)
 
-    def guide(self, slider: Slider) -> Gap | None:
+    def guide(self, slider: Slider) -> Discrepancy | None:
         """Return how far a slider is from its guide's line, where that has a place."""
         found = between(self.places, slider.through, slider.point) if slider.through else None
         if found is None:
             return None
-        return Gap(f"the guide of {slider.point}", self._line(found, slider.along))
+        return Discrepancy(f"the guide of {slider.point}", self._line(found, slider.along))
 
     def _length(self, found: Plane, length: Formula | None) -> float:
         if length is None or not _known(self.values, length):
@@ -130,10 +130,10 @@ class Drawing:
             case _:
                 assert_never(line)
 
-    def _turn(self, turn: Turn) -> Gap | None:
+    def _turn(self, turn: Turn) -> Discrepancy | None:
         first, second = (between(self.places, turn.vertex, p) for p in (turn.first, turn.second))
         if first is None or second is None or not _known(self.values, turn.angle):
             return None
         angle = math.atan2(first.y, first.x) + evaluate(turn.angle, self.values)
         gap = abs(direction(angle).turned().dot(second))
-        return Gap(f"the angle {turn.first}{turn.vertex}{turn.second}", gap)
+        return Discrepancy(f"the angle {turn.first}{turn.vertex}{turn.second}", gap)

@@ -7,11 +7,11 @@ from ..model.parts.repeated import primed
 from .assembly import Action, Assembly, Couple
 from .unfold import Unfolding
 
-Acting = Iterable[tuple[str, tuple[Action, ...]]]
+PinActions = Iterable[tuple[str, tuple[Action, ...]]]
 """What friction does at one pin after another."""
 
 
-def uncounted(unfolding: Unfolding, friction: Acting) -> Iterator[str]:
+def uncounted(unfolding: Unfolding, friction: PinActions) -> Iterator[str]:
     """Yield each pin, and the body on it, whose friction is said and acts on no free body.
 
     The pins are counted on what is cut free, twins among them, and not on the description: a
@@ -26,7 +26,7 @@ def uncounted(unfolding: Unfolding, friction: Acting) -> Iterator[str]:
             yield from (f"{point} on {b}" for b in turning if (point, b) not in acted)
 
 
-def _acted(friction: Acting, whole: Assembly) -> Iterator[tuple[str, str]]:
+def _acted(friction: PinActions, whole: Assembly) -> Iterator[tuple[str, str]]:
     """Yield each pin, or its twin, with a body on it that friction turns."""
     parts = {c.part(p): (p, c.name) for c in whole.cylinders for p in c.ends}
     for pin, actions in friction:

@@ -16,11 +16,11 @@ from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.parts.targets import SIGNS
 from ..named import NamedTuple
 from .answers import Answer
-from .balanced import Balanced, Row, Tie, gather, ties, untied, with_loads
+from .balanced import Balanced, Tie, gather, ties, untied, with_loads
 from .free_bodies import System, equilibrium
 from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
-from .solve import Factors, factor
+from .solve import Factors, Row, factor
 from .surfaces import Pair, pairs_of
 from .tolerances import EPSILON, INCONSISTENT, NO_SLIP
 from .unfold import Unfolding
@@ -30,7 +30,7 @@ Found = Sequence[float]
 """The unknowns under a load."""
 
 
-class Question(NamedTuple):
+class DrivingSystem(NamedTuple):
     """Equations with the driving load as their last unknown, in a unit of its own."""
 
     system: System
@@ -54,7 +54,7 @@ class Responses(NamedTuple):
     ``thrusts`` are the forces along axes.
     """
 
-    question: Question
+    question: DrivingSystem
     loads: Part
     pairs: tuple[Pair, ...]
     thrusts: Mapping[str, float]
@@ -69,7 +69,7 @@ class FrictionForces(NamedTuple):
     of 1 against each slip.
     """
 
-    question: Question
+    question: DrivingSystem
     loads: Part
     pairs: tuple[Pair, ...]
     senses: tuple[float, ...]
@@ -85,7 +85,7 @@ class FrictionForces(NamedTuple):
 class Loaded(NamedTuple):
     """All that :class:`FrictionForces` has but its sizes, and what they follow from."""
 
-    question: Question
+    question: DrivingSystem
     loads: Part
     pairs: tuple[Pair, ...]
     senses: tuple[float, ...]
@@ -179,7 +179,7 @@ def _responses(unfolding: Unfolding, driving: str, given: Mapping[str, float]) -
 
 
 def _right_side(
-    question: Question, tied: Mapping[str, Tie], given: Mapping[str, float]
+    question: DrivingSystem, tied: Mapping[str, Tie], given: Mapping[str, float]
 ) -> dict[int, float]:
     """Return the right-hand side of the equations: the given loads, row by row."""
     right: dict[int, float] = {}
@@ -199,14 +199,16 @@ def _size(
 
 
 def _weights(
-    target: WithFriction, unfolding: Unfolding, question: Question, factor_: float
+    target: WithFriction, unfolding: Unfolding, question: DrivingSystem, factor_: float
 ) -> tuple[Weights, ...]:
     if isinstance(target.of, LoadRatio | LoadForm):
         return ({question.drive: factor_ * question.unit},)
     return wanted_of(target.of, unfolding, question.system)
 
 
-def _answer(question: Question, weights: Weights, parts: Sequence[tuple[Part, float]]) -> Answer:
+def _answer(
+    question: DrivingSystem, weights: Weights, parts: Sequence[tuple[Part, float]]
+) -> Answer:
     """Return a combination of unknowns under several loads, each so many times over."""
     value = influence = 0.0
     adjoints = {column: question.factors.adjoint(column) for column in weights}
@@ -230,16 +232,16 @@ def _combined(parts: Sequence[Answer]) -> Answer:
     return Answer(size, sum(part.influence for part in parts))
 
 
-def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Question:
+def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> DrivingSystem:
     system = equilibrium(unfolding.assembly(*((p.name, p.actions) for p in pairs)))
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     columns = {**gather(system, tied), **{p.name: dict(system.loads[p.name]) for p in pairs}}
     rows, units = with_loads(system, {drive: columns[drive]})
     last = len(system.unknowns)
-    return Question(system, columns, factor(rows, last + 1, last), last, units[drive])
+    return DrivingSystem(system, columns, factor(rows, last + 1, last), last, units[drive])
 
 
-def _slip(question: Question, friction: dict[int, float], response: Found) -> float:
+def _slip(question: DrivingSystem, friction: dict[int, float], response: Found) -> float:
     """Return the sign of the slip behind a friction of 1 as the load drives along its arrow.
 
     That load balances the friction alone, so that the slip is minus its size, as :mod:`.speeds`
@@ -251,19 +253,19 @@ def _slip(question: Question, friction: dict[int, float], response: Found) -> fl
     return math.copysign(1.0, slip) if sound and abs(slip) > NO_SLIP else 0.0
 
 
-def _against(question: Question, pair: Pair, sense: float) -> dict[int, float]:
+def _against(question: DrivingSystem, pair: Pair, sense: float) -> dict[int, float]:
     """Return the right-hand side of a friction of 1 in a pair."""
     return {i: -v * sense for i, v in question.columns[pair.name].items()}
 
 
-def _part_against(question: Question, pair: Pair, sense: float, response: Found) -> Part:
+def _part_against(question: DrivingSystem, pair: Pair, sense: float, response: Found) -> Part:
     """Return a friction of 1 against a slip, none where nothing slips; a response to one of 1."""
     found = [sense * x if sense else 0.0 for x in response]
     return Part(_against(question, pair, sense), found)
 
 
 def _loaded_surfaces(
-    question: Question,
+    question: DrivingSystem,
     pairs: Sequence[Pair],
     senses: Sequence[float],
     without: tuple[Found, Mapping[str, float]],

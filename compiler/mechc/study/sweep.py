@@ -26,21 +26,21 @@ class Code:
         self.formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
         self.pose = Chain(self.formulas)
         self._closing = tuple(definition.name for definition in pose.definitions)
-        self._forms: dict[tuple[int, frozenset[str]], tuple[Result, Form]] = {}
+        self._forms: dict[tuple[int, frozenset[str]], tuple[Result, ResultCode]] = {}
 
     def closes(self, values: Values) -> bool:
         """Return whether loops close with values: nothing that closes them is undefined."""
         return not any(math.isnan(values.get(name, 0.0)) for name in self._closing)
 
-    def of(self, result: Result, known: frozenset[str]) -> "Form":
+    def of(self, result: Result, known: frozenset[str]) -> "ResultCode":
         """Return a result in names that have values in a pose."""
         key = id(result), known
         if key not in self._forms:
-            self._forms[key] = result, Form(result, known)
+            self._forms[key] = result, ResultCode(result, known)
         return self._forms[key][1]
 
 
-class Form:
+class ResultCode:
     """A result, with its definitions and the sides of its guards, in names that have values."""
 
     def __init__(self, result: Result, known: frozenset[str]) -> None:
@@ -93,7 +93,7 @@ class Sweep:
         given = frozenset((*self.defaults, parameter))
         self._pose = self._code.pose.completion(given, SOON)
         self._names = given.union(self._pose.names)
-        self._last: tuple[Result, float, Form, list[float]] | None = None
+        self._last: tuple[Result, float, ResultCode, list[float]] | None = None
 
     def values(self, x: float) -> dict[str, float]:
         """Return the values of all names that have one; nothing where no pose is allowed.
@@ -160,7 +160,7 @@ class Sweep:
         form, found = self._following(result, x)
         return {**self.values(x), **form.named(found)}
 
-    def _following(self, result: Result, x: float) -> tuple[Form, list[float]]:
+    def _following(self, result: Result, x: float) -> tuple[ResultCode, list[float]]:
         """Return a result as code, and what it gives at ``x``; the last is kept."""
         if self._last and self._last[0] is result and self._last[1] == x:
             return self._last[2:]

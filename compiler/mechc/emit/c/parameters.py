@@ -23,7 +23,7 @@ class Field(NamedTuple):
     value: str
 
 
-class Taking(NamedTuple):
+class ByStruct(NamedTuple):
     """A function that takes the struct, or an array of it: its head and its statements."""
 
     head: str
@@ -36,7 +36,7 @@ class ParametersContext(NamedTuple):
     struct: str
     defaults: str
     fields: list[Field]
-    functions: list[Taking]
+    functions: list[ByStruct]
 
 
 class Positional(NamedTuple):
@@ -130,22 +130,22 @@ def _field(item: Input, name: str) -> Field:
 
 def _taking(
     function: Positional, one: str, many: str, own: Own, arguments: Mapping[str, str]
-) -> tuple[Taking, Taking]:
+) -> tuple[ByStruct, ByStruct]:
     """Return the functions that take one struct, and an array of them."""
     return _for_one(function, one, own, arguments), _for_many(function, one, many, own)
 
 
-def _for_one(function: Positional, name: str, own: Own, arguments: Mapping[str, str]) -> Taking:
+def _for_one(function: Positional, name: str, own: Own, arguments: Mapping[str, str]) -> ByStruct:
     pointer = own.pointer
     heads = [f"const {own.struct} *{pointer}", *(f"double *{o}" for o in function.outputs)]
     given = [*(f"{pointer}->{arguments[i.name]}" for i in function.inputs), *function.outputs]
     back = "" if function.kind == "void" else "return "
     call = wrapped(f"{back}{function.name}(", given, indent=" " * 8)
     unused = [] if function.inputs else [f"(void){pointer};"]
-    return Taking(wrapped(f"{function.kind} {name}(", heads), [*unused, f"{call};"])
+    return ByStruct(wrapped(f"{function.kind} {name}(", heads), [*unused, f"{call};"])
 
 
-def _for_many(function: Positional, one: str, name: str, own: Own) -> Taking:
+def _for_many(function: Positional, one: str, name: str, own: Own) -> ByStruct:
     pointer, loop = own.pointer, own.loop
     filled = [f"double *MECHC_RESTRICT {o}" for o in function.outputs]
     call = (
@@ -161,4 +161,4 @@ def _for_many(function: Positional, one: str, name: str, own: Own) -> Taking:
         f"    {call};",
         "}",
     ]
-    return Taking(wrapped(f"void {name}(", heads), body)
+    return ByStruct(wrapped(f"void {name}(", heads), body)

@@ -33,7 +33,8 @@ from .sorts import Nature
 LONGEST = 200
 """Parts of a let that is written out: lets of lets can double in length with each."""
 
-Definition = ast.Param | ast.Let | ast.Taken
+Line = ast.Param | ast.Let | ast.Taken
+"""A line that gives a quantity its value or its formula."""
 
 _ENDS: tuple[Literal[">=", "<="], ...] = (">=", "<=")
 """How a quantity stands to the ends of its range."""
@@ -70,10 +71,10 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
     return found
 
 
-def _by_name(file: ast.File, scope: Scope) -> dict[str, Definition]:
+def _by_name(file: ast.File, scope: Scope) -> dict[str, Line]:
     """Return the statements that own their names, and the lets that give loads a value."""
-    owned: dict[str, Definition] = {}
-    definitions: list[Definition] = [*every(file, ast.Param), *every(file, ast.Let)]
+    owned: dict[str, Line] = {}
+    definitions: list[Line] = [*every(file, ast.Param), *every(file, ast.Let)]
     definitions += every(file, ast.Taken)
     for statement in definitions:
         entry = scope.entries.get(statement.name.text)
@@ -83,7 +84,7 @@ def _by_name(file: ast.File, scope: Scope) -> dict[str, Definition]:
     return owned
 
 
-def _ordered(statements: Mapping[str, Definition], scope: Scope) -> list[str]:
+def _ordered(statements: Mapping[str, Line], scope: Scope) -> list[str]:
     """Return the names so that each follows those it needs; report circles."""
     order, circles = ordered({name: _needs(s, statements) for name, s in statements.items()})
     for circle in circles:
@@ -93,14 +94,14 @@ def _ordered(statements: Mapping[str, Definition], scope: Scope) -> list[str]:
     return order
 
 
-def _places(cycle: list[Definition], scope: Scope) -> list[Span]:
+def _places(cycle: list[Line], scope: Scope) -> list[Span]:
     """Return where definitions stand, what the command line sets before all."""
     values = [s.value.span for s in cycle if isinstance(s, ast.Param) and s.value]
     settings = [value for value in values if scope.report.source.is_setting(value)]
     return settings + [statement.span for statement in cycle]
 
 
-def _needs(statement: Definition, known: Mapping[str, Definition]) -> set[str]:
+def _needs(statement: Line, known: Mapping[str, Line]) -> set[str]:
     if isinstance(statement, ast.Taken):
         return {symbol.name for symbol in statement.rests_on if symbol.name in known}
     if statement.value is None:
@@ -253,8 +254,6 @@ PI = "pi"
 """What brings turns to radians, and back."""
 
 FLOW = DIMENSIONS["volume"].over(DIMENSIONS["time"])
-
-Line = ast.Param | ast.Let | ast.Taken
 
 
 def _note_turns(

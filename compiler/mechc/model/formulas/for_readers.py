@@ -14,7 +14,7 @@ from ..mechanism import Let, Mechanism, Parameter, Require, Taken
 from ..parts import written
 from ..statements import every
 
-Line = ast.Param | ast.Let
+Declared = ast.Param | ast.Let
 """A line that says what a quantity is."""
 
 Column = ast.Table | ast.Sizes
@@ -33,11 +33,11 @@ def for_readers(mechanism: Mechanism, file: ast.File, source: Source) -> Mechani
     list that it is looked up in, in what it uses, or anywhere; those of the user's own lines come
     before those of what is used.
     """
-    of_lines: tuple[Line, ...] = (*every(file, ast.Param), *every(file, ast.Let))
-    lines: Mapping[str, Line] = {line.name.text: line for line in of_lines}
+    of_lines: tuple[Declared, ...] = (*every(file, ast.Param), *every(file, ast.Let))
+    lines: Mapping[str, Declared] = {line.name.text: line for line in of_lines}
     of_columns: tuple[Column, ...] = (*every(file, ast.Table), *every(file, ast.Sizes))
     columns: Mapping[str, Column] = {column.name.text: column for column in of_columns}
-    named: Mapping[str, Line | Column] = {**lines, **columns}
+    named: Mapping[str, Declared | Column] = {**lines, **columns}
     parameters = tuple(_parameter(p, lines.get(p.name)) for p in mechanism.parameters)
     starts = [start for start, _ in source.parts()]
 
@@ -67,7 +67,7 @@ class _Units:
     def __init__(
         self,
         parameters: Iterable[Parameter],
-        lines: Iterable[Line | Column],
+        lines: Iterable[Declared | Column],
         text: Callable[[Span], int],
     ) -> None:
         self._known = {p.name: p.unit for p in parameters}
@@ -122,14 +122,14 @@ class _Units:
         return sorted(chain.from_iterable(self._in_text.values()), key=lambda unit: unit != usual)
 
 
-def _parameter(parameter: Parameter, line: Line | None) -> Parameter:
+def _parameter(parameter: Parameter, line: Declared | None) -> Parameter:
     if line is None:
         return parameter
     shown = written.let_value(line.value) if parameter.dependent and line.value else None
     return replace(parameter, label=line.label or line.remark, written=shown)
 
 
-def _let(let: Let, line: Line, columns: Mapping[str, Column], units: _Units) -> Let:
+def _let(let: Let, line: Declared, columns: Mapping[str, Column], units: _Units) -> Let:
     assert isinstance(line, ast.Let)
     shown = written.let_value(line.value)
     looked_up = _units(columns[shown.of]) if shown.of in columns else ()
@@ -168,14 +168,14 @@ def _with_sides(
         yield replace(require, written=shown, unit=units.first(require.dimension, line, names))
 
 
-def _units(line: Line | Column) -> Iterator[str]:
+def _units(line: Declared | Column) -> Iterator[str]:
     """Yield the units written in a line: that of its result, those of its numbers."""
     if isinstance(line, ast.Let) and line.unit:
         yield line.unit.text
     yield from (unit for e in _expressions(line) for unit in _in_numbers(e))
 
 
-def _expressions(line: Line | Column) -> Iterable[ast.Expr]:
+def _expressions(line: Declared | Column) -> Iterable[ast.Expr]:
     match line:
         case ast.Table(rows=rows):
             return chain.from_iterable(rows)

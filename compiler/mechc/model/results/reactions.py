@@ -23,7 +23,7 @@ from ..names.forms import Form
 from ..names.scope import Scope
 from ..parts.friction import PinFriction, RopeFriction
 
-Asked = tuple[str, Target, Dimension]
+Ending = tuple[str, Target, Dimension]
 """The end of a result's name, what it is and what it measures."""
 
 PARTS: tuple[tuple[str, Part, Dimension], ...] = (
@@ -36,7 +36,7 @@ PARTS: tuple[tuple[str, Part, Dimension], ...] = (
 
 def read_reaction(
     symbol: ast.Symbol, form: Form, on: ast.Name | None, scope: Scope
-) -> tuple[Asked, ...]:
+) -> tuple[Ending, ...]:
     """Return the results that one such ``find`` asks for; none where an error was reported.
 
     A force on a pin is four: its components, its size, and its direction.
@@ -54,7 +54,7 @@ def read_reaction(
     return (("", target, FORCE),) if target else ()
 
 
-def _force(symbol: ast.Symbol, point: str, on: ast.Name | None, scope: Scope) -> Iterator[Asked]:
+def _force(symbol: ast.Symbol, point: str, on: ast.Name | None, scope: Scope) -> Iterator[Ending]:
     held = scope.points
     if on is None and point not in held.fixed | held.guided:
         links = [link.name for link in held.carried.get(point, [])]

@@ -129,11 +129,13 @@ def _by_name(rate: Product, twins: Mapping[str, str]) -> Product:
 # -------------------------------------------------------------------------------------------- loops
 
 
-Rates = Mapping[str, Product]
+KnownRates = Mapping[str, Product]
 """The derivative by the drive of every name that moves with it."""
 
 
-def loop_rates(loops: Sequence[Vector], unknown: Sequence[str], known: Rates) -> dict[str, Product]:
+def loop_rates(
+    loops: Sequence[Vector], unknown: Sequence[str], known: KnownRates
+) -> dict[str, Product]:
     """Return the rates of the unknowns of loops that close together.
 
     The vectors of a loop add up to zero all along the stroke, so their rates do: an unknown
@@ -153,7 +155,7 @@ def loop_rates(loops: Sequence[Vector], unknown: Sequence[str], known: Rates) ->
     }
 
 
-def _single(loop: Vector, unknown: str, known: Rates) -> dict[str, Product]:
+def _single(loop: Vector, unknown: str, known: KnownRates) -> dict[str, Product]:
     """Solve K + x′·X = 0 along X, where the loop's other unknown was recognised."""
     given, own = rate(loop, known), rate(loop, {unknown: Product(1)})
     if len(own) != 1:
@@ -164,7 +166,7 @@ def _single(loop: Vector, unknown: str, known: Rates) -> dict[str, Product]:
 
 
 def _columns(
-    loop: Vector, unknown: Sequence[str], known: Rates
+    loop: Vector, unknown: Sequence[str], known: KnownRates
 ) -> Iterable[tuple[Product, Product]]:
     """Return the components of a loop's rate for each unknown, then those of what is known."""
     for name in unknown:
@@ -172,7 +174,7 @@ def _columns(
     yield components(rate(loop, known))
 
 
-def _pair(loop: Vector, unknown: Sequence[str], known: Rates) -> dict[str, Product]:
+def _pair(loop: Vector, unknown: Sequence[str], known: KnownRates) -> dict[str, Product]:
     """Solve K + x′·X + y′·Y = 0 by products with the vectors at right angles."""
     x, y = unknown
     given = rate(loop, known)
@@ -187,7 +189,7 @@ def _cross(one: Vector, other: Vector) -> Product:
     return add(a.length * b.length * sine(b.angle - a.angle) for a in one for b in other)
 
 
-def rate(vector: Vector, rates: Rates) -> Vector:
+def rate(vector: Vector, rates: KnownRates) -> Vector:
     """Return the derivative of a vector whose symbols move at given rates."""
     arms: list[Arm] = []
     for length, angle in vector:

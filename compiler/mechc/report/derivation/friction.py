@@ -6,7 +6,7 @@ from typing import assert_never
 
 from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, is_call, product, total
 from ...formula.walk import symbols, walk
-from ...friction.solution import Kind, Solution, SolvedWithFriction, Step
+from ...friction.solution import Solution, SolvedWithFriction, Step, StepKind
 from ...frozen import replace
 from ...model.mechanism import (
     Axial,
@@ -34,7 +34,7 @@ _LINES: Mapping[str, SentenceKind] = {
     "face": SentenceKind.FACE,
 }
 
-_OF_JOINTS: Mapping[tuple[Kind, bool], SentenceKind] = {
+_OF_JOINTS: Mapping[tuple[StepKind, bool], SentenceKind] = {
     ("added", False): SentenceKind.ADDED_BY_FRICTION,
     ("added", True): SentenceKind.ADDED_BY_FRICTION,
     ("rod part", True): SentenceKind.PART_ALONG_ROD,

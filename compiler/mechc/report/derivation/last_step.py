@@ -97,11 +97,11 @@ def _ratio(above: PowerTerm, below: PowerTerm) -> Formula:
     return (-(powers[1] / powers[0])).formula()
 
 
-Found = Mapping[str, tuple[str, Formula]]
+FoundSpeeds = Mapping[str, tuple[str, Formula]]
 """A speed's name, with the one that it was found from and its ratio to that."""
 
 
-def _found(steps: Sequence[Step]) -> Found:
+def _found(steps: Sequence[Step]) -> FoundSpeeds:
     """Return the speeds that steps find from one other speed each, in proportion to it."""
     found: dict[str, tuple[str, Formula]] = {}
     for left, right in (equation for step in steps for equation in step.results):
@@ -113,7 +113,7 @@ def _found(steps: Sequence[Step]) -> Found:
     return found
 
 
-def _in_ratios(above: PowerTerm, below: PowerTerm, found: Found) -> SpeedChain | None:
+def _in_ratios(above: PowerTerm, below: PowerTerm, found: FoundSpeeds) -> SpeedChain | None:
     """Return the ratio of the speeds of two loads as a product, where it is found in steps."""
     speeds = [[n for n in sorted(symbols(t.speed)) if is_speed(n)] for t in (below, above)]
     if any(len(names) != 1 for names in speeds):
@@ -130,7 +130,7 @@ def _in_ratios(above: PowerTerm, below: PowerTerm, found: Found) -> SpeedChain |
     return SpeedChain(quotient(Symbol(of), Symbol(to)), links, whole)
 
 
-def _chain(of: str, to: str, found: Found) -> list[str]:
+def _chain(of: str, to: str, found: FoundSpeeds) -> list[str]:
     """Return the speeds that lead from one to another, the last one left out; none if none do."""
     chain: list[str] = []
     while of != to:

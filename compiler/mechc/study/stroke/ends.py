@@ -27,14 +27,14 @@ SHORT = 1e-3
 """A length counts as this long at least, in metres, when steps are measured by it."""
 
 
-class End(NamedTuple):
+class LastValue(NamedTuple):
     """The last value that can be reached, and the loop that another branch crosses there."""
 
     x: float
     crossed: str = ""
 
 
-def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> End:
+def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> LastValue:
     """Return where a loop turns back, or another branch crosses it, beyond an edge.
 
     ``range_`` is the length of the stroke, negative where there are poses after the edge.
@@ -48,10 +48,10 @@ def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> End:
         curve = Curve(numeric(system), outer, scales)
         end = curve.end(start, inside, goal)
         if end.turns and (end.x - goal) * range_ < 0:
-            return End(end.x)
+            return LastValue(end.x)
         if (crossing := curve.crossing(start, inside, goal)) is not None:
-            return End(crossing, loop)
-    return End(edge)
+            return LastValue(crossing, loop)
+    return LastValue(edge)
 
 
 def _systems(pose: Pose, along: Along) -> Iterator[tuple[System, Outer]]:
