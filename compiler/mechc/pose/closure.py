@@ -6,7 +6,7 @@ that does not ties symbols which were given as independent.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Constant, Factor, Length, Trig
@@ -29,6 +29,9 @@ Row = dict[str, int]
 """A linear equation in the open lengths, modulo the prime; the constant stands under ''."""
 
 Values = Mapping[str, float]
+
+Poses = Callable[[], Sequence[Values]]
+"""Gives some poses in numbers."""
 
 
 class Condition(NamedTuple):
@@ -60,10 +63,10 @@ class Closure:
         self._point = Point()
         self._rows: list[tuple[str, Row]] = []
 
-    def check(self, condition: Condition, poses: Sequence[Values]) -> Diagnostic | None:
+    def check(self, condition: Condition, poses: Poses) -> Diagnostic | None:
         """Take a condition in; return the error if it cannot hold for independent symbols.
 
-        ``poses`` begin with the default one.
+        ``poses`` begin with the default one; most conditions are decided without them.
         """
         for direction in self._directions(condition):
             row = self._reduced(self._row(condition.arms, direction))
@@ -71,7 +74,7 @@ class Closure:
             if unknowns:
                 self._rows.append((unknowns[0], row))
             elif row.get("") and not self._holds_by_definition(condition.arms, direction, poses):
-                return self._refused(condition, direction, poses[0])
+                return self._refused(condition, direction, poses()[0])
         return None
 
     def _directions(self, condition: Condition) -> Sequence[Angle]:
@@ -82,7 +85,7 @@ class Closure:
                     return angle, across(angle)
         return condition.across
 
-    def _holds_by_definition(self, arms: Vector, direction: Angle, poses: Sequence[Values]) -> bool:
+    def _holds_by_definition(self, arms: Vector, direction: Angle, poses: Poses) -> bool:
         """Return whether arms add up to zero because some of their angles were defined so.
 
         Algebra takes ``beta = asin(a/l*sin(alpha))`` for one more free symbol; numbers at a
@@ -92,7 +95,7 @@ class Closure:
         named = _symbols(counted) | dict(direction.terms).keys()
         if self._defined.isdisjoint(named) or self._mentions_open(counted):
             return False
-        return not any(abs(_along(counted, direction, values)) > LOOP_GAP for values in poses)
+        return not any(abs(_along(counted, direction, values)) > LOOP_GAP for values in poses())
 
     def _row(self, arms: Vector, direction: Angle) -> Row:
         row: Row = {}

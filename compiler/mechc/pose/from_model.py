@@ -1,7 +1,7 @@
 """From the mechanism to its pose: directions found, loops checked, frames laid out."""
 
 from collections.abc import Iterator, Mapping, Set
-from functools import partial
+from functools import cache, partial
 
 from ..algebra.angle import Angle
 from ..diagnostics import Report
@@ -89,6 +89,8 @@ def _remark_on_conditions(pose: Pose, closed: Closed, report: Report) -> None:
 
     What a sheet gives is held against its conditions where it is calculated.
     """
+    if not pose.mechanism.requires:
+        return
     default = default_pose(pose.mechanism, pose.closing)
     given = {p.name for p in pose.mechanism.parameters} - closed.found
     lets = {let.name for let in pose.mechanism.lets}
@@ -103,6 +105,8 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
 
     E318 reports an assembly that it refutes; W301 remarks on others that decide nothing.
     """
+    if not (closed.idle or pose.mechanism.drawn or pose.radii):
+        return
     default = default_pose(pose.mechanism, pose.definitions)
     for assembly in closed.idle:
         for remark in remarks(assembly, vectors, default):
@@ -132,7 +136,8 @@ def _pose(read: _Read, closed: Closed) -> Pose:
     """Return all directions and frames, read in the order of their definitions."""
     mechanism, terms, directions, vectors, missing, report = read
     poses = partial(poses_nearby, mechanism, terms.definitions)
-    named = lines.Lines(directions, vectors, missing, poses, allowed_box(mechanism), report)
+    box = partial(allowed_box, mechanism)
+    named = lines.Lines(directions, vectors, missing, poses, box, report)
     guides, axis = lines.guides(mechanism, named), lines.mirror_line(mechanism, named)
     of_loads = {**lines.forces(mechanism, named), **_thrusts(read, axis)}
     held = tuple(contacts(mechanism, directions, vectors, named.of))
@@ -184,12 +189,12 @@ def _check_loops(pose: Pose, read: _Read, unfound: Set[str]) -> None:
     given = given_by_hand(mechanism) if mechanism.drawn else None
     defined = {d.name for d in pose.definitions}
     closure = Closure(pose.placeholders, defined, given, mechanism.brought_angles)
-    values = poses_nearby(mechanism, pose.definitions)
+    poses = cache(partial(poses_nearby, mechanism, pose.definitions))
     slots = on_the_line([t for t in pose.contacts if t.kind == "slot"], vectors)
     for condition in (*_loops(vectors), *_guide_lines(pose, vectors), *slots):
         if unfound & mentioned(condition.arms):
             continue
-        if fault := closure.check(condition, values):
+        if fault := closure.check(condition, poses):
             read.report.add_first(fault)
 
 

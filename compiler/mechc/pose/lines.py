@@ -17,7 +17,7 @@ from .vectors import Missing, Vectors
 class Lines:
     """Directions as angles; one that nothing gives is reported, once for all that ask for it.
 
-    ``poses`` gives the default pose and some near it, ``box`` what values may be.
+    ``poses`` gives the default pose and some near it, ``box`` what values may be; few ask for them.
     """
 
     def __init__(
@@ -26,7 +26,7 @@ class Lines:
         vectors: Vectors,
         missing: Missing,
         poses: Callable[[], list[Values]],
-        box: Box,
+        box: Callable[[], Box],
         report: Report,
     ) -> None:
         self._directions, self._vectors = directions, vectors
@@ -67,8 +67,8 @@ class Lines:
         if len(vector) > 1:
             return 0
         length, names = vector[0].length, mentioned(vector) - vector[0].angle.names
-        if len(names) > 1 and names <= self._box.keys():
-            sense = sign(length, self._box) or 0
+        if len(names) > 1 and names <= (box := self._box()).keys():
+            sense = sign(length, box) or 0
             self._vectors.ahead += [length.scaled(sense)] if sense else []
             return sense
         return -1 if is_behind(length, self._poses()) else 1

@@ -3,11 +3,12 @@
 import math
 from collections import deque
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import pairwise
 from typing import Literal
 
 from ..algebra.angle import Angle
-from ..algebra.intervals import sign
+from ..algebra.intervals import Box, sign
 from ..algebra.product import Product
 from ..formula.tree import ZERO
 from ..formula.walk import symbols
@@ -61,7 +62,7 @@ class Vectors:
 
     def __init__(self, mechanism: Mechanism, terms: Terms, directions: Directions) -> None:
         self._terms, self._directions = terms, directions
-        self._box = allowed_box(mechanism)
+        self._mechanism = mechanism
         self._edges: dict[str, dict[str, Vector]] = {}
         self._lengths = {
             frozenset((g.tail, g.head)): terms.length(g.length)
@@ -111,6 +112,11 @@ class Vectors:
             arm = Arm(*self._terms.polar(*components(vector), f"{tail}{head}"))
         self._join(tail, head, (arm,))
         return arm.angle
+
+    @cached_property
+    def _box(self) -> Box:
+        """What values may be, for vectors whose sense the drawing leaves open."""
+        return allowed_box(self._mechanism)
 
     def _of_one_sense(self, vector: Vector) -> Arm | None:
         """Return a vector as an arm, where its line is plain and ranges keep its ends apart."""

@@ -45,11 +45,22 @@ class DefaultNumbers:
     @cached_property
     def values(self) -> dict[str, float]:
         """The values of parameters, intermediates and bound sums."""
-        return default_values(self._plan)
+        return self._chain.complete(self._given)
 
     @cached_property
     def _rounding(self) -> Rounding:
-        return default_rounding(self._plan.graph.pose)
+        """The same values, with what rounding makes of them."""
+        rounding = Rounding(self._given)
+        rounding.define(self._chain.definitions)
+        return rounding
+
+    @cached_property
+    def _chain(self) -> Chain:
+        return _chain(self._plan.graph.pose)
+
+    @cached_property
+    def _given(self) -> dict[str, float]:
+        return _given(self._plan.graph.pose)
 
     @cached_property
     def _chained(self) -> "_Chained":
@@ -146,13 +157,6 @@ def _chain(pose: Pose) -> Chain:
 
 def _given(pose: Pose) -> dict[str, float]:
     return {**defaults(pose.mechanism), **dict.fromkeys(pose.placeholders, 1.0)}
-
-
-def default_rounding(pose: Pose) -> Rounding:
-    """Return the values that a pose has by default, with what rounding makes of them."""
-    rounding = Rounding(_given(pose))
-    rounding.define(_chain(pose).definitions)
-    return rounding
 
 
 ASIDE = (1.013, 0.971)
