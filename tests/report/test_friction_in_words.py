@@ -585,3 +585,12 @@ def test_what_a_lever_is_solved_by_has_a_positive_arm():
     assert all(condition.operator == ">" for condition in k_hold.holds)
     (arm,) = (h.left for h in k_hold.holds if isinstance(h.left, Sum) and len(h.left.terms) == 3)
     assert text(arm) == "rho_A + a*sin(2*theta - delta_AB) - rho_O"
+
+
+def test_what_is_alike_is_so_by_name_and_what_is_known_is_not_stated_again():
+    text = loaded("d45_10_two_screws_with_friction").emit("latex")
+    account = text.partition("The motion is along the arrow")[2].partition("Numerical")[0]
+    assert account.count(r"n_{B,\mathrm{screw}}&=n_{A,\mathrm{screw}}") == 1
+    first, _, hold = account.partition("The motion is against the arrow")
+    assert first.count(r"v_{B,\mathrm{screw}}&=v_{A,\mathrm{screw}}") == 2
+    assert r"v_{A,\mathrm{screw}}&=" not in hold

@@ -62,6 +62,13 @@ def test_forces_are_in_the_unit_that_the_description_gives_them_in():
     assert r"60\,\text{N}" in in_newtons.emit("latex")
 
 
+def test_a_curve_and_its_table_have_forces_in_that_unit_too():
+    ranged = WEIGHED.replace("param h = 12 in", "param h = 12 in in 2 in .. 20 in")
+    page = mechc.loads(f"{ranged}report P, plot P_f over h\n", "u.mech").emit("latex")
+    assert r"\mathit{P}_{\mathit{f}},\ \mathrm{lbf}$" in page
+    assert r"$20$ & $60$ \\" in page
+
+
 @pytest.mark.parametrize("unit", UNITS)
 def test_the_unit_printed_for_what_a_unit_measures_can_be_typed(unit):
     shown = si_unit(UNITS[unit].dimension)

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 
-from ..model.mechanism import Mechanism
+from ..model.mechanism import Let, Mechanism, Parameter
 from ..named import NamedTuple
 from ..routine.evaluate import evaluate, pose
 from ..routine.steps import Input, Pose, Routine, closed_dimensions
@@ -66,7 +66,9 @@ def unit_of(dimension: Dimension, mechanism: Mechanism, own: str = "") -> str:
 
     An angle is in degrees unless it has its own, as everywhere.
     """
-    written = () if dimension == ANGLE else (*mechanism.parameters, *mechanism.literals)
+    written: tuple[Parameter | Let, ...] = ()
+    if dimension != ANGLE:
+        written = (*mechanism.parameters, *mechanism.literals, *mechanism.lets)
     first = next((p.unit for p in written if p.dimension == dimension and p.unit), "")
     unit = own or first or USUAL_UNITS.get(dimension, "") or si_unit(dimension)
     return "deg" if unit == "°" else unit

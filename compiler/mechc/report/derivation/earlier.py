@@ -32,6 +32,7 @@ class EarlierSteps:
         self._found: dict[str, Formula] = dict(iterated)
         self._sentences: set[SentenceKind] = set()
         self._equations: set[tuple[Formula, Formula]] = set()
+        self._stated: set[Equation] = set()
 
     def enter_forces(
         self, steps: Sequence[Step], asked: WithFriction, result: str
@@ -81,6 +82,14 @@ class EarlierSteps:
             return None
         self._lines.add(line)
         return [Equation(Symbol(d.name), d.formula) for d in step.defined if d.name in changed]
+
+    def enter_lines(self, equations: Iterable[Equation]) -> Iterator[Equation]:
+        """Enter equations; yield those but for quantities that an earlier one has stated."""
+        for equation in equations:
+            is_stated = equation in self._stated
+            self._stated |= {equation} if isinstance(equation.left, Symbol) else set()
+            if not is_stated:
+                yield equation
 
     def enter_sentences(self, paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
         """Enter paragraphs; yield those whose sentence no earlier one had."""

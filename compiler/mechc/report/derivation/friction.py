@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import assert_never
 
-from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, is_call, product, total
+from ...formula.tree import ZERO, Call, Formula, Product, Sum, Symbol, is_call, product, total
 from ...formula.walk import symbols, walk
 from ...friction.solution import Solution, SolvedWithFriction, Step, StepKind
 from ...frozen import replace
@@ -256,9 +256,11 @@ def _paragraphs(
         case "pin":
             yield Paragraph(SentenceKind.PIN_OF_RODS, (*found, *new), {"point": (step.body,)})
         case "straight":
-            yield Paragraph(SentenceKind.STRAIGHT, (*new, *equations), formulas=_STRAIGHT)
+            lines = tuple(earlier.enter_lines(_by_name([*new, *equations])))
+            yield Paragraph(SentenceKind.STRAIGHT, lines, formulas=_STRAIGHT)
         case "ropes":
-            yield Paragraph(SentenceKind.ROPES, (*new, *equations), formulas=_STRAIGHT)
+            lines = tuple(earlier.enter_lines(_by_name([*new, *equations])))
+            yield Paragraph(SentenceKind.ROPES, lines, formulas=_STRAIGHT)
         case "efficiency":
             yield Paragraph(SentenceKind.EFFICIENT, tuple(equations))
         case "first order":
@@ -272,6 +274,17 @@ def _paragraphs(
             yield _of_joint(step, equations, asked)
         case _:
             assert_never(step.kind)
+
+
+def _by_name(equations: Sequence[Equation]) -> tuple[Equation, ...]:
+    """Return equations in which what is equal to an earlier quantity is so by the name of that."""
+    named: dict[Formula, Formula] = {}
+    found: list[Equation] = []
+    for left, right in equations:
+        is_named = isinstance(left, Symbol) and isinstance(right, Sum | Product)
+        known = named.setdefault(right, left) if is_named else left
+        found.append(Equation(left, right if known == left else known))
+    return tuple(found)
 
 
 def _of_joint(step: Step, equations: Sequence[Equation], asked: WithFriction) -> Paragraph:
