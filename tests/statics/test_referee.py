@@ -460,3 +460,27 @@ drive phi from -1.2 rad to -0.7 rad
     assert [t.power for t in compilation.verdict.trials] == [0.0] * 4
     assert compilation.verdict.worst < 1e-15
     assert [d.code for d in compilation.report.diagnostics] == ["W503"]
+
+
+def test_a_pin_that_does_not_turn_has_no_friction_however_near_a_dead_centre():
+    """B lies on O, so that OA and AB turn as one; at 36.87° A is on Q, and forces are infinite."""
+    text = """
+param phi = 36 deg in 36 deg .. 37 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (160 mm, 120 mm)
+link OA
+link QBD
+link AB
+OA = 200 mm @ phi
+AB = 200 mm
+QB = 200 mm
+QD = 100 mm @ -QB
+assembly ABQ cw
+force F at D along 90 deg
+friction pins 0.1 diameter 10 mm
+actuator N between A and Q
+find k = N/F
+"""
+    trials = Compilation(Source("rest.mech", text)).verdict.trials
+    assert {t.result for t in trials} >= {"k_f", "k_hold"}
+    assert all(t.agrees for t in trials)

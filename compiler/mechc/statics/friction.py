@@ -22,7 +22,7 @@ from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
 from .solve import Factors, Row, factor
 from .surfaces import Pair, pairs_of
-from .tolerances import EPSILON, INCONSISTENT, NO_SLIP
+from .tolerances import EPSILON, INCONSISTENT, NO_SLIP, SAME_TERM
 from .unfold import Unfolding
 from .verdict import OPEN, STANDS, UNBALANCED, UNSETTLED
 
@@ -173,7 +173,8 @@ def _responses(unfolding: Unfolding, driving: str, given: Mapping[str, float]) -
         return UNBALANCED
     frictions = [_against(question, pair, 1.0) for pair in pairs]
     each = tuple(question.factors.solve(friction) for friction in frictions)
-    slips = tuple(map(partial(_slip, question), frictions, each))
+    adjoint = question.factors.adjoint(question.drive)
+    slips = tuple(map(partial(_slip, question, adjoint), frictions, each))
     thrusts = {p.name: _size(p.thrust, unfolding, tied, given) for p in pairs if p.thrust}
     return Responses(question, Part(right, ideal), pairs, thrusts, slips, each)
 
@@ -241,16 +242,26 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Drivin
     return DrivingSystem(system, columns, factor(rows, last + 1, last), last, units[drive])
 
 
-def _slip(question: DrivingSystem, friction: dict[int, float], response: Found) -> float:
+def _slip(
+    question: DrivingSystem,
+    adjoint: Sequence[float],
+    friction: dict[int, float],
+    response: Found,
+) -> float:
     """Return the sign of the slip behind a friction of 1 as the load drives along its arrow.
 
     That load balances the friction alone, so that the slip is minus its size, as :mod:`.speeds`
-    has it.
+    has it. Near a dead centre what is none has the size of rounding that grew with all forces.
     """
     slip = -question.unit * response[question.drive]
     sound = all(map(math.isfinite, response))
     sound = sound and question.factors.gap(response, friction) <= INCONSISTENT
-    return math.copysign(1.0, slip) if sound and abs(slip) > NO_SLIP else 0.0
+    if not sound or abs(slip) <= NO_SLIP:
+        return 0.0
+    sizes = question.factors.weights(response, friction)
+    parts = sum(abs(share) * size for share, size in zip(adjoint, sizes, strict=True))
+    is_rounding = abs(response[question.drive]) <= SAME_TERM * parts
+    return 0.0 if is_rounding else math.copysign(1.0, slip)
 
 
 def _against(question: DrivingSystem, pair: Pair, sense: float) -> dict[int, float]:
