@@ -159,15 +159,23 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
         is_glued = text.startswith(".") and before is not None and span_of(before).end == span.start
         hint = f"a name has no dot: write {before}_{text[1:].split()[0]}" if is_glued else ""
         return syntax.missing_equals(span, described(token), hint)
-    hint = example(line, allowed) if lacks_name else ""
-    if start in ("let_value", "condition"):
-        hint = slips.of_asking(line, position, allowed)
-    if start == "let_value" and text == "in":
-        hint = IN_A_UNIT
-    if start != "statement":
-        hint = hint or slips.of_decimals(line, position) or slips.in_scalar(token, allowed)
+    hint = example(line, allowed) if lacks_name else _in_a_value(line, position, allowed, start)
     hint = hint or slips.hint_for(line, position, allowed)
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
+
+
+def _in_a_value(line: Sequence[Token], position: int, allowed: set[str], start: Start) -> str:
+    """Return a hint at what is written otherwise in a value of YAML, '' in a statement."""
+    if start == "statement":
+        return ""
+    if start == "let_value" and line[position] == "in":
+        return IN_A_UNIT
+    is_formula = start in ("let_value", "condition")
+    return (
+        (slips.of_asking(line, position, allowed) if is_formula else "")
+        or slips.of_decimals(line, position)
+        or slips.in_scalar(line[position], allowed)
+    )
 
 
 def begins_wrongly(line: Sequence[Token], position: int) -> bool:

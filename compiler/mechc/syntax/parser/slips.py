@@ -283,13 +283,7 @@ def _of_neighbours(line: Sequence[Token], position: int, allowed: set[str]) -> s
     token, before = line[position], line[position - 1] if position else None
     text, previous = str(token), str(before or "")
     if token.type == "NUMBER" and before is not None and before.type == "NUMBER":
-        if split_quantity(before)[1] == "in":
-            return RANGE
-        if split_quantity(before)[1]:
-            return PARTED if "COMMA" in allowed else ""
-        if line[position + 1 : position + 2] == ["/"]:
-            return "a fraction is a part of one number with a point: 7 7/8 is 7.875"
-        return "digits stand together, as in 1200 mm"
+        return _of_two_numbers(before, line[position + 1 : position + 2], allowed)
     if text == previous and text in DOUBLED:
         return DOUBLED[text]
     if previous == "if":
@@ -306,6 +300,18 @@ def _of_neighbours(line: Sequence[Token], position: int, allowed: set[str]) -> s
             return PARTED if "COMMA" in allowed else ""
         return _of_product(line, position, allowed)
     return ""
+
+
+def _of_two_numbers(first: Token, behind: Sequence[Token], allowed: set[str]) -> str:
+    """Return a hint at a number before another one, by its unit and what stands behind both."""
+    unit = split_quantity(first)[1]
+    if unit == "in":
+        return RANGE
+    if unit:
+        return PARTED if "COMMA" in allowed else ""
+    if behind == ["/"]:
+        return "a fraction is a part of one number with a point: 7 7/8 is 7.875"
+    return "digits stand together, as in 1200 mm"
 
 
 def _of_product(line: Sequence[Token], position: int, allowed: set[str]) -> str:
