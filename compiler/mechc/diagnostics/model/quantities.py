@@ -1,6 +1,6 @@
 """Messages for quantities: dimensions, bare numbers, ranges, values (E220 to E230)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from ...source import Span
 from ...units import (
@@ -67,6 +67,41 @@ def lost_factor(one: Dimension, other: Dimension) -> str:
     )
 
 
+EXCHANGED = "the length stands before '@', the direction behind it; else look for a wrong unit"
+
+MEANT_FOR: Mapping[tuple[Dimension, str], str] = {
+    (ANGLE, "the length"): EXCHANGED,
+    (LENGTH, "the direction"): EXCHANGED,
+    (ANGLE, "the place"): "a place is two lengths; a length and a direction are written a @ alpha",
+    (ANGLE, "a coefficient of friction"): (
+        "the coefficient for an angle of friction is its tangent: tan(6 deg)"
+    ),
+    (ACCELERATION, "the direction"): (
+        "gravity has a direction, -y; its size is a parameter: g = 9.81 m/s^2"
+    ),
+}
+"""Hints by what is there, and what it is there for."""
+
+MEANT: Mapping[tuple[Dimension, Dimension], str] = {
+    (PRESSURE, FORCE): "the force of a cylinder is its pressure on the piston: let P = p*pi*D^2/4",
+    (FORCE, MASS): "a weight that is given as a force is one: `force W at G along -y`",
+    (MASS, FORCE): "a mass acts as a load by `weight W mass … at G`; a force is in N or lbf",
+}
+"""Hints by what is there, and what is wanted."""
+
+
+def _meant_by(found: Dimension, wanted: Dimension, what: str) -> str:
+    """Return the hint at a usual mistake for another quantity, '' where it is none."""
+    unit = USUAL_UNITS.get(wanted, "")
+    if found == NUMBER.over(LENGTH) and wanted == LENGTH:
+        return f"1/2 {unit} is 1/(2 {unit}): a fraction is a number with a point, 0.5 {unit}"
+    if what == "an exponent":
+        return "a unit belongs to the number before it: 2*10^2 mm is 2e2 mm, or 200 mm"
+    if (found, wanted) == (FORCE, MASS) and what.startswith("the range"):
+        return "kg measures a mass; the force of a mass is given in kgf, or in N"
+    return MEANT_FOR.get((found, what)) or MEANT.get((found, wanted), "")
+
+
 @coded("E221")
 def wrong_dimension(
     span: Span,
@@ -86,28 +121,8 @@ def wrong_dimension(
     said = f"{what}: expected {expected}, found {described(found)}"
     unit = USUAL_UNITS.get(wanted, "")
     bare = name and unit and found == NUMBER
-    hint = f"if '{name}' is a number without its unit, declare it as `… {unit}`" if bare else ""
-    if (found, wanted) == (MASS, FORCE):
-        hint = "a mass acts as a load by `weight W mass … at G`; a force is in N or lbf"
-    if (found, wanted) == (FORCE, MASS):
-        hint = "a weight that is given as a force is one: `force W at G along -y`"
-        if what.startswith("the range"):
-            hint = "kg measures a mass; the force of a mass is given in kgf, or in N"
-    if (found, wanted) == (PRESSURE, FORCE):
-        hint = "the force of a cylinder is its pressure on the piston: let P = p*pi*D^2/4"
-    if (found, what) == (ACCELERATION, "the direction"):
-        hint = "gravity has a direction, -y; its size is a parameter: g = 9.81 m/s^2"
-    if (found, what) == (ANGLE, "a coefficient of friction"):
-        hint = "the coefficient for an angle of friction is its tangent: tan(6 deg)"
-    if (found, what) == (ANGLE, "the place"):
-        hint = "a place is two lengths; a length and a direction are written a @ alpha"
-    if what == "an exponent":
-        hint = "a unit belongs to the number before it: 2*10^2 mm is 2e2 mm, or 200 mm"
-    if wanted == LENGTH and found == NUMBER.over(LENGTH):
-        hint = f"1/2 {unit} is 1/(2 {unit}): a fraction is a number with a point, 0.5 {unit}"
-    if (found, what) in ((ANGLE, "the length"), (LENGTH, "the direction")):
-        hint = "the length stands before '@', the direction behind it; else look for a wrong unit"
-    hint = hint or LOST
+    plain = f"if '{name}' is a number without its unit, declare it as `… {unit}`" if bare else LOST
+    hint = _meant_by(found, wanted, what) or plain
     if declared and wanted in (LENGTH, ANGLE) and found not in (LENGTH, ANGLE, NUMBER):
         return Message(declared, said, hint, (Related(span, f"'{name}' is {what} here"),))
     related = (

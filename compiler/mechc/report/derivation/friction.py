@@ -239,6 +239,27 @@ def _paragraphs(
     equations = [Equation(_ordered(left), right) for left, right in sides]
     solved = {driving(asked)} if step.kind in _BESIDE_THE_LOAD else {driving(asked), Symbol(result)}
     found = [e for e in equations if e.left not in solved] or equations[:1]
+    if step.kind == "first order":
+        yield from _first_order((*new, *found), asked, earlier)
+    elif step.kind == "straight" or step.kind == "ropes":
+        sentence = SentenceKind.ROPES if step.kind == "ropes" else SentenceKind.STRAIGHT
+        lines = tuple(earlier.enter_lines(_by_name([*new, *equations])))
+        yield Paragraph(sentence, lines, formulas=_STRAIGHT)
+    else:
+        yield from _of_step(step, new, equations, found, isinstance(asked.of, Axial))
+
+
+def _of_step(
+    step: Step,
+    new: Sequence[Equation],
+    equations: Sequence[Equation],
+    found: Sequence[Equation],
+    of_rod: bool,
+) -> Iterator[Paragraph]:
+    """Yield the paragraphs of a step that says nothing of earlier ones.
+
+    ``new`` are its definitions, ``found`` what it gives; ``of_rod``: a force in a rod is asked for.
+    """
     match step.kind:
         case "internal" | "external" | "parallel" | "single":
             names = {"link": (step.body,)}
@@ -255,23 +276,17 @@ def _paragraphs(
             yield Paragraph(_sentence_along(step), balanced, {"point": (step.body,)})
         case "pin":
             yield Paragraph(SentenceKind.PIN_OF_RODS, (*found, *new), {"point": (step.body,)})
-        case "straight":
-            lines = tuple(earlier.enter_lines(_by_name([*new, *equations])))
-            yield Paragraph(SentenceKind.STRAIGHT, lines, formulas=_STRAIGHT)
-        case "ropes":
-            lines = tuple(earlier.enter_lines(_by_name([*new, *equations])))
-            yield Paragraph(SentenceKind.ROPES, lines, formulas=_STRAIGHT)
         case "efficiency":
             yield Paragraph(SentenceKind.EFFICIENT, tuple(equations))
-        case "first order":
-            yield from _first_order((*new, *found), asked, earlier)
+        case "first order" | "straight" | "ropes":
+            raise AssertionError("what earlier steps have said counts there")
         case "iterated":
             yield Paragraph(SentenceKind.ITERATED, formulas=_ITERATED)
         case "pressing":
             pressing = {"force": Symbol("n")}
             yield Paragraph(SentenceKind.PRESSING, tuple(equations), formulas=pressing)
         case "added" | "rod part" | "normal part" | "across" | "balance":
-            yield _of_joint(step, equations, asked)
+            yield _of_joint(step, equations, of_rod)
         case _:
             assert_never(step.kind)
 
@@ -287,7 +302,7 @@ def _by_name(equations: Sequence[Equation]) -> tuple[Equation, ...]:
     return tuple(found)
 
 
-def _of_joint(step: Step, equations: Sequence[Equation], asked: WithFriction) -> Paragraph:
+def _of_joint(step: Step, equations: Sequence[Equation], of_rod: bool) -> Paragraph:
     """Return how a force at a joint follows from what is solved."""
     names = {"link": (step.body,), "point": (step.pivot,)} if step.body else {}
     whole = {"rod part": "S_", "normal part": "R_"}.get(step.kind, "")
@@ -295,7 +310,7 @@ def _of_joint(step: Step, equations: Sequence[Equation], asked: WithFriction) ->
     formulas = {}
     if whole and equations:
         formulas = {"whole": Symbol(next(met, whole)), "force": equations[0].left}
-    sentence = _OF_JOINTS[step.kind, isinstance(asked.of, Axial)]
+    sentence = _OF_JOINTS[step.kind, of_rod]
     return Paragraph(sentence, tuple(equations), names, formulas)
 
 
