@@ -71,7 +71,7 @@ def test_no_dead_centre_is_in_a_stuck_interval(ratio, tmp_path, capsys):
     sentences = stated(f"{CRANK}find k = {ratio}", tmp_path, capsys, "check")
     kind = "F alone cannot move" if ratio == "M/F" else "no force F can move"
     assert sentences.count(kind) == 4
-    assert "for 0 < phi <= 2.751 deg." in sentences
+    assert "for 0 deg < phi <= 2.751 deg." in sentences
     assert "for 357.2 deg <= phi < 360 deg." in sentences
 
 
@@ -81,3 +81,31 @@ def test_a_default_pose_at_a_dead_centre_has_no_state_but_intervals():
     assert k_f.locking is not None
     assert k_f.locking.state is None
     assert len(k_f.locking.reaches[0].stretches) == 2
+
+
+def test_an_efficiency_of_what_is_zero_throughout_is_zero_in_every_row():
+    """B lies on O, so that QBD stands still: m is 0 but for rounding, of either sign."""
+    kite = mechc.loads("""
+param phi = 40 deg in 20 deg .. 100 deg
+param a = 100 mm
+param c = 150 mm
+drive phi
+pivot O at (0 mm, 0 mm)
+pivot Q
+link OA
+link QBD
+link AB
+OQ = c @ 0 deg
+OA = a @ phi
+AB = 100 mm
+QB = 150 mm
+QD = 100 mm @ -QB
+assembly ABQ ccw
+torque M on OA
+force F at D along y
+friction pins 0.1 diameter 10 mm
+find m = M/F
+""")
+    stroke = kite.stroke(points=9)
+    place = [column.name for column in stroke.columns].index("eta_m")
+    assert [row.values[place] for row in stroke.rows] == [0.0] * 9

@@ -105,8 +105,15 @@ class Sizes:
         else:
             size = beyond_rounding(number, formula, where, alone())
         if filled.has_friction and is_on_a_side(size, where, alone()):
-            return from_both_sides(filled.at, partial(_is_pose, self._run), x, self._run.range)
+            at = partial(self._beyond_rounding, filled)
+            return from_both_sides(at, partial(_is_pose, self._run), x, self._run.range)
         return size
+
+    def _beyond_rounding(self, filled: Filled, x: float) -> float:
+        """Return a value, 0 where it is but rounding: that grows beside a pose as at a pole."""
+        number, rounding = filled.at(x), self._run.along.rounding(x)
+        size = beyond_rounding(number, filled.formula, filled.where, rounding)
+        return number if size.number is None else size.number
 
 
 def _rounded(filled: Filled, columns: RoundedColumns) -> RoundedColumn | None:
