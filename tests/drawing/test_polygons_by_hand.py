@@ -8,7 +8,7 @@ import pytest
 from mechc.drawing.drawing import RELATIVE, VELOCITY
 from mechc.drawing.force_polygon import ASIDE, _sides, visible
 from mechc.drawing.vectors import Speeds
-from mechc.drawing.velocity_polygon import LARGE, _behind, _Maker, scale_of
+from mechc.drawing.velocity_polygon import LARGE, _behind, _Maker, _points, scale_of
 from mechc.figure.figure import Link, Slide, Slot
 from mechc.figure.velocities import Sliding, Velocities
 from mechc.pose.places import NOWHERE, Plane
@@ -99,3 +99,9 @@ def test_a_polygon_begins_with_a_load_and_goes_round_counter_clockwise():
     load, nothing = acting("load", 0, -3), acting("pin", 1e-12, 0)
     body = SimpleNamespace(forces=[left, nothing, load, up, acting("pin")])
     assert visible(SimpleNamespace(largest=3.0), body) == [load, up, left]
+
+
+def test_a_link_under_a_pin_is_named_by_its_points_and_a_slide_by_its_name():
+    figure = SimpleNamespace(parts=[BAR, Link("QC", ("Q", "C"), (), (), "")])
+    assert _points(figure, "QC") == ("Q", "C")
+    assert _points(figure, "XY") == ("XY",)

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from mechc.figure import layout
+from mechc.figure import from_balance, layout, marks
 from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Pivot, Rack
 from mechc.figure.from_balance import _Maker
 from mechc.figure.from_pose import draw
@@ -14,10 +14,11 @@ from mechc.figure.lengths import choose
 from mechc.figure.velocities import Velocities, rates
 from mechc.figure.ways import Linear, Way, Ways, along
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
-from mechc.formula.tree import Symbol, degrees, negative, number, product, total
+from mechc.formula.tree import Constant, Symbol, degrees, negative, number, product, total
 from mechc.frozen import replace
-from mechc.model.mechanism import Absolute, Along, Arrow, Force, ForcePair, Mirror
+from mechc.model.mechanism import Absolute, Along, Arrow, Force, ForcePair, Mirror, Parameter
 from mechc.pose.places import Plane
+from mechc.units import LENGTH, MASS
 from small_poses import (
     ALONG,
     HERE,
@@ -322,3 +323,35 @@ def test_the_unit_is_the_speed_of_the_first_point_of_the_load_that_moves(speeds,
     """A couple on OA: of O where it moves by more than rounding, of A, else of the fastest."""
     here = Velocities("", {name: Plane(0.0, v) for name, v in speeds.items()}, {}, ())
     assert Asked(torque("M", "OA"))._reference(here) == per
+
+
+@pytest.mark.parametrize("largest", [0.0, math.inf, math.nan])
+def test_there_are_no_velocities_where_the_drive_moves_nothing(monkeypatch, largest):
+    here = Velocities("", {"A": Plane(0.0, largest)}, {}, ())
+    monkeypatch.setattr(from_balance, "rates", lambda *_: here)
+    monkeypatch.setattr(_Maker, "_at_other_lengths", lambda self: VALUES)
+    monkeypatch.setattr(_Maker, "_pace", lambda self, here: 1.0)
+    assert Asked(torque("M", "OA")).made() is None
+
+
+@pytest.mark.parametrize(
+    ("sharing", "at", "along"),
+    [((), (-1.0 - layout.ROOM * 2.0, 0.0), Y), (("B",), (-1.0, 4.0), Y)],
+)
+def test_a_mirror_line_goes_through_what_halves_share_or_beside_all_points(sharing, at, along):
+    """Its left is −x: of A at 3 and B at −1 the line is left, by some room."""
+    points = {"A": Plane(3.0, 0.0), "B": Plane(-1.0, 4.0)}
+    line = layout._Table(Y, 2.0)._line(points, sharing)
+    assert (line.at, line.along) == (near(Plane(*at)), along)
+    assert layout._Table(None, 2.0)._line(points, sharing) is None
+
+
+def test_numbers_of_a_length_are_in_the_unit_that_they_were_written_in():
+    """One in inches alone, one that is no length, and one that nothing says: millimetres."""
+    inch = Parameter("len_OA", LENGTH, HERE, number(1), unit="in")
+    mass = Parameter("m", MASS, HERE, number(1), unit="kg")
+    mechanism = replace(lever().mechanism, parameters=(), literals=(mass, inch))
+    assert marks._unit(Constant("len_OA", number(1)), mechanism) == "in"
+    assert marks._unit(Constant("m", number(1)), mechanism) != "kg"
+    other = replace(mechanism, literals=(inch, replace(inch, name="len_OB", unit="cm")))
+    assert marks._unit(Constant("len_OB", number(1)), other) == "cm"

@@ -1,14 +1,20 @@
 """Curves by hand: where they are broken, zero, or turn, and that nothing leads across a break."""
 
 import math
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
 import pytest
 
+from mechc.formula.tree import number
+from mechc.frozen import replace
+from mechc.model.mechanism import Parameter
 from mechc.plot.fitting import limits, pieces, smooth
-from mechc.plot.query import _is_round
+from mechc.plot.query import _is_round, rows
 from mechc.plot.sampling import traced
+from mechc.units import ANGLE, LENGTH
+from small_poses import HERE, lever
 
 
 def whole(function, low, high):
@@ -149,3 +155,16 @@ def test_a_curve_that_ends_at_zero_has_one_there_and_one_that_fades_has_none():
 )
 def test_a_step_of_a_table_is_one_that_a_person_takes(step, unit, is_round):
     assert _is_round(step, unit) is is_round
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "unit", "step"),
+    [(0, 180, "deg", 20), (2, 40, "deg", 2), (10, 80, "deg", 10), (0.1, 0.3, "m", 0.02)],
+)
+def test_rows_of_a_table_are_at_round_steps(low, high, unit, step):
+    size = {"deg": math.pi / 180, "m": 1.0}[unit]
+    ends = tuple(number(Fraction(end) * Fraction(size)) for end in (low, high))
+    dimension = ANGLE if unit == "deg" else LENGTH
+    varied = Parameter("x", dimension, HERE, None, ends, unit=unit)
+    mechanism = replace(lever().mechanism, parameters=(varied,))
+    assert (high - low) / (rows("x", mechanism) - 1) == pytest.approx(step)
