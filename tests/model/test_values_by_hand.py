@@ -9,7 +9,7 @@ from mechc.formula.tree import Symbol, number
 from mechc.frozen import replace
 from mechc.model.mechanism import Require
 from mechc.model.result import Result
-from mechc.model.values import Looked, of_sound_form, standing
+from mechc.model.values import Looked, of_sound_form, standing, valued
 from mechc.source import Span
 from mechc.units import NUMBER
 
@@ -33,6 +33,15 @@ ALONE = replace(HERE, elsewhere=None)
 )
 def test_the_form_that_stands_is_that_whose_conditions_hold(result, x, found):
     assert standing(result, {"x": x}) == found
+
+
+@pytest.mark.parametrize(("x", "found"), [(1.0, (HERE, 1.0)), (-1.0, (ELSEWHERE, 2.0))])
+def test_the_form_that_stands_comes_with_its_value(x, found):
+    assert valued(HERE, {"x": x}) == found
+
+
+def test_what_a_formula_needs_and_is_not_given_leaves_it_without_a_value():
+    assert valued(replace(ALONE, guards=()), {}) == (replace(ALONE, guards=()), None)
 
 
 @pytest.mark.parametrize(

@@ -1,10 +1,19 @@
 """Results with the values that the description gives: what loads are tied to counts, too."""
 
+import math
+
 import pytest
 
 import mechc
 from mechc.driver import compile_source
-from mechc.source import Source
+from mechc.formula.evaluate import evaluate
+from mechc.formula.tree import Symbol, number
+from mechc.model import values
+from mechc.model.mechanism import Require
+from mechc.model.result import Result
+from mechc.power.numbers import form_of, value_of
+from mechc.source import Source, Span
+from mechc.units import NUMBER
 
 
 def test_a_load_may_rest_on_formulas_of_the_user_s_one_behind_the_other():
@@ -56,3 +65,20 @@ def test_what_rests_on_a_sign_that_rounding_makes_is_not_nil():
     assert results["k"].default == 0
     assert results["k_f"].default == pytest.approx(0.0389900075, rel=1e-8)
     assert results["k_f"].default == pytest.approx(beside["k_f"].default, rel=1e-3)
+
+
+X = Symbol("x")
+POSITIVE = Require(X, ">", number(0), Span(0, 1))
+OWN = Result("k", None, NUMBER, X, guards=(POSITIVE,))
+
+
+def test_a_value_is_found_once_with_the_form_that_has_it(monkeypatch):
+    found = []
+    monkeypatch.setattr(values, "evaluate", lambda f, at: found.append(f) or evaluate(f, at))
+    assert form_of(OWN, {"x": 3.0}) == (OWN, 3.0)
+    assert found.count(X) == 2  # in the condition, and as the formula
+
+
+@pytest.mark.parametrize(("at", "value"), [({"x": 3.0}, 3.0), ({"x": -1.0}, math.nan), ({}, None)])
+def test_a_result_has_a_value_where_its_condition_holds(at, value):
+    assert value_of(OWN, at) == pytest.approx(value, nan_ok=True)

@@ -260,13 +260,28 @@ def standing(result: Result, values: Values) -> Result | None:
     None where a condition of either is broken. What has no value stands. Definitions that
     have a value keep it: what loops find may have been followed there from another pose.
     """
+    found = valued(result, values)
+    return found and found.form
+
+
+class Valued(NamedTuple):
+    """The form of a result that stands, and its value; None where something it needs has none."""
+
+    form: Result
+    value: float | None
+
+
+def valued(result: Result, values: Values) -> Valued | None:
+    """Return the form of :func:`standing` with its value, which is found on the way."""
     known = completed(values, (d for d in result.where if d.name not in values))
     sound = all(holds(guard, known) for guard in result.guards)
-    if sound and not _is_nan(result.formula, known):
-        return result
+    is_known = symbols(result.formula) <= known.keys()
+    value = evaluate(result.formula, known) if sound and is_known else None
+    if sound and not (value is not None and math.isnan(value)):
+        return Valued(result, value)
     if result.elsewhere is None:
-        return result if sound else None
-    return standing(result.elsewhere, values)
+        return Valued(result, value) if sound else None
+    return valued(result.elsewhere, values)
 
 
 class Looked(NamedTuple):
@@ -287,11 +302,6 @@ def of_sound_form(result: Result, look: Callable[[Result], Looked]) -> Size:
     if value and size.number == 0 and form.elsewhere:
         return of_sound_form(form.elsewhere, look)
     return size
-
-
-def _is_nan(formula: Formula, values: Values) -> bool:
-    """Return whether all that a formula mentions has a value, and it has none."""
-    return symbols(formula) <= values.keys() and math.isnan(evaluate(formula, values))
 
 
 def compare(left: float, relation: str, right: float) -> bool:

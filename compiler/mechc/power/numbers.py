@@ -9,7 +9,7 @@ from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as messages
-from ..formula.evaluate import Evaluation, evaluate
+from ..formula.evaluate import Evaluation
 from ..formula.rounding import Rounding, Size, beyond_rounding, without_value
 from ..formula.to_text import text
 from ..formula.tree import ZERO, Formula
@@ -21,12 +21,13 @@ from ..model.result import Result
 from ..model.values import (
     Chain,
     Looked,
+    Valued,
     completed,
     defaults,
     dependent,
     of_sound_form,
     range_of,
-    standing,
+    valued,
 )
 from ..pose.pose import Pose
 from .balance import Balance, Solved
@@ -85,11 +86,10 @@ class DefaultNumbers:
         is_shared = not result.guards and self._chained.takes(result.where)
         values = self._chained.values if is_shared else self.values
         rounding = self._chained.rounding if is_shared else self._rounding
-        number = value_of(result, values)
+        form, number = form_of(result, values)
         if number is not None and math.isnan(number) and not result.guards:
             nowhere = without_value(result.formula, result.where, rounding)
             return Looked(result, number, nowhere)
-        form = standing(result, values) or result
         return Looked(form, number, beyond_rounding(number, form.formula, form.where, rounding))
 
 
@@ -199,14 +199,20 @@ def value_of(result: Result, values: Mapping[str, float]) -> float | None:
 
     NaN where a condition of the result is broken, and it has no form for elsewhere.
     """
+    return form_of(result, values).value
+
+
+def form_of(result: Result, values: Mapping[str, float]) -> Valued:
+    """Return the form of a result that stands at given values, itself where none does.
+
+    With it comes the value of the result there, as :func:`value_of` has it.
+    """
+    found = valued(result, values)
+    if found and found.form is result:
+        return found
     known = completed(values, (d for d in result.where if d.name not in values))
-    if not symbols(result.formula) <= known.keys():
-        return None
-    found = standing(result, values)
-    if found is None:
-        return math.nan
-    left = (d for d in found.where if d.name not in values)
-    return evaluate(found.formula, completed(values, left))
+    form, value = found or (result, math.nan)
+    return Valued(form, value if symbols(result.formula) <= known.keys() else None)
 
 
 def _check_branch(balance: Balance, values: Mapping[str, float], report: Report) -> None:
