@@ -6,7 +6,7 @@ import pytest
 
 import mechc
 from mechc.formula.evaluate import evaluate
-from mechc.formula.facing import condition, facing
+from mechc.formula.facing import ahead, condition, facing, factors_as_in
 from mechc.formula.layout import has_minus, in_degrees
 from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
@@ -87,3 +87,20 @@ def test_sines_that_were_negative_both_are_turned_both():
     page = mechc.load("crank_rocker").emit("latex")
     assert r"\frac{\sin(\varphi-\psi)}{\sin(\theta-\psi)}" in page
     assert "sin(-" not in page
+
+
+def test_steps_have_the_sines_of_their_result():
+    """A step of Peaucellier's inversor had sin(γ − δ) beside sin(δ − γ) in k."""
+    page = mechc.load("peaucellier").emit("latex")
+    assert r"\gamma-\delta" not in page
+    page = mechc.load("parallel_gripper").emit("latex")
+    assert r"\gamma-\beta" not in page
+
+
+@pytest.mark.parametrize("seed", range(50))
+def test_factors_as_in_another_formula_keep_the_value(seed):
+    rng = random.Random(seed)
+    values = {name: rng.uniform(-3, 3) for name in NAMES}
+    formula, model = some_formula(rng), some_formula(rng)
+    turned = factors_as_in(formula, *ahead([model], lambda: values))
+    assert evaluate(turned, values) == pytest.approx(evaluate(formula, values), rel=1e-9)

@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import pytest
 
+from good_mechanisms import compiled
 from mechc.driver import compile_source
 from mechc.files import find, read
 from mechc.formula.to_text import text
@@ -191,3 +192,10 @@ def test_a_speed_from_two_others_is_over_one_denominator() -> None:
     derivation = compile_source(read(find("equalising_clamp"))).derivation
     (found,) = (e for s in derivation.steps for e in s.results if e.left == Symbol("omega_BAC"))
     assert text(found.right) == "(V_D - V_A)/(b*cos(phi))"
+
+
+@pytest.mark.parametrize(("language", "unit"), [("en", "mm"), ("uk", "мм"), ("ru", "мм")])
+def test_the_stroke_is_in_the_units_of_the_language(language: str, unit: str) -> None:
+    found = compiled("oscillating_cylinder")
+    text = render(found.reported, found.mechanism, unicode=True, language=language)
+    assert re.search(rf" 450 {unit} \w+ 900 {unit}\.", text)

@@ -28,8 +28,8 @@ def test_of_two_perpendicular_directions_one_is_said(language, said):
     ("language", "said"),
     [
         ("en", "The minus of $k$ means: at the values given $M$ acts against its arrow while $T$"),
-        ("uk", "момент $M$ діє проти своєї стрілки, коли момент $T$ — за своєю."),
-        ("ru", "момент $M$ действует против своей стрелки, когда момент $T$ — по своей."),
+        ("uk", "момент $M$ діє проти своєї стрілки, тоді як момент $T$ — за своєю."),
+        ("ru", "момент $M$ действует против своей стрелки, тогда как момент $T$ — по своей."),
     ],
 )
 def test_a_minus_says_which_load_acts_against_its_arrow(language, said):

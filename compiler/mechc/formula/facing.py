@@ -164,8 +164,8 @@ def rewritten(formula: Formula, turned: Callable[[Formula], Formula | None]) -> 
     return turned(whole) or whole
 
 
-def as_in(formula: Formula, model: Formula) -> Formula:
-    """Write functions of differences the way round in which another formula has them.
+def as_in(formula: Formula, *models: Formula) -> Formula:
+    """Write functions of differences the way round in which other formulas have them.
 
     >>> from .tree import Symbol
     >>> from .to_text import text
@@ -175,10 +175,54 @@ def as_in(formula: Formula, model: Formula) -> Formula:
     >>> text(as_in(slope, Call("sin", (other,))))
     '-cot(b - a)/sin(b - a)^2'
     """
-    arguments = (node.arguments[0] for node in walk(model) if isinstance(node, Call))
+    nodes = (node for model in models for node in walk(model))
+    arguments = (node.arguments[0] for node in nodes if isinstance(node, Call))
     sums = (argument for argument in arguments if isinstance(argument, Sum))
     known = {frozenset(argument.terms): argument for argument in sums}
     return rewritten(formula, lambda whole: _turned_as(whole, known))
+
+
+def ahead(formulas: Iterable[Formula], values: Values) -> list[Formula]:
+    """Return the sines of differences in formulas that are positive at the values.
+
+    There is none of what formulas have either way round.
+
+    >>> from .tree import Symbol
+    >>> a, b, c = map(Symbol, "abc")
+    >>> one, two = (Call("sin", (total([x, negative(y)]),)) for x, y in ((a, b), (b, c)))
+    >>> [found] = ahead([one, two], lambda: {"a": 1.0, "b": 0.5, "c": 0.7})
+    >>> found == one
+    True
+    """
+    sines = [node for formula in formulas for node in walk(formula)]
+    found = [(sine, inside) for sine in sines if (inside := _difference(sine))]
+    at = Evaluation(values() if found else {})
+    known = {frozenset(inside.terms) for _, inside in found}
+    both = {terms for terms in known if frozenset(map(negative, terms)) in known}
+    return [
+        sine
+        for sine, inside in found
+        if frozenset(inside.terms) not in both and not _is_behind(inside, at)
+    ]
+
+
+def factors_as_in(formula: Formula, *models: Formula) -> Formula:
+    """Write the factors of a product as :func:`as_in` does, but for sums.
+
+    >>> from .tree import Symbol
+    >>> from .to_text import text
+    >>> a, b = map(Symbol, "ab")
+    >>> one, other = (Call("sin", (total([x, negative(y)]),)) for x, y in ((a, b), (b, a)))
+    >>> text(factors_as_in(product([(one, 1), (total([a, one]), 1)]), other))
+    '-sin(b - a)*(a + sin(a - b))'
+    """
+    match formula:
+        case Product(factors):
+            return product((factors_as_in(factor, *models), 1) for factor in factors)
+        case Call() | Power(Call()):
+            return as_in(formula, *models)
+        case _:
+            return formula
 
 
 _ODD, _EVEN = frozenset({"sin", "tan", "cot", "csc"}), frozenset({"cos", "sec"})

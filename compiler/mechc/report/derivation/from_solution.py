@@ -4,7 +4,16 @@ from collections.abc import Iterable, Sequence, Set
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
-from ...formula.facing import LONG, as_in, condition, facing, led, without_sign
+from ...formula.facing import (
+    LONG,
+    ahead,
+    as_in,
+    condition,
+    facing,
+    factors_as_in,
+    led,
+    without_sign,
+)
 from ...formula.layout import has_minus
 from ...formula.operations import count_operations
 from ...formula.over_line import over_line
@@ -93,6 +102,10 @@ class Facing:
         opposite = Equation(*(self.of(negative(side)) for side in sides))
         return min(sides, opposite, key=lambda pair: sum(map(has_minus, pair)))
 
+    def sines(self, formulas: Iterable[Formula]) -> Sequence[Formula]:
+        """Return the sines of differences that are written in formulas as a person has them."""
+        return ahead(formulas, self._values)
+
     def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
         """Return a condition under which a formula is zero or infinite as the formula has it."""
         factor, *but = (self._condition(f, formula) for f in (limit.factor, *limit.but))
@@ -110,10 +123,12 @@ class Facing:
         """Return equations, either side of each by itself."""
         return tuple(Equation(*map(self.of, equation)) for equation in equations)
 
-    def step(self, step: Step) -> Step:
-        """Return a step of the velocities."""
+    def step(self, step: Step, sines: Sequence[Formula]) -> Step:
+        """Return a step of the velocities; what it finds has the sines that results have."""
         relations = tuple(map(self.relation, step.relations))
-        return replace(step, relations=relations, results=self.equations(step.results))
+        results = self.equations(step.results)
+        found = (e._replace(right=factors_as_in(e.right, *sines)) for e in results)
+        return replace(step, relations=relations, results=tuple(found))
 
     def explanation(self, explanation: Explanation) -> Explanation:
         """Return how a force follows."""
@@ -155,10 +170,12 @@ def _turns(results: Sequence[Analysis], mechanism: Mechanism) -> Set[str]:
 
 def _facing(derivation: Derivation, face: Facing) -> Derivation:
     """Return the steps with sines of differences turned as those of the results are."""
+    results = tuple(map(face.result, derivation.results))
+    sines = face.sines(result.formula for result in results)
     return replace(
         derivation,
-        results=tuple(map(face.result, derivation.results)),
-        steps=tuple(map(face.step, derivation.steps)),
+        results=results,
+        steps=tuple(face.step(step, sines) for step in derivation.steps),
         balances=face.equations(derivation.balances),
         explanations=tuple(map(face.explanation, derivation.explanations)),
         ratios=tuple(r._replace(formula=face.of(r.formula)) for r in derivation.ratios),

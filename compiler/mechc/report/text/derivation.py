@@ -129,7 +129,7 @@ def _stroke(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
         parameter, *ends = found
         unit = parameter.unit or si_unit(parameter.dimension)
         values = (in_unit(evaluate(end, {}), unit, SHOWN) for end in ends)
-        low, high = (print_quantity(value, spell.signs) for value in values)
+        low, high = (spell.units(print_quantity(value, spell.signs)) for value in values)
         symbol = print_name(parameter.name, spell.signs)
         said = spell.locale.joints["driven"].format(parameter=symbol, low=low, high=high)
         yield from spell.wrapped(f"{said[0].upper()}{said[1:]}.", "  ")
