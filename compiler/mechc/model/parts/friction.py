@@ -1,7 +1,6 @@
 """Friction at pins, guides and contacts, as coefficients and lengths in SI."""
 
-from collections.abc import Iterator
-from typing import Literal
+from typing import Literal, assert_never
 
 from ...formula.tree import Call, Formula, number, product, total
 from ...formula.walk import symbols
@@ -161,6 +160,27 @@ JointFriction = (
 )
 
 
+def _sizes(joint: JointFriction) -> tuple[Formula, ...]:
+    """Return the coefficients, lengths and forces that the friction of a joint depends on."""
+    match joint:
+        case PinFriction(radius=radius):
+            return (radius,)
+        case GuideFriction(factor=factor) | FaceFriction(factor=factor):
+            return (factor,)
+        case WheelFriction(factor=factor):
+            return (factor,)
+        case ThreadFriction(factor=factor, thread=length):
+            return factor, length
+        case CollarFriction(factor=factor, radius=length):
+            return factor, length
+        case PivotFriction(factor=factor, radius=length, thrust=thrust):
+            return factor, length, thrust
+        case RopeFriction(factor=factor, reach=reach):
+            return (factor,) if reach is None else (factor, reach)
+        case _:
+            assert_never(joint)
+
+
 @frozen
 class Friction:
     """All friction in a mechanism, and which way it moves.
@@ -182,18 +202,5 @@ class Friction:
     @property
     def parameters(self) -> frozenset[str]:
         """Return the names that friction itself depends on."""
-        return frozenset(name for formula in self._formulas() for name in symbols(formula))
-
-    def _formulas(self) -> Iterator[Formula]:
-        if self.efficiency is not None:
-            yield self.efficiency
-        for joint in self.joints:
-            yield joint.radius if isinstance(joint, PinFriction) else joint.factor
-            if isinstance(joint, ThreadFriction):
-                yield joint.thread
-            elif isinstance(joint, CollarFriction):
-                yield joint.radius
-            elif isinstance(joint, PivotFriction):
-                yield from (joint.radius, joint.thrust)
-            elif isinstance(joint, RopeFriction) and joint.reach is not None:
-                yield joint.reach
+        own = () if self.efficiency is None else (self.efficiency,)
+        return symbols(*own, *(size for joint in self.joints for size in _sizes(joint)))
