@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, partial
+from typing import TYPE_CHECKING
 
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
@@ -28,14 +29,17 @@ from ..power.definitions import bound_sums
 from ..power.loads import given_size
 from ..power.numbers import is_nil_everywhere
 from ..power.reactions import Reactions
+from . import closed_forces
 from .assumptions import assumptions
-from .closed_forces import Drive
 from .closed_form import DefaultPose, Named
 from .coupled import Coupled, coupled, true_sizes
 from .free_bodies import Bodies, Task, cut_free
 from .naming import Endings, Meanings, Sizes, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, Undetermined, loaded_pairs
 from .pairs import FrictionPair, LoadedPair, pairs
+
+if TYPE_CHECKING:
+    from .closed_forces import Drive
 
 Loaded = tuple[LoadedPair, ...]
 
@@ -177,7 +181,7 @@ class Problem:
             self._idle[driving] = is_nil_everywhere(driving, where, self.plan.graph.pose)
         return self._idle[driving]
 
-    def drive(self, sense: Sense) -> Drive | None:
+    def drive(self, sense: Sense) -> "Drive | None":
         """Return the driving load by the name of its result with friction, if that is known."""
         wanted = WithFriction(LoadForm(self.driving), sense)
         finds = self.mechanism.finds
@@ -188,7 +192,7 @@ class Problem:
             return None
         case = found.case
         own = Definition(name, case.formula)
-        return Drive(Product.symbol(name), (*case.where, own))
+        return closed_forces.Drive(Product.symbol(name), (*case.where, own))
 
     def remark_on_pins(self, case: Case, *, exact: bool) -> None:
         """Remark on pins whose friction depends on the link that they are fast in."""

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from functools import cache, partial
+from typing import TYPE_CHECKING
 
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import symbols
@@ -24,14 +25,12 @@ from ..power.definitions import bound_sums, intermediates, open_lengths
 from ..power.magnitudes import magnitude
 from ..power.numbers import is_nil, value_of
 from ..power.reactions import Transmitted
+from . import closed_forces, joint_forces, linear
 from .assumptions import asks_for_loads
-from .closed_forces import Asked, Way, closed_force
 from .closed_form import Named, Printed, closed_form, printed_form, signed_part
 from .efficiency import Drives
 from .free_bodies import EquationsCoupled
 from .iterated import exact, exact_case, first_order, first_order_case
-from .joint_forces import ForceWithFriction
-from .linear import LinearSolver
 from .naming import Sizes
 from .normal_forces import scaled
 from .pairs import LoadedPair
@@ -39,6 +38,9 @@ from .problem import Case, Loaded, Problem, case_of_force, case_of_loads, withou
 from .sequential import SequentialSolver
 from .signs import AtAnyPose
 from .solution import SolvedWithFriction, Step
+
+if TYPE_CHECKING:
+    from .closed_forces import Asked, Way
 
 
 def result_of(
@@ -235,12 +237,12 @@ def in_closed_form(
     return None
 
 
-def ways(problem: Problem, case: Case, loaded: Loaded, sense: int) -> Iterator[Way]:
+def ways(problem: Problem, case: Case, loaded: Loaded, sense: int) -> "Iterator[Way]":
     """Yield the ways in which the driving load may be found in closed form."""
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, False), signs, sense)
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, True), signs, sense)
     ideal = without_friction(case, problem.equations)
-    yield lambda signs: LinearSolver(case.driving, ideal, loaded, signs, sense)
+    yield lambda signs: linear.LinearSolver(case.driving, ideal, loaded, signs, sense)
 
 
 def iterated(problem: Problem, ideal: Formula, loaded: Sequence[LoadedPair], sizes: Sizes) -> Named:
@@ -261,10 +263,12 @@ def force_with_friction(
         closed = in_closed_form(problem, case, loaded, SIGNS[sense], endings)
         problem.remark_on_pins(case, exact=closed is not None)
     sizes = problem.sizes(loaded, SIGNS[sense], endings)()
-    found = ForceWithFriction(force, problem.plan, problem.driving, loaded, sizes)
+    found = joint_forces.ForceWithFriction(force, problem.plan, problem.driving, loaded, sizes)
     if found.transmitted is None:
         return None
-    asked = Asked(find.name, force, problem.plan.graph.pose, problem.driving, problem.drive(sense))
+    asked = closed_forces.Asked(
+        find.name, force, problem.plan.graph.pose, problem.driving, problem.drive(sense)
+    )
     in_steps = _in_steps(problem, asked, found.transmitted, case, loaded, sense, endings)
     printed = in_steps or problem.default.printed(found.at_one_pose, endings)
     named = replace(found.at_any_pose(), case=printed)
@@ -281,7 +285,7 @@ def force_with_friction(
 
 def _in_steps(
     problem: Problem,
-    asked: Asked,
+    asked: "Asked",
     transmitted: Transmitted,
     case: Case,
     loaded: Loaded,
@@ -290,7 +294,7 @@ def _in_steps(
 ) -> Printed | None:
     """Return a force as it follows from bodies that are solved one after another, if it does."""
     for way in ways(problem, case, loaded, SIGNS[sense]):
-        by = partial(closed_force, asked, transmitted, way)
+        by = partial(closed_forces.closed_force, asked, transmitted, way)
         printed = problem.default.printed(by, endings)
         if printed is not None:
             return printed if problem.default.balances(printed) else None
