@@ -5,7 +5,9 @@ import re
 
 import pytest
 
+from mechc.drawing.from_plot import picture
 from mechc.emit.pgfplots.to_pgfplots import to_pgfplots
+from mechc.emit.picture import Picture, PlotPicture
 from mechc.emit.tables import head, to_csv, values
 from mechc.plot.plot import Axis, Column, Curve, Mark, Panel, Plot, Value
 from mechc.pose.places import Plane
@@ -75,3 +77,21 @@ def test_a_table_has_names_settings_and_units_and_nothing_where_there_is_no_valu
     assert to_csv(plot(Curve("k", SET, (RISE,)))) == (
         "phi [deg],k (a = 50 mm)\n0.0,1.0\n30.0,\n60.0,inf\n"
     )
+
+
+@pytest.mark.parametrize(
+    ("suffix", "begin"),
+    [(".svg", "<svg "), (".tex", "% A plot\n"), (".csv", "phi [deg],k (a = 50 mm)\n")],
+)
+def test_a_plot_is_written_as_its_suffix_says(tmp_path, suffix, begin):
+    of = plot(Curve("k", SET, (RISE,)))
+    PlotPicture(of, picture(of, EN), EN).save(tmp_path / f"plot{suffix}")
+    assert (tmp_path / f"plot{suffix}").read_text("utf-8").startswith(begin)
+
+
+def test_a_drawing_is_written_as_its_suffix_says(tmp_path):
+    shown = Picture(picture(plot(Curve("k", SET, (RISE,))), EN))
+    shown.save(tmp_path / "plot.svg")
+    assert (tmp_path / "plot.svg").read_text("utf-8") == shown._repr_svg_()
+    with pytest.raises(ValueError, match="none of the suffixes"):
+        shown.save(tmp_path / "plot.csv")
