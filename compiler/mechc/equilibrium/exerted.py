@@ -214,7 +214,7 @@ def _force_of_rims(pair: WheelPair, cut: Cutting) -> JointForce:
 
 
 def _rack(rack: Rack, cut: Cutting) -> Exerted:
-    name, along = f"T_{rack.point}", _guide(rack.point, cut)
+    name, along = f"T_{rack.point}", cut.pose.moved_along(rack.point)
     pitch_point = Arm(cut.pose.radii[rack.radius], along - QUARTER)
     at = (*cut.pose.frames[rack.link][rack.pivot], pitch_point)
     return _exerted(
@@ -227,7 +227,7 @@ def _rack(rack: Rack, cut: Cutting) -> Exerted:
 def _thread(screw: Screw, cut: Cutting) -> Exerted:
     name = f"T_{screw.point}"
     lead = cut.pose.radii[screw.pitch] / to_product(PI).scaled(2)
-    along = _guide(screw.point, cut)
+    along = cut.pose.moved_along(screw.point)
     return _exerted(
         JointForce("thread", (name,), (screw.link, screw.point)),
         _on_pin(name, screw.point, along, cut.points(screw.link), cut),
@@ -246,12 +246,6 @@ def _rope(rope: Rope, cut: Cutting) -> Exerted:
         for act in _on_pin(name, point, way, rope.points, cut, size)
     ]
     return _exerted(JointForce("rope", (name,), rope.route[:1]), acts)
-
-
-def _guide(point: str, cut: Cutting) -> Angle:
-    guide = cut.pose.guide_of(point)
-    assert guide is not None, "the model lets racks and screws move guided points only"
-    return guide
 
 
 # -------------------------------------------------------------------------------------- loads

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import assert_never
 
-from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
@@ -199,7 +198,7 @@ def _rim(joint: JointRef, pose: Pose) -> Measure:
         case WheelPair(first_link=link, first_radius=radius, arm=arm):
             return lambda graph: scaled(meshes.turning(graph, link, arm), pose.radii[radius])
         case Feed(point=point):
-            return lambda graph: projection(graph.velocities[point], _guide(point, pose))
+            return lambda graph: projection(graph.velocities[point], pose.moved_along(point))
         case Rope():
             raise AssertionError("a rope has no rim")
         case other:
@@ -217,7 +216,7 @@ def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> Measure:
     slope = _slope(screw, diameter, pose)
 
     def slip(graph: Graph) -> Form:
-        ahead = projection(graph.velocities[screw.point], _guide(screw.point, pose))
+        ahead = projection(graph.velocities[screw.point], pose.moved_along(screw.point))
         round_ = scaled(spin(graph, screw.link), -diameter.scaled(Fraction(1, 2)))
         return subtract(scaled(ahead, slope), round_)
 
@@ -294,12 +293,6 @@ def reduced(pair: str) -> str:
     'mu_C'
     """
     return f"mu_{pair.partition('_')[0]}"
-
-
-def _guide(point: str, pose: Pose) -> Angle:
-    guide = pose.guide_of(point)
-    assert guide is not None, "the model lets racks and screws move guided points only"
-    return guide
 
 
 def _is_shared(joint: JointRef, pose: Pose) -> bool:

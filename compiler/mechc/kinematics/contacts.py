@@ -74,8 +74,7 @@ def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:
 
 def _feed(feed: Rack | Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
     """V − ω · lead = 0, V the speed of a point along its guide, seen from a rack's pivot."""
-    along = pose.guide_of(feed.point)
-    assert along is not None, "the model lets racks and screws move guided points only"
+    along = pose.moved_along(feed.point)
     form = meshes.travel(feed, pose, velocities, {spins[feed.link]: ONE})
     rule = Rule.RACK if isinstance(feed, Rack) else Rule.SCREW
     points = (feed.base, feed.point) if feed.base else (feed.point,)

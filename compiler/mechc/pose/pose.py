@@ -190,6 +190,12 @@ class Pose:
         slides = self.mechanism.slides_at(point)
         return self.slides[slides[0].name] if slides else self.left.get(point)
 
+    def moved_along(self, point: str) -> Angle:
+        """Return the direction in which a point is guided that a rack or a screw moves."""
+        guide = self.guide_of(point)
+        assert guide is not None, "the model lets racks and screws move guided points only"
+        return guide
+
 
 def reverse(vector: Vector) -> Vector:
     """Return the vector from head to tail: the same lengths, directions turned round."""
