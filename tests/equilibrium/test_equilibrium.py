@@ -175,6 +175,19 @@ def test_a_pin_shared_with_a_crank_has_its_force_along_the_crank():
     assert agree(compilation, 3)
 
 
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("toggle_clamp", "N_AB = −eF/a · cos θ / sin(φ_AB − θ − 60°)"),
+        ("four_bar", "M − a · N_AB · sin(φ − ψ) = 0"),
+    ],
+)
+def test_sums_have_the_sines_of_the_result(name, said, capsys):
+    """One had cos(φ_AB − θ + 30°) for the sine in k, the other sin(ψ − φ)."""
+    assert main(["derive", str(ALL[name]), "--by", "equilibrium", "--no-cache"]) == 0
+    assert said in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("name", sorted(BEYOND))
 def test_what_hangs_together_more_closely_is_refused(name, capsys):
     assert main(["derive", str(ALL[name]), "--by", "equilibrium"]) == 1

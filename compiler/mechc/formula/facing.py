@@ -40,13 +40,16 @@ Quarter = Callable[[Formula], int]
 """By how many degrees an angle is to be turned to be one that a person knows: 90, −90 or 0."""
 
 
-def facing(formula: Formula, values: Values, quarter: Quarter | None = None) -> Formula:
+def facing(
+    formula: Formula, values: Values, quarter: Quarter | None = None, longer: int = 0
+) -> Formula:
     """Write sin(a − b)/sin(c − b) as sin(b − a)/sin(b − c) where both are negative at the values.
 
     So are more of them, with a minus in front or in pairs; the formula's value is the same. A
     product with a minus and one such sine above the line is written without the minus. The
     ``values`` are asked for only where there are such sines. A sine or cosine of an angle that a
-    ``quarter`` turns becomes the other one, if the formula grows no longer.
+    ``quarter`` turns becomes the other one, if the formula grows no ``longer`` than by so many
+    operations.
 
     >>> from .tree import Symbol, quotient
     >>> from .to_text import text
@@ -68,7 +71,8 @@ def facing(formula: Formula, values: Values, quarter: Quarter | None = None) -> 
     turned = _turned_by(formula, quarter) if quarter else formula
     if turned is formula or turned == formula:
         return faced
-    return min(_positive(turned, values), faced, key=_length)
+    found = _positive(turned, values)
+    return found if _length(found) <= _length(faced) + longer else faced
 
 
 def _length(formula: Formula) -> int:
@@ -204,6 +208,13 @@ def ahead(formulas: Iterable[Formula], values: Values) -> list[Formula]:
         for sine, inside in found
         if frozenset(inside.terms) not in both and not _is_behind(inside, at)
     ]
+
+
+def terms_as_in(formula: Formula, *models: Formula) -> Formula:
+    """Write the terms of a sum as :func:`factors_as_in` does."""
+    if isinstance(formula, Sum):
+        return total(factors_as_in(term, *models) for term in formula.terms)
+    return factors_as_in(formula, *models)
 
 
 def factors_as_in(formula: Formula, *models: Formula) -> Formula:

@@ -18,6 +18,7 @@ from ...study.analysis import Analysis
 from ..kinds import SentenceKind
 from ..sentences.order import positive_first
 from ..steps import Derivation, Equation, Explanation, Paragraph
+from .facing import Facing, turns_of_friction
 from .forces import of_forces
 from .friction import of_friction
 from .notation import direction_formula
@@ -51,7 +52,9 @@ def derive_by_equilibrium(
     explanations = (*explained_by_sums(solution, loads), *of_friction(solution, results))
     pose = solution.plan.graph.pose
     requires = pose.mechanism.requires
+    face = Facing(solution.plan, turns_of_friction(results, pose.mechanism))
     derivation = Derivation((), (), (), tuple(results), explanations, requires=requires)
+    derivation = face.derivation(derivation)
     position = position_steps(pose, derivation)
     return replace(derivation, position=tuple(position))
 

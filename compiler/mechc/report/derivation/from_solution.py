@@ -1,36 +1,18 @@
 """The derivation read off the plan: speeds step by step, then the power equation."""
 
-from collections.abc import Iterable, Sequence, Set
-from functools import cache, partial
+from collections.abc import Sequence, Set
 from typing import TYPE_CHECKING
 
-from ...formula.facing import (
-    LONG,
-    ahead,
-    as_in,
-    condition,
-    facing,
-    factors_as_in,
-    led,
-    without_sign,
-)
-from ...formula.layout import has_minus
-from ...formula.operations import count_operations
-from ...formula.over_line import over_line
-from ...formula.tree import ZERO, Formula, Product, Symbol, is_call, negative
-from ...formula.walk import substitute, symbols, walk
+from ...formula.tree import ZERO, Formula, Symbol
+from ...formula.walk import substitute, symbols
 from ...friction.solution import Solution
 from ...frozen import replace
-from ...kinematics.plan import Plan
-from ...model.mechanism import Mechanism, WithFriction
-from ...pose.given_angles import given_lines
-from ...power.numbers import default_values
-from ...study.analysis import Analysis, Vanishing
+from ...study.analysis import Analysis
 from ..kinds import Rule
-from ..sentences.order import geometry_first
 from ..sentences.speller import guided_of
-from ..steps import Derivation, Equation, Explanation, LastStep, Step
+from ..steps import Derivation, Equation, Step
 from . import equilibrium
+from .facing import Facing, turns_of_friction
 from .forces import of_forces
 from .friction import of_friction
 from .last_step import last_steps
@@ -64,122 +46,11 @@ def derive(
         ratios=tuple(speeds.ratios),
         requires=mechanism.requires,
     )
-    face = Facing(solution.plan, _turns(results, mechanism))
-    derivation = _facing(derivation, face)
+    face = Facing(solution.plan, turns_of_friction(results, mechanism))
+    derivation = face.derivation(derivation)
     position = position_steps(solution.plan.graph.pose, derivation)
     last = map(face.last_step, last_steps(derivation, solution.balance.equations.owners))
     return replace(derivation, position=tuple(position), last_steps=tuple(last))
-
-
-class Facing:
-    """Writes formulas as :func:`facing` does, at the default pose of a plan."""
-
-    def __init__(self, plan: Plan, turns: Set[str] = frozenset()) -> None:
-        """Take the angles by which friction ``turns`` forces: they stand behind others."""
-        self._turns = turns
-        self._values = cache(partial(default_values, plan))
-        self._quarter = given_lines(plan.graph.pose)
-
-    def of(self, formula: Formula) -> Formula:
-        """Return a formula with its sines of differences turned, its sums led by a plus.
-
-        Its quotients have whole numbers, not decimals.
-        """
-        faced = over_line(facing(formula, self._values, self._quarter))
-        if count_operations(faced) > LONG:
-            return faced
-        is_turned = not self._turns.isdisjoint(symbols(formula))
-        return led(geometry_first(faced, self._turns) if is_turned else faced)
-
-    def relation(self, equation: Equation) -> Equation:
-        """Return an equation of such sides, with the fewer minuses at their heads.
-
-        Of sums of forces and moments the signs have a meaning; velocities have none.
-        """
-        sides = Equation(*map(self.of, equation))
-        if not any(isinstance(side, Product) and has_minus(side) for side in sides):
-            return sides
-        opposite = Equation(*(self.of(negative(side)) for side in sides))
-        return min(sides, opposite, key=lambda pair: sum(map(has_minus, pair)))
-
-    def sines(self, formulas: Iterable[Formula]) -> Sequence[Formula]:
-        """Return the sines of differences that are written in formulas as a person has them."""
-        return ahead(formulas, self._values)
-
-    def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
-        """Return a condition under which a formula is zero or infinite as the formula has it."""
-        factor, *but = (self._condition(f, formula) for f in (limit.factor, *limit.but))
-        return limit._replace(factor=factor, but=tuple(but))
-
-    def _condition(self, factor: Formula, formula: Formula) -> Formula:
-        """Return a factor that is zero as a formula has it, else as it would be written alone."""
-        if factor in walk(formula):
-            return factor
-        turned = condition(factor, self._values, self._quarter)
-        shown = (without_sign(as_in(one, formula)) for one in (factor, turned))
-        return next((one for one in shown if one in walk(formula)), turned)
-
-    def equations(self, equations: Iterable[Equation]) -> tuple[Equation, ...]:
-        """Return equations, either side of each by itself."""
-        return tuple(Equation(*map(self.of, equation)) for equation in equations)
-
-    def step(self, step: Step, sines: Sequence[Formula]) -> Step:
-        """Return a step of the velocities; what it finds has the sines that results have."""
-        relations = tuple(map(self.relation, step.relations))
-        results = self.equations(step.results)
-        found = (e._replace(right=factors_as_in(e.right, *sines)) for e in results)
-        return replace(step, relations=relations, results=tuple(found))
-
-    def explanation(self, explanation: Explanation) -> Explanation:
-        """Return how a force follows."""
-        paragraphs = explanation.paragraphs
-        faced = (replace(p, equations=self.equations(p.equations)) for p in paragraphs)
-        return replace(explanation, paragraphs=tuple(faced))
-
-    def result(self, result: Analysis) -> Analysis:
-        """Return a result; what is said of its formula mentions the same parts as that does."""
-        formula = self.of(result.formula)
-        zeros = tuple(self.zero(limit, formula) for limit in result.zeros)
-        poles = tuple(self.zero(limit, formula) for limit in result.poles)
-        slopes = result.derivatives
-        derivatives = slopes and {n: as_in(self.of(s), formula) for n, s in slopes.items()}
-        where = tuple(d._replace(formula=self._turned(d.formula)) for d in result.where)
-        holds = tuple(replace(h, left=self._turned(h.left)) for h in result.holds)
-        result = replace(result, where=where, holds=holds, derivatives=derivatives)
-        return replace(result, formula=formula, zeros=zeros, poles=poles)
-
-    def _turned(self, formula: Formula) -> Formula:
-        """Return a formula with an angle of friction in front as it is written, else as it is."""
-        if self._turns.isdisjoint(symbols(formula)):
-            return formula
-        return formula if geometry_first(formula, self._turns) == formula else self.of(formula)
-
-    def last_step(self, step: LastStep) -> LastStep:
-        """Return the step that gives a ratio."""
-        ratio = step.ratio._replace(right=self.of(step.ratio.right))
-        chain = step.chain and step.chain._replace(product=self.of(step.chain.product))
-        return LastStep(chain, ratio)
-
-
-def _turns(results: Sequence[Analysis], mechanism: Mechanism) -> Set[str]:
-    """Return the names of angles by which friction turns a force."""
-    found = (d for r in results if isinstance(r.target, WithFriction) for d in r.where)
-    turned = (d.name for d in found if is_call(d.formula, "asin", "atan"))
-    return mechanism.friction.parameters | {*turned}
-
-
-def _facing(derivation: Derivation, face: Facing) -> Derivation:
-    """Return the steps with sines of differences turned as those of the results are."""
-    results = tuple(map(face.result, derivation.results))
-    sines = face.sines(result.formula for result in results)
-    return replace(
-        derivation,
-        results=results,
-        steps=tuple(face.step(step, sines) for step in derivation.steps),
-        balances=face.equations(derivation.balances),
-        explanations=tuple(map(face.explanation, derivation.explanations)),
-        ratios=tuple(r._replace(formula=face.of(r.formula)) for r in derivation.ratios),
-    )
 
 
 # -------------------------------------------------------------------------------------- translation

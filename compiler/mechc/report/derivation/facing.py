@@ -1,0 +1,146 @@
+"""How a derivation's formulas are turned to be read: as a person writes the angles in them."""
+
+from collections.abc import Iterable, Sequence, Set
+from functools import cache, partial
+
+from ...formula.facing import (
+    LONG,
+    ahead,
+    as_in,
+    condition,
+    facing,
+    factors_as_in,
+    led,
+    terms_as_in,
+    without_sign,
+)
+from ...formula.layout import has_minus
+from ...formula.operations import count_operations
+from ...formula.over_line import over_line
+from ...formula.tree import Formula, Product, is_call, negative
+from ...formula.walk import symbols, walk
+from ...frozen import replace
+from ...kinematics.plan import Plan
+from ...model.mechanism import Mechanism, WithFriction
+from ...pose.given_angles import given_lines
+from ...power.numbers import default_values
+from ...study.analysis import Analysis, Vanishing
+from ..sentences.order import geometry_first
+from ..steps import Derivation, Equation, Explanation, LastStep, Paragraph, Step
+
+
+class Facing:
+    """Writes formulas as :func:`facing` does, at the default pose of a plan."""
+
+    def __init__(self, plan: Plan, turns: Set[str] = frozenset()) -> None:
+        """Take the angles by which friction ``turns`` forces: they stand behind others."""
+        self._turns = turns
+        self._values = cache(partial(default_values, plan))
+        self._quarter = given_lines(plan.graph.pose)
+
+    def of(self, formula: Formula, longer: int = 0) -> Formula:
+        """Return a formula with its sines of differences turned, its sums led by a plus.
+
+        Its quotients have whole numbers, not decimals. For an angle that is given it may grow
+        ``longer`` by so many operations.
+        """
+        faced = over_line(facing(formula, self._values, self._quarter, longer))
+        if count_operations(faced) > LONG:
+            return faced
+        is_turned = not self._turns.isdisjoint(symbols(formula))
+        return led(geometry_first(faced, self._turns) if is_turned else faced)
+
+    def relation(self, equation: Equation) -> Equation:
+        """Return an equation of such sides, with the fewer minuses at their heads.
+
+        Of sums of forces and moments the signs have a meaning; velocities have none.
+        """
+        sides = Equation(*map(self.of, equation))
+        if not any(isinstance(side, Product) and has_minus(side) for side in sides):
+            return sides
+        opposite = Equation(*(self.of(negative(side)) for side in sides))
+        return min(sides, opposite, key=lambda pair: sum(map(has_minus, pair)))
+
+    def sines(self, formulas: Iterable[Formula]) -> Sequence[Formula]:
+        """Return the sines of differences that are written in formulas as a person has them."""
+        return ahead(formulas, self._values)
+
+    def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
+        """Return a condition under which a formula is zero or infinite as the formula has it."""
+        factor, *but = (self._condition(f, formula) for f in (limit.factor, *limit.but))
+        return limit._replace(factor=factor, but=tuple(but))
+
+    def _condition(self, factor: Formula, formula: Formula) -> Formula:
+        """Return a factor that is zero as a formula has it, else as it would be written alone."""
+        if factor in walk(formula):
+            return factor
+        turned = condition(factor, self._values, self._quarter)
+        shown = (without_sign(as_in(one, formula)) for one in (factor, turned))
+        return next((one for one in shown if one in walk(formula)), turned)
+
+    def equations(self, equations: Iterable[Equation]) -> tuple[Equation, ...]:
+        """Return equations, either side of each by itself."""
+        return tuple(Equation(*map(self.of, equation)) for equation in equations)
+
+    def step(self, step: Step, sines: Sequence[Formula]) -> Step:
+        """Return a step of the velocities; what it finds has the sines that results have."""
+        relations = tuple(map(self.relation, step.relations))
+        results = self.equations(step.results)
+        found = (e._replace(right=factors_as_in(e.right, *sines)) for e in results)
+        return replace(step, relations=relations, results=tuple(found))
+
+    def explanation(self, explanation: Explanation, sines: Sequence[Formula]) -> Explanation:
+        """Return how a force follows, term by term with the sines that results have."""
+
+        def side(formula: Formula) -> Formula:
+            return led(terms_as_in(self.of(formula, longer=1), *sines))
+
+        def shown(paragraph: Paragraph) -> Paragraph:
+            equations = (Equation(*map(side, equation)) for equation in paragraph.equations)
+            return replace(paragraph, equations=tuple(equations))
+
+        return replace(explanation, paragraphs=tuple(map(shown, explanation.paragraphs)))
+
+    def result(self, result: Analysis) -> Analysis:
+        """Return a result; what is said of its formula mentions the same parts as that does."""
+        formula = self.of(result.formula)
+        zeros = tuple(self.zero(limit, formula) for limit in result.zeros)
+        poles = tuple(self.zero(limit, formula) for limit in result.poles)
+        slopes = result.derivatives
+        derivatives = slopes and {n: as_in(self.of(s), formula) for n, s in slopes.items()}
+        where = tuple(d._replace(formula=self._turned(d.formula)) for d in result.where)
+        holds = tuple(replace(h, left=self._turned(h.left)) for h in result.holds)
+        result = replace(result, where=where, holds=holds, derivatives=derivatives)
+        return replace(result, formula=formula, zeros=zeros, poles=poles)
+
+    def _turned(self, formula: Formula) -> Formula:
+        """Return a formula with an angle of friction in front as it is written, else as it is."""
+        if self._turns.isdisjoint(symbols(formula)):
+            return formula
+        return formula if geometry_first(formula, self._turns) == formula else self.of(formula)
+
+    def last_step(self, step: LastStep) -> LastStep:
+        """Return the step that gives a ratio."""
+        ratio = step.ratio._replace(right=self.of(step.ratio.right))
+        chain = step.chain and step.chain._replace(product=self.of(step.chain.product))
+        return LastStep(chain, ratio)
+
+    def derivation(self, derivation: Derivation) -> Derivation:
+        """Return the steps with sines of differences turned as those of the results are."""
+        results = tuple(map(self.result, derivation.results))
+        sines = self.sines(result.formula for result in results)
+        return replace(
+            derivation,
+            results=results,
+            steps=tuple(self.step(step, sines) for step in derivation.steps),
+            balances=self.equations(derivation.balances),
+            explanations=tuple(self.explanation(e, sines) for e in derivation.explanations),
+            ratios=tuple(r._replace(formula=self.of(r.formula)) for r in derivation.ratios),
+        )
+
+
+def turns_of_friction(results: Sequence[Analysis], mechanism: Mechanism) -> Set[str]:
+    """Return the names of angles by which friction turns a force."""
+    found = (d for r in results if isinstance(r.target, WithFriction) for d in r.where)
+    turned = (d.name for d in found if is_call(d.formula, "asin", "atan"))
+    return mechanism.friction.parameters | {*turned}
