@@ -2,8 +2,10 @@
 
 import pytest
 
-from mechc.driver import compile_source
+from mechc.driver import Compilation, compile_source
 from mechc.formula.to_text import text
+from mechc.formula.tree import Symbol
+from mechc.formula.walk import symbols
 from mechc.source import Source
 
 WEDGE = """
@@ -68,3 +70,25 @@ def test_it_has_the_angle_of_friction_and_not_the_ratio(asked):
 @pytest.mark.parametrize(("description", "printed"), [(LEVER, "a/(b*k_f)"), (TOGGLE, "a/(b*k_f)")])
 def test_a_longer_one_keeps_the_ratio(description, printed):
     assert efficiency(description)[0] == printed
+
+
+@pytest.mark.parametrize(("motion", "operator"), [("tightening", ">="), ("releasing", "<=")])
+def test_at_a_zero_of_the_ratio_an_efficiency_holds_as_it_is_printed(motion, operator):
+    """F acts through O: k is 0, all that P does is friction's, and 0 is not more than 0."""
+    described = f"""
+param phi = 0 deg
+pivot O
+link OAB
+OA = 100 mm @ phi
+OB = 300 mm @ 90 deg
+force P at B along 180 deg
+force F at A along 0 deg
+friction pins 0.1 diameter 10 mm
+motion {motion}
+find k = P/F
+"""
+    results = {r.name: r for r in Compilation(Source("lever.mech", described)).results}
+    eta = results["eta_k"]
+    assert (eta.default, results["k"].default) == (0, 0)
+    assert [h.operator for h in eta.holds if h.left == Symbol("k")] == [operator]
+    assert symbols(eta.formula) == {"k_f", "phi"}

@@ -31,7 +31,7 @@ from .signs import AtAnyPose, Signs, bare, exact_sign, is_root
 from .signs_at_a_pose import AtOnePose
 from .solution import Step
 
-Operator = Literal["<", ">", "="]
+Operator = Literal["<", "<=", ">", ">=", "="]
 
 
 @frozen

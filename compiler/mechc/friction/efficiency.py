@@ -54,9 +54,14 @@ class Drives:
         return 0 if default is not None else self._always or self._in_range or 0
 
     @property
+    def _is_zero(self) -> bool:
+        """Return whether the ratio is zero at the default pose, where the efficiency is, too."""
+        return self._ideal.default == 0
+
+    @property
     def _here(self) -> int:
-        """Return the sign for which a result is printed."""
-        return self._known or 1
+        """Return the sign for which a result is printed; of a zero that of a load that drives."""
+        return self._known or (self._sense if self._is_zero else 1)
 
     @property
     def is_driven(self) -> bool | None:
@@ -163,7 +168,8 @@ class Drives:
     def _condition(self, ratio: Formula) -> tuple[tuple[Formula, Operator], ...]:
         if self._in_range is not None:
             return ()
-        return ((ratio, ">" if self._here > 0 else "<"),)
+        operators: tuple[Operator, Operator] = ("<=", ">=") if self._is_zero else ("<", ">")
+        return ((ratio, operators[self._here > 0]),)
 
     def _definition(self) -> Definition:
         return Definition(self._ideal.name, self._ideal.formula)

@@ -8,6 +8,7 @@ from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..diagnostics import power as power_messages
 from ..formula.rounding import Size
+from ..formula.tree import Symbol
 from ..frozen import replace
 from ..model.mechanism import (
     Axial,
@@ -119,10 +120,19 @@ def _with_default(
     if ideal.undetermined:
         return with_default(result, Size(None, undetermined=True))
     size = numbers.of(result)
+    if size.undetermined and _is_all_lost(find, result, ideal, numbers):
+        size = Size(0.0)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
         report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips))
         size = Size(None)
     return with_default(result, size)
+
+
+def _is_all_lost(find: Find, result: Result, ideal: Result, numbers: DefaultNumbers) -> bool:
+    """Return whether an efficiency is that of a zero, of which rounding makes the sign."""
+    if not isinstance(find.target, Efficiency) or ideal.default != 0:
+        return False
+    return bool(numbers.of(replace(result, formula=Symbol(f"{ideal.name}_f"))).number)
 
 
 def _jams(find: Find, number: float | None, ideal: float | None) -> bool:

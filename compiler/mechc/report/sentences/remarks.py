@@ -160,7 +160,7 @@ def _share(result: Analysis) -> Formula:
     name = result.name.removeprefix("eta_")
     ideal, real = Symbol(name), Symbol(f"{name}_f")
     drives = result.target.sense == "tightening" if result.driven is None else not result.driven
-    is_below = drives or result.formula == ZERO
+    is_below = drives or result.formula == ZERO or (result.driven is None and result.default == 0)
     share = quotient(ideal, real) if is_below else quotient(real, ideal)
     is_held = is_call(result.formula, "max")
     return Call("max", (share, ZERO)) if is_held else share
