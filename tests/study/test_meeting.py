@@ -47,6 +47,30 @@ force F at S along x
 find k = N/F
 """
 
+KITE = """
+param a = 50 mm
+param b = 100 mm
+param phi = 45 deg
+drive phi from 40 deg to 105 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (0 mm, -b)
+link OA
+link AB
+link QBD
+link DS
+OA = a @ phi
+AB = a
+QB = b
+QD = a @ perp QB
+DS = a
+slider S along 30 deg through O
+assembly ABQ cw
+assembly S back
+force F at S along x
+torque M on OA
+find k = M/F
+"""
+
 
 def conditions(description):
     """Return the conditions of zeros and poles, each with those it leaves out."""
@@ -71,6 +95,13 @@ def test_what_loops_find_vanishes_with_what_is_given():
     found = conditions(crossed)
     assert found["sin(phi - 2*phi_AQ)"] == {"sin(phi)"}
     assert found["cos(phi - 2*phi_AQ)"] == set()
+
+
+def test_a_pole_is_not_stated_where_there_is_no_pose_and_another_sine_is_zero():
+    """At 90 degrees the kite lies flat, and the rod DS does not reach its guide."""
+    assert "cos(phi)" not in conditions(KITE)
+    reaching = KITE.replace("DS = a", "DS = 4*a")
+    assert "cos(phi)" not in conditions(reaching)
 
 
 def test_what_is_on_one_line_in_a_pose_of_the_range_is_looked_for():

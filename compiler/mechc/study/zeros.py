@@ -23,7 +23,7 @@ from ..power.definitions import resting_on
 from .analysis import Cause, Vanishing
 from .breaks import dividing_factors, may_vanish
 from .causes import across_of, cause
-from .meeting import Meetings
+from .meeting import TOGETHER, Meetings
 from .ranges import moving_first, with_range
 from .tolerances import SAME_RATIO, VANISHED_SUM
 from .trends import is_free_of_zeros
@@ -274,16 +274,34 @@ def _is_refuted(root: Root, of: _Sought) -> bool:
     names = {root.name, *root.value.names}
     if not names <= of.near.keys() or not names.isdisjoint(of.defined):
         return False
-    x = root.value.evaluate(of.near)
 
     def is_otherwise(step: float) -> bool:
-        here = ({**of.given, root.name: x + h} for h in (step, step / 2))
-        sizes = [abs(of.chain.complete(values).get(_SIZE, math.nan)) for values in here]
-        if not all(math.isfinite(size) and size for size in sizes):
-            return False
-        return math.log2(sizes[0] / sizes[1]) * of.side < 0.5
+        sizes = _beside(root, step, of)
+        return bool(sizes) and math.log2(sizes[0] / sizes[1]) * of.side < 0.5
 
-    return all(map(is_otherwise, STEPS))
+    return all(map(is_otherwise, STEPS)) or _meets_another(root, of)
+
+
+def _meets_another(root: Root, of: _Sought) -> bool:
+    """Return whether a sine across the line, of what loops find, is zero at a root as well.
+
+    There may be no pose: then nothing else can refute it.
+    """
+    if _beside(root, STEPS[0], of):
+        return False
+    there = of.chain.complete({**of.given, root.name: root.value.evaluate(of.near)})
+    across = (f for f, e in of.value.factors.items() if isinstance(f, Trig) and e * of.side < 0)
+    found = (f for f in across if not f.angle.names.isdisjoint(of.defined))
+    known = (f for f in found if f.angle.names <= there.keys())
+    return any(abs(evaluate(f.formula(), there)) < TOGETHER for f in known)
+
+
+def _beside(root: Root, step: float, of: _Sought) -> list[float]:
+    """Return the sizes of a value a step from a root, and half of one; none where it has none."""
+    x = root.value.evaluate(of.near)
+    here = ({**of.given, root.name: x + h} for h in (step, step / 2))
+    sizes = [abs(of.chain.complete(values).get(_SIZE, math.nan)) for values in here]
+    return sizes if all(math.isfinite(size) and size for size in sizes) else []
 
 
 _SIZE = ""
