@@ -128,12 +128,16 @@ class _Intervals:
             first = last + 1
 
     def _is_rounding(self, found: LockingInterval, width: float) -> bool:
-        """Return whether an interval is no wider than angles are inexact where loops end."""
+        """Return whether an interval is no wider than angles are inexact where loops end.
+
+        In closed form they are so where a loop lies flat only, and the digits left are more.
+        """
         ends = found.low, found.high
-        if not self.moving.is_iterated or not all(ends):
+        if not all(ends):
             return False
         begins, finishes = (end.x for end in ends if end)
-        return finishes - begins < HALF_THE_DIGITS * width
+        part = HALF_THE_DIGITS if self.moving.is_iterated else NEARLY
+        return finishes - begins < part * width
 
     def _states(self, grid: Sequence[float]) -> list[State | None]:
         """Return the state at each value.
