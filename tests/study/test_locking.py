@@ -542,8 +542,8 @@ def test_a_constant_efficiency_takes_from_whichever_load_drives(motion, sense):
 def test_the_condition_of_an_efficiency_is_stated(tmp_path, capsys):
     out = stated(TOGGLE.format(r=140), tmp_path, capsys, "check")
     assert "holds while k > 0" in out
-    assert "for -0.573 deg <= alpha < 0. " in out
-    assert "for 0 < alpha <= 0.573 deg. " in out
+    assert "for -0.573 deg <= alpha < 0 deg. " in out
+    assert "for 0 deg < alpha <= 0.573 deg. " in out
     assert "eta_k runs from 0 (nothing moves) to 0.983" in out
 
 
@@ -693,7 +693,7 @@ def test_a_face_steep_against_its_friction_is_judged(mu, tmp_path, capsys):
 def test_a_wedge_is_judged_by_the_force_that_it_gives(tmp_path, capsys):
     description = WEDGE.replace("k = P / F", "n = F / P").replace(" in 2 deg .. 30 deg", "")
     out = stated(description, tmp_path, capsys, "check")
-    assert "move the mechanism for 0 < beta <= phi_A + atan(mu) (11.42 deg)." in out
+    assert "move the mechanism for 0 deg < beta <= phi_A + atan(mu) (11.42 deg)." in out
     assert "equilibrium of the free bodies agrees" in out
 
 
