@@ -1,11 +1,13 @@
 """Plots on paper: what stands behind the values beside marks."""
 
+import pytest
+
 from mechc.drawing.drawing import Polyline
-from mechc.drawing.from_plot import picture
-from mechc.plot.plot import Axis, Curve, Mark, Panel, Plot
+from mechc.drawing.from_plot import ROW, picture
+from mechc.plot.plot import Axis, Curve, Mark, Panel, Plot, Value
 from mechc.pose.places import Plane
 from mechc.report.languages.pictured import EN
-from mechc.units import ANGLE, NUMBER
+from mechc.units import ANGLE, LENGTH, NUMBER
 
 X, Y = Axis("alpha", ANGLE, "deg"), Axis("k", NUMBER)
 ROOF = tuple(Plane(x / 10, 1.0 - abs(x / 10 - 0.5)) for x in range(11))
@@ -22,3 +24,20 @@ def test_a_value_beside_a_mark_stands_on_white_paper_that_is_larger_than_it():
     assert "".join(run.text for run in value.runs) == "(28.65°; 1)"
     assert high.x - low.x > value.width
     assert high.y - low.y > value.height
+
+
+def test_a_legend_has_a_sample_of_each_line_and_its_name_row_by_row_downwards():
+    values = [Value(Axis("a", LENGTH, "mm"), size) for size in (0.05, 0.07)]
+    both = Value(Axis("b", LENGTH, "mm"), 0.1)
+    curves = tuple(Curve("k", (both, value), (ROOF,)) for value in values)
+    drawing = picture(Plot("", X, X, 0.0, 1.0, (Panel(Y, curves, 0.0, 1.2),), ()), EN)
+    written = {
+        "".join(run.text for run in label.runs).replace("\u2009", " ").replace("\xa0", " "): label
+        for label in drawing.labels
+    }
+    rows = [written[f"b = 100 mm, a = {size} mm"] for size in (50, 70)]
+    heights = [row.at.y for row in rows]
+    assert heights[0] - heights[1] == pytest.approx(ROW)
+    samples = [s for s in drawing.shapes if isinstance(s, Polyline) and len(s.points) == 2]
+    found = {p.y for s in samples for p in s.points if s.points[0].y == s.points[1].y}
+    assert {*heights} <= found

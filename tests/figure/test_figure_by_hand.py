@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from mechc.algebra.product import Product
 from mechc.figure import from_balance, layout, marks
 from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Pivot, Rack
 from mechc.figure.from_balance import _Maker
@@ -16,7 +17,16 @@ from mechc.figure.ways import Linear, Way, Ways, along
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import Constant, Symbol, degrees, negative, number, product, total
 from mechc.frozen import replace
-from mechc.model.mechanism import Absolute, Along, Arrow, Force, ForcePair, Mirror, Parameter
+from mechc.model.mechanism import (
+    Absolute,
+    Along,
+    Arrow,
+    Force,
+    ForcePair,
+    Friction,
+    Mirror,
+    Parameter,
+)
 from mechc.pose.places import Plane
 from mechc.units import LENGTH, MASS
 from small_poses import (
@@ -355,3 +365,32 @@ def test_numbers_of_a_length_are_in_the_unit_that_they_were_written_in():
     assert marks._unit(Constant("m", number(1)), mechanism) != "kg"
     other = replace(mechanism, literals=(inch, replace(inch, name="len_OB", unit="cm")))
     assert marks._unit(Constant("len_OB", number(1)), other) == "cm"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "inner", "at"),
+    [(1.0, 2.0, False, 1.0), (1.0, 4.0, True, -1.0), (4.0, 1.0, True, 4.0)],
+)
+def test_inner_gears_touch_beyond_the_centre_of_the_smaller_one(first, second, inner, at):
+    wheels = Circle(Plane(0.0, 0.0), first), Circle(Plane(3.0, 0.0), second)
+    assert pitch_point(*wheels, inner=inner) == Plane(at, 0.0)
+
+
+@pytest.mark.parametrize("x", [2.0, -2.0])
+def test_what_nothing_connects_goes_on_the_side_of_its_half(x):
+    line = MirrorLine(Plane(1.0, 0.0), Y)
+    side = layout._Table(Y, 1.0)._side({"A": Plane(x, 0.0), "B": Plane(x, 3.0)}, line)
+    assert side == Plane(math.copysign(1.0, x - 1.0), 0.0)
+    assert layout._Table(None, 1.0)._side({"A": Plane(x, 0.0)}, None) == X
+
+
+@pytest.mark.parametrize(("sense", "power"), [("tightening", 2.5), ("releasing", -2.5)])
+def test_the_driving_load_does_work_unless_it_is_released(sense, power):
+    made = Asked(torque("M", "OA"))
+    plan = made.balance.plan
+    pose = replace(
+        plan.graph.pose,
+        mechanism=replace(plan.graph.pose.mechanism, friction=Friction(sense=sense)),
+    )
+    plan.graph.pose, made.balance.terms[0].power = pose, [Product(Fraction(5, 2))]
+    assert made._work() == power

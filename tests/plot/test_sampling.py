@@ -3,6 +3,7 @@
 import math
 from fractions import Fraction
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,8 +12,8 @@ from mechc.formula.tree import number
 from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
 from mechc.plot.fitting import limits, pieces, smooth
-from mechc.plot.query import _is_round, rows
-from mechc.plot.sampling import traced
+from mechc.plot.query import _is_round, rows, usual
+from mechc.plot.sampling import _touched, traced
 from mechc.units import ANGLE, LENGTH
 from small_poses import HERE, lever
 
@@ -168,3 +169,26 @@ def test_rows_of_a_table_are_at_round_steps(low, high, unit, step):
     varied = Parameter("x", dimension, HERE, None, ends, unit=unit)
     mechanism = replace(lever().mechanism, parameters=(varied,))
     assert (high - low) / (rows("x", mechanism) - 1) == pytest.approx(step)
+
+
+@pytest.mark.parametrize(("names", "ys"), [("k k_f eta", ("k", "k_f")), ("k k_f1 eta", ("k",))])
+def test_a_plot_has_the_first_result_with_friction_if_there_is_one(names, ys):
+    """Of what rests on phi, whose range is given; M rests on nothing that has one."""
+    varied = Parameter("phi", ANGLE, HERE, number(1), (number(0), number(2)), unit="deg")
+    mechanism = replace(lever().mechanism, parameters=(varied,))
+    fixed = SimpleNamespace(name="M", inputs=())
+    inputs = (SimpleNamespace(name="phi"),)
+    varying = [SimpleNamespace(name=name, inputs=inputs) for name in names.split()]
+    found = usual(mechanism, SimpleNamespace(functions=(fixed, *varying)))
+    assert (found.x, found.ys) == ("phi", ys)
+    assert usual(mechanism, SimpleNamespace(functions=(fixed,))) is None
+
+
+def test_a_pole_with_one_sign_on_both_sides_is_found_between_the_points_beside_its_peak():
+    def steep(x):
+        return (x - 0.4) ** -2 + 5.0
+
+    with np.errstate(all="ignore"):
+        grid = np.linspace(0.0, 1.0, 11) + 0.03
+        assert list(_touched(steep, grid, steep(grid))) == pytest.approx([0.4], abs=1e-6)
+        assert list(_touched(np.sin, grid * 3, np.sin(grid * 3))) == []
