@@ -76,6 +76,10 @@ def test_other_targets_are_not_imported(target: str) -> None:
     assert found & others == {f"mechc.emit.{target}.to_{target}"}
 
 
+def test_lines_that_fit_are_not_broken() -> None:
+    assert "textwrap" not in imports("-m", "mechc", *PAGES[0])
+
+
 def test_no_other_package_is_asked_for_a_format_that_is_named(tmp_path: Path) -> None:
     command = ("-m", "mechc", "compile", CLAMP, "-o", str(tmp_path / "k.txt"))
     assert "importlib.metadata" not in imports(*command, "--emit", "latex")

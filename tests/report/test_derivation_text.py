@@ -15,7 +15,7 @@ from mechc.report.sentences.wording import as_ratio
 from mechc.report.text.derivation import render
 from mechc.report.text.printer import print_formula
 from mechc.report.text.signs import ASCII, UNICODE
-from mechc.report.text.speller import WIDTH
+from mechc.report.text.speller import WIDTH, speller
 from mechc.source import Source
 from report_samples import equations, formula, packet_clamp, six_bar
 
@@ -199,3 +199,18 @@ def test_the_stroke_is_in_the_units_of_the_language(language: str, unit: str) ->
     found = compiled("oscillating_cylinder")
     text = render(found.reported, found.mechanism, unicode=True, language=language)
     assert re.search(rf" 450 {unit} \w+ 900 {unit}\.", text)
+
+
+@pytest.mark.parametrize(
+    ("equation", "width", "lines"),
+    [
+        ("  k = a + b ", 15, ["    k = a + b"]),
+        ("k = a + b", 9, ["  k = a +", "      b"]),
+        ("k = (a + b)*c", 8, ["  k =", "      (a + b)*c"]),
+        ("one\ttwo", 80, ["  one     two"]),
+        ("", 80, []),
+    ],
+)
+def test_a_line_is_broken_where_it_does_not_fit(equation, width, lines):
+    spell = speller((), compiled("four_bar").mechanism, unicode=False, width=width)
+    assert spell.broken(equation, "  ") == lines

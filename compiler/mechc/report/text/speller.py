@@ -1,12 +1,12 @@
 """How a report for the terminal is written: its mathematics, its language, its lines."""
 
 from collections.abc import Iterable, Mapping
-from textwrap import wrap
 from types import MappingProxyType
 
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula, Symbol
 from ...frozen import replace
+from ...later import Later
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
 from ...named import NamedTuple
@@ -18,6 +18,9 @@ from ..put_in import Quantity, in_degrees
 from ..sentences.speller import angles_of, couples_of, guided_of, own_names
 from . import printer
 from .signs import ASCII, UNICODE, Signs
+
+textwrap = Later("textwrap")
+"""Breaks lines; most of what ``check`` says fits into one."""
 
 SHOWN = 6
 """Significant digits of values."""
@@ -115,22 +118,26 @@ class Speller(NamedTuple):
     def wrapped(self, text: str, lead: str) -> list[str]:
         """Return a text in lines, behind ``lead``."""
         hanging = " " * len(lead)
-        return wrap(
+        lines: list[str] = textwrap.wrap(
             text,
             self.width,
             initial_indent=lead,
             subsequent_indent=hanging,
             break_long_words=False,
         )
+        return lines
 
     def broken(self, equation: str, deep: str = DEEP) -> list[str]:
         """Break a long equation at the spaces around its signs.
 
         What is short and in brackets stays together, ``sin(α + β)``, and so do ``5 mm``, ``cos α``.
         """
+        whole = (deep + equation).rstrip(" ")
+        if equation.strip() and equation.isprintable() and len(whole) <= self.width:
+            return [whole]
         indent = deep + " " * (len(equation) - len(equation.lstrip()))
         tied = _TIED.sub(lambda m: m[0].replace(" ", "\u00a0"), equation.lstrip())
-        lines = wrap(
+        lines = textwrap.wrap(
             tied,
             self.width,
             initial_indent=indent,
