@@ -104,3 +104,17 @@ def test_factors_as_in_another_formula_keep_the_value(seed):
     formula, model = some_formula(rng), some_formula(rng)
     turned = factors_as_in(formula, *ahead([model], lambda: values))
     assert evaluate(turned, values) == pytest.approx(evaluate(formula, values), rel=1e-9)
+
+
+def test_a_negative_sum_over_a_negative_sine_is_turned_round():
+    """k of Stephenson's linkage had sin(χ − φ) + … over sin(χ − δ), of −85° and −95°."""
+    a, b, c = map(Symbol, NAMES)
+    above, below = (Call("sin", (total([c, negative(x)]),)) for x in (a, b))
+    formula = product([(total([above, b]), 1), (below, -1)])
+    values = {"a": 1.9, "b": 0.2, "c": 0.1}
+    assert text(facing(formula, lambda: values)) == "(sin(a - c) - b)/sin(b - c)"
+    upright = {"a": 0.1, "b": 0.2, "c": 0.9}
+    assert facing(formula, lambda: upright) == formula
+    page = mechc.load("stephenson_six_bar").emit("latex")
+    assert r"\chi-\varphi" not in page
+    assert r"\sin(-" not in page

@@ -341,10 +341,24 @@ def _turned(factor: Formula, at: Evaluation | None = None) -> Formula | None:
         case Power(base, Number(value) as exponent) if value.denominator == 1 and value % 2:
             turned = _turned(base, at)
             return Power(turned, exponent) if turned else None
+        case Sum(terms):
+            return _sum_turned(terms, at) if at else None
         case _ if difference := _difference(factor):
             if at is None or _is_behind(difference, at):
                 return Call("sin", (_negated(difference),))
     return None
+
+
+def _sum_turned(terms: Sequence[Formula], at: Evaluation) -> Formula | None:
+    """Return a sum turned round that is negative by a sine of a difference; None for another."""
+    turned = [_without_minus(negative(term)) for term in terms]
+    is_led = any(
+        not has_minus(new) and not has_minus(old) for new, old in zip(turned, terms, strict=True)
+    )
+    try:
+        return total(_led(turned)) if is_led and at.of(Sum(tuple(terms))) < -ROUNDING else None
+    except KeyError:
+        return None
 
 
 def _is_behind(difference: Sum, at: Evaluation) -> bool:
