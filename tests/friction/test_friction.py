@@ -7,11 +7,13 @@ import pytest
 
 import mechc
 from gripping_brake import gripping_brake
+from mechc.driver import Compilation
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import symbols
 from mechc.model.values import completed, holds
+from mechc.source import Source
 from paths import LIBRARY
 from seed_friction import described, entries
 
@@ -612,3 +614,22 @@ def test_a_condition_that_another_one_implies_is_left_out():
     shown = [f"{text(c.left)} {c.operator} {text(c.right)}" for c in holds]
     assert "h*sin(be + phi) - rho > 0" in shown
     assert "sin(be + phi) > 0" not in shown
+
+
+def test_no_sign_that_is_zero_at_a_dead_centre_alone_is_put_in_a_printed_formula():
+    """At 0 no force turns the bar: beside it the pivot turns, and rubs."""
+    bar = """
+param t = 0 deg
+pivot O
+link OAB
+OA = 100 mm @ t
+OB = 300 mm @ t
+force P at B along 0 deg
+force F at A along 0 deg
+friction pins 0.1 diameter 10 mm
+find k = P/F
+"""
+    found = {r.name: r for r in Compilation(Source("level.mech", bar)).results}
+    for name in ("k_f", "k_f1", "k_hold"):
+        assert "f*d" in text(found[name].formula)
+        assert all(h.operator != "=" for h in found[name].holds)

@@ -484,3 +484,20 @@ find k = N/F
     trials = Compilation(Source("rest.mech", text)).verdict.trials
     assert {t.result for t in trials} >= {"k_f", "k_hold"}
     assert all(t.agrees for t in trials)
+
+
+def test_an_angle_of_zero_is_moved_where_others_are():
+    """At 0 both forces go through O and any of them balance; elsewhere 3·P = -F."""
+    text = """
+param t = 0 deg
+pivot O
+link OAB
+OA = 100 mm @ t
+OB = 300 mm @ t
+force P at B along 0 deg
+force F at A along 0 deg
+find k = P/F
+"""
+    trials = Compilation(Source("level.mech", text)).verdict.trials
+    assert len({t.values["t"] for t in trials}) == len(trials) == 4
+    assert all(t.agrees for t in trials)

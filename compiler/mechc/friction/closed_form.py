@@ -24,12 +24,18 @@ from ..model.boxes import POSITIVE, allowed_box
 from ..model.result import Definition
 from ..model.values import Chain, completed
 from ..named import NamedTuple
-from ..power.numbers import default_values
+from ..power.numbers import default_values, values_beside
 from .free_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames, renamed
 from .signs import AtAnyPose, Signs, bare, exact_sign, is_root
 from .signs_at_a_pose import AtOnePose
 from .solution import Step
+
+BESIDE = 1e-3
+"""How far beside the default pose signs are looked at, in radians: far enough for no rounding."""
+
+AT_REST = 1e-9
+"""What is below this so far beside the pose, in SI, is zero there, too."""
 
 Operator = Literal["<", "<=", ">", ">=", "="]
 
@@ -213,8 +219,22 @@ class DefaultPose:
             )
         except (KeyError, EquationsCoupled):
             return None
+        if self._is_alone(found):
+            return None
         self.meanings.note(found.where)
         return found
+
+    def _is_alone(self, found: Printed) -> bool:
+        """Return whether a sign is zero at the pose and not beside it: at a dead centre.
+
+        What holds there holds nowhere else. A pin that is at rest all along has none as well.
+        """
+        zeros = [formula for formula, operator in found.holds if operator == "="]
+        if not zeros:
+            return False
+        moved = values_beside(self._plan.graph.pose, BESIDE)
+        known = completed({**self.values(), **moved}, found.where)
+        return any(abs(evaluate(formula, known)) > AT_REST for formula in zeros)
 
     def in_free_names(self, found: Named, endings: Sequence[str]) -> Named:
         """Return a result of code in names that mean nothing else in what is printed."""

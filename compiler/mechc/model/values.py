@@ -173,12 +173,18 @@ def complete(mechanism: Mechanism, given: Values) -> Values:
     return Chain(dependent(mechanism)).complete(given)
 
 
+BESIDE_ZERO = 0.2
+"""How far an angle of zero is moved where others are, in radians: no part of it is far enough."""
+
+
 def bounds(parameter: Parameter) -> tuple[float, float]:
     """Return the range to draw from: the user's, or one about the value, or a usual one."""
     if parameter.range:
         return evaluate(parameter.range.low, {}), evaluate(parameter.range.high, {})
     if parameter.value and not parameter.dependent:
         value = evaluate(parameter.value, {})
+        if not value and parameter.dimension == ANGLE:
+            return -BESIDE_ZERO, BESIDE_ZERO
         return value * 0.8, value * 1.25
     return (0.1, 1.4) if parameter.dimension == ANGLE else (0.5, 2.0)
 

@@ -149,6 +149,13 @@ def pose_values(pose: Pose) -> dict[str, float]:
     return _chain(pose).complete(_given(pose))
 
 
+def values_beside(pose: Pose, step: float) -> dict[str, float]:
+    """Return the values of a pose whose angles are that much farther on than by default."""
+    given = _given(pose)
+    moved = {name: x + step for name, x in given.items() if name in pose.mechanism.angles}
+    return _chain(pose).complete({**given, **moved})
+
+
 def _chain(pose: Pose) -> Chain:
     """Return the definitions on the parameters; a load may rest on user-defined formulas."""
     own = {let.name: let.value for let in pose.mechanism.lets}
