@@ -2,16 +2,19 @@
 
 from pathlib import Path
 from types import SimpleNamespace
-from typing import cast
+from typing import Literal, cast
 
 import pytest
 
-from mechc.calculation.signs import _force
+from mechc.calculation.calculation import Check
+from mechc.calculation.signs import _doubt, _force, _has_sign
 from mechc.driver import Compilation, complete
 from mechc.files import read
-from mechc.formula.tree import Symbol, total
-from mechc.model.mechanism import Mechanism
+from mechc.formula.tree import Call, Formula, Symbol, number, product, total
+from mechc.formula.walk import symbols
+from mechc.model.mechanism import Let, Mechanism, Require
 from mechc.units import FORCE, LENGTH
+from small_poses import HERE
 
 TUBE = """sheet tube
 param D = {outer} mm
@@ -54,3 +57,30 @@ def test_the_force_that_a_bound_rests_on_is_found_through_formulas(asked: str, f
     ]
     mechanism = cast(Mechanism, SimpleNamespace(lets=lets, taken=taken))
     assert _force(Symbol(asked), mechanism) == force
+
+
+@pytest.mark.parametrize(
+    ("value", "given", "has_sign"),
+    [
+        (product([(Symbol("L"), 1), (Call("cos", (Symbol("phi"),)), 1)]), {"L": 1.0}, True),
+        (Call("sqrt", (Symbol("L"),)), {"L": 1.0}, False),
+        (total([Symbol("L"), number(-2)]), {"L": 1.0}, False),
+        (total([Symbol("L"), number(-2)]), {"L": -1.0}, True),
+        (total([Symbol("x_1"), number(-2)]), {"x_1": 1.0}, True),
+    ],
+)
+def test_projections_coordinates_and_what_is_made_of_signed_lengths_have_signs(
+    value: Formula, given: dict[str, float], has_sign: bool
+) -> None:
+    let = Let("w", value, LENGTH, HERE)
+    made_of = {"w", *symbols(value)}
+    assert _has_sign(let, made_of, {"w": let}, given) is has_sign
+
+
+@pytest.mark.parametrize(("operator", "side"), [("<", "N"), ("<=", "N"), (">", "S"), (">=", "S")])
+def test_the_smaller_side_of_a_bound_is_doubted(
+    operator: Literal["<", "<=", ">", ">="], side: str
+) -> None:
+    condition = Require(Symbol("N"), operator, Symbol("S"), HERE)
+    found = _doubt(Check(condition, -5.0, 7.0), -5.0, "m_F")
+    assert found.message.startswith(f"{side} is -5, ")
