@@ -324,6 +324,7 @@ class ByHand(Moving):
         self, ratio: Callable[[float], float], divisor: Callable[[float], float] = abs
     ) -> None:
         self._ratio, self._divisor = ratio, divisor
+        self.ideal_along = SimpleNamespace(centres={})
 
     def without(self, x: float) -> float:
         return self._ratio(x)
@@ -344,7 +345,7 @@ class ByHand(Moving):
         return Found("free", 0.5, False)
 
 
-IDEAL = SimpleNamespace(sign=1, ideal=None, is_iterated=False, is_slow=False)
+IDEAL = SimpleNamespace(sign=1, is_iterated=False, is_slow=False)
 
 
 def with_friction(kind: type[Moving], real: float | None, ideal: float) -> Moving:
@@ -360,7 +361,7 @@ def with_friction(kind: type[Moving], real: float | None, ideal: float) -> Movin
         def _real(self, x: float) -> float | None:
             return real
 
-    return Constant(None, IDEAL)
+    return Constant(SimpleNamespace(sweep=None, result=None), IDEAL)
 
 
 @pytest.mark.parametrize(
