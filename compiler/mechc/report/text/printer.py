@@ -1,5 +1,6 @@
 """Formulas for the terminal, on one line.
 
+>>> from .signs import ASCII, UNICODE
 >>> from ...formula.tree import Call, Sum, Symbol, number, product
 >>> a, b, alpha, theta = map(Symbol, ("a", "b", "alpha", "theta"))
 >>> k = product(
@@ -48,6 +49,7 @@ def print_formula(formula: Formula, signs: Signs, angle: bool = False) -> str:
 def print_side(formula: Formula, signs: Signs, angle: bool) -> str:
     """Return a side of a relation: a number alone is a decimal, an angle in degrees, if it can be.
 
+    >>> from .signs import UNICODE
     >>> print_side(Number(Fraction(3, 4)), UNICODE, False), print_side(ZERO, UNICODE, True)
     ('0.75', '0°')
     """
@@ -61,6 +63,7 @@ def print_side(formula: Formula, signs: Signs, angle: bool) -> str:
 def print_name(name: str, signs: Signs) -> str:
     """Return a quantity's name.
 
+    >>> from .signs import UNICODE
     >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B")]
     ['α₁', 'ω_O₁B', 'O₁B']
     """
@@ -94,6 +97,7 @@ def _called(name: str, texts: Mapping[str, str]) -> str:
 def print_quantity(quantity: str, signs: Signs) -> str:
     """Return a number with its unit.
 
+    >>> from .signs import UNICODE
     >>> print_quantity("-14.8 N*m", UNICODE), print_quantity("12 mm^3", UNICODE)
     ('−14.8 N·m', '12 mm³')
     >>> print_quantity("25 1/m", UNICODE), print_quantity("25 1/m^2", UNICODE)
