@@ -170,6 +170,18 @@ def test_teeth_press_a_planet_where_they_mesh(capsys):
     assert "R_A_t = 0" not in text
 
 
+@pytest.mark.parametrize("order", ["sun first", "planet first"])
+def test_each_pair_of_a_planet_has_a_force_of_its_own(order):
+    """Where the planet was named first both were T_AB, and T_AB was −T_AB."""
+    text = ALL["planetary_ring"].read_text()
+    if order == "planet first":
+        text = text.replace("gear O m*z1/2 on OS, A m*z2/2", "gear A m*z2/2, O m*z1/2 on OS")
+    compilation = Compilation(Source("p.mech", text))
+    assert agree(compilation, 3)
+    (equilibrium,) = compilation.equilibrium
+    assert [f.names for f in equilibrium.forces if f.kind == "rim"] == [("T_OS",), ("T_O",)]
+
+
 def test_a_pin_shared_with_a_crank_has_its_force_along_the_crank():
     compilation = begun("mirror_beam_torque")
     assert agree(compilation, 3)

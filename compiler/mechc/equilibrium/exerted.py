@@ -2,13 +2,15 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import assert_never
 
 from ..algebra.angle import Angle, rational
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
+from ..algebra.sums import add
 from ..formula.tree import PI
+from ..formula.walk import symbols
 from ..model.mechanism import (
     Contact,
     Force,
@@ -28,6 +30,7 @@ from ..model.mechanism import (
 from ..named import NamedTuple
 from ..pose.pose import Arm, PointContact, Vector, gathered
 from ..power.loads import owners
+from ..power.numbers import pose_values
 from .acts import QUARTER, Act, Cutting, X, Y, unit
 from .equilibrium import JointForce
 
@@ -180,13 +183,11 @@ def _wheels(pair: WheelPair, cut: Cutting) -> Exerted:
     (name,) = force.names
     first = cut.pose.radii[pair.first_radius]
     second = cut.pose.radii[pair.second_radius].scaled(-1 if pair.same else 1)
-    centres = cut.pose.vector(pair.arm, pair.first, pair.second) if pair.arm else ()
-    if pair.kind == "gear" and len(centres) == 1:
-        along, ends = centres[0].angle, zip(pair.wheels, pair.points, strict=True)
-        sides = zip(ends, (first, -second), (ONE, Product(-1)), strict=True)
+    if (along := _to_pitch_point(pair, cut)) is not None:
+        sides = zip(pair.wheels, pair.points, (first, -second), (ONE, Product(-1)), strict=True)
         acts = [
             (link, _at(name, along + QUARTER, _from(link, point, Arm(radius, along), cut), size))
-            for (link, point), radius, size in sides
+            for link, point, radius, size in sides
             if link
         ]
         return _exerted(force, acts)
@@ -199,18 +200,44 @@ def _wheels(pair: WheelPair, cut: Cutting) -> Exerted:
     )
 
 
+def _to_pitch_point(pair: WheelPair, cut: Cutting) -> Angle | None:
+    """Return the direction in which gears on an arm mesh from the first centre; None for others.
+
+    It is that to the second centre, but for a gear inside a larger one: that meshes behind itself.
+    """
+    centres = cut.pose.vector(pair.arm, pair.first, pair.second) if pair.arm else ()
+    if pair.kind != "gear" or len(centres) != 1:
+        return None
+    ((length, along),) = centres
+    first, second = (cut.pose.radii[r] for r in (pair.first_radius, pair.second_radius))
+    ahead, values = length * add((first, -second)) if pair.same else length, pose_values(cut.pose)
+    if not symbols(ahead.formula()) <= values.keys():
+        return None if pair.same else along
+    return along if ahead.evaluate(values) > 0 else along + Angle.constant(180)
+
+
 def _from(link: str, point: str, arm: Arm, cut: Cutting) -> Vector:
     """Return where an arm from a point of a link ends, from the point that its moments are of."""
     return (*cut.pose.frames[link][point], arm)
 
 
 def _force_of_rims(pair: WheelPair, cut: Cutting) -> JointForce:
-    """Return the name of the force between two wheels, by their links where centres are shared."""
+    """Return the name of the force between two wheels: by a link where pairs share the centres.
+
+    It is the link that is in no other of these pairs, as the sun of a planetary gear; else both.
+    """
     pairs = [j for j in cut.mechanism.joints if isinstance(j, WheelPair)]
-    if sum(other.points == pair.points for other in pairs) == 1:
+    alike = [_wheels_of(other) for other in pairs if {*other.points} == {*pair.points}]
+    if len(alike) == 1:
         return JointForce("rim", (f"T_{pair.first}{pair.second}",), pair.points)
-    wheels = tuple(link or point for link, point in zip(pair.wheels, pair.points, strict=True))
-    return JointForce("rim", (f"T_{wheels[0]}",), wheels)
+    often, wheels = Counter(chain.from_iterable(alike)), _wheels_of(pair)
+    own = next((wheel for wheel in wheels if often[wheel] == 1), "".join(wheels))
+    return JointForce("rim", (f"T_{own}",), wheels)
+
+
+def _wheels_of(pair: WheelPair) -> tuple[str, ...]:
+    """Return the names of two wheels: of their links, of one that stands still its centre."""
+    return tuple(link or point for link, point in zip(pair.wheels, pair.points, strict=True))
 
 
 def _rack(rack: Rack, cut: Cutting) -> Exerted:
