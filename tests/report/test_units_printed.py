@@ -5,6 +5,7 @@ import re
 import pytest
 
 import mechc
+from mechc.cli import main
 from mechc.cli.checked import report
 from mechc.driver import compile_source
 from mechc.files import find, read
@@ -67,6 +68,40 @@ def test_a_curve_and_its_table_have_forces_in_that_unit_too():
     page = mechc.loads(f"{ranged}report P, plot P_f over h\n", "u.mech").emit("latex")
     assert r"\mathit{P}_{\mathit{f}},\ \mathrm{lbf}$" in page
     assert r"$20$ & $60$ \\" in page
+
+
+def test_a_unit_of_two_words_keeps_its_hyphen():
+    """Of a negative number the sign is a minus, and the hyphen of its unit is none."""
+    compilation = compile_source(Source("u.mech", WEIGHED))
+    derived = render(compilation.derivation, compilation.mechanism, language="ru")
+    assert "P_уд = −120 фунт-сила · 0,5 = −60 фунт-сила" in derived
+    assert "фунт−сила" not in derived
+
+
+CYLINDER = """param d = 30 mm in 20 mm .. 40 mm
+param phi = 30 deg in 10 deg .. 60 deg
+param a = 50 mm
+pivot O
+pivot D
+slider B along x
+link OA
+link AB
+OA = a @ phi
+AB = a @ -phi
+OD = d @ 0 deg
+actuator P between D and B
+torque M on OA
+find k = P/M
+"""
+
+
+def test_a_reciprocal_is_one_in_sentences_of_the_terminal_too(tmp_path, capsys):
+    path = tmp_path / "u.mech"
+    path.write_text(CYLINDER)
+    assert main(["derive", str(path), "--no-cache"]) == 0
+    derived = " ".join(capsys.readouterr().out.split())
+    assert "the least k is 11.547 m⁻¹, at φ = 60°" in derived
+    assert "1/m" not in derived
 
 
 @pytest.mark.parametrize("unit", UNITS)

@@ -108,8 +108,8 @@ def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
         sides = [spell.relation((left,), (), False)]
         sides += [spell.relation((numbers,), (), angle)] if numbers else []
         sides.append(spell.quantity(value))
-        whole = spell.units(" = ".join(sides))
-        yield from spell.broken(whole.replace("-", spell.signs.minus))
+        whole = " = ".join(sides).replace("-", spell.signs.minus)
+        yield from spell.broken(spell.units(whole))
 
 
 def _title(mechanism: Mechanism, spell: Speller) -> list[str]:

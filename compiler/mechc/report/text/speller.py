@@ -90,7 +90,7 @@ class Speller(NamedTuple):
 
     def unit_behind(self, unit: str) -> str:
         """Return a unit behind its number."""
-        return behind(self.unit(unit))
+        return self.unit(printer.print_quantity(behind(unit), self.signs))
 
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
@@ -152,7 +152,7 @@ class Speller(NamedTuple):
         assert literal.value
         name = self.relation((Symbol(literal.name),), (), False)
         value = in_unit(evaluate(literal.value, {}), literal.unit, 10)
-        return f"{DEEP}{name} = {self.units(value).replace('-', self.signs.minus)}"
+        return f"{DEEP}{name} = {self.units(value.replace('-', self.signs.minus))}"
 
 
 def speller(
