@@ -413,6 +413,33 @@ def test_no_two_columns_have_one_name():
     assert {"mu_B(AB-OB)", "mu_C(AC-OC)"} <= set(names)
 
 
+KITE = """
+param a = 100 mm
+param c = 150 mm
+param phi = 40 deg
+drive phi from 20 deg to 160 deg
+pivot O
+pivot Q
+link OA
+link AB
+link QB
+OQ = c @ 0 deg
+OA = a @ phi
+AB = a
+QB = c
+assembly ABQ cw
+torque M on OA
+torque T on QB
+find k = T/M
+"""
+
+
+def test_the_angle_of_a_triangle_that_is_mirrored_has_its_name():
+    """Its loop needs no law of cosines; the angle at its pin is the transmission angle still."""
+    stroke = mechc.loads(KITE).stroke(3)
+    assert [c.name for c in stroke.columns if c.name.startswith("mu_")] == ["mu_B"]
+
+
 PUSHED = """
 param l = 300 mm
 param s = 200 mm

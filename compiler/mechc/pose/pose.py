@@ -102,6 +102,11 @@ class SolvedLoop(NamedTuple):
     again: frozenset[str] = frozenset()
     put_in: tuple[Definition, ...] = ()
 
+    @property
+    def is_triangle(self) -> bool:
+        """Return whether the points are vertices, the pin between the unknown sides the second."""
+        return self.kind in ("triangle", "mirrored")
+
 
 class PointContact(NamedTuple):
     """A pin that slides along a body: in a slot of it, or touching a face.

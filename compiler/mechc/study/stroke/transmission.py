@@ -98,7 +98,7 @@ def angles_at_pins(pose: Pose) -> dict[str, frozenset[str]]:
     names = (d.name for d in (*pose.definitions, *pose.closing))
     ends = dict.fromkeys(names, frozenset[str]())
     for loop in pose.solved:
-        if loop.kind == "triangle":
+        if loop.is_triangle:
             first, pin, last = loop.points
             ends[f"mu_{pin}"] = frozenset((first, last))
     return ends
