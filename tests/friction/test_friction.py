@@ -616,16 +616,18 @@ def test_a_condition_that_another_one_implies_is_left_out():
     assert "sin(be + phi) > 0" not in shown
 
 
-def test_no_sign_that_is_zero_at_a_dead_centre_alone_is_put_in_a_printed_formula():
-    """At 0 no force turns the bar: beside it the pivot turns, and rubs."""
-    bar = """
+@pytest.mark.parametrize("along", ["0 deg", "s"])
+def test_no_sign_that_is_zero_at_a_dead_centre_alone_is_put_in_a_printed_formula(along):
+    """At 0 no force turns the bar: beside it the pivot turns, and rubs; bar and forces may turn."""
+    bar = f"""
 param t = 0 deg
+param s = 0 deg
 pivot O
 link OAB
 OA = 100 mm @ t
 OB = 300 mm @ t
-force P at B along 0 deg
-force F at A along 0 deg
+force P at B along {along}
+force F at A along {along}
 friction pins 0.1 diameter 10 mm
 find k = P/F
 """

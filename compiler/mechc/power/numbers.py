@@ -150,9 +150,13 @@ def pose_values(pose: Pose) -> dict[str, float]:
 
 
 def values_beside(pose: Pose, step: float) -> dict[str, float]:
-    """Return the values of a pose whose angles are that much farther on than by default."""
-    given = _given(pose)
-    moved = {name: x + step for name, x in given.items() if name in pose.mechanism.angles}
+    """Return the values of a pose whose angles are up to a step farther on than by default.
+
+    Each is by another part of it, so that no difference of two stays what it is.
+    """
+    given, angles = _given(pose), sorted(pose.mechanism.angles)
+    parts = {name: (2 + math.sin(i)) / 3 for i, name in enumerate(angles)}
+    moved = {name: x + step * parts[name] for name, x in given.items() if name in parts}
     return _chain(pose).complete({**given, **moved})
 
 
