@@ -208,3 +208,28 @@ def test_a_question_mark_is_explained(language, words):
     assert any(text.endswith(f"; {words['undetermined']}") for text in written)
     determined = lettering(begun("crank_rocker").drawn_bodies(language))
     assert not any(words["undetermined"] in text for text in determined)
+
+
+LEVER = """
+param a = 8 in
+pivot O
+link OA
+OA = a @ 180 deg
+force P at A along -y
+torque M on OA
+find P
+let M = {moment}
+"""
+
+
+@pytest.mark.parametrize(
+    ("moment", "shown"),
+    [
+        ("120 lbf*in", {"P = 15\u2009lbf", "M = 120\u2009lbf·in"}),
+        ("10 ft*lbf", {"P = 15\u2009lbf", "M = 120\u2009lbf·in"}),
+        ("13.56 N*m", {"P = 66.7\u2009N", "M = 13.6\u2009N·m"}),
+    ],
+)
+def test_forces_are_in_the_unit_of_the_description(moment, shown):
+    compilation = Compilation(Source("lever.mech", LEVER.format(moment=moment)))
+    assert shown <= set(lettering(compilation.drawn_bodies("en")))

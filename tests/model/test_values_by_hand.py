@@ -4,13 +4,14 @@ import math
 
 import pytest
 
+from mechc.driver import Compilation
 from mechc.formula.rounding import Size
 from mechc.formula.tree import Symbol, number
 from mechc.frozen import replace
 from mechc.model.mechanism import Require
 from mechc.model.result import Result
-from mechc.model.values import Looked, of_sound_form, standing, valued
-from mechc.source import Span
+from mechc.model.values import Looked, of_sound_form, standing, usual_units, valued
+from mechc.source import Source, Span
 from mechc.units import NUMBER
 
 X = Symbol("x")
@@ -64,3 +65,17 @@ def test_what_is_zero_but_for_rounding_is_looked_at_in_the_form_for_elsewhere(va
 
 def test_without_another_form_zero_stays_zero():
     assert of_sound_form(ALONE, lambda r: Looked(r, 1e-17, Size(0.0))).number == 0
+
+
+@pytest.mark.parametrize(
+    ("given", "units"),
+    [
+        ("param F = 2 lbf\nparam a = 3 in", ("in", "lbf", "lbf*in")),
+        ("param M = 2 ft*lbf", ("m", "lbf", "ft*lbf")),
+        ("param F = 2 kN\nparam a = 3 mm", ("mm", "kN", "N*m")),
+        ("param M = 5 N*mm", ("m", "N", "N*mm")),
+    ],
+)
+def test_moments_have_the_unit_that_goes_with_forces_and_lengths(given, units):
+    asked = "pivot O\nlink OA\nOA = 1 m @ 0 deg\nforce P at A along y\ntorque T on OA\nfind P"
+    assert usual_units(Compilation(Source("m.mech", f"{given}\n{asked}")).mechanism) == units

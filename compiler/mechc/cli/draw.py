@@ -77,8 +77,9 @@ def command(
     picture goes to standard output as SVG. PNG and PDF need `pip install 'mechc[pdf]'`.
 
     With --bodies each link is drawn by itself, without friction and then with it, with the
-    forces on it to one scale: in newtons or kilonewtons, or in units of a load whose size
-    nothing gives. Of a mirrored mechanism one half is shown.
+    forces on it to one scale: in newtons or kilonewtons, in pounds where the description has
+    these, or in units of a load whose size nothing gives. Of a mirrored mechanism one half is
+    shown.
 
     With --plans the velocities go out from a pole p to the points a, b, c, with those relative
     to other points between them, and the forces on each body follow head to tail: in metres a

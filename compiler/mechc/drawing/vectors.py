@@ -8,6 +8,7 @@ from ..figure.tolerances import NO_SPEED
 from ..figure.velocities import Velocities
 from ..frozen import frozen
 from ..statics.diagram import Acting, Diagram, FreeBody
+from ..units import UNITS
 from .drawing import Run
 from .lettering import enumerated, lowered, measured, name, times
 
@@ -20,6 +21,9 @@ LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "F"}
 
 FIXED = {"ground": "ground", "branches": "other"}
 """What is no body of the mechanism, and the word that it is called by."""
+
+INCHES = ("in", "ft")
+"""Units of lengths in which arms of couples are given, too, with forces in pounds."""
 
 KILO, MEGA = 1e4, 1e7
 """From which largest force on they are in kilonewtons, and in meganewtons."""
@@ -112,28 +116,38 @@ class Forces:
     def unit(self) -> tuple[Run, ...]:
         """Return in what forces are measured: newtons or more, or the load that they are per."""
         if not self.diagram.per:
-            return (Run(self._newtons[0], unit=True),)
+            return (Run(self._unit[0], unit=True),)
         return (*name(self.diagram.per), *([Run("/m", unit=True)] if self._turning else []))
 
     @property
-    def _newtons(self) -> tuple[str, float]:
-        """Return the unit of forces in newtons, and its size."""
+    def _unit(self) -> tuple[str, float]:
+        """Return the unit of forces and its size: newtons or more, or that of the description."""
+        given = self.figure.units.force
+        if not given.endswith("N"):
+            return given, UNITS[given].size
         if self.largest < KILO:
             return "N", 1.0
         return ("kN", 1e3) if self.largest < MEGA else ("MN", 1e6)
 
     @property
+    def _arm(self) -> tuple[str, float]:
+        """Return the unit of the arms of couples and its size: metres, or inches or feet."""
+        given = self.figure.units.length
+        own = given if given in INCHES and not self._unit[0].endswith("N") else "m"
+        return own, UNITS[own].size
+
+    @property
     def measure(self) -> float:
         """Return the size of what forces are measured in."""
-        return 1.0 if self.diagram.per else self._newtons[1]
+        return 1.0 if self.diagram.per else self._unit[1]
 
     def size(self, acting: Acting) -> tuple[Run, ...]:
-        """Return how large a force is, in newtons or more, or in the load that it is per."""
-        return self._value(acting, math.hypot(*(acting.force or ())), "", -self._turning)
+        """Return how large a force is, in its unit, or in the load that it is per."""
+        return self._value(acting, math.hypot(*(acting.force or ())), None, -self._turning)
 
     def turning(self, acting: Acting) -> tuple[Run, ...]:
         """Return how large a couple is."""
-        return self._value(acting, abs(acting.moment), "·m", not self._turning)
+        return self._value(acting, abs(acting.moment), self._arm, not self._turning)
 
     @property
     def _turning(self) -> bool:
@@ -141,8 +155,10 @@ class Forces:
         parts = self.figure.parts
         return any(isinstance(p, Torque) and p.name == self.diagram.per for p in parts)
 
-    def _value(self, acting: Acting, size: float, by: str, metres: int) -> tuple[Run, ...]:
-        """Return a size in newtons, or that ``by`` a length, or in units of a load.
+    def _value(
+        self, acting: Acting, size: float, by: tuple[str, float] | None, metres: int
+    ) -> tuple[Run, ...]:
+        """Return a size in a unit of forces, or that ``by`` a length, or in units of a load.
 
         That load itself has none, nor has what depends on lengths that were chosen.
         The quotient of both is in so many ``metres``; an arm is given in millimetres.
@@ -150,13 +166,15 @@ class Forces:
         if acting.chosen or (acting.kind == "load" and acting.by == self.diagram.per):
             return ()
         if not self.diagram.per:
-            unit, newtons = self._newtons
-            return (*measured(size / newtons), Run(f"{unit}{by}", unit=True))
+            unit, newtons = self._unit
+            arm, length = by or ("", 1.0)
+            shown = f"{unit}·{arm}" if arm else unit
+            return (*measured(size / (newtons * length)), Run(shown, unit=True))
         if metres > 0:
-            arm, unit = (size, "m") if size >= 1.0 else (size * 1e3, "mm")
-            return (*measured(arm), Run(f"{unit}·", unit=True), *name(self.diagram.per))
-        number = measured(size, of_another=True)
-        return (*number, *name(self.diagram.per), *([Run("/m", unit=True)] if metres else []))
+            number, unit = (size, "m") if size >= 1.0 else (size * 1e3, "mm")
+            return (*measured(number), Run(f"{unit}·", unit=True), *name(self.diagram.per))
+        times_load = measured(size, of_another=True)
+        return (*times_load, *name(self.diagram.per), *([Run("/m", unit=True)] if metres else []))
 
 
 def _kind(acting: Acting) -> str:

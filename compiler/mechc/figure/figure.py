@@ -8,6 +8,7 @@ counter-clockwise from +x.
 from collections.abc import Mapping
 
 from ..frozen import frozen, replace
+from ..model.values import UsualUnits
 from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 
@@ -302,7 +303,8 @@ class Figure:
     ``values`` are those of the pose, in SI and radians: parameters, what loops give, and
     the lengths that were chosen, as nothing gives them. ``chosen`` names these, and the
     parameters without a value. ``copies`` is the number of branches about ``axis``.
-    ``size`` is the length of a usual vector, by which symbols can be scaled.
+    ``size`` is the length of a usual vector, by which symbols can be scaled; the ``units`` are
+    those of the description.
     """
 
     name: str
@@ -315,6 +317,7 @@ class Figure:
     size: float
     values: Mapping[str, float]
     chosen: tuple[str, ...]
+    units: UsualUnits
 
 
 def with_links_called(figure: Figure, texts: Mapping[str, str]) -> Figure:

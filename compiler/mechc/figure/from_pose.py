@@ -10,7 +10,15 @@ from ..frozen import fields, replace
 from ..model import mechanism as model
 from ..model.mechanism import Mechanism, Parameter
 from ..model.parts.repeated import primed
-from ..model.values import Chain, bounds, completed, defaults, dependent, independent
+from ..model.values import (
+    Chain,
+    bounds,
+    completed,
+    defaults,
+    dependent,
+    independent,
+    usual_units,
+)
 from ..pose.places import NOWHERE, Plane
 from ..pose.pose import Pose
 from . import figure as drawn
@@ -51,6 +59,7 @@ def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
         size=layout.size,
         values=values,
         chosen=(*chosen, *layout.lengths),
+        units=usual_units(pose.mechanism),
     )
 
 

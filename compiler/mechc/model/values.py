@@ -17,7 +17,7 @@ from ..formula.straight_line import OFTEN, Solution, StraightLine, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
 from ..named import NamedTuple
-from ..units import ANGLE, FORCE, LENGTH, TORQUE, Dimension, of_length, si_unit
+from ..units import ANGLE, FORCE, LENGTH, TORQUE, UNITS, Dimension, of_length, si_unit
 from .mechanism import Let, Mechanism, Parameter, Require
 from .result import Result
 
@@ -234,12 +234,22 @@ class UsualUnits(NamedTuple):
 
 
 def usual_units(mechanism: Mechanism) -> UsualUnits:
-    """Return the units in which a description gives quantities first, of the SI where in none."""
+    """Return the units in which a description gives quantities first, of the SI where in none.
+
+    Where moments alone are given, or forces alone, the others go with them: lbf with lbf·in.
+    """
     given: tuple[Parameter | Let, ...]
     given = (*mechanism.parameters, *mechanism.literals, *mechanism.lets)
     first = {quantity.dimension: quantity.unit for quantity in reversed(given) if quantity.unit}
     length, force, moment = map(first.get, (LENGTH, FORCE, TORQUE))
-    return UsualUnits(length or "m", force or "N", moment or "N*m")
+    in_moment = (unit for unit in (moment or "").split("*") if _measures(unit, FORCE))
+    force = force or next(in_moment, "N")
+    own = "N*m" if force.endswith("N") else f"{force}*{length}"
+    return UsualUnits(length or "m", force, moment or (own if _measures(own, TORQUE) else "N*m"))
+
+
+def _measures(unit: str, dimension: Dimension) -> bool:
+    return unit in UNITS and UNITS[unit].dimension == dimension
 
 
 def own_unit(name: str, mechanism: Mechanism) -> str:
