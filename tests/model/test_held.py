@@ -6,7 +6,7 @@ import pytest
 
 import mechc
 from mechc.cli.main import main
-from mechc.driver import Compilation
+from mechc.driver import Compilation, complete
 from mechc.report.languages.registry import LANGUAGES
 from mechc.report.text.derivation import render
 from mechc.source import Source
@@ -203,6 +203,17 @@ def test_drawn_links_are_held_where_they_are_drawn() -> None:
     first, last = (compilation.stroke(2).rows[i] for i in (0, -1))
     assert first.values[0] != pytest.approx(last.values[0])
     assert compilation.stroke(2).drive == "phi_QB"
+
+
+def test_a_link_of_a_held_drive_is_none_of_the_ground() -> None:
+    compilation = Compilation(Source("a.mech", FIVE_BAR))
+    complete(compilation)
+    assert "W262" not in {d.code for d in compilation.report.diagnostics}
+    fixed = FIVE_BAR.replace("link QB", "link QB\nlink OQ")
+    compilation = Compilation(Source("a.mech", fixed))
+    complete(compilation)
+    (message,) = (d.message for d in compilation.report.diagnostics if d.code == "W262")
+    assert "of link OQ" in message
 
 
 def test_the_derivation_says_which_drive_is_held(tmp_path) -> None:

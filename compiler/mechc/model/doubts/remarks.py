@@ -91,11 +91,16 @@ def _within(links: Sequence[Link]) -> Iterator[Diagnostic]:
 
 
 def _of_ground(mechanism: Mechanism) -> Iterator[Diagnostic]:
-    """Yield the links that two pivots hold, but for those of wheels, which may be on one axis."""
+    """Yield the links that two pivots hold, but for those of wheels, which may be on one axis.
+
+    A pivot that a held drive has put there is none of the description.
+    """
     wheels = {p for j in mechanism.joints if isinstance(j, WheelPair | Rack) for p in j.points}
+    drives = {drive.span for drive in mechanism.held}
+    fixed = mechanism.fixed - {p.point for p in mechanism.each(Pivot) if p.span in drives}
     for link in mechanism.links:
-        held = [point for point in link.points if point in mechanism.fixed - wheels]
-        if set(link.points) <= mechanism.fixed:
+        held = [point for point in link.points if point in fixed - wheels]
+        if set(link.points) <= fixed:
             yield messages.link_of_ground(link.span, link.name)
         elif len(held) > 1:
             yield messages.link_of_ground(link.span, link.name, held)
