@@ -12,7 +12,8 @@ from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import Link, Slider
+from ...model.entries import points_of
+from ...model.mechanism import Arrow, Link, Mechanism, Slider
 from ...model.standing import direction_matters
 from ...named import NamedTuple
 from ...pose.pose import Pose, Vector, evaluate_vector
@@ -34,18 +35,32 @@ class Lagging(NamedTuple):
 
 
 def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
-    """Return the links that do not follow the drive at its default, with W591 or W592 for each."""
+    """Return the links that do not follow the drive at its default, with W591 or W592.
+
+    Of links whose directions loops give and others, the others are the cause: they alone are named.
+    """
     mechanism = plan.graph.pose.mechanism
     if mechanism.drive is None:
         return ()
     found = [x for x in out_of_step(plan) if direction_matters(x.link, mechanism)]
     drive = mechanism.drive.parameter
-    for link, bent in found:
+    own = [x for x in found if x.bent or _is_given(x.link, mechanism)]
+    for link, bent in own or found:
         if bent:
             report.add(messages.link_bends(link.span, link.name, bent, drive))
         else:
             report.add(messages.direction_stays(link.span, link.name, drive))
     return tuple(lagging.link for lagging in found)
+
+
+def _is_given(link: Link, mechanism: Mechanism) -> bool:
+    """Return whether the description gives a direction in a link, by a vector or an angle."""
+    for entry in mechanism.geometry:
+        points = {*link.points} & {*points_of(entry)}
+        is_length = isinstance(entry, Arrow) and entry.direction is None
+        if len(points) > 1 and not is_length:
+            return True
+    return False
 
 
 def out_of_step(plan: Plan) -> tuple[Lagging, ...]:
