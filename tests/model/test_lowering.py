@@ -240,6 +240,26 @@ def test_a_load_off_the_pivot_of_a_drawn_link_that_is_driven():
     assert mechc.loads(DRAWN_AND_DRIVEN).evaluate()["M"] == pytest.approx(2000 * 0.25 * 0.2)
 
 
+@pytest.mark.parametrize("stretch", ["AB", "BA"])
+def test_a_stretch_between_points_on_one_ray_has_its_length(stretch):
+    """From 100 mm to 400 mm: two triangles, with their centroids at 200 mm and 300 mm."""
+    text = """
+    param a = 20 deg
+    pivot O
+    link OAB
+    OA = 100 mm @ a
+    OB = 400 mm @ a
+    load Q intensity 100 N/m to 300 N/m on {} along -y
+    torque M on OAB
+    find M
+    """
+    text = "\n".join(map(str.strip, text.splitlines())).format(stretch)
+    first, last = (100, 300) if stretch == "AB" else (300, 100)
+    ends = ((first, 0.2), (last, 0.3))  # arms of both triangles
+    moment = sum(q * 0.3 / 2 * arm for q, arm in ends) * math.cos(math.radians(20))
+    assert mechc.loads(text).evaluate()["M"] == pytest.approx(moment, rel=1e-12)
+
+
 @pytest.mark.parametrize("word", ["radius", "load", "intensity"])
 def test_new_words_are_still_names(word):
     text = f"param {word} = 30 mm\npivot O\nlink OA\nOA = {word} @ 20 deg\n"

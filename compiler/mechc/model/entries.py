@@ -5,6 +5,7 @@ from typing import assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
+from ..named import NamedTuple
 from .mechanism import (
     Absolute,
     Arrow,
@@ -48,6 +49,30 @@ def vector_between(ends: Collection[str], geometry: Iterable[Geometry]) -> Arrow
     """Return the vector that is given between two points, in whichever sense."""
     vectors = (g for g in geometry if isinstance(g, Arrow | Offset))
     return next((g for g in vectors if {g.tail, g.head} == set(ends)), None)
+
+
+class Ray(NamedTuple):
+    """Two points at two distances from a third one, in one direction."""
+
+    start: str
+    along: Absolute
+    near: Formula
+    far: Formula
+
+
+def ray_through(ends: tuple[str, str], geometry: Iterable[Geometry]) -> Ray | None:
+    """Return the ray that two points are on, as vectors of one written direction give it."""
+    arms: dict[tuple[str, Formula], dict[str, Formula]] = {}
+    for entry in geometry:
+        match entry:
+            case Arrow(start, head, length, Absolute(angle) as along) if length and head in ends:
+                arm = arms.setdefault((start, angle), {})
+                arm[head] = length
+                if len(arm) > 1:
+                    return Ray(start, along, arm[ends[0]], arm[ends[1]])
+            case _:
+                pass
+    return None
 
 
 def mentioned(entry: Geometry) -> frozenset[str]:

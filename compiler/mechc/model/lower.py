@@ -10,7 +10,7 @@ from ..diagnostics.model import joints as messages
 from ..diagnostics.model import lowering as words
 from ..formula.tree import negative, product, total
 from ..frozen import replace
-from .entries import drawn_places, unit_of_drawing, vector_between
+from .entries import drawn_places, ray_through, unit_of_drawing, vector_between
 from .mechanism import Along, ArcSlot, Arrow, Drawn, Force, Geometry, Link, Load, Mechanism, Spread
 from .names.scope import Scope
 
@@ -69,7 +69,10 @@ def _with_point(mechanism: Mechanism, load: Force) -> Mechanism:
 
 
 def _placed(mechanism: Mechanism, load: Force, spread: Spread) -> Mechanism:
-    """Return the mechanism with a place for a spread load: between drawn ends, or by a vector."""
+    """Return the mechanism with a place for a spread load: between drawn ends, or by a vector.
+
+    Ends on a ray from a third point have the place on that ray.
+    """
     tail, head, span = spread.tail, spread.head, load.span
     places = drawn_places(mechanism)
     if places.keys() >= {tail, head}:
@@ -80,6 +83,11 @@ def _placed(mechanism: Mechanism, load: Force, spread: Spread) -> Mechanism:
         drawn = Drawn(load.point, x, y, 0.0, unit_of_drawing(mechanism), span)
         return replace(mechanism, drawn=(*mechanism.drawn, drawn))
     arrow = Arrow(tail, load.point, spread.reach, Along(tail, head, 0, span), span)
+    ray = ray_through((tail, head), mechanism.geometry)
+    if ray and vector_between((tail, head), mechanism.geometry) is None:
+        way = total([ray.far, negative(ray.near)])
+        reach = total([ray.near, product([(spread.part, 1), (way, 1)])])
+        arrow = Arrow(ray.start, load.point, reach, ray.along, span)
     return replace(mechanism, geometry=(*mechanism.geometry, arrow))
 
 

@@ -34,8 +34,8 @@ def load_given_again(span: Span, load: str, first: Span) -> Message:
 
 
 @coded("E331")
-def known_load_asked_for(span: Span, load: str, is_weight: bool, first: Span) -> Message:
-    """A weight whose mass is given, or a spring, is asked for.
+def known_load_asked_for(span: Span, load: str, giver: str, first: Span) -> Message:
+    """A weight whose mass is given, a load of a given intensity, or a spring, is asked for.
 
     It has its value already; balance gives that of another load::
 
@@ -47,10 +47,9 @@ def known_load_asked_for(span: Span, load: str, is_weight: bool, first: Span) ->
     Where balance is to give a force, let it be one: `force W at G along -y`.
     """
     related = (Related(first, "its value comes from here"),)
-    what = "its mass gives it" if is_weight else "its spring gives it"
     hint = "ask for the load that balances it"
-    hint += f", or let it be a force: `force {load} at … along -y`" if is_weight else ""
-    return Message(span, f"'{load}' is asked for, and {what}", hint, related)
+    hint += f", or let it be a force: `force {load} at … along -y`" if giver != "spring" else ""
+    return Message(span, f"'{load}' is asked for, and its {giver} gives it", hint, related)
 
 
 @coded("E262")

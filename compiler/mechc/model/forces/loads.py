@@ -29,7 +29,7 @@ from ...source import Span
 from ...syntax import ast
 from ...units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension
 from ..constants import leaves, number_of, rational
-from ..entries import drawn_places, vector_between
+from ..entries import Ray, drawn_places, ray_through, vector_between
 from ..formulas.directions import check_sign, read_direction, value_of
 from ..formulas.expressions import Reader
 from ..formulas.measured import fits
@@ -163,6 +163,15 @@ def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
         case Offset(x=x, y=y):
             return Call("hypot", (x, y))
         case None:
+            return _collinear_length(tail, head, built)
+
+
+def _collinear_length(tail: str, head: str, built: Mechanism) -> Formula | None:
+    """Return the distance of two points on a line through a third one, where numbers give it."""
+    match ray_through((tail, head), built.geometry):
+        case Ray(near=Number(near), far=Number(far)) if near != far:
+            return Number(abs(far - near))
+        case _:
             return None
 
 
@@ -285,7 +294,8 @@ def _check_ties(loads: Sequence[Load], scope: Scope) -> None:
 def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> None:
     """Report loads that are tied, weights and springs that get a value by ``let`` as well.
 
-    A weight whose mass has a value, and a spring, are not asked for either.
+    A weight whose mass has a value, a spread load whose intensities have, and a spring are not
+    asked for either.
     """
     tied = {load.name: load for load in loads if load.tie}
     for let in every(file, ast.Let):
@@ -294,21 +304,26 @@ def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> No
             scope.report.add(messages.load_given_again(let.span, name, tied[name].span))
     for find in every(file, ast.Find):
         load = tied.get(find.target.name) if isinstance(find.target, ast.Symbol) else None
-        if load and _is_known(load, scope):
-            is_weight = not isinstance(load, ForcePair)
-            found = messages.known_load_asked_for(find.span, load.name, is_weight, load.span)
+        if load and (giver := _giver(load, scope)):
+            found = messages.known_load_asked_for(find.span, load.name, giver, load.span)
             scope.report.add(found)
 
 
-def _is_known(load: Load, scope: Scope) -> bool:
-    """Return whether a load is a spring, or a weight whose mass has a value."""
+def _giver(load: Load, scope: Scope) -> str:
+    """Return what gives a load its value: a spring, a mass or an intensity, '' for nothing."""
+
+    def has_value(formula: Formula) -> bool:
+        return value_of(formula, scope) is not None
+
     match load:
         case ForcePair(spring=True):
-            return True
-        case Force(weight=True, tie=tie) if tie is not None:
-            return value_of(tie, scope) is not None
+            return "spring"
+        case Force(weight=True, tie=tie) if tie is not None and has_value(tie):
+            return "mass"
+        case Force(spread=Spread(intensities=given)) if given and all(map(has_value, given)):
+            return "intensity"
         case _:
-            return False
+            return ""
 
 
 def _remark_on_weight_in_mass(file: ast.File, scope: Scope) -> None:
