@@ -179,7 +179,9 @@ def write_all(files: Mapping[Path, str | bytes]) -> None:
     contents = {str(path): _encoded(content) for path, content in files.items()}
     if failure := written.write_whole(contents):
         path, error = failure
-        raise MechcError([messages.file_unwritable(path, reason(error))])
+        folder = os.path.dirname(path)
+        lacking = folder if folder and not os.path.exists(folder) else ""
+        raise MechcError([messages.file_unwritable(path, reason(error), lacking)])
     for path, content in contents.items():
         witness.report("wrote", path, content)
 

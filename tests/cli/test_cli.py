@@ -254,6 +254,11 @@ def test_a_verbose_check_states_what_is_given_and_what_is_missing(
         (("zzz",), "`mechc --help` lists them"),
         (("show", "poses", "clamp.mech"), "did you mean 'pose'?"),
         (("compile", "clamp.mech", "--emit", "pyton"), "did you mean 'python'?"),
+        (("show", "clamp.mech", "pose"), "before the description: `mechc show pose clamp.mech`"),
+        (("plot", "clamp.mech", "-y", "k"), "Did you mean '--y'?"),
+        (("stroke", "clamp.mech", "-o", "k.csv"), "`mechc stroke … > FILE`"),
+        (("fmt", "clamp.mech", "-o", "k.mech"), "laid out in place"),
+        (("new", "arm", "-o", "k.mech"), "`mechc new arm` writes arm.mech"),
     ],
 )
 def test_a_mistyped_word_earns_the_nearest_one(

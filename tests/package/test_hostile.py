@@ -198,7 +198,8 @@ def test_files_that_cannot_be_read(clamp, capsys):
 
 def test_places_that_cannot_be_written(clamp, capsys):
     run = failing(capsys)
-    assert "E904" in run("compile", "m.mech", "-o", "nowhere/k.c")
+    assert "E904" in (said := run("compile", "m.mech", "-o", "nowhere/k.c"))
+    assert "make the folder 'nowhere' first" in said
     assert "E904" in run("compile", "m.mech", "--emit", "c", "-o", "m.mech/")
     assert "too long" in run("compile", "m.mech", "-o", f"{'x' * 300}.c")
     assert "E905" in run("new", "m.mech")

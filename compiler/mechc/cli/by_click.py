@@ -19,10 +19,17 @@ else:
     Choice = click.Choice  # not generic before click 8.2
 
 
+DESCRIBED = (".mech", ".yaml", ".yml")
+"""How the names of descriptions end."""
+
+
 def run(arguments: Sequence[str] | None) -> int:
     """Run one command and return its exit status; what is wrong is shown."""
     try:
         status = mechc.main(arguments, prog_name="mechc", standalone_mode=False)
+    except click.NoSuchOption as error:
+        _with_hint(error).show()
+        return error.exit_code
     except click.ClickException as error:
         error.show()
         return error.exit_code
@@ -43,6 +50,31 @@ def _in_click(error: UsageError, ctx: click.Context | None = None) -> click.Usag
     if not isinstance(error, BadParameter):
         return click.UsageError(str(error), ctx)
     return click.BadParameter(str(error), ctx, param_hint=error.where or None)
+
+
+def _with_hint(error: click.NoSuchOption) -> click.NoSuchOption:
+    """Return what click says of an unknown option, with what there is in its place."""
+    near = error.possibilities or _like(error)
+    message = error.message + _instead_of(error)
+    return click.NoSuchOption(error.option_name, message, near, error.ctx)
+
+
+def _like(error: click.NoSuchOption) -> list[str]:
+    """Return the long flag of a command that is a short one here: ``--y`` for ``-y``."""
+    params = error.ctx.command.params if error.ctx else []
+    return [flag for param in params for flag in param.opts if flag == f"-{error.option_name}"]
+
+
+def _instead_of(error: click.NoSuchOption) -> str:
+    """Return where the answer of a command goes that writes no file of a given name."""
+    if error.option_name not in ("-o", "--output") or not error.ctx:
+        return ""
+    name = error.ctx.info_name
+    if name == "new":
+        return " The file is called as the mechanism is: `mechc new arm` writes arm.mech."
+    if name == "fmt":
+        return " Files are laid out in place; with --to the result goes to standard output."
+    return f" The answer goes to standard output: `mechc {name} … > FILE`."
 
 
 # ------------------------------------------------------------------- commands of click
@@ -123,6 +155,8 @@ class _Word(Choice):
             hint = near_miss(value, map(str, self.choices))
             if value == "ua" and "uk" in self.choices:
                 hint = "Ukrainian is 'uk'"
+            if isinstance(param, click.Argument) and value.endswith(DESCRIBED):
+                hint = f"it stands before the description: `mechc show pose {value}`"
             raise click.BadParameter(f"{error.message.rstrip('.')}{hint and f'; {hint}'}") from None
 
 
@@ -157,8 +191,8 @@ def _completing(complete: Complete | None) -> Callable[..., list[CompletionItem]
 
 def _for_file(name: str) -> str:
     """Return the hint at a command that was left out before a description."""
-    described = name.endswith((".mech", ".yaml", ".yml"))
-    return f"a command comes first: `mechc check {name}`" if described else ""
+    is_description = name.endswith(DESCRIBED)
+    return f"a command comes first: `mechc check {name}`" if is_description else ""
 
 
 class LazyGroup(click.Group):

@@ -43,14 +43,15 @@ def file_not_text(name: str, offset: int) -> Message:
 
 
 @coded("E904")
-def file_unwritable(name: str, reason: str) -> Message:
+def file_unwritable(name: str, reason: str, lacking: str = "") -> Message:
     """An output file cannot be written.
 
     Its folder does not exist or may not be written to. Output files are written whole
     or not at all: when one of several cannot be written, none is, and files of an
     earlier run are left as they were.
     """
-    return Message(None, f"cannot write {name!r}: {reason}", "nothing was written")
+    hint = f"make the folder {lacking!r} first; " if lacking else ""
+    return Message(None, f"cannot write {name!r}: {reason}", f"{hint}nothing was written")
 
 
 @coded("E905")
