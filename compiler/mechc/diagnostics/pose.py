@@ -21,7 +21,13 @@ class AssemblyRange(NamedTuple):
 
 @coded("E301")
 def missing_direction(
-    at: Span, points: str, for_what: str, guided: str = "", near: str = ""
+    at: Span,
+    points: str,
+    for_what: str,
+    guided: str = "",
+    near: str = "",
+    rod: str = "",
+    fall_to: str = "",
 ) -> Message:
     """A direction is needed and nothing gives it.
 
@@ -39,15 +45,19 @@ def missing_direction(
         slider B along x             # wrong: on which line does B run?
         slider B along x through O   # right
 
+    A loop closes where all its lengths are given; one rod without its length opens it.
     The line of an actuator, a spring or a telescope follows where both ends have a place: that
     of a pivot is given by ``pivot C at (50 mm, 0 mm)``.
     """
     line = f"`{points} = @ 30 deg`"
-    place = f"say where the guide of {guided} lies, `slider {guided} along … through {near}`"
+    place = f"say where the guide of {guided} lies, `slider {guided} along … through {near}`, or "
+    length = f"give the length of {rod}, `{rod} = 100 mm`, for a loop to close, or "
+    fall = f"write it behind the point at which the fall ends, `{fall_to} along y`, or "
+    first = place if guided else length if rod else fall if fall_to else ""
     return Message(
         at,
         f"{for_what} needs the direction of {points}, and nothing gives it",
-        f"{place}, or add a line such as {line}" if guided else f"add a line such as {line}",
+        f"{first}add a line such as {line}",
     )
 
 

@@ -8,7 +8,7 @@ from .syntax import listed
 
 
 @coded("E501")
-def load_not_balanced(at: Span, load: str, by: str, held: str = "") -> Message:
+def load_not_balanced(at: Span, load: str, by: str, held: str = "", at_rest: str = "") -> Message:
     """A load does work and nothing is there to balance it.
 
     The force that was to hold it stands perpendicular to the motion of its point, or on a
@@ -29,7 +29,9 @@ def load_not_balanced(at: Span, load: str, by: str, held: str = "") -> Message:
     return Message(
         at,
         f"nothing balances {load}: {by} does no work in any motion of the mechanism",
-        f"check the direction of {by} and the point it acts on",
+        f"{at_rest}: put {by} where the mechanism moves, or correct what holds it"
+        if at_rest
+        else f"check the direction of {by} and the point it acts on",
     )
 
 
@@ -163,7 +165,7 @@ def loads_stand_still(at: Span) -> Message:
 
 
 @coded("W501")
-def load_does_no_work(at: Span, load: str, held: str = "") -> Message:
+def load_does_no_work(at: Span, load: str, held: str = "", at_rest: str = "") -> Message:
     """A load does no work in any motion: it stands on a fixed point or across the motion.
 
     Such a load changes reactions, not k. If that was not meant, check the point and the
@@ -176,7 +178,8 @@ def load_does_no_work(at: Span, load: str, held: str = "") -> Message:
             f"leave the drives out to find what {load} has to be, or put its drive first",
         )
     message = f"{load} does no work in any motion of the mechanism, so it has no influence"
-    return Message(at, message, "check its point and its direction, or leave it out")
+    check = f"{at_rest}: check where it acts" if at_rest else "check its point and its direction"
+    return Message(at, message, f"{check}, or leave it out")
 
 
 @coded("W502")

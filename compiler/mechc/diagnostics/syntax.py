@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 
 from ..source import Span
+from ..units import UNITS
 from .diagnostic import Message, Related, coded, near_miss
 
 
@@ -74,13 +75,23 @@ def unknown_unit(
         let s = 2 l              # wrong: l is a parameter
         let s = 2*l              # right
     """
-    product = f"a product is written with '*', as in 2*{unit}" if unit.isalnum() else ""
+    product = f"a product is written with '*', as in 2*{unit}" if _is_name(unit) else ""
     product = _OTHER_UNITS.get(unit, product)
     spaces = "a compound unit has no spaces, as in 2 m/s^2"
     usual = product or spaces if where else "name a unit such as mm, kN, MPa or cm^3"
     if not where and unit.lower() in ("l", "liter", "litre", "liters", "litres"):
         hint = "a litre is a dm^3"
     return Message(span, f"'{unit}'{where} is not a unit", hint or near_miss(unit, known) or usual)
+
+
+def _is_name(word: str) -> bool:
+    """Return whether a word is rather a name than a unit: ``sigma_T``, not ``kg_m``.
+
+    >>> [_is_name(word) for word in ("l", "sigma_T", "m/s", "mm^", "kg_m")]
+    [True, True, False, False, False]
+    """
+    parts = word.split("_")
+    return word.replace("_", "").isalnum() and (len(parts) == 1 or parts[0] not in UNITS)
 
 
 _OTHER_UNITS = {

@@ -13,6 +13,8 @@ from .samples import Values, is_behind
 from .vector_graph import mentioned
 from .vectors import Missing, Vectors
 
+FALL = "a fall of the rope"
+
 
 class Lines:
     """Directions as angles; one that nothing gives is reported, once for all that ask for it.
@@ -49,7 +51,10 @@ class Lines:
         vector = self._vectors.path(tail, head)
         if vector is None:
             if self._missing.add(tail, head):
-                message = messages.missing_direction(direction.span, f"{tail}{head}", for_what)
+                fall_to = head if for_what == FALL else ""
+                message = messages.missing_direction(
+                    direction.span, f"{tail}{head}", for_what, fall_to=fall_to
+                )
                 self._report.add(message)
         elif not vector or (len(vector) > 1 and self._vectors.is_open(vector)):
             self._report.add(messages.no_direction_of_its_own(direction.span, f"{tail}{head}"))
@@ -108,6 +113,6 @@ def slides(mechanism: Mechanism, lines: Lines) -> Mapping[str, Angle]:
 def falls(mechanism: Mechanism, lines: Lines) -> Mapping[str, tuple[Angle, ...]]:
     """Return the directions of the falls of every rope."""
     return {
-        rope.id: tuple(lines.of(way, "theta_rope", "a fall of the rope") for way in rope.ways)
+        rope.id: tuple(lines.of(way, "theta_rope", FALL) for way in rope.ways)
         for rope in mechanism.ropes
     }

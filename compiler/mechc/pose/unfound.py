@@ -9,7 +9,17 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from ..diagnostics import Diagnostic
 from ..diagnostics import open_loops as messages
 from ..diagnostics import pose as plain
-from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter, Pivot, Slider, Slot
+from ..model.mechanism import (
+    Along,
+    Arrow,
+    Link,
+    Mechanism,
+    Parameter,
+    Pivot,
+    Slider,
+    Slot,
+    Turn,
+)
 from ..model.values import bounds
 from ..source import Span
 from ..units import ANGLE, LENGTH, in_unit
@@ -46,7 +56,8 @@ def explained(
         tail, head, _ = sought[name]
         guided = _nearest_guide_without_line(mechanism, {tail, head})
         what, near = f"link {link.name}", _near(mechanism)
-        yield plain.missing_direction(link.span, f"{tail}{head}", what, guided, near)
+        rod = _without_length(mechanism)
+        yield plain.missing_direction(link.span, f"{tail}{head}", what, guided, near, rod)
 
 
 def unfound_angles(
@@ -143,6 +154,13 @@ def _nearest_guide_without_line(mechanism: Mechanism, ends: Collection[str]) -> 
         touching = (link.points for link in mechanism.links if not reached.isdisjoint(link.points))
         before, reached = reached, reached.union(*touching)
     return ""
+
+
+def _without_length(mechanism: Mechanism) -> str:
+    """Return the one rod of which a drive's description gives nothing, '' for none or several."""
+    given = {frozenset((g.tail, g.head)) for g in mechanism.geometry if not isinstance(g, Turn)}
+    rods = [k.name for k in mechanism.links if len(k.points) == 2 and {*k.points} not in given]
+    return rods[0] if mechanism.drive and len(rods) == 1 else ""
 
 
 def _near(mechanism: Mechanism) -> str:

@@ -9,7 +9,7 @@ from ..kinematics.graph import Kind
 from ..model.mechanism import LoadRatio, SpeedRatio, WithFriction
 from ..model.result import Result
 from .balance import Balance
-from .loads import held_drives
+from .loads import at_rest, held_drives
 from .problem import Problem
 
 
@@ -44,7 +44,9 @@ def warn_of_idle_loads(balance: Balance, results: Sequence[Result], report: Repo
     spans = {load.name: load.span for load in mechanism.loads}
     for name in balance.equations.idle_loads:
         if name not in seen:
-            report.add(messages.load_does_no_work(spans[name], name, held_drives(mechanism)))
+            rest = next(at_rest(k, mechanism) for k in mechanism.loads if k.name == name)
+            held = held_drives(mechanism)
+            report.add(messages.load_does_no_work(spans[name], name, held, rest))
 
 
 def _overcome(result: Result) -> Iterator[str]:

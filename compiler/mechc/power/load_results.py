@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from ..algebra.product import ZERO, Product
 from ..algebra.sums import canonical
+from ..diagnostics import Diagnostic
 from ..diagnostics import power as messages
 from ..formula.tree import Symbol, product, total
 from ..formula.walk import symbols
@@ -12,7 +13,7 @@ from ..model.mechanism import Find, LoadForm, LoadRatio
 from ..model.result import Definition, Result
 from .balance import Solved
 from .definitions import intermediates
-from .loads import held_drives
+from .loads import at_rest, held_drives
 from .loose import looseness
 from .problem import Problem
 
@@ -43,9 +44,7 @@ def _is_determined(problem: Problem, find: Find, asked: LoadRatio, unknown: list
     equations, report, (upper, *others) = problem.equations, problem.report, unknown
     above, below = asked.above, asked.below
     if upper not in equations.columns:
-        report.add(
-            messages.load_not_balanced(find.span, below, above, held_drives(problem.mechanism))
-        )
+        report.add(_not_balanced(problem, find, below, above))
         return False
     if len(unknown) < equations.number:
         _report_too_few(problem, find, unknown)
@@ -56,6 +55,13 @@ def _is_determined(problem: Problem, find: Find, asked: LoadRatio, unknown: list
         report.add(messages.ratio_not_determined(find.span, above, below, tied, weights))
         return False
     return True
+
+
+def _not_balanced(problem: Problem, find: Find, load: str, by: str) -> Diagnostic:
+    """Return E501: one load cannot balance another one, or the others."""
+    mechanism = problem.mechanism
+    rest = at_rest(problem.loads[by], mechanism) if by in problem.equations.idle_loads else ""
+    return messages.load_not_balanced(find.span, load, by, held_drives(mechanism), rest)
 
 
 def _report_too_few(problem: Problem, find: Find, unknown: list[str]) -> None:
@@ -84,11 +90,7 @@ def load_form(problem: Problem, find: Find, load: str) -> Solved | None:
         _report_too_few(problem, find, asked)
         return None
     if not equations.determines(unknown):
-        problem.report.add(
-            messages.load_not_balanced(
-                find.span, "the other loads", load, held_drives(problem.mechanism)
-            )
-        )
+        problem.report.add(_not_balanced(problem, find, "the other loads", load))
         return None
     known = [n for n in equations.columns if n not in unknown]
     values = {n: equations.solve(load, unknown, n) for n in known}

@@ -88,6 +88,20 @@ def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
             return links[link]
 
 
+def at_rest(load: Load, mechanism: Mechanism) -> str:
+    """Return what keeps a load from work by not moving, '' where its direction may.
+
+    A couple without work acts on a link that does not turn.
+    """
+    match load:
+        case Torque(link=link):
+            return f"link {link} does not turn"
+        case Force(point=point) if point in mechanism.fixed:
+            return f"{point} stands still"
+        case _:
+            return ""
+
+
 def held_drives(mechanism: Mechanism) -> str:
     """Return the drives that are held, as a message names them; '' where there are none."""
     return ", ".join("".join(d.ends) if d.ends else d.parameter for d in mechanism.held)

@@ -133,7 +133,30 @@ def unit_alone(unit: str) -> str:
     ("a unit stands behind its number: '12 1/min'", "a unit stands behind its number: '1 rev'")
     """
     shown = f"12 1/{unit}" if f"1/{unit}" in UNITS else f"1 {unit}"
-    return f"a unit stands behind its number: '{shown}'"
+    hint = f"a unit stands behind its number: '{shown}'"
+    return f"declare it, 'param psi = …'; {hint}" if unit == "psi" else hint
+
+
+def for_a_turn(before: str, name: str) -> str:
+    """Return the hint at a pitch that is written as one for a turn, '' for other names.
+
+    >>> for_a_turn("screw A pitch 6 mm/", "rev"), for_a_turn("let n = v/", "rev")
+    ('a pitch is the length for one turn: pitch 6 mm', '')
+    """
+    pitch = re.search(r"(pitch:? [\d.]+ ?[A-Za-z]+)/$", before)
+    return f"a pitch is the length for one turn: {pitch[1]}" if pitch and name == "rev" else ""
+
+
+def thread_by_name(before: str, name: str) -> str:
+    """Return the hint at a metric thread that stands for its diameter, '' for other names.
+
+    >>> thread_by_name("friction screw A 0.1 thread ", "M20"), thread_by_name("let M = ", "M20")
+    ("a thread has its mean diameter there, somewhat less than the 20 mm of M20", '')
+    """
+    size = re.fullmatch(r"M([1-9]\d*)", name)
+    if not size or not before.endswith("thread "):
+        return ""
+    return f"a thread has its mean diameter there, somewhat less than the {size[1]} mm of {name}"
 
 
 def meant(name: str) -> str:
@@ -316,6 +339,21 @@ def list_of_values(span: Span, name: str, kind: str) -> Message:
     """
     message = f"{kind} '{name}' has a list of values, expected one"
     return Message(span, message, f"write {name}: … without brackets, or two names")
+
+
+def asked_for_a_value(kind: str, name: str) -> str:
+    """Return the hint at a table or list that stands for a value of it, '' for other kinds.
+
+    >>> asked_for_a_value("table", "impact"), asked_for_a_value("load", "P")
+    ("its value stands behind 'at', in a let of its own: let q = impact at …", '')
+    """
+    match kind:
+        case "table":
+            return f"its value stands behind 'at', in a let of its own: let q = {name} at …"
+        case "list":
+            return f"a size of it is asked for in a let of its own: let D = next … in {name}"
+        case _:
+            return ""
 
 
 @coded("E207")

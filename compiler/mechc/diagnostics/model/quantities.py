@@ -72,11 +72,18 @@ EXCHANGED = "the length stands before '@', the direction behind it; else look fo
 MEANT_FOR: Mapping[tuple[Dimension, str], str] = {
     (ANGLE, "the length"): EXCHANGED,
     (LENGTH, "the direction"): EXCHANGED,
+    (LENGTH, "a direction"): "a direction is an angle, x, -x, y, -y, or that of a vector, AB",
+    (LENGTH, "a coefficient of friction"): (
+        "the coefficient stands before the size: friction pins 0.1 diameter 10 mm"
+    ),
+    (FORCE, "an intensity"): (
+        "an intensity is a force on a length, 100 N/m; a load at one point is a force"
+    ),
     (ANGLE, "the place"): "a place is two lengths; a length and a direction are written a @ alpha",
     (ANGLE, "a coefficient of friction"): (
         "the coefficient for an angle of friction is its tangent: tan(6 deg)"
     ),
-    (ACCELERATION, "the direction"): (
+    (ACCELERATION, "a direction"): (
         "gravity has a direction, -y; its size is a parameter: g = 9.81 m/s^2"
     ),
 }

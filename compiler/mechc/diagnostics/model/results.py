@@ -65,6 +65,12 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
     if force := re.fullmatch(r"R([A-Z][\d']*)|F_?((?:[A-Z][\d']*){2})", name):
         asked = f"R_{force[1]}" if force[1] else f"N_{force[2]}"
         return Message(span, message, f"a force at a joint is asked for by 'find {asked}'")
+    if spring := re.fullmatch(r"S_((?:[A-Z][\d']*){2})", name):
+        hint = f"S_{spring[1]} is the force of a spring; along a rod it is 'find N_{spring[1]}'"
+        return Message(span, message, hint)
+    if name.lower() in ("omega", "w", "v"):
+        hint = "a velocity is that of a point, V_A, or of a link, omega_OA"
+        return Message(span, message, hint)
     if name.lower() in ("eta", "efficiency"):
         return Message(span, message, WITH_FRICTION)
     return Message(span, message, offered(name, loads, "loads"))

@@ -20,7 +20,9 @@ QUARTERS = {("x", 1): 0, ("y", 1): 90, ("x", -1): 180, ("y", -1): -90}
 """The axes as angles in degrees, by their name and sign."""
 
 
-def read_direction(direction: ast.Direction, scope: Scope) -> Direction | None:
+def read_direction(
+    direction: ast.Direction, scope: Scope, what: str = "a direction"
+) -> Direction | None:
     """Return a direction; a point that one is aimed by counts as used."""
     match direction:
         case ast.Axis(axis, sign, span):
@@ -30,7 +32,7 @@ def read_direction(direction: ast.Direction, scope: Scope) -> Direction | None:
             quarter = (1 if perp else 0) + (2 if sign < 0 else 0)
             return Along(ends[0], ends[1], quarter, span) if ends else None
         case _:
-            angle = Reader(scope, DESCRIPTION).wanted(direction, ANGLE, "the direction")
+            angle = Reader(scope, DESCRIPTION).wanted(direction, ANGLE, what)
             check_reach(angle, ANGLE, direction.span, scope)
             return Absolute(angle, direction.span) if angle else None
 

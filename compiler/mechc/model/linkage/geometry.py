@@ -59,7 +59,8 @@ def _vector(statement: ast.Vector, ends: Ends, scope: Scope) -> Geometry | None:
 
 def _arrow(polar: ast.Polar, ends: Ends, statement: ast.Vector, scope: Scope) -> Arrow | None:
     length = _length(polar.length, statement, scope) if polar.length else None
-    direction = read_direction(polar.direction, scope) if polar.direction else None
+    towards = polar.direction
+    direction = read_direction(towards, scope, "the direction") if towards else None
     if (polar.length and not length) or (polar.direction and not direction):
         return None
     return Arrow(*ends, length, direction, statement.span)

@@ -226,6 +226,7 @@ class Scope:
             yield messages.point_as_quantity(name)
         if name == "radius":
             yield messages.NEGATIVE_RADIUS
+        yield messages.for_a_turn(before, name)
         if len(name) > 1 and name in PARTS:
             yield messages.unit_alone(name)
         if small in ("inf", "infinity", "nan"):
@@ -234,6 +235,7 @@ class Scope:
             yield messages.vector_as_quantity(name, usage.posed)
         yield messages.rest_of_unit(before, name)
         yield messages.power_of_unit(name)
+        yield messages.thread_by_name(before, name)
         if form_of_pose(raised):
             yield messages.points_in_small(name, raised)
         if use:
@@ -268,6 +270,7 @@ class Scope:
             kind = f"a {entry.kind}" if entry.plain else "a formula of loads or results"
             is_found = entry.kind == "result" or entry.solved
             hint = messages.FORCES_CHECKED if usage is CONDITION and is_found else ""
+            hint = hint or messages.asked_for_a_value(entry.kind, symbol.name)
             self.report.add(
                 messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted, hint)
             )

@@ -18,7 +18,16 @@ from ..vocabulary import (
 from .grammar import keywords, spelling
 from .lalr import Token, span_of
 from .lines import OPERAND_ENDS
-from .usual_slips import ASKED, CHOICES, COORDINATES, DIRECTIONS, LINKED, SCALARS, STATED
+from .usual_slips import (
+    ASKED,
+    CHOICES,
+    COORDINATES,
+    DIRECTIONS,
+    FRICTION_OF,
+    LINKED,
+    SCALARS,
+    STATED,
+)
 from .written import WRITTEN, example, whole_example, words_behind
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
@@ -67,6 +76,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or _of_speed(line, position)
         or _of_perpendicular(line, position)
         or _of_slide(line, position)
+        or _of_friction(line, position)
         or STATED.get((line[0].type, str(token)), "")
         or _of_radius(line, position)
         or _of_name(line, position)
@@ -97,7 +107,7 @@ def unfinished(line: Sequence[Token], allowed: set[str]) -> str:
     if ".." in {spelling().get(name) for name in allowed}:
         return RANGE
     is_text = bool(line) and line[0].type in OF_TEXTS and allowed == {"STRING"}
-    return whole_example(line) if is_text else example(line, allowed)
+    return whole_example(line) if is_text or words_behind(line) else example(line, allowed)
 
 
 def of_asking(line: Sequence[Token], position: int, allowed: set[str]) -> str:
@@ -161,6 +171,13 @@ def _of_slide(line: Sequence[Token], position: int) -> str:
     return f"a slide is named by its first point: friction slider {points[0]} {rest}"
 
 
+def _of_friction(line: Sequence[Token], position: int) -> str:
+    """Return a hint at a friction by another word, as ``guide`` for that of a slider."""
+    meant = FRICTION_OF.get(str(line[position]), "")
+    is_kind = line[0].type == "FRICTION" and position == 1 and meant
+    return f"it is written: {WRITTEN[f'friction {meant}']}" if is_kind else ""
+
+
 def _of_two_units(line: Sequence[Token], position: int) -> str:
     """Return a hint at a quantity in two units, ``5 ft 3 in`` or ``50 deg 30 min``."""
     pair = line[max(position - 1, 0) : position + 1]
@@ -202,6 +219,9 @@ def _of_text(line: Sequence[Token], position: int) -> str:
     if is_title and token.type == "NAME" and line[-1].type == "STRING":
         words = [word for word in line[1:] if word.type == "NAME"]
         return f"a name is one word: {'_'.join(words)}"
+    if is_title and all(word.type == "NAME" and word.islower() for word in line[1:]):
+        example = WRITTEN[str(line[0])]
+        return f"a name is one word, {'_'.join(line[1:])}, and a title has quotes: {example}"
     if token.type == "NAME" and (is_title or before in ("as", "source")):
         rest = " ".join(map(str, line[position:]))
         return f'a text stands in double quotes: {before} "{rest}"'
@@ -246,6 +266,8 @@ def _of_list(line: Sequence[Token], position: int) -> str:
     first, before, token = line[0], line[position - 1], line[position]
     if first.type == "LINK" and points_of(token) and not points_of(before):
         return f'what a link is called stands behind its points: link {token} "{before}"'
+    if first.type == "LINK" and position == 2 and token.islower() and token.type == "NAME":
+        return f'what a link is called stands in double quotes: link {before} "{token}"'
     if first.type in ("LINK", "TELESCOPE") and token.type in ("MINUS", "NAME"):
         return f"the points of a {first} are written together, as in {first} OB"
     if first.type == "REPORT" and token.type == "NAME" and before.type == "NAME":

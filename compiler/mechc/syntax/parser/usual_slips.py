@@ -28,6 +28,9 @@ _ALL_HOLD = (
 )
 
 
+_INNER = "gears of which one runs inside the other: gear O1 20 mm, O2 60 mm inner"
+
+
 DIRECTIONS = "a direction is an angle, x, -x, y, -y, or that of a vector, AB"
 
 
@@ -48,6 +51,8 @@ STATED = {
     ("ROPE", "along"): "a rope begins at a point, and each further one has the direction of the "
     "fall that ends there: rope A, K along -y, H along y",
     ("ROPE", "-"): "a ',' stands between the points of a rope: rope A, K along -y, H along y",
+    ("GEAR", "inside"): _INNER,
+    ("GEAR", "internal"): _INNER,
     ("GEAR", "="): "a radius stands behind its pivot: gear O1 20 mm, O2 30 mm",
     ("BELT", "="): "a radius stands behind its pivot: belt O1 20 mm, O2 30 mm",
     ("ACTUATOR", "in"): _ENDS,
@@ -64,6 +69,9 @@ STATED = {
     ("GRAVITY", "9.81 m/s^2"): _GRAVITY,
     ("GRAVITY", "9.81"): _GRAVITY,
     ("FIND", "in"): "a result is shown in a unit by a formula of its own: let N = N_AB in kN",
+    ("FIND", "at"): "a result at other values is an expect, expect k = 0.35 at alpha = 10 deg, or "
+    "comes by -D alpha=10deg behind the command",
+    ("FRICTION", "overhang"): "it is written: friction slider K 0.1 guide 60 mm overhang 40 mm",
     ("REPORT", ":"): "what a report holds stands without a colon: report scheme, k",
     ("FIND", "efficiency"): WITH_FRICTION,
     ("DRIVE", "on"): _MOVES,
@@ -83,6 +91,30 @@ STATED = {
     ("EXPECT", "and"): "a ',' stands between values: at alpha = 10 deg, l = 200 mm",
 }
 """What is said otherwise in a statement, by its word and what does not fit in it."""
+
+
+FRICTION_OF = {
+    "guide": "slider",
+    "slide": "slider",
+    "pivot": "pin",
+    "bearing": "pin",
+    "joint": "pin",
+    "hinge": "pin",
+    "link": "pin",
+    "wheel": "roller",
+    "slot": "contact",
+    "cam": "contact",
+    "wedge": "contact",
+    "chain": "belt",
+    "pulley": "rope",
+    "drum": "rope",
+    "band": "rope",
+    "thread": "screw",
+    "nut": "screw",
+    "thrust": "collar",
+    "brake": "collar",
+}
+"""The word of a friction by what it is also called; an example of it is in ``WRITTEN``."""
 
 
 CHOICES = {
