@@ -53,7 +53,7 @@ def _in_click(error: UsageError, ctx: click.Context | None = None) -> click.Usag
 
 
 def _with_hint(error: click.NoSuchOption) -> click.NoSuchOption:
-    """Return what click says of an unknown option, with what there is in its place."""
+    """Return the refusal of an unknown option, with the hint at the one there is."""
     near = error.possibilities or _like(error)
     message = error.message + _instead_of(error)
     return click.NoSuchOption(error.option_name, message, near, error.ctx)
@@ -66,7 +66,7 @@ def _like(error: click.NoSuchOption) -> list[str]:
 
 
 def _instead_of(error: click.NoSuchOption) -> str:
-    """Return where the answer of a command goes that writes no file of a given name."""
+    """Return the hint at the place of the answer, for a command without an `-o`."""
     if error.option_name not in ("-o", "--output") or not error.ctx:
         return ""
     name = error.ctx.info_name

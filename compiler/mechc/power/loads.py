@@ -89,7 +89,7 @@ def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
 
 
 def at_rest(load: Load, mechanism: Mechanism) -> str:
-    """Return what keeps a load from work by not moving, '' where its direction may.
+    """Return the reason that a load does no work, '' where it may be the direction of a force.
 
     A couple without work acts on a link that does not turn.
     """

@@ -310,7 +310,7 @@ def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> No
 
 
 def _giver(load: Load, scope: Scope) -> str:
-    """Return what gives a load its value: a spring, a mass or an intensity, '' for nothing."""
+    """Return the giver of a load's value: a spring, a mass or an intensity, '' for none."""
 
     def has_value(formula: Formula) -> bool:
         return value_of(formula, scope) is not None
