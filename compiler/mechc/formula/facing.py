@@ -342,7 +342,7 @@ def _turned(factor: Formula, at: Evaluation | None = None) -> Formula | None:
             turned = _turned(base, at)
             return Power(turned, exponent) if turned else None
         case Sum(terms):
-            return _sum_turned(terms, at) if at else None
+            return None if at is None else _sum_turned(terms, at)
         case _ if difference := _difference(factor):
             if at is None or _is_behind(difference, at):
                 return Call("sin", (_negated(difference),))

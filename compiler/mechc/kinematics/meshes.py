@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from itertools import pairwise
 from typing import assert_never
 
-from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI
@@ -40,7 +39,7 @@ def lead(feed: Rack | Screw, pose: Pose) -> Product:
 
 def travel(feed: Rack | Screw, pose: Pose, velocities: Mapping[str, Velocity], turn: Form) -> Form:
     """Return V of the point along its guide, less ω · lead, less that of what it is seen from."""
-    along = pose.guide_of(feed.point) or Angle()
+    along = pose.moved_along(feed.point)
     ahead = subtract(projection(velocities[feed.point], along), scaled(turn, lead(feed, pose)))
     base = velocities[feed.base] if feed.base else ()
     return subtract(ahead, projection(base, along))

@@ -227,7 +227,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
 
 
 def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> str:
-    """Say how what is said of the ratio that a result is the inverse of is to be read."""
+    """Return the sentence on a result that is the inverse of a ratio, of which all was said."""
     other = _spelled(Symbol(result.inverse_of), spell)
     trends = ((n, trend) for n, trend in (result.trends or {}).items() if _is_news([n], result))
     moves = (trend in ("rises", "falls") for _, trend in trends)
