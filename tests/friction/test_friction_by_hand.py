@@ -11,9 +11,9 @@ from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
-from mechc.formula.tree import Call, Symbol, number, product
+from mechc.formula.tree import Call, Symbol, negative, number, product, total
 from mechc.friction import pairs
-from mechc.friction.closed_form import readable
+from mechc.friction.closed_form import conditions, readable
 from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives
 from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
@@ -348,6 +348,15 @@ def test_a_sign_is_that_of_the_odd_factors():
     a, b = Product.symbol("a"), Product.symbol("b")
     assert bare(Product(-3) * a * a * b**-1) == -b
     assert is_root(root(Product.symbol("a")))
+
+
+def test_a_sum_that_must_be_negative_is_turned_unless_it_has_no_minus():
+    """Not −a − ρ > 0 for a + ρ < 0."""
+    a, rho = Symbol("a"), Symbol("rho")
+    signs = one_pose()
+    signs.conditions = {total([a, negative(rho)]): -1, total([a, rho]): -1}
+    shown = [(text(left), operator) for left, operator in conditions(signs)]
+    assert sorted(shown) == [("a + rho", "<"), ("rho - a", ">")]
 
 
 def test_at_one_pose_a_sign_is_a_number_with_its_condition():

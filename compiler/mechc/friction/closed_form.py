@@ -142,8 +142,11 @@ def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
 
 
 def _condition(value: Formula, sign: int) -> tuple[Formula, Operator]:
-    """Return that a value has a sign; a sum of which it is negative is turned to be positive."""
-    if sign < 0 and isinstance(value, tree.Sum):
+    """Return that a value has a sign; a sum of which it is negative is turned to be positive.
+
+    One that would have minuses only stays as it is.
+    """
+    if sign < 0 and isinstance(value, tree.Sum) and any(map(has_minus, value.terms)):
         return total(sorted(map(negative, value.terms), key=has_minus)), ">"
     operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
     return value, operators[sign]
