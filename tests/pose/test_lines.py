@@ -98,6 +98,14 @@ def test_where_the_value_lies_beyond_the_range_nothing_rests_on_the_range():
     assert mechc.loads(beyond).evaluate() == mechc.loads(whole).evaluate()
 
 
+def test_where_the_stroke_goes_beyond_the_range_nothing_rests_on_the_range():
+    """No pose of the stroke was looked at below 10 degrees, as if a condition were broken."""
+    bar = f"{ACROSS.format(range=' in 60 deg .. 150 deg')}drive alpha from -50 deg to 100 deg\n"
+    rows = mechc.loads(bar).stroke(2).rows
+    expected = [1 / (0.1 * math.cos(math.radians(a - 10) / 2)) for a in (-50, 100)]
+    assert [row.values[0] for row in rows] == pytest.approx([expected[0], -expected[1]])
+
+
 JACK = """
 param alpha = 30 deg{range}
 param a = 150 mm

@@ -4,6 +4,7 @@ from typing import get_args
 
 import pytest
 
+import mechc
 from good_mechanisms import loaded
 from mechc.report.languages.registry import locale
 from mechc.report.text.stroke import ENDS, KINDS, to_table
@@ -35,6 +36,23 @@ def test_a_stroke_in_ukrainian_has_its_units_and_decimal_commas():
     assert "-53,3333333" in first
     assert "k = 0 при phi = 24,1468 град: мертве положення" in table
     assert "." not in table.replace(". Нулі", "").replace("пропущені.", "")
+
+
+def test_where_a_condition_begins_at_zero_it_is_zero():
+    """It was found between the least numbers: below phi = 2.81617e-322 deg."""
+    lever = """
+param phi = 40 deg
+pivot O
+link OA
+OA = 100 mm @ phi
+torque M on OA
+force F at A along x
+require phi > 0 deg
+drive phi from -60 deg to 60 deg
+find k = M/F
+"""
+    table = to_table(mechc.loads(lever).stroke(3))
+    assert "\nbelow phi = 0 deg: excluded by a condition of use\n" in table
 
 
 def test_efficiencies_and_jams_in_russian():

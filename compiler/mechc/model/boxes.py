@@ -1,9 +1,11 @@
 """Boxes of values: over what ranges parameters may be moved together."""
 
 import math
+from collections.abc import Iterable
 
 from ..algebra.intervals import LEAST, Box, Interval, widened
 from ..formula.evaluate import evaluate
+from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..units import ANGLE
@@ -31,7 +33,8 @@ NEGATIVE = Interval(-POSITIVE.high, -POSITIVE.low)
 
 def allowed_box(mechanism: Mechanism) -> Box:
     """Return the box of all values that parameters may take, beyond the default pose."""
-    box = {p.name: _allowed(p) for p in mechanism.parameters if _is_known(p)}
+    known = filter(_is_known, mechanism.parameters)
+    box = {p.name: _allowed(p, _stroke_of(p, mechanism)) for p in known}
     return {name: interval for name, interval in box.items() if interval is not None}
 
 
@@ -56,22 +59,27 @@ def _stroke(mechanism: Mechanism) -> Box:
     return {drive.parameter: widened(*stroke)} if stroke else {}
 
 
-def _allowed(parameter: Parameter) -> Interval | None:
+def _stroke_of(parameter: Parameter, mechanism: Mechanism) -> tuple[Formula | None, ...]:
+    """Return the ends of the stroke of the drive's parameter, as far as there are any."""
+    drive = mechanism.drive
+    return (drive.low, drive.high) if drive and drive.parameter == parameter.name else ()
+
+
+def _allowed(parameter: Parameter, stroke: Iterable[Formula | None] = ()) -> Interval | None:
     """Return the range of a parameter; without one, lengths and the like keep their sign.
 
-    A value from outside that lies beyond the range is allowed, with all between.
+    A value from outside and a stroke that go beyond the range are allowed, with all between.
     """
     if parameter.range is not None or is_constant(parameter):
-        return _with_values(_range(parameter), parameter)
+        return _with_values(_range(parameter), (parameter.value, parameter.outside, *stroke))
     if parameter.dimension == ANGLE:
         return None
     value = 1.0 if parameter.value is None else evaluate(parameter.value, {})
     return POSITIVE if value > 0 else NEGATIVE if value < 0 else None
 
 
-def _with_values(interval: Interval | None, parameter: Parameter) -> Interval | None:
-    given = (v for v in (parameter.value, parameter.outside) if v is not None and not symbols(v))
-    values = [evaluate(value, {}) for value in given]
+def _with_values(interval: Interval | None, given: Iterable[Formula | None]) -> Interval | None:
+    values = [evaluate(value, {}) for value in given if value is not None and not symbols(value)]
     if interval is None or not values:
         return interval
     return widened(min(interval.low, *values), max(interval.high, *values))

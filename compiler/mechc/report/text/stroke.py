@@ -23,7 +23,7 @@ from ...study.stroke.stroke import (
     StrokeInterval,
     ZeroInterval,
 )
-from ...study.tolerances import EXACT
+from ...study.tolerances import EXACT, NEARLY
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
 from ..columns import legend, repeated
 from ..languages.letters import letters
@@ -198,6 +198,8 @@ def _value(x: float, shown: Written, digits: int = 9) -> str:
 
 
 def _at(x: float, shown: Written, digits: int = FIGURES) -> str:
+    """Return the drive and its value; what is nearer to zero than values are found is zero."""
+    x = x if abs(x) > NEARLY * abs(shown.stroke.high - shown.stroke.low) else 0.0
     unit = unit_of(shown.stroke.dimension, shown.stroke.unit)
     return f"{shown.stroke.drive} = {shown.number(in_unit(x, unit, digits))}"
 
