@@ -290,3 +290,33 @@ def test_points_on_one_line_but_for_the_last_digit_make_no_angle():
     found = compiled(text)
     names = {p.name for p in found.mechanism.parameters}
     assert not any(name.startswith("delta_") for name in names)
+
+
+CLAW = """
+param y = 30 mm
+pivot O at (0 mm, 0 mm)
+pivot Q at (50 mm, 0 mm)
+slider K along y{through}
+link KB
+link QBC
+{place}
+KB = 40 mm
+QB = 35 mm
+QC = 80 mm
+angle BQC = -100 deg
+assembly KQB cw
+drive y from 20 mm to 45 mm
+force P at K along y
+force F at C along perp QC
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize("through", ["", " through O"])
+def test_a_drive_moves_a_slider_whose_guide_has_a_place(through):
+    """Its drawn place says how it moves, as a vector along the guide does."""
+    drawn = mechc.loads(CLAW.format(through=through, place="K at (0 mm, y)"))
+    given = mechc.loads(CLAW.format(through=" through O", place="OK = y @ 90 deg"))
+    for y in (0.022, 0.03, 0.042):
+        k = given.evaluate(y=y)["k"]
+        assert drawn.evaluate(y=y)["k"] == pytest.approx(k, rel=1e-12)

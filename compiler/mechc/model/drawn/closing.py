@@ -64,7 +64,7 @@ def _driven(mechanism: Mechanism) -> dict[str, Formula]:
 def _moved(
     mechanism: Mechanism, driven: Collection[str], sketch: Sketch
 ) -> Iterator[Arrow | Offset]:
-    """Yield the entries by which the drive moves points: arms of links, sliders."""
+    """Yield the entries by which the drive moves points: arms of links, sliders on any guide."""
     for link in mechanism.links:
         for hub, point in sketch.arms(link.points):
             found = sketch.polar(hub, point)
@@ -73,7 +73,7 @@ def _moved(
                 yield Arrow(hub, point, sketch.length(hub, point), direction, sketch.span(point))
     for slider in mechanism.each(Slider):
         place = sketch.places.get(slider.point)
-        if place and not slider.through and not place.symbols.isdisjoint(driven):
+        if place and not place.symbols.isdisjoint(driven):
             yield Offset("", slider.point, place.x, place.y, place.span)
 
 
