@@ -70,6 +70,20 @@ def place_far_off(span: Span, point: str) -> Message:
     return Message(span, message, "are the units of its coordinates right?")
 
 
+@coded("W275")
+def friction_far_off(span: Span, what: str) -> Message:
+    """Friction is so large that a length in its line hardly has the right unit.
+
+    The friction circle of a pin, of radius f·d/2, is larger than every length of the mechanism;
+    or a guide resists with over ten times its normal force, as its pin is so far from its middle.
+
+        friction pins 0.1 diameter 10 m                          # warned of
+        friction pins 0.1 diameter 10 mm                         # right
+        friction slider K 0.1 guide 80 mm overhang 60 m          # warned of
+    """
+    return Message(span, what, "are the units of its lengths right?")
+
+
 @coded("W298")
 def spring_far_off(span: Span, points: str, times: float) -> Message:
     """A spring is drawn more than ten times as long, or as short, as it is without force.

@@ -14,7 +14,7 @@ from ...source import Span
 from ...units import ANGLE, LENGTH
 from ..entries import body_through, directions
 from ..mechanism import Absolute, Arrow, ForcePair, Mechanism, Offset, Parameter
-from ..parts.friction import RopeFriction
+from ..parts.friction import GuideFriction, JointFriction, PinFriction, RopeFriction
 from ..tolerances import SAME_VALUE
 from ..values import Chain, Values, defaults
 
@@ -165,6 +165,7 @@ def far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
         *_far_parameters(mechanism, values),
         *_far_vectors(mechanism, values),
         *_strange_springs(mechanism, values),
+        *_strange_frictions(mechanism, values),
     )
     yield from found[:1]
 
@@ -223,6 +224,38 @@ def _lengths(entry: object) -> tuple[Formula, ...]:
             return (x, y)
         case _:
             return ()
+
+
+MOST = 10.0
+"""How many times its normal force a guide resists with at most: of one that jams it is below 5."""
+
+
+def _strange_frictions(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
+    """Yield the pins whose friction circle is larger than the mechanism, and guides like that.
+
+    Of pins that one line gives it is seen that they overlap.
+    """
+    lines = Counter(joint.span for joint in mechanism.friction.joints)
+    lengths = [abs(values[p.name]) for p in _given(mechanism, values)]
+    longest = max([*lengths, *(size for size, _ in _plain(mechanism))], default=math.inf)
+    for joint in mechanism.friction.joints:
+        what = _too_much(joint, longest, values) if lines[joint.span] == 1 else ""
+        if what:
+            yield messages.friction_far_off(joint.span, what)
+
+
+def _too_much(joint: JointFriction, longest: float, values: Values) -> str:
+    """Return a doubt about the size of a friction in words, '' for none."""
+    match joint:
+        case PinFriction(point, _, factor) | GuideFriction(point, factor):
+            size = evaluate(factor, values) if symbols(factor) <= values.keys() else 0.0
+        case _:
+            return ""
+    if isinstance(joint, GuideFriction):
+        resists = f"the guide of {point} resists with {size:.4g} times its normal force"
+        return resists if size > MOST else ""
+    circle = f"the friction circle of {point} has a radius of {size * 1e3:.4g} mm"
+    return f"{circle}, more than every length of the mechanism" if size > longest else ""
 
 
 def _is_far(size: float, others: Sequence[float]) -> bool:
