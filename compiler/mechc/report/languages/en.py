@@ -194,8 +194,8 @@ LOCALE = Locale(
         "slot": "Likewise the pin {first} slides in {rest}: their velocities across the slot "
         "are equal.",
         "contact": "Likewise {first} and {rest} have equal velocities along their common normal.",
-        "rack": "Likewise the rack {rest} moves with the gear on {first}.",
-        "screw": "Likewise the screw moves {rest}.",
+        "rack": "Likewise the rack {rest} moves with the pitch circle of the gear on {first}.",
+        "screw": "Likewise the screw moves {rest} by its lead in each turn.",
         "translation": "Likewise the link {first} translates: the velocities of {rest} are equal.",
         "component_of_translation": "Likewise the velocity of {point} is that of {second}, here "
         "its component in the direction of the load {last}.",
