@@ -341,6 +341,8 @@ def not_a_name(span: Span, text: str, expected: str) -> Message:
     hint = f"write {meant}" if meant[:1].isalpha() else begin
     if "/" in text:
         hint = f"the name stands before the formula, as in k: {text}"
+    if pair := re.fullmatch(r"(\w+) ?= ?([^=]+)", text):
+        hint = f"in YAML a colon stands for '=': {pair[1]}: {pair[2]}"
     if ".." in text:
         hint = f"a colon stands behind the name: {{{text.replace(' ', ': ', 1)}}}"
     return Message(span, f"found '{text}', expected {expected}", hint)

@@ -194,8 +194,10 @@ def pulley_of_rope(span: Span, point: str, times: int, axles: Sequence[str]) -> 
     if times:
         message = f"ropes run over pulleys on {point} {times} times, expected once"
         return Message(span, message, "give one of them an axle of another name at the same place")
-    named = listed(dict.fromkeys(f"'friction rope {axle} …'" for axle in axles))
-    hint = f"write {named}" if axles else "add 'rope …'"
+    hint = f"lead a rope over it, from a point to another: rope A, {point} along y, H along -y"
+    if axles:
+        named = listed(dict.fromkeys(f"'friction rope {axle} …'" for axle in axles))
+        hint = f"write {named}"
     return Message(span, f"no rope runs over a pulley on {point}", hint)
 
 

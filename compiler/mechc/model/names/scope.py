@@ -268,7 +268,7 @@ class Scope:
         too_late = (usage.plain and not entry.plain) or (entry.solved and not usage.solved)
         if entry.kind not in usage.kinds or too_late:
             kind = f"a {entry.kind}" if entry.plain else "a formula of loads or results"
-            is_found = entry.kind == "result" or entry.solved
+            is_found = entry.kind in ("load", "result") or entry.solved
             hint = messages.FORCES_CHECKED if usage is CONDITION and is_found else ""
             hint = hint or messages.asked_for_a_value(entry.kind, symbol.name)
             self.report.add(

@@ -31,6 +31,9 @@ _ALL_HOLD = (
 _INNER = "gears of which one runs inside the other: gear O1 20 mm, O2 60 mm inner"
 
 
+_ABOUT = "a circular slot is about its centre: slot B in OAC about C radius 30 mm"
+
+
 DIRECTIONS = "a direction is an angle, x, -x, y, -y, or that of a vector, AB"
 
 
@@ -53,6 +56,9 @@ STATED = {
     ("ROPE", "-"): "a ',' stands between the points of a rope: rope A, K along -y, H along y",
     ("GEAR", "inside"): _INNER,
     ("GEAR", "internal"): _INNER,
+    ("GEAR", "fixed"): "a wheel that stands still is on ground: gear O 40 mm on ground, A 20 mm",
+    ("SLOT", "around"): _ABOUT,
+    ("SLOT", "round"): _ABOUT,
     ("GEAR", "="): "a radius stands behind its pivot: gear O1 20 mm, O2 30 mm",
     ("BELT", "="): "a radius stands behind its pivot: belt O1 20 mm, O2 30 mm",
     ("ACTUATOR", "in"): _ENDS,
