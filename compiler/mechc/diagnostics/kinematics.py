@@ -78,6 +78,25 @@ def too_many_motions(at: Span, motions: int, limit: int) -> Message:
     )
 
 
+@coded("E404")
+def loose_end_of_telescope(at: Span, telescope: str, point: str) -> Message:
+    """A load acts on an end of a telescope that is on nothing else.
+
+    Nothing says how that end moves, so that its velocity cannot be asked for either. That of
+    a cylinder is on a pivot or on a link::
+
+        telescope CB
+        actuator P between C and B
+        C at (300 mm, 0 mm)           # wrong: a place alone holds nothing
+        pivot C at (300 mm, 0 mm)     # right
+    """
+    return Message(
+        at,
+        f"{point} is an end of telescope {telescope} alone, expected a pivot, slider or link there",
+        f"hold it, `pivot {point} at (0 mm, 0 mm)`, or name the link that carries it",
+    )
+
+
 @coded("W401")
 def redundant_constraint(at: Span, what: str) -> Message:
     """A constraint follows from the others, so it may be left out.

@@ -67,7 +67,7 @@ def _side_gap(known: Vector, moving: list[Arm], values: dict[str, float]) -> tup
     """
     x, y = evaluate_vector(known, values)
     theta = moving[0].angle.evaluate(values)
-    longest = max(abs(arm.length.evaluate(values)) for arm in known)
+    longest = max((abs(arm.length.evaluate(values)) for arm in known), default=0.0)
     return longest, y * math.cos(theta) - x * math.sin(theta)
 
 
