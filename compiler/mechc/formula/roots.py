@@ -118,6 +118,9 @@ def jumps(function: Function, grid: Sequence[float]) -> list[Jump]:
 
     >>> [round(j.x, 9) for j in jumps(lambda x: 1.0 if x < 0.3 else 2.0, [0.0, 0.25, 0.5])]
     [0.3]
+    >>> steep = lambda x: 0.02 / (x - 0.24) if x < 0.3 else -0.3
+    >>> [round(j.x, 9) for j in jumps(steep, [0.0, 0.1, 0.25, 0.5])]
+    [0.3]
     """
     values = [function(x) for x in grid]
     steps = [abs(v - u) for u, v in pairwise(values)]
@@ -137,11 +140,16 @@ def jumps(function: Function, grid: Sequence[float]) -> list[Jump]:
 
 
 def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
-    """Return a jump between two points: what is between is on the side that it is more like."""
+    """Return a jump between two points: what is between is on the side that it is more like.
+
+    Where the sign changes that is the side of its sign: beside a pole values fall from far above.
+    """
     before, after = function(a), function(b)
+    turns = before * after < 0
     while b - a > NARROW * range_ and (middle := (a + b) / 2) not in (a, b):
         value = function(middle)
-        if abs(value - before) < abs(value - after):
+        is_nearer = abs(value - before) < abs(value - after)
+        if value * before > 0 if turns else is_nearer:
             a, before = middle, value
         else:
             b, after = middle, value
