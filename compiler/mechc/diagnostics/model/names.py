@@ -151,7 +151,7 @@ def thread_by_name(before: str, name: str) -> str:
     """Return the hint at a metric thread that stands for its diameter, '' for other names.
 
     >>> thread_by_name("friction screw A 0.1 thread ", "M20"), thread_by_name("let M = ", "M20")
-    ("a thread has its mean diameter there, somewhat less than the 20 mm of M20", '')
+    ('a thread has its mean diameter there, somewhat less than the 20 mm of M20', '')
     """
     size = re.fullmatch(r"M([1-9]\d*)", name)
     if not size or not before.endswith("thread "):
