@@ -43,6 +43,14 @@ def test_check_speaks_three_languages(run: Run) -> None:
     assert set(re.findall(r"[a-z]{4,}", said)) <= names
 
 
+def test_check_has_the_texts_of_quantities_as_they_are_translated(run: Run) -> None:
+    said = {"en": "pressure in the cylinder", "uk": "тиск у циліндрі", "ru": "давление в цилиндре"}
+    for language, text in said.items():
+        for options in ([], ["-v"]):
+            out = run("check", "--lang", language, *options, "karpenko_fig9_packet_clamp")
+            assert f"  p = delta*k*F  # {text}\n" in out
+
+
 def test_every_language_of_reports_can_be_asked_for() -> None:
     assert tuple(registry.LANGUAGES) == LANGUAGES
 

@@ -131,7 +131,7 @@ def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
         return
     known = letters(compilation.mechanism, compilation.results)
     before: Analysis | None = None
-    for result, entry in zip(compilation.results, _entries(compilation), strict=True):
+    for result, entry in zip(compilation.results, _entries(compilation, spell), strict=True):
         yield from _of_result(entry, before, known, spell)
         before = result
         remarks = friction_remarks(result, spell.locale, spell)
@@ -150,7 +150,7 @@ class _Entry(NamedTuple):
     looked_up: Sequence[Parameter]
 
 
-def _entries(compilation: Compilation) -> Iterator[_Entry]:
+def _entries(compilation: Compilation, spell: Speller) -> Iterator[_Entry]:
     """Yield the entries of all results."""
     mechanism, results = compilation.mechanism, compilation.results
     earlier, own = Shown(), own_lines(mechanism, results)
@@ -163,12 +163,12 @@ def _entries(compilation: Compilation) -> Iterator[_Entry]:
         literals = [*earlier.new_literals(formulas, mechanism)]
         shown = in_short(result, results)
         written = own.get(result.name)
-        formula = _in_language(written) if written else text_in_degrees(shown.formula)
+        formula = _in_language(written, spell) if written else text_in_degrees(shown.formula)
         yield _Entry(shown, formula, scale_of(result, mechanism), where, literals, read_up)
 
 
-def _in_language(line: NoteLine) -> str:
-    """Return a user-defined formula as the language has it, and its text."""
+def _in_language(line: NoteLine, spell: Speller) -> str:
+    """Return a user-defined formula as a description has it, and its text as readers have it."""
     assert line.formula
     inner = text(line.formula)
     match line.kind:
@@ -180,7 +180,7 @@ def _in_language(line: NoteLine) -> str:
             said = f"next {inner} in {line.of}"
         case "":
             said = inner
-    return f"{said}  # {line.label}" if line.label else said
+    return f"{said}  # {spell.text(line.label)}" if line.label else said
 
 
 def _is_given(result: Analysis) -> bool:
