@@ -67,6 +67,45 @@ def test_a_result_rises_on_either_side_of_a_pole_and_not_across():
     assert trend(below**-1, below**-2, "x", box(0.1, 0.9)) == "rises"
 
 
+@pytest.mark.parametrize(
+    ("low", "high", "expected"),
+    [
+        (0, 60, "falls"),
+        (0, 180, "falls"),
+        (-180, 0, "rises"),
+        (0, 181, "unknown"),
+        (-1, 60, "turns"),
+    ],
+)
+def test_a_cosine_moves_one_way_over_a_range_at_whose_end_its_derivative_is_zero(
+    low, high, expected
+):
+    angle = Angle.of("x")
+    ranges = box(math.radians(low), math.radians(high))
+    assert trend(cosine(angle), -sine(angle), "x", ranges) == expected
+
+
+def test_a_derivative_that_is_zero_for_one_value_of_another_parameter_says_nothing():
+    """x sin a does not move with x where a is zero; cos(a + x) does, but at one end."""
+    ranges = {"x": Interval(0.0, 1.0), "a": Interval(0.0, 1.0)}
+    both = Angle.of("a") + Angle.of("x")
+    still = sine(Angle.of("a"))
+    assert trend(x * still, still, "x", ranges) == "unknown"
+    assert trend(cosine(both), -sine(both), "x", ranges) == "falls"
+    given = {"x": Interval(0.0, 0.0), "a": Interval(0.0, 1.0)}
+    assert trend(cosine(both), -sine(both), "x", given) == "unknown"
+
+
+def test_a_result_falls_from_a_pole_at_the_end_of_a_range():
+    """The tangent has its poles at both ends, cot 2x falls on either side of the one within."""
+    angle, twice = Angle.of("x"), Angle.of("x") * 2
+    tangent, upright = sine(angle) * cosine(angle) ** -1, cosine(angle) ** -2
+    cot, slope = cosine(twice) * sine(twice) ** -1, -Product(2) * sine(twice) ** -2
+    assert trend(tangent, upright, "x", box(-math.pi / 2, math.pi / 2)) == "rises"
+    assert trend(cot, slope, "x", box(0.0, 0.7)) == "falls"
+    assert trend(cot, slope, "x", box(0.0, 2.0)) == "falls between poles"
+
+
 # ------------------------------------------------------------------------------ ranges
 
 

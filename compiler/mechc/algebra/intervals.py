@@ -92,6 +92,25 @@ def angle_bounds(angle: Angle, box: Box) -> Interval:
     return result
 
 
+def spans_no_zero(factor: Trig, box: Box) -> bool:
+    """Return whether a sine or cosine is zero at most where its angle has its bounds in a box.
+
+    >>> alpha = Angle.of("alpha")
+    >>> quarter, more = ({"alpha": Interval(0.0, high)} for high in (math.pi / 2, 2.0))
+    >>> [spans_no_zero(Trig(name, alpha), quarter) for name in ("sin", "cos")]
+    [True, True]
+    >>> [spans_no_zero(Trig(name, alpha), more) for name in ("sin", "cos")]
+    [True, False]
+    """
+    low, high = angle_bounds(factor.angle, box)
+    if not math.isfinite(high - low):
+        return False
+    if factor.function == "cos":
+        low, high = _quarter(low, high)
+    half_turns = math.floor((low + SAME_ANGLE) / math.pi)
+    return high <= (half_turns + 1) * math.pi + SAME_ANGLE
+
+
 def _quarter(low: float, high: float) -> Interval:
     return widened(low + math.pi / 2, high + math.pi / 2)
 

@@ -7,7 +7,8 @@ value, and a length without a value is anything positive.
 import math
 from collections.abc import Iterator
 
-from ..algebra.intervals import Box, Interval, sign, widened
+from ..algebra.factors import Trig
+from ..algebra.intervals import Box, Interval, sign, spans_no_zero, widened
 from ..algebra.product import Product, Sum
 from ..formula.walk import symbols
 from .analysis import Trend
@@ -25,20 +26,22 @@ def trend(value: Product, slope: Product, name: str, box: Box) -> Trend:
     """Return how a result moves with a parameter, from its derivative by it.
 
     Where the derivative keeps its sign a result still jumps from one infinity to the other
-    at a pole: it rises on either side, not across.
+    at a pole: it rises on either side, not across. At an end of the range the derivative may
+    be zero, or the result infinite: it rises from there, or up to there.
     """
     if not slope:
         return "constant"
     ends = {sign(slope, _corner(box, name, end)) for end in (0, 1)}
     if ends == {1, -1}:
         return "turns"
-    if ends not in ({1}, {-1}) or not _keeps_sign(slope, box):
+    way = (ends - {None} or {sign(slope, _corner(box))}).pop()
+    if way is None or not _keeps_sign(slope, name, box):
         return "unknown"
     divisors = [d for d in _divisors(value) if name in symbols(d.formula())]
-    if all(is_free_of_zeros(d, box) for d in divisors):
-        return "rises" if ends == {1} else "falls"
+    if all(_is_free_inside(d, name, box) for d in divisors):
+        return "rises" if way == 1 else "falls"
     if any(_changes_sign(d, name, box) for d in divisors):
-        return "rises between poles" if ends == {1} else "falls between poles"
+        return "rises between poles" if way == 1 else "falls between poles"
     return "unknown"
 
 
@@ -62,8 +65,11 @@ def _changes_sign(divisor: Product, name: str, box: Box) -> bool:
     return {1, -1} <= signs
 
 
-def _corner(box: Box, name: str, end: int) -> Box:
-    """Return one end of a parameter's range, the others standing in the middle of theirs."""
+def _corner(box: Box, name: str = "", end: int = 0) -> Box:
+    """Return one end of a parameter's range, the others standing in the middle of theirs.
+
+    Without a parameter all of them do.
+    """
     middles = {n: (low + high) / 2 for n, (low, high) in box.items() if math.isfinite(high)}
     at = {n: middles.get(n, 1.0) for n in box}
     if name in middles:
@@ -71,9 +77,25 @@ def _corner(box: Box, name: str, end: int) -> Box:
     return {n: widened(x, x) for n, x in at.items()}
 
 
-def _keeps_sign(slope: Product, box: Box) -> bool:
-    """Return whether no factor that could change sign does so in the box."""
-    return all(is_free_of_zeros(Product(1, {f: 1}), box) for f, e in slope.factors.items() if e % 2)
+def _keeps_sign(slope: Product, name: str, box: Box) -> bool:
+    """Return whether no factor that could change sign does so along a parameter in the box."""
+    odd = (Product(1, {f: 1}) for f, e in slope.factors.items() if e % 2)
+    return all(_is_free_inside(factor, name, box) for factor in odd)
+
+
+def _is_free_inside(factor: Product, name: str, box: Box) -> bool:
+    """Return whether a factor is proved to have no zero but at the ends of a parameter's range.
+
+    A sine whose angle moves with the parameter, and stays within a half turn from zero to zero,
+    has none, wherever the others stand.
+    """
+    if is_free_of_zeros(factor, box):
+        return True
+    low, high = box.get(name, (0.0, 0.0))
+    return high - low > NARROW_RANGE and all(
+        isinstance(f, Trig) and name in f.angle.names and spans_no_zero(f, box)
+        for f in factor.factors
+    )
 
 
 def is_free_of_zeros(factor: Product, box: Box) -> bool:
