@@ -312,6 +312,43 @@ def test_check_states_the_condition(tmp_path, capsys):
     assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 for 5.19 deg" in out
 
 
+CAM = """
+param delta = 85 deg in 80 deg .. 89 deg
+param rho = 2 deg
+pivot O
+slide KW along y
+link OAB
+contact A on KW normal 180 deg - delta
+OA = 70 mm @ 90 deg
+OB = 90 mm @ 90 deg
+force P at K along y
+force N at B along 0 deg
+friction contact A tan(rho)
+find n = N/P
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "driving", "held"),
+    [
+        ("en", "No force P can move the mechanism", "Self-locking: P alone cannot move"),
+        ("uk", "Жодна сила P не може зрушити механізм", "Самогальмування: сила P сама не може"),
+        ("ru", "Никакая сила P не может сдвинуть механизм", "Самоторможение: сила P одна не"),
+    ],
+)
+def test_no_self_locking_is_said_of_the_load_that_is_said_to_drive(
+    language, driving, held, tmp_path, capsys
+):
+    """P drives in the motion that is asked for, and elsewhere that which N holds back."""
+    command = ("check", "--lang", language)
+    out = stated(CAM + "motion releasing", tmp_path, capsys, *command)
+    assert driving in out
+    assert held not in out
+    out = stated(CAM, tmp_path, capsys, *command)
+    assert held in out
+    assert driving not in out
+
+
 def test_check_states_what_is_locked_as_given(tmp_path, capsys):
     out = stated(WEDGE, tmp_path, capsys, "check")
     assert "Self-locking: F alone cannot move the mechanism at the values given." in out

@@ -289,6 +289,7 @@ LOCALE = Locale(
     },
     states={
         "locked": "Self-locking: {load} alone cannot move the mechanism",
+        "locked, driving": "No force {load} can move the mechanism",
         "jammed": "Jammed: no force {drive} can move the mechanism",
     },
     all_loads="the load",

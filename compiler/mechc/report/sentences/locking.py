@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number, Symbol, degrees, number, total
+from ...model.parts.targets import drives_from_below
 from ...study.analysis import Analysis, Extent
 from ...study.intervals import (
     Bound,
@@ -41,7 +42,7 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
     if result.fails_here:
         yield locale.fails_here
     if result.locking:
-        yield from _locking(result.locking, locale, spell)
+        yield from _locking(result, result.locking, locale, spell)
     for efficiency in result.efficiency_ranges:
         yield _efficiency_range(result, efficiency, locale, spell)
     if any(
@@ -55,14 +56,17 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
         yield locale.sampled
 
 
-def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
+def _locking(result: Analysis, locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
+    """Yield where nothing moves: no self-locking is said of a load that is said to drive."""
     drive = spell.relation((Symbol(locking.drive),), (), False)
     load = spell.relation((Symbol(locking.load),), (), False) if locking.load else locale.all_loads
     loads = [locking.load] if locking.load else []
     of_drive, of_load = (LoadWords(n, spell.couples) for n in ([locking.drive], loads))
+    is_by_other = drives_from_below(result.target, result.name, result.driven)
+    locked = "locked, driving" if is_by_other else "locked"
     said = {
         s: template.format(drive=drive, load=load, of_drive=of_drive, of_load=of_load)
-        for s, template in locale.states.items()
+        for s, template in (("locked", locale.states[locked]), ("jammed", locale.states["jammed"]))
     }
     if locking.state and locking.state != "free" and not _holds_throughout(locking):
         yield f"{said[locking.state]} {locale.as_given}."
