@@ -28,13 +28,35 @@ def test_a_four_bar_is_one_triangle_and_its_vertices_state_the_assembly():
 @pytest.mark.parametrize(
     ("name", "kinds"),
     [
-        ("whitworth", ["aligned", "guide"]),
+        ("whitworth", ["aligned", "inclination"]),
         ("jansen_leg", ["triangle"] * 5),
         ("triad_closed", ["system"]),
     ],
 )
 def test_each_loop_is_of_its_kind(name, kinds):
     assert [step.kind for step in steps(name)] == kinds
+
+
+SLIDER = """
+param r = 50 mm
+param phi = 40 deg
+pivot O at (0 mm, 0 mm)
+link OA
+link AB
+OA = r @ phi
+AB = 3*r
+slider B along x through O
+assembly B forward
+drive phi
+torque M on OA
+force F at B along -x
+find k = M/F
+"""
+
+
+def test_a_place_on_a_guide_that_nothing_needs_is_not_spoken_of():
+    (step,) = Compilation(Source("m.mech", SLIDER)).derivation.position
+    assert (step.kind, [d.name for d in step.definitions]) == ("inclination", ["beta_AB"])
 
 
 def test_congruent_triangles_are_solved_once():

@@ -67,7 +67,7 @@ class Rule(StrEnum):
     """The same from the projections of the velocity on two lines."""
 
 
-PositionKind = Literal[LoopKind, "length", "congruent", "sum"]
+PositionKind = Literal[LoopKind, "inclination", "length", "congruent", "sum"]
 """How a loop is solved, or gives one ``length``, that it is a triangle ``congruent`` to an earlier
 one, or that a vector is the ``sum`` of others."""
 

@@ -110,18 +110,27 @@ def _kind(loop: SolvedLoop, found: Sequence[Definition]) -> PositionKind:
     """Return how a loop is solved: by equal lengths where none of its laws was needed.
 
     One that is like an earlier one is not solved again. Lengths may be equal by their numbers
-    alone, as in a parallelogram of four numbers.
+    alone, as in a parallelogram of four numbers. Where nothing needs the place on a guide, the
+    direction is all that is found.
     """
     if loop.like:
         return "congruent"
-    parts = (part for definition in found for part in walk(definition.formula))
-    is_solved = any(
-        isinstance(part, Implicit)
-        or (isinstance(part, Call) and part.function in _SOLVED)
-        or (isinstance(part, Power) and part.exponent == HALF)
-        for part in parts
-    )
-    return loop.kind if is_solved or loop.kind not in ("triangle", "guide", "slot") else "equal"
+    is_solved = [any(map(_solves, walk(definition.formula))) for definition in found]
+    if loop.kind in ("triangle", "guide", "slot") and not any(is_solved):
+        return "equal"
+    return "inclination" if loop.kind == "guide" and all(is_solved) else loop.kind
+
+
+def _solves(part: Formula) -> bool:
+    match part:
+        case Implicit():
+            return True
+        case Call(function=function):
+            return function in _SOLVED
+        case Power(exponent=exponent):
+            return exponent == HALF
+        case _:
+            return False
 
 
 def _of_sums(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator[PositionStep]:

@@ -109,6 +109,8 @@ LOCALE = Locale(
         "the law of cosines gives its angles.",
         "guide": "Loop {loop}: its projections across the guide and along it give a direction and"
         " the place on the guide.",
+        "inclination": "Loop {loop}: its projection across the guide gives the direction of the "
+        "link.",
         "slot": "Loop {loop}: its projections across the line of the slot and along it give the "
         "direction of that line and the place on it.",
         "aligned": "Loop {loop}: the line of the slot has the direction of the vector between its"
