@@ -158,7 +158,7 @@ def test_a_long_power_equation_is_broken() -> None:
 @pytest.mark.parametrize("name", ["double_butterfly", "jansen_leg", "triad_closed"])
 def test_a_name_made_up_for_a_sum_is_defined_once(name: str) -> None:
     text = loaded(name).emit("latex").split(r"\section*{Numerical values}")[0]
-    made = re.findall(r"([YZ]_\d|[YZ]_\{\d+\})&?=", text)
+    made = re.findall(r"([YZ]_\d|[YZ]_\{\d+\})&?=(?!0\$)", text)
     assert made
     assert len(made) == len(set(made))
     assert set(made) == set(re.findall(r"(?<![A-Za-z{])[YZ]_(?:\d|\{\d+\})", text))

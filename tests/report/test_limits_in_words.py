@@ -12,7 +12,7 @@ from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.frozen import replace
 from mechc.report.sentences.extents import extent_remarks
-from mechc.report.sentences.limits import passed_by
+from mechc.report.sentences.limits import limits, passed_by
 from mechc.report.sentences.remarks import remarks
 from mechc.report.text.derivation import render
 from mechc.report.text.speller import speller
@@ -40,6 +40,26 @@ def test_places_are_listed_instead_of_a_long_condition():
     lines = said("jansen_leg")
     assert not any("vanishes when" in line for line in lines)
     assert any("k is 0 at φ = 2.386°, φ = 34.24°" in line for line in lines)
+
+
+def test_a_long_condition_stands_beside_a_short_one_that_does_not_hold_at_the_places():
+    """At all four places it is the sum, and |sin(φ_BD − φ_QD)| is at least 0.96."""
+    (line,) = (each for each in said("double_butterfly") if "vanishes when" in each)
+    assert "when sin(φ_BD − φ_QD) = 0 or AF · sin(φ − φ_EG) · sin(φ_AF − φ_CF) + AG" in line
+    found = good_mechanisms.compiled("double_butterfly")
+    spell = speller(found.reported.results, found.mechanism, True, "en")
+    (k,) = found.reported.results
+    (extent,) = k.extents
+    without = replace(k, extents=(replace(extent, zeros=()),))
+    (line,) = limits(replace(without, poles=()), "k", spell.locale, spell)
+    assert line.startswith("k vanishes when sin(φ_BD − φ_QD) = 0 (dead centre")
+    assert line.endswith("; sampling finds none for 0° ≤ φ ≤ 360° and the values given.")
+
+
+@pytest.mark.parametrize(("language", "word"), [("en", "or"), ("ru", "или"), ("uk", "або")])
+def test_a_condition_has_the_name_that_its_sum_has_on_the_page(language, word):
+    text = mechc.load("double_butterfly").emit("latex", language=language)
+    assert rf"$\sin(\varphi_{{BD}}-\varphi_{{QD}})=0$ {word} $Z_2=0$" in text
 
 
 def test_what_is_neither_zero_nor_infinite_is_stated_once():

@@ -262,7 +262,7 @@ class Speller(NamedTuple):
             return r"0^\circ"
         if isinstance(side, Number) and not angle and (figures := exact_decimal(side.value)):
             return figures.replace(".", self.style.decimal)
-        return latex(side, self.style, angle)
+        return latex(self.style.made.sums.get(side, side), self.style, angle)
 
     def number(self, value: float) -> str:
         """Return a number that was computed."""

@@ -17,11 +17,8 @@ LONG = 8
 
 def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield when a result vanishes, then when it becomes infinite; like conditions together."""
-    for template, found, passed in (
-        (locale.zero, result.zeros, passed_by(result, "zeros")),
-        (locale.pole, result.poles, passed_by(result, "poles")),
-    ):
-        listed = [v for v in found if not _is_shown_by_places(v, result.extents)]
+    for template, kind in ((locale.zero, "zeros"), (locale.pole, "poles")):
+        listed, passed = _stated(result, kind), passed_by(result, kind)
         for _, alike in groupby(listed, lambda v: (v.cause, _is_bare(v), v if v.at else None)):
             group = [*alike]
             if _is_bare(group[0]):
@@ -40,16 +37,25 @@ def passed_by(result: Analysis, kind: str) -> Extent | None:
 def states_both(result: Analysis) -> bool:
     """Return whether :func:`limits` states that a range has no zero, and that it has no pole."""
     return all(
-        passed_by(result, kind)
-        and any(_is_bare(v) and not _is_shown_by_places(v, result.extents) for v in found)
-        for kind, found in (("zeros", result.zeros), ("poles", result.poles))
+        passed_by(result, kind) and any(map(_is_bare, _stated(result, kind)))
+        for kind in ("zeros", "poles")
     )
 
 
-def _is_shown_by_places(limit: Vanishing, extents: Sequence[Extent]) -> bool:
-    """Return whether a long condition is left out, as the places along a range are listed."""
-    is_long = limit.at is None and count_operations(limit.factor) > LONG
-    return is_long and any(extent.looked for extent in extents)
+def _stated(result: Analysis, kind: str) -> list[Vanishing]:
+    """Return the zeros, or the poles, that are stated: not long ones whose places are listed.
+
+    Beside a shorter one they are: else the places would seem to be where that one holds.
+    """
+    found: Sequence[Vanishing] = getattr(result, kind)
+    looked = [extent for extent in result.extents if extent.looked]
+    short = [v for v in found if not (looked and _is_long(v))]
+    has_places = any(getattr(extent, kind) for extent in looked)
+    return [*found] if short and has_places else short
+
+
+def _is_long(limit: Vanishing) -> bool:
+    return limit.at is None and count_operations(limit.factor) > LONG
 
 
 def _is_bare(limit: Vanishing) -> bool:
