@@ -69,6 +69,17 @@ def test_what_is_neither_zero_nor_infinite_is_stated_once():
     assert any("neither 0 nor infinite" in line for line in said("triad_closed"))
 
 
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [("en", "this does not occur for"), ("ru", "этого не бывает"), ("uk", "цього не буває")],
+)
+def test_what_is_proved_not_to_occur_is_not_left_to_sampling(language, words):
+    """|β| is at most 11.5° where sin β = 0.2 sin φ: neither cos β nor sin(β + φ) vanishes."""
+    lines = [line for line in said("claw_closed", language) if "β" in line and "; " in line]
+    assert len(lines) == 2
+    assert all(words in line for line in lines)
+
+
 @pytest.mark.parametrize("place", [1.3e-14, 3.5e-8, -3.5e-8])
 def test_a_place_that_is_rounding_beside_its_range_is_zero(place):
     """An extremum is found to the root of what its values are rounded by."""

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from types import SimpleNamespace
 
 import pytest
@@ -15,7 +16,7 @@ from mechc.algebra.trigonometry import cosine, sine
 from mechc.diagnostics import Report
 from mechc.formula.evaluate import evaluate
 from mechc.formula.rounding import Size
-from mechc.formula.tree import Call, Symbol, number, power, quotient, total
+from mechc.formula.tree import Call, Symbol, number, power, product, quotient, total
 from mechc.frozen import replace
 from mechc.model.mechanism import Drive, Find, LoadRatio
 from mechc.model.result import Definition, Result
@@ -201,6 +202,22 @@ def test_a_zero_at_one_end_of_a_diameter_is_stated_where_a_loop_makes_it_none_at
     assert zero.at is not None
     assert evaluate(zero.at[1], {}) == pytest.approx(math.pi / 2)
     assert evaluate(zero.factor, {"alpha": -math.pi / 2}) != pytest.approx(0)
+
+
+@pytest.mark.parametrize(
+    ("part", "function", "is_absent"),
+    [(0.25, "asin", True), (1.5, "asin", False), (0.25, "acos", False)],
+)
+def test_a_zero_is_absent_where_an_arc_keeps_an_angle_from_it(part, function, is_absent):
+    """With β = arcsin(sin(t)/4) the cosine of β is at least 0.96, whatever t is."""
+    item, found = solved(lever(), "P", "F")
+    sine_of = Call("sin", (Symbol("turn"),))
+    beta = Call(function, (product([(number(Fraction(part)), 1), (sine_of, 1)]),))
+    value = cosine(Angle.of("beta"))
+    formed = replace(item.result, formula=value.formula(), where=(Definition("beta", beta),))
+    near = {**VALUES, "turn": 0.4, "beta": 0.1}
+    (zero,), _ = limits(replace(item, value=value, result=formed), found, near)
+    assert zero.absent is is_absent
 
 
 def test_a_length_that_is_infinite_somewhere_breaks_a_result():

@@ -12,6 +12,7 @@ from ..formula.tree import Call, Formula
 from ..named import NamedTuple
 from .angle import RADIAN, Angle
 from .factors import CIRCLE, Constant, Factor, Length, Opaque, Trig
+from .from_formula import to_product
 from .product import Product, Sum
 
 SLACK = 4e-16
@@ -76,6 +77,8 @@ def factor_bounds(factor: Factor, box: Box) -> Interval:
             return widened(math.pi, math.pi)
         case Opaque(Call("exp")):
             return Interval(LEAST, math.inf)
+        case Opaque(Call("asin" | "acos" as function, (argument,))):
+            return _arc(function, bounds(to_product(argument), box))
         case _:
             return Interval(-math.inf, math.inf)
 
@@ -123,6 +126,14 @@ def _sine(low: float, high: float) -> Interval:
     top = 1.0 if _holds(low, high, math.pi / 2) else max(a, b) + SLACK
     bottom = -1.0 if _holds(low, high, -math.pi / 2) else min(a, b) - SLACK
     return Interval(max(bottom, -1.0), min(top, 1.0))
+
+
+def _arc(function: str, argument: Interval) -> Interval:
+    """Return the range of an arc sine or cosine, which beyond -1 and 1 has no values."""
+    low, high = (min(max(end, -1.0), 1.0) for end in argument)
+    if function == "asin":
+        return widened(math.asin(low), math.asin(high))
+    return widened(math.acos(high), math.acos(low))
 
 
 def _holds(low: float, high: float, peak: float) -> bool:

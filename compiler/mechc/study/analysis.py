@@ -42,8 +42,9 @@ class Vanishing(NamedTuple):
     are all such values within the symbol's range, in their order; if they are many it is the
     first, and they come again by a ``period``.
     ``cause`` is a dead centre or a load perpendicular to its point's velocity. It is
-    ``outside`` where it is proved that the factor does not vanish within the ranges given. Where
-    one of ``but`` is zero, too, it is not known what the result does.
+    ``outside`` where it is proved that the factor does not vanish within the ranges given, and
+    ``absent`` where that is proved for the values given of what has no range. Where one of
+    ``but`` is zero, too, it is not known what the result does.
     """
 
     factor: Formula
@@ -53,6 +54,7 @@ class Vanishing(NamedTuple):
     but: tuple[Formula, ...] = ()
     within: tuple[Formula, ...] = ()
     period: Formula | None = None
+    absent: bool = False
 
 
 class Break(NamedTuple):

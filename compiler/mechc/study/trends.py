@@ -5,10 +5,10 @@ value, and a length without a value is anything positive.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ..algebra.factors import Trig
-from ..algebra.intervals import Box, Interval, sign, spans_no_zero, widened
+from ..algebra.intervals import Box, Interval, bounds, sign, spans_no_zero, widened
 from ..algebra.product import Product, Sum
 from ..formula.walk import symbols
 from .analysis import Trend
@@ -98,19 +98,30 @@ def _is_free_inside(factor: Product, name: str, box: Box) -> bool:
     )
 
 
-def is_free_of_zeros(factor: Product, box: Box) -> bool:
-    """Return whether a factor is proved to have no zero in a box, halved where needed."""
+def is_free_of_zeros(factor: Product, box: Box, where: Sequence[tuple[str, Product]] = ()) -> bool:
+    """Return whether a factor is proved to have no zero in a box, halved where needed.
+
+    ``where`` are definitions of names that the box has not, each by the box and those before it.
+    """
     waiting = [box]
     for _ in range(PARTS):
         if not waiting:
             return True
         part = waiting.pop()
-        if sign(factor, part) is None:
+        if sign(factor, _with_defined(part, where)) is None:
             name = _widest(part)
             if name is None:
                 return False
             waiting.extend(_halves(part, name))
     return not waiting
+
+
+def _with_defined(box: Box, where: Sequence[tuple[str, Product]]) -> Box:
+    """Return a box that has the bounds of what is defined, too."""
+    found = dict(box)
+    for name, value in where:
+        found[name] = bounds(value, found)
+    return found
 
 
 def _widest(box: Box) -> str | None:

@@ -6,14 +6,15 @@ from functools import cached_property
 from itertools import product
 
 from ..algebra.factors import Factor, Trig
+from ..algebra.from_formula import to_product
 from ..algebra.halving import without
 from ..algebra.intervals import vanishing_values
 from ..algebra.orders import Root, angles, half_turns, order, roots
 from ..algebra.product import Product, Sum
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, is_call
-from ..formula.walk import symbols, walk
-from ..model.boxes import stroke_box
+from ..formula.walk import reached, symbols, walk
+from ..model.boxes import range_box, stroke_box
 from ..model.values import Chain
 from ..pose.pose import Arm, Limit, evaluate_vector
 from ..pose.tolerances import SAME_PLACE
@@ -75,6 +76,9 @@ class _Sought:
         mechanism = balance.plan.graph.pose.mechanism
         self.box, self._ranged = stroke_box(mechanism), with_range(mechanism)
         self.moving_first = moving_first(mechanism)
+        ranged = {name: reach for name, reach in self.box.items() if name in self._ranged}
+        still = {n: x for n, x in range_box(mechanism).items() if n != mechanism.drive_name}
+        self._as_given = {**still, **ranged}
 
     @cached_property
     def flat(self) -> list[Set[str]]:
@@ -96,6 +100,21 @@ class _Sought:
         """Return whether a factor is proved not to vanish within the ranges that are given."""
         ranged = symbols(factor.formula()) & self._ranged
         return bool(ranged) and is_free_of_zeros(Product.of(factor), self.box)
+
+    def is_absent(self, factor: Factor) -> bool:
+        """Return whether a sine or cosine of what loops find is proved not to vanish.
+
+        That is within the ranges, at the values given of what has none, and rests on arc sines
+        and cosines, of which intervals are known.
+        """
+        if not isinstance(factor, Trig) or factor.angle.names.isdisjoint(self.defined):
+            return False
+        needed = reached(factor.angle.names, self.defined)
+        found = [(n, f) for n, f in self.defined.items() if n in needed]
+        if not all(any(is_call(part, *ARCS) for part in walk(f)) for _, f in found):
+            return False
+        where = [(n, to_product(f)) for n, f in found]
+        return is_free_of_zeros(Product.of(factor), self._as_given, where)
 
 
 def _conditions(of: _Sought) -> Iterator[Vanishing]:
@@ -193,6 +212,7 @@ def _vanishing(trig: Trig, why: Cause, of: _Sought) -> Vanishing:
     at = None if found else vanishing_values(trig, of.near, of.box, of.moving_first)
     but = tuple(t.formula() for t in _at_folds(trig, of))
     limit = Vanishing(trig.formula(), None, why, of.is_outside(trig), but)
+    limit = limit._replace(absent=of.is_absent(trig))
     if at is None:
         return limit
     period = at.period if at.is_many else None
@@ -303,6 +323,9 @@ def _beside(root: Root, step: float, of: _Sought) -> list[float]:
     sizes = [abs(of.chain.complete(values).get(_SIZE, math.nan)) for values in here]
     return sizes if all(math.isfinite(size) and size for size in sizes) else []
 
+
+ARCS = ("asin", "acos")
+"""Functions that intervals bound: angles by them may have sines that never vanish."""
 
 _SIZE = ""
 """What a result is called among its definitions."""

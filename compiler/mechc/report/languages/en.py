@@ -279,6 +279,7 @@ LOCALE = Locale(
     when="that is, at {condition}",
     and_every="{first} and every {period} from there on",
     unmet="; sampling finds none for {span} and the values given",
+    absent="; this does not occur for {span} and the values given",
     but_where="except perhaps where {conditions} as well",
     causes={
         "dead centre": "dead centre: {still} while {moving}",

@@ -115,6 +115,7 @@ class Locale(NamedTuple):
     when: str
     and_every: str
     unmet: str
+    absent: str
     but_where: str
     causes: Mapping[str, str]
     states: Mapping[str, str]

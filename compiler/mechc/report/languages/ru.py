@@ -287,6 +287,7 @@ LOCALE = Locale(
     when="то есть при {condition}",
     and_every="{first} и далее через каждые {period}",
     unmet="; при {span} и приведённых значениях выборочная проверка такого не обнаружила",
+    absent="; при {span} и приведённых значениях этого не бывает",
     but_where="кроме, возможно, случаев, когда одновременно {conditions}",
     causes={
         "dead centre": "мёртвое положение: {still}, а {moving}",

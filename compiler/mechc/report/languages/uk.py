@@ -287,6 +287,7 @@ LOCALE = Locale(
     when="тобто при {condition}",
     and_every="{first} і далі через кожні {period}",
     unmet="; за {span} і наведених значень вибіркова перевірка такого не виявила",
+    absent="; за {span} і наведених значень цього не буває",
     but_where="крім, можливо, випадків, коли водночас {conditions}",
     causes={
         "dead centre": "мертве положення: {still}, а {moving}",

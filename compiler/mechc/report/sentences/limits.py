@@ -18,18 +18,30 @@ LONG = 8
 def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield when a result vanishes, then when it becomes infinite; like conditions together."""
     for template, kind in ((locale.zero, "zeros"), (locale.pole, "poles")):
-        listed, passed = _stated(result, kind), passed_by(result, kind)
-        for _, alike in groupby(listed, lambda v: (v.cause, _is_bare(v), v if v.at else None)):
+        listed, looked = _stated(result, kind), _looked(result)
+        passed = passed_by(result, kind)
+        for _, alike in groupby(listed, _likeness):
             group = [*alike]
             if _is_bare(group[0]):
-                yield _bare(template, symbol, group, passed, locale, spell)
+                over = looked[0] if group[0].absent and len(looked) == 1 else passed
+                yield _bare(template, symbol, group, over, locale, spell)
             else:
                 yield from (_limit(template, symbol, v, locale, spell) for v in group)
 
 
+def _likeness(limit: Vanishing) -> object:
+    """Return what conditions have in common that one sentence states."""
+    return limit.cause, _is_bare(limit), limit.absent, limit if limit.at else None
+
+
+def _looked(result: Analysis) -> list[Extent]:
+    """Return the ranges in which zeros and poles are looked for."""
+    return [extent for extent in result.extents if extent.looked]
+
+
 def passed_by(result: Analysis, kind: str) -> Extent | None:
     """Return the range on which no zero, or no pole, was found; None where there is none."""
-    looked = [extent for extent in result.extents if extent.looked]
+    looked = _looked(result)
     free = [extent for extent in looked if not getattr(extent, kind)]
     return free[0] if len(free) == len(looked) == 1 else None
 
@@ -48,7 +60,7 @@ def _stated(result: Analysis, kind: str) -> list[Vanishing]:
     Beside a shorter one they are: else the places would seem to be where that one holds.
     """
     found: Sequence[Vanishing] = getattr(result, kind)
-    looked = [extent for extent in result.extents if extent.looked]
+    looked = _looked(result)
     short = [v for v in found if not (looked and _is_long(v))]
     has_places = any(getattr(extent, kind) for extent in looked)
     return [*found] if short and has_places else short
@@ -76,7 +88,8 @@ def _bare(
         template.format(result=symbol, condition=conditions), group[0], locale, spell
     )
     if passed:
-        said += locale.unmet.format(span=span(passed.range, passed, locale, spell))
+        unmet = locale.absent if group[0].absent else locale.unmet
+        said += unmet.format(span=span(passed.range, passed, locale, spell))
     return f"{said}."
 
 
