@@ -97,6 +97,12 @@ def test_what_loops_find_vanishes_with_what_is_given():
     assert found["cos(phi - 2*phi_AQ)"] == set()
 
 
+def test_a_place_is_stated_once_where_half_angles_have_two_causes():
+    """k = l₁(l₃ − l₂)/l₂ · tan 2t · sin t was said to vanish at t = 0° twice."""
+    found = conditions(made("chain of equal links", 812120001).text)
+    assert [*found] == ["sin(t)", "cos(t)", "l2 - l3", "cos(2*t)"]
+
+
 def test_a_pole_is_not_stated_where_there_is_no_pose_and_another_sine_is_zero():
     """At 90 degrees the kite lies flat, and the rod DS does not reach its guide."""
     assert "cos(phi)" not in conditions(KITE)

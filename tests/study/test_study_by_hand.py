@@ -16,6 +16,7 @@ from mechc.algebra.trigonometry import cosine, sine
 from mechc.diagnostics import Report
 from mechc.formula.evaluate import evaluate
 from mechc.formula.rounding import Size
+from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, power, product, quotient, total
 from mechc.frozen import replace
 from mechc.model.mechanism import Drive, Find, LoadRatio
@@ -24,7 +25,7 @@ from mechc.model.values import complete, default_pose
 from mechc.power.from_plan import balance
 from mechc.source import Source
 from mechc.study import ranges
-from mechc.study.analysis import Acted, Break, DeadCentre
+from mechc.study.analysis import Acted, Break, DeadCentre, Vanishing
 from mechc.study.breaks import breaks
 from mechc.study.expectations import random_poses
 from mechc.study.ratios import sizes
@@ -39,7 +40,7 @@ from mechc.study.stroke.stretches import with_reached
 from mechc.study.stroke.stroke import Column, Extremum, StrokeInterval
 from mechc.study.stroke.transmission import Transmission, named, transmissions
 from mechc.study.trends import trend
-from mechc.study.zeros import limits
+from mechc.study.zeros import _each_place_once, _joined, limits
 from mechc.units import LENGTH, NUMBER
 from small_poses import HERE, VALUES, lever, plan, slider_crank, two_bars
 
@@ -202,6 +203,30 @@ def test_a_zero_at_one_end_of_a_diameter_is_stated_where_a_loop_makes_it_none_at
     assert zero.at is not None
     assert evaluate(zero.at[1], {}) == pytest.approx(math.pi / 2)
     assert evaluate(zero.factor, {"alpha": -math.pi / 2}) != pytest.approx(0)
+
+
+@pytest.mark.parametrize(
+    ("cause", "kept"),
+    [
+        ("other", ["sin(2*t)", "cos(3*t)"]),
+        ("perpendicular load", ["sin(t)", "sin(2*t)", "cos(3*t)"]),
+    ],
+)
+def test_a_zero_is_stated_once(cause, kept):
+    """sin t and cos t vanish where sin 2t does; cos 3t vanishes elsewhere, too."""
+    t = Angle.of("t")
+    first = Vanishing(sine(t).formula(), None, cause)
+    others = [sine(t * 2), cosine(t), cosine(t * 3)]
+    found = [first, *(Vanishing(each.formula(), None, "other") for each in others)]
+    assert [text(each.factor) for each in _each_place_once(found)] == kept
+
+
+def test_zeros_a_half_turn_apart_are_one_where_their_cause_is_one():
+    half, right = Angle.of("t") * Fraction(1, 2), Angle.constant(45)
+    pairs = [(sine(half), "a"), (cosine(half + right), "b"), (cosine(half), "a")]
+    found = [(next(iter(each.factors)), why) for each, why in pairs]
+    said = [(text(trig.formula()), why) for trig, why in _joined(found)]
+    assert said == [("sin(t)", "a"), ("cos(t/2 + pi/4)", "b")]
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from ..algebra.halving import without
 from ..algebra.intervals import vanishing_values
 from ..algebra.orders import Root, angles, half_turns, order, roots
 from ..algebra.product import Product, Sum
+from ..algebra.trigonometry import sine
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, is_call
 from ..formula.walk import reached, symbols, walk
@@ -51,8 +52,37 @@ def limits(
     """
     assert item.value is not None
     met = Meetings(item.value, dict(item.result.where), near, balance.plan.graph.pose.mechanism)
-    zeros, poles = (tuple(_conditions(_Sought(item, balance, near, s, met))) for s in (1, -1))
+    found = (_conditions(_Sought(item, balance, near, side, met)) for side in (1, -1))
+    zeros, poles = map(_each_place_once, found)
     return zeros, poles
+
+
+def _each_place_once(found: Iterable[Vanishing]) -> tuple[Vanishing, ...]:
+    """Return conditions without those that hold only where another one does.
+
+    Of sin 2t and sin t the second is left out, where what stands still is the same.
+    """
+    kept = list[Vanishing]()
+    for condition in found:
+        if not any(_holds_with(condition, other) for other in kept):
+            kept = [other for other in kept if not _holds_with(other, condition)]
+            kept.append(condition)
+    return tuple(kept)
+
+
+def _holds_with(condition: Vanishing, other: Vanishing) -> bool:
+    """Return whether a sine vanishes only where another one does, of the same cause."""
+    if (condition.cause, condition.but) != (other.cause, other.but):
+        return False
+    one, another = (to_product(each.factor) for each in (condition, other))
+    trigs = [f for product in (one, another) for f in product.factors if isinstance(f, Trig)]
+    if len(trigs) != 2 or any(len(product.factors) != 1 for product in (one, another)):
+        return False
+    first, second = trigs
+    if not first.angle.names <= second.angle.names:
+        return False
+    found = roots(first, another)
+    return bool(found) and all((order(another, r.name, r.value) or 0) > 0 for r in found)
 
 
 class _Sought:
@@ -167,11 +197,26 @@ def _at_roots(trig: Trig, of: _Sought) -> Iterator[Vanishing]:
     if len(proved) == len(found) and len({*causes}) == 1:
         yield _vanishing(trig, causes[0], of)
     else:
-        for root, why in zip(proved, causes, strict=True):
-            yield _vanishing(root.factor, why, of)
+        single = zip((r.factor for r in proved), causes, strict=True)
+        for factor, why in _joined([*single]):
+            yield _vanishing(factor, why, of)
     for root in found:
         if root not in proved:
             yield from _but_by_chance(root, of)
+
+
+def _joined(found: Sequence[tuple[Trig, Cause]]) -> list[tuple[Trig, Cause]]:
+    """Return sines with their causes, two that vanish a quarter turn apart by one cause as one.
+
+    sin(t/2) and cos(t/2) are sin t.
+    """
+    alike: dict[tuple[Trig, Cause], list[Trig]] = {}
+    for trig, why in found:
+        (double,) = sine(trig.angle * 2).factors
+        assert isinstance(double, Trig)
+        alike.setdefault((double, why), []).append(trig)
+    joined = [(trigs[0] if len(trigs) == 1 else two, why) for (two, why), trigs in alike.items()]
+    return joined if len(joined) == len(found) else _joined(joined)
 
 
 def _roots(trig: Trig, of: _Sought) -> list[Root]:
