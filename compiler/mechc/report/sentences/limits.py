@@ -30,7 +30,7 @@ def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Ite
 
 
 def _likeness(limit: Vanishing) -> object:
-    """Return what conditions have in common that one sentence states."""
+    """Return a key, the same for conditions that one sentence states together."""
     return limit.cause, _is_bare(limit), limit.absent, limit if limit.at else None
 
 
