@@ -1054,3 +1054,31 @@ def test_nothing_is_stated_of_values_at_which_nothing_is_found(monkeypatch, unkn
         assert stretch.sampled
         begins, ends = stretch.within
         assert not max(begins, first) + 1e-9 < min(ends, last) - 1e-9, (begins, ends)
+
+
+MEETING = """
+param phi = -150 deg in -190 deg .. -90 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (-80 mm, -60 mm)
+link OA
+link QBD
+link AB
+OA = 100 mm @ phi
+AB = 130 mm
+QB = 130 mm
+QD = 100 mm @ -QB
+assembly ABQ ccw
+drive phi
+force F at D along 180 deg
+friction pins 0.1 diameter 10 mm
+actuator N between A and Q
+find k = N/F
+"""
+
+
+def test_nothing_is_said_of_a_stretch_of_rounding_where_pins_meet():
+    """A passes Q: over 1e-8 of the range the force between them has no direction."""
+    results = {r.name: r for r in Compilation(Source("m.mech", MEETING)).results}
+    found = [s for reach in results["k_f"].locking.reaches for s in reach.stretches]
+    assert [s.state for s in found] == ["locked"]
+    assert found[0].high.x - found[0].low.x > 1e-3

@@ -11,7 +11,7 @@ from ..formula.solved import Solution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
-from ..model.mechanism import LoadForm, LoadRatio, Mechanism, WithFriction
+from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
 from .intervals import Bound, Locking, LockingInterval, LockingIntervals, Range, State
@@ -55,16 +55,19 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
         moving = study.moving(asked, sense, name)
         window = _window(name, name in moved, moving, study) if moving else None
         if moving and window:
-            reaches.append(_reach(name, window, moving, printed, mechanism))
+            reaches.append(_reach(name, window, moving, printed, study))
     drive, load = (asked.load, "") if isinstance(asked, LoadForm) else (asked.above, asked.below)
     return Locking(state, drive, load, tuple(reaches))
 
 
 def _reach(
-    name: str, window: Range, moving: Moving, printed: Result, mechanism: Mechanism
+    name: str, window: Range, moving: Moving, printed: Result, study: Study
 ) -> LockingIntervals:
     """Return the stretches of a parameter on which nothing moves."""
-    stretches = _Intervals(name, moving, printed, range_of(name, mechanism))
+    mechanism = study.mechanism
+    has_loops = bool(study.solution.plan.graph.pose.definitions)
+    least = HALF_THE_DIGITS if has_loops or moving.is_iterated else NEARLY
+    stretches = _Intervals(name, moving, printed, range_of(name, mechanism), least)
     found = tuple(stretches.found(*window))
     return LockingIntervals(name, unit_of(name, mechanism), stretches.range, found)
 
@@ -108,12 +111,16 @@ def _next_dead_centre(start: float, beyond: float, moving: Moving) -> float:
 
 @frozen
 class _Intervals:
-    """Finds the stretches of one parameter on which nothing moves."""
+    """Finds the stretches of one parameter on which nothing moves.
+
+    One narrower than the part ``least`` of what is looked at may be but rounding.
+    """
 
     name: str
     moving: Moving
     printed: Result
     range: Range | None
+    least: float
 
     def found(self, low: float, high: float) -> Iterator[LockingInterval]:
         """Yield the stretches in their order."""
@@ -128,16 +135,12 @@ class _Intervals:
             first = last + 1
 
     def _is_rounding(self, found: LockingInterval, width: float) -> bool:
-        """Return whether an interval is no wider than angles are inexact where loops end.
-
-        In closed form they are so where a loop lies flat only, and the digits left are more.
-        """
+        """Return whether an interval is no wider than angles are inexact where loops end."""
         ends = found.low, found.high
         if not all(ends):
             return False
         begins, finishes = (end.x for end in ends if end)
-        part = HALF_THE_DIGITS if self.moving.is_iterated else NEARLY
-        return finishes - begins < part * width
+        return finishes - begins < self.least * width
 
     def _states(self, grid: Sequence[float]) -> list[State | None]:
         """Return the state at each value.
