@@ -1,20 +1,15 @@
 """From the pose to the velocity-constraint graph, and on to its plan."""
 
 from collections.abc import Collection, Iterator
-from typing import assert_never
 
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import kinematics as messages
 from ..model.mechanism import (
-    Force,
     ForceAtJoint,
-    ForcePair,
-    Load,
     LoadForm,
     LoadRatio,
     Mechanism,
     SpeedRatio,
-    Torque,
 )
 from ..pose.pose import Pose
 from .carriers import graph_of
@@ -46,26 +41,13 @@ def _loose_ends(mechanism: Mechanism, moved: Collection[str]) -> Iterator[Diagno
 
     ``moved`` are the points of links, pivots and sliders.
     """
-    asked = {point for load in mechanism.loads for point in _points_of(load)}
+    asked = {point for load in mechanism.loads for point in load.points}
     speeds = (f.target for f in mechanism.finds if isinstance(f.target, SpeedRatio))
     asked |= {speed.of for pair in speeds for speed in (pair.above, pair.below)}
     for telescope in mechanism.telescopes:
         for point in telescope.points:
             if point in asked and point not in moved:
                 yield messages.loose_end_of_telescope(telescope.span, telescope.name, point)
-
-
-def _points_of(load: Load) -> tuple[str, ...]:
-    """Return the points on which a load acts."""
-    match load:
-        case Force(point=point):
-            return (point,)
-        case ForcePair(first=first, second=second):
-            return (first, second)
-        case Torque():
-            return ()
-        case _:
-            assert_never(load)
 
 
 def _check_frame(mechanism: Mechanism, report: Report) -> None:

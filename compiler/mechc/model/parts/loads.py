@@ -62,6 +62,11 @@ class Force:
     spread: Spread | None = None
 
     @property
+    def points(self) -> tuple[str, ...]:
+        """The points that it acts on; a couple acts on a link."""
+        return (self.point,)
+
+    @property
     def dimension(self) -> Dimension:
         """The dimension of its size."""
         return FORCE
@@ -76,6 +81,11 @@ class Torque:
     span: Span
     tie: Formula | None = None
     times: Fraction = Fraction(1)
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """The points that it acts on; a couple acts on a link."""
+        return ()
 
     @property
     def dimension(self) -> Dimension:
@@ -104,6 +114,11 @@ class ForcePair:
     first_link: str = ""
     second_link: str = ""
     joins_twins: bool = False
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """The points that it acts on; a couple acts on a link."""
+        return (self.first, self.second)
 
     @property
     def dimension(self) -> Dimension:
