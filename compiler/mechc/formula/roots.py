@@ -148,8 +148,11 @@ def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
     turns = before * after < 0
     while b - a > NARROW * range_ and (middle := (a + b) / 2) not in (a, b):
         value = function(middle)
-        is_nearer = abs(value - before) < abs(value - after)
-        if value * before > 0 if turns else is_nearer:
+        if turns:
+            is_before = value * before > 0
+        else:
+            is_before = abs(value - before) < abs(value - after)
+        if is_before:
             a, before = middle, value
         else:
             b, after = middle, value

@@ -79,8 +79,12 @@ LoopKind = Literal[
 """What the two unknowns of a loop are: two directions (``triangle``), a direction and a length
 along a given line (``guide``) or along a line that turns with it (``slot``; ``aligned`` where it
 passes through the other end), two ``lengths``. It is ``equal`` where a direction is that of
-another vector all the way, by the lengths in it. One unknown is that of a ``vector`` between
+another vector all the way, by the lengths in it, and ``mirrored`` where both are those of its known
+sides, mirrored in the vector that these make. One unknown is that of a ``vector`` between
 points that have places; more than two make a ``system``."""
+
+OF_A_TRIANGLE: tuple[LoopKind, ...] = ("triangle", "mirrored")
+"""The kinds of loops whose points are the vertices of a triangle."""
 
 
 class SolvedLoop(NamedTuple):
@@ -105,7 +109,7 @@ class SolvedLoop(NamedTuple):
     @property
     def is_triangle(self) -> bool:
         """Return whether the points are vertices, the pin between the unknown sides the second."""
-        return self.kind in ("triangle", "mirrored")
+        return self.kind in OF_A_TRIANGLE
 
 
 class PointContact(NamedTuple):

@@ -68,8 +68,8 @@ class Rule(StrEnum):
 
 
 PositionKind = Literal[LoopKind, "inclination", "length", "congruent", "sum"]
-"""How a loop is solved, or gives one ``length``, that it is a triangle ``congruent`` to an earlier
-one, or that a vector is the ``sum`` of others."""
+"""How a loop is solved, or gives one ``length`` or the ``inclination`` of a link alone, that it is
+a triangle ``congruent`` to an earlier one, or that a vector is the ``sum`` of others."""
 
 
 class SentenceKind(StrEnum):

@@ -339,21 +339,23 @@ def _is_refuted(root: Root, of: _Sought) -> bool:
     names = {root.name, *root.value.names}
     if not names <= of.near.keys() or not names.isdisjoint(of.defined):
         return False
+    far, near = STEPS
+    sizes = _beside(root, far, of)
+    if not sizes:
+        return _meets_another(root, of)
+    return _is_otherwise(sizes, of.side) and _is_otherwise(_beside(root, near, of), of.side)
 
-    def is_otherwise(step: float) -> bool:
-        sizes = _beside(root, step, of)
-        return bool(sizes) and math.log2(sizes[0] / sizes[1]) * of.side < 0.5
 
-    return all(map(is_otherwise, STEPS)) or _meets_another(root, of)
+def _is_otherwise(sizes: Sequence[float], side: int) -> bool:
+    """Return whether sizes at a distance and at half of it are not those of a zero, or a pole."""
+    return bool(sizes) and math.log2(sizes[0] / sizes[1]) * side < 0.5
 
 
 def _meets_another(root: Root, of: _Sought) -> bool:
     """Return whether a sine across the line, of what loops find, is zero at a root as well.
 
-    There may be no pose: then nothing else can refute it.
+    Where there is no pose nothing else can refute a root.
     """
-    if _beside(root, STEPS[0], of):
-        return False
     there = of.chain.complete({**of.given, root.name: root.value.evaluate(of.near)})
     across = (f for f, e in of.value.factors.items() if isinstance(f, Trig) and e * of.side < 0)
     found = (f for f in across if not f.angle.names.isdisjoint(of.defined))

@@ -22,7 +22,7 @@ from ...model.mechanism import Assembly, Link, Mechanism
 from ...model.values import Chain, dependent
 from ...units import LENGTH
 from ..directions import Directions
-from ..pose import ClosedLoop, Definition, Limit, LoopKind
+from ..pose import OF_A_TRIANGLE, ClosedLoop, Definition, Limit, LoopKind
 from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
 from ..vectors import Vectors
 from .branches import branches
@@ -236,8 +236,7 @@ class _Closing:
         if group.root is not None and is_new and any(chosen is each for each in group.closures):
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
         kind = _how(chosen, group.kind)
-        is_triangle = kind in ("triangle", "mirrored")
-        points = group.triples()[0] if is_triangle else points_around(cycle)
+        points = group.triples()[0] if kind in OF_A_TRIANGLE else points_around(cycle)
         side = tuple(arm for edge in cycle for arm in edge.arms)
         state.take(unwound(chosen, state), wanted, [side], kind, points, sides.again)
         return True

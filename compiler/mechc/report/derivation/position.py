@@ -122,6 +122,7 @@ def _kind(loop: SolvedLoop, found: Sequence[Definition]) -> PositionKind:
 
 
 def _solves(part: Formula) -> bool:
+    """Return whether a part of a formula comes of a law by which loops are solved."""
     match part:
         case Implicit():
             return True
