@@ -8,7 +8,7 @@ from itertools import product
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.halving import without
-from ..algebra.intervals import vanishing_values
+from ..algebra.intervals import Box, vanishing_values
 from ..algebra.orders import Root, angles, half_turns, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.trigonometry import sine
@@ -106,9 +106,14 @@ class _Sought:
         mechanism = balance.plan.graph.pose.mechanism
         self.box, self._ranged = stroke_box(mechanism), with_range(mechanism)
         self.moving_first = moving_first(mechanism)
+
+    @cached_property
+    def _as_given(self) -> Box:
+        """Return the box of the ranges, of what has none at its value."""
+        mechanism = self.balance.plan.graph.pose.mechanism
         ranged = {name: reach for name, reach in self.box.items() if name in self._ranged}
         still = {n: x for n, x in range_box(mechanism).items() if n != mechanism.drive_name}
-        self._as_given = {**still, **ranged}
+        return {**still, **ranged}
 
     @cached_property
     def flat(self) -> list[Set[str]]:
@@ -256,8 +261,8 @@ def _vanishing(trig: Trig, why: Cause, of: _Sought) -> Vanishing:
     found = trig.angle.names & of.defined.keys()
     at = None if found else vanishing_values(trig, of.near, of.box, of.moving_first)
     but = tuple(t.formula() for t in _at_folds(trig, of))
-    limit = Vanishing(trig.formula(), None, why, of.is_outside(trig), but)
-    limit = limit._replace(absent=of.is_absent(trig))
+    outside, absent = of.is_outside(trig), of.is_absent(trig)
+    limit = Vanishing(trig.formula(), None, why, outside, but, absent=absent)
     if at is None:
         return limit
     period = at.period if at.is_many else None
