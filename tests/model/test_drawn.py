@@ -320,3 +320,37 @@ def test_a_drive_moves_a_slider_whose_guide_has_a_place(through):
     for y in (0.022, 0.03, 0.042):
         k = given.evaluate(y=y)["k"]
         assert drawn.evaluate(y=y)["k"] == pytest.approx(k, rel=1e-12)
+
+
+IN_LINE = """
+param phi = 90 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (100 mm, 150 mm)
+link OA
+link QB
+link AB
+B at (50 mm, 100 mm)
+OA = 50 mm @ phi
+QB = 90 mm
+AB = 60 mm
+assembly ABQ {turn}
+{drive}
+torque M on OA
+torque F on QB
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize("drive", ["", "drive phi from 85 deg to 95 deg"])
+def test_rods_drawn_in_one_line_close_where_their_lengths_are_others(drive):
+    """There they seem to leave B free across the line: its drawn direction was taken for given."""
+    far, along = 100 * (1 + 1j), 100 * (1 + 1j) / math.hypot(100, 100)
+    ahead = (abs(far) ** 2 + 60**2 - 90**2) / (2 * abs(far))
+    aside = math.sqrt(60**2 - ahead**2)
+    b = [50j + along * complex(ahead, side) for side in (-aside, aside)]
+    for turn, at in zip(("ccw", "cw"), b, strict=True):
+        ab, qb = at - 50j, at - complex(100, 150)
+        crank = -50 * ab.real / abs(ab)  # how fast A moves along AB: A moves by i·OA = -50 mm
+        rocker = (1j * qb * ab.conjugate()).real / abs(ab)
+        found = mechc.loads(IN_LINE.format(turn=turn, drive=drive)).evaluate()["k"]
+        assert found == pytest.approx(-crank / rocker)

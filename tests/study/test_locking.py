@@ -414,6 +414,29 @@ def test_the_table_of_the_stroke_states_it_in_words(tmp_path, capsys):
     assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 from alpha" in out
 
 
+@pytest.mark.parametrize(
+    ("language", "driving", "row", "held"),
+    [
+        ("en", "k_f: no force F can move the mechanism, from", "k_f locked", "self-locking"),
+        ("uk", "k_f: жодне значення F не може зрушити", "k_f: нерухомо", "самогальмування"),
+        ("ru", "k_f: никакое значение F не может сдвинуть", "k_f: неподвижно", "самоторможение"),
+    ],
+)
+def test_the_stroke_says_no_self_locking_of_the_load_that_is_said_to_drive(
+    language, driving, row, held, tmp_path, capsys
+):
+    """As reports do: with ``motion releasing`` F drives."""
+    command = ("stroke", "--lang", language)
+    released = ROD_TOGGLE.format(low=0.1, more="drive alpha\nmotion releasing")
+    out = stated(released, tmp_path, capsys, *command)
+    assert driving in out
+    assert row in out
+    assert held not in out
+    out = stated(ROD_TOGGLE.format(low=0.1, more="drive alpha"), tmp_path, capsys, *command)
+    assert held in out
+    assert driving not in out
+
+
 # ------------------------------------------------------------------- constant efficiency
 
 

@@ -155,6 +155,13 @@ class Report:
         if all((known.code, known.span) != at for known in self.diagnostics):
             self.add(diagnostic)
 
+    def taken(self, code: str, span: Span) -> Diagnostic | None:
+        """Return the diagnostic of a code at a place, for one to stand instead; None for none."""
+        found = next((d for d in self.diagnostics if (d.code, d.span) == (code, span)), None)
+        if found:
+            self.diagnostics.remove(found)
+        return found
+
     def has(self, code: str, within: Span | None) -> bool:
         """Return whether a diagnostic of a code is noted within a place."""
         found = (known.span for known in self.diagnostics if known.code == code)

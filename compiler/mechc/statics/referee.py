@@ -92,7 +92,7 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
             is_fixed = all(p.dependent for p in pose.mechanism.parameters)
             report.add(_unchecked(question.name, troubles, pose.mechanism.span, is_fixed))
     if remarks and next(iter(poses), None) is None:
-        report.add(_nothing_checked(pose))
+        report.add(_nothing_checked(pose, report))
     verdict = Verdict(tuple(trials), tuple(remarks))
     _stop_on_disagreement(verdict, pose.mechanism.span, report)
     return verdict
@@ -213,10 +213,15 @@ def _unchecked(name: str, troubles: tuple[str, ...], span: Span, is_fixed: bool)
     return messages.not_checked(span, name, troubles[-1], is_fixed)
 
 
-def _nothing_checked(pose: Pose) -> Diagnostic:
-    """Return the warning that no pose was found, at a condition that the default one breaks."""
+def _nothing_checked(pose: Pose, report: Report) -> Diagnostic:
+    """Return the warning that no pose was found, at a condition that the default one breaks.
+
+    It stands instead of that on the default pose, W221, and has its words.
+    """
     if broken := broken_at_default(pose):
         why = "no pose was found that meets the conditions of use"
+        if noted := report.taken("W221", broken.span):
+            why = f"{why}; {noted.message}"
         return messages.not_checked(broken.span, "what is asked for", why)
     return messages.not_checked(pose.mechanism.span, "what is asked for", "no pose was found")
 

@@ -1,6 +1,7 @@
 """Messages for sizes that can be meant, and hardly ever are (W2xx)."""
 
 from collections.abc import Sequence
+from typing import Literal
 
 from ...source import Span
 from ..diagnostic import Message, Related, coded
@@ -148,17 +149,33 @@ def weight_in_mass(span: Span, digits: str) -> Message:
     return Message(span, message, f"leave out the {digits}: `weight` takes the mass")
 
 
+ToleranceDoubt = Literal["value", "range", "angle"]
+"""What a tolerance is large beside: the value, the range, or any angle that is off."""
+
+_TOLERANCES: dict[ToleranceDoubt, str] = {
+    "value": "as large as its value: it may come to zero",
+    "range": "wider than its range",
+    "angle": "ten degrees or more, as a range is",
+}
+
+
 @coded("W280")
-def tolerance_of_all(span: Span, parameter: str = "") -> Message:
+def tolerance_of_all(span: Span, parameter: str = "", of: ToleranceDoubt = "value") -> Message:
     """A tolerance is as large as what it is of: of an expected figure it tests little.
 
+    Of an angle it is ten degrees or more, of what has a range it is wider than that.
+
     param a = 40 mm +- 60 mm   # warned of
+    param alpha = 10 deg +- 50 deg            # warned of: it runs over a range
+    param alpha = 10 deg in 2 deg .. 60 deg   # right
     expect k = 0.353 +- 1      # warned of: zero agrees, too
     expect k = 0.353 +- 1e-3   # right
     """
     message = "the tolerance is as large as the figure, so that zero agrees with it"
     if parameter:
-        message = f"the tolerance of '{parameter}' is as large as its value: it may come to zero"
+        message = f"the tolerance of '{parameter}' is {_TOLERANCES[of]}"
+    if of == "angle":
+        return Message(span, message, "an angle that is adjusted has a range: `in … deg .. … deg`")
     return Message(span, message, "is a digit or a unit too many?")
 
 

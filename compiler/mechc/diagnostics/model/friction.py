@@ -108,17 +108,17 @@ def friction_of_no_pins(span: Span) -> Message:
 
 
 @coded("W276")
-def steep_thread(span: Span, point: str, climb: float, diameter: float) -> Message:
-    """The thread of a screw climbs at more than 45 deg, as hardly a thread does.
+def strange_thread(span: Span, point: str, climb: float, diameter: float, expected: str) -> Message:
+    """The thread of a screw climbs at more than 40 deg or less than 0.1, as hardly a thread does.
 
     Mostly the unit of the pitch or of the diameter is wrong, or a number of one of them.
 
-        screw A pitch 600 mm on OB
+        screw A pitch 600 mm on OB             # a pitch of 6 mm is meant
         friction screw A 0.12 thread 30 mm     # warned of: 81 deg
     """
     message = (
         f"the thread of {diameter * 1000:g} mm at {point} climbs at {climb:.3g} deg, "
-        "expected less than 45 deg"
+        f"expected {expected} deg"
     )
     return Message(
         span, message, "check the pitch, which is the travel of a turn, and the diameter"

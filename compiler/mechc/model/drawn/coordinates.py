@@ -1,8 +1,10 @@
 """What moves a drawn mechanism, where it stands as drawn: the drive, and what no loop gives."""
 
+import cmath
 import math
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
+from copy import copy
 
 from ...diagnostics import Report
 from ...frozen import replace
@@ -23,33 +25,69 @@ def with_coordinates(mechanism: Mechanism, sketch: Sketch, report: Report) -> Me
     link that nothing turns has the direction of the drawing. Reports E516.
     """
     waiting = {p.name: p for p in mechanism.parameters if p.value is None}
-    held = Independent(_held(mechanism, waiting, sketch))
+    ranks = _in_general(sketch) if _is_elsewhere(mechanism, sketch) else sketch
+    held = Independent(_held(mechanism, waiting, ranks))
     is_whole = sketch.has_all(_pins(mechanism))
     found = {
         name: with_value(waiting[name], value)
-        for name, value in _drawn_values(mechanism, waiting, held, sketch)
+        for name, value in _drawn_values(mechanism, waiting, held, sketch, ranks)
         if is_whole or (mechanism.drive and name == mechanism.drive.parameter)
     }
     parameters = tuple(found.get(p.name, p) for p in mechanism.parameters)
     valued = replace(mechanism, parameters=parameters)
     if not is_whole:
         return valued
-    standing = (*_led(valued, held, sketch, report), *_standing(mechanism, held, sketch))
+    standing = (*_led(valued, held, sketch, report), *_standing(mechanism, held, sketch, ranks))
     return replace(valued, geometry=(*mechanism.geometry, *standing))
 
 
+ASIDE = 0.01
+"""How far points are moved, as a part of the drawing, to see how they hang together in general."""
+
+
+def _is_elsewhere(mechanism: Mechanism, sketch: Sketch) -> bool:
+    """Return whether a length is given that the drawing has not, so that it has another pose.
+
+    Drawn in one line, rods hold their pin less than where they are in truth. What wheels lead is
+    looked at where it is drawn.
+    """
+    slack = {d.point: d.slack for d in mechanism.drawn}
+    given = (e for e in mechanism.geometry if isinstance(e, Arrow) and sketch.has(e))
+    return not mechanism.meshes and any(
+        abs(math.hypot(*sketch.way(e.tail, e.head)) - length)
+        > slack.get(e.tail, 0.0) + slack.get(e.head, 0.0) + sketch.rounding
+        for e in given
+        if (length := sketch.value_of(e.length)) is not None
+    )
+
+
+def _in_general(sketch: Sketch) -> Sketch:
+    """Return a drawing with its points moved a little, each in another direction."""
+    far, moved = ASIDE * sketch.size, copy(sketch)
+    ways = (cmath.rect(far, 1.0 + n * n) for n in range(len(sketch.places)))
+    moved.places = {
+        point: place._replace(at=(place.at[0] + way.real, place.at[1] + way.imag))
+        for (point, place), way in zip(sketch.places.items(), ways, strict=True)
+    }
+    return moved
+
+
 def _drawn_values(
-    mechanism: Mechanism, waiting: Collection[str], held: Independent, sketch: Sketch
+    mechanism: Mechanism,
+    waiting: Collection[str],
+    held: Independent,
+    sketch: Sketch,
+    ranks: Sketch,
 ) -> Iterator[tuple[str, float]]:
     """Yield parameters as measured in the drawing: the drive, and those that no loop gives.
 
-    What ``waiting`` parameters give is held from then on.
+    What ``waiting`` parameters give is held from then on, as at the places of ``ranks``.
     """
     drive = mechanism.drive_name
     parts = [part for entry in mechanism.geometry for part in _parts(entry)]
     left = {n: _of(n, parts) for part in parts for n in sorted(mentioned(part) & set(waiting))}
     while left:
-        by_loop = [n for n in left if any(_follows(part, held, sketch) for part in left[n])]
+        by_loop = [n for n in left if any(_follows(part, held, ranks) for part in left[n])]
         name = drive if drive in left else next(iter(by_loop or left))
         given = left.pop(name)
         value = _measured(name, given, sketch)
@@ -57,7 +95,7 @@ def _drawn_values(
             yield name, value
         for part in given:
             if mentioned(part).isdisjoint(left):
-                _hold(part, held, sketch)
+                _hold(part, held, ranks)
 
 
 def _measured(name: str, parts: Iterable[Geometry], sketch: Sketch) -> float | None:
@@ -107,11 +145,13 @@ def _pins(mechanism: Mechanism) -> frozenset[str]:
     return frozenset(p for p, number in carried.items() if number > 1 or p in ground)
 
 
-def _standing(mechanism: Mechanism, held: Independent, sketch: Sketch) -> Iterator[Geometry]:
+def _standing(
+    mechanism: Mechanism, held: Independent, sketch: Sketch, ranks: Sketch
+) -> Iterator[Geometry]:
     """Yield the drawn directions of links that nothing turns."""
     for link in mechanism.links:
         arm = next(sketch.arms(link.points), None)
-        if arm and held.takes(direction(*arm, sketch)):
+        if arm and held.takes(direction(*arm, ranks)):
             yield Arrow(*arm, None, sketch.direction(*arm), sketch.span(arm[1]))
 
 

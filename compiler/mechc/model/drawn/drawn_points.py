@@ -130,6 +130,11 @@ class DrawnPoints:
             return evaluate(direction.angle, self.values)
         return None
 
+    def value_of(self, length: Formula | None) -> float | None:
+        """Return a given length in metres, None where it has no value."""
+        known = length is not None and symbols(length) <= self.values.keys()
+        return evaluate(length, self.values) if length is not None and known else None
+
     def lay_on_line(self, point: str, tail: str, head: str) -> None:
         """Move a drawn point to the line through two others, where it is not quite on it."""
         x, y = self.components(tail, head)

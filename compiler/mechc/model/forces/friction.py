@@ -49,8 +49,8 @@ TransmissionFriction = (
     ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction | ast.CollarFriction
 )
 
-STEEPEST = 45.0
-"""Degrees beyond which hardly a thread climbs, and friction has its smallest part."""
+FLATTEST, STEEPEST = 0.1, 40.0
+"""Degrees below and beyond which hardly a thread climbs: a fast one of several starts has 36."""
 
 
 def _kind_and_point(joint: JointFriction) -> tuple[object, ...]:
@@ -297,13 +297,14 @@ def _on_collar(
 
 
 def _remark_on_lead(screw: Screw, thread: Formula, span: Span, scope: Scope) -> None:
-    """Say that a thread climbs more steeply than 45 deg."""
+    """Say that a thread climbs more steeply, or less, than any usual one."""
     pitch, diameter = value_of(screw.pitch, scope), value_of(thread, scope)
     if pitch is None or diameter is None:
         return
     climb = math.degrees(math.atan2(abs(pitch), math.pi * diameter))
-    if climb > STEEPEST:
-        scope.report.add(messages.steep_thread(span, screw.point, climb, diameter))
+    if climb > STEEPEST or 0 < climb < FLATTEST:
+        bound = f"less than {STEEPEST:g}" if climb > STEEPEST else f"more than {FLATTEST:g}"
+        scope.report.add(messages.strange_thread(span, screw.point, climb, diameter, bound))
 
 
 def _transmissions(

@@ -18,6 +18,7 @@ from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
 from ..names.points import Points
 from ..names.scope import DESCRIPTION, Bare, Scope
+from ..tolerances import SAME_VALUE
 from .directions import is_beyond_a_turn, note_units
 from .expressions import Reader
 from .measured import Quantity, fits, shown
@@ -105,10 +106,28 @@ def _tolerance(parameter: Parameter, statement: ast.Param, scope: Scope) -> Form
     found = read_tolerance(
         statement.tolerance, parameter.dimension, f"of '{parameter.name}'", scope
     )
-    if found and parameter.value and _is_of_all(found, parameter.value, parameter, scope.sheet):
+    doubt = _doubt(found, parameter, scope.sheet) if found else None
+    if doubt:
         place = statement.tolerance.span
-        scope.report.add(doubtful_sizes.tolerance_of_all(place, parameter.name))
+        scope.report.add(doubtful_sizes.tolerance_of_all(place, parameter.name, doubt))
     return found
+
+
+WIDE = math.radians(10) * (1 - SAME_VALUE)
+"""An angle by which nothing that is made is off."""
+
+
+def _doubt(
+    tolerance: Formula, parameter: Parameter, is_sheet: bool
+) -> doubtful_sizes.ToleranceDoubt | None:
+    """Return in which way a tolerance is too large, None where it may be meant."""
+    size = evaluate(tolerance, {})
+    if parameter.value and _is_of_all(tolerance, parameter.value, parameter, is_sheet):
+        return "value"
+    if parameter.range:
+        low, high = (evaluate(end, {}) for end in parameter.range)
+        return "range" if 2 * size > (high - low) * (1 + SAME_VALUE) > 0 else None
+    return "angle" if parameter.dimension == ANGLE and size >= WIDE else None
 
 
 def _is_of_all(tolerance: Formula, given: Formula, parameter: Parameter, is_sheet: bool) -> bool:

@@ -77,7 +77,12 @@ def held(row: Row, shown: Written) -> str:
     stroke = shown.stroke
     near = EXACT * (stroke.high - stroke.low)
     found = (s for s in stroke.standstills if _is_in(row.drive, s, near) and s.state != "free")
-    return ", ".join(shown.says(s.state, name=s.result) for s in found)
+    return ", ".join(shown.says(_state(s), name=s.result) for s in found)
+
+
+def _state(found: JammedInterval) -> str:
+    """Return the key of a state: what is said to drive and cannot is no self-locking."""
+    return "driving" if found.driving and found.state == "locked" else found.state
 
 
 def _is_in(x: float, found: JammedInterval, near: float) -> bool:
@@ -267,7 +272,8 @@ def _measured(value: float, result: str, shown: Written, digits: int) -> str:
 def _standstill(found: JammedInterval, shown: Written) -> str:
     span, left_out = _span(found.low, found.high, shown), ENDS[found.left_out]
     ends = shown.says(left_out) if left_out else ""
-    return shown.says(f"{found.state} part", name=found.result, span=span, ends=ends)
+    names = {"name": found.result, "load": found.driving, "span": span, "ends": ends}
+    return shown.says(f"{_state(found)} part", **names)
 
 
 def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: Written) -> str:

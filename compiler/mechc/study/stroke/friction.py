@@ -7,7 +7,7 @@ from ...formula.tree import Implicit
 from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
-from ...model.parts.targets import Efficiency, WithFriction
+from ...model.parts.targets import Efficiency, WithFriction, drives_from_below
 from ..analysis import Analysis
 from ..intervals import EfficiencyRange, LockingInterval
 from .stroke import Extremum, JammedInterval
@@ -36,8 +36,14 @@ def standstills(results: Iterable[Analysis], drive: str) -> Iterator[JammedInter
     for result in results:
         for stretch in _stretches(result, drive):
             if stretch.within:
-                left_out = _left_out(stretch, *stretch.within)
-                yield JammedInterval(result.name, stretch.state, *stretch.within, left_out)
+                left_out, driving = _left_out(stretch, *stretch.within), _driving(result)
+                yield JammedInterval(result.name, stretch.state, *stretch.within, left_out, driving)
+
+
+def _driving(result: Analysis) -> str:
+    """Return the load that drives from below the line, '' where that above the line does."""
+    is_by_other = drives_from_below(result.target, result.name, result.driven)
+    return result.locking.load if is_by_other and result.locking else ""
 
 
 def _stretches(result: Analysis, drive: str) -> Iterator[LockingInterval]:

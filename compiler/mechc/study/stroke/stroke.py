@@ -130,7 +130,8 @@ class Extremum(NamedTuple):
 class JammedInterval(NamedTuple):
     """A part of the stroke on which a result with friction is locked, or jammed.
 
-    It does not hold the dead centres that are ``left_out`` at its ends.
+    It does not hold the dead centres that are ``left_out`` at its ends. ``driving`` is the load
+    below the line where that drives and nothing moves: then this is no self-locking.
     """
 
     result: str
@@ -138,6 +139,7 @@ class JammedInterval(NamedTuple):
     low: float
     high: float
     left_out: tuple[bool, bool] = (False, False)
+    driving: str = ""
 
 
 @frozen

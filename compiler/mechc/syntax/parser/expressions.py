@@ -160,8 +160,7 @@ def unit(spelled: ast.Expr) -> ast.Name:
     name = text.bare(spelled).replace(" ", "")
     if name not in UNITS:
         plain = [known for known in UNITS if known.isalpha()]
-        meant = unit_words.unit_meant(name)
-        hint = f"did you mean {meant!r}?" if meant else ""
+        hint = unit_words.hint_of(name)
         raise Fault(syntax.unknown_unit(spelled.span, name, plain, hint, where=""))
     return ast.Name(name, spelled.span)
 

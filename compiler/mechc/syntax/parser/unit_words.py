@@ -29,12 +29,36 @@ SPELLED: dict[str, str] = {
     "inlbf": "lbf*in", "lbfin": "lbf*in", "lbsft": "lbf*ft", "fps": "ft/s", "ips": "in/s",
     "mm2": "mm^2", "cm2": "cm^2", "m2": "m^2", "mm3": "mm^3", "cm3": "cm^3", "m3": "m^3",
     "sqin": "in^2", "cc": "cm^3",
-    "kh": "kN", "mh": "MN", "dah": "daN", "hm": "N*m", "khm": "kN*m", "hmm": "N*mm",
+    "mnm": "N*mm", "kh": "kN", "mh": "MN", "dah": "daN", "hm": "N*m", "khm": "kN*m", "hmm": "N*mm",
 }  # fmt: skip
 """What people write for a unit, in small letters and the singular.
 
 A Latin H stands for the newton of Cyrillic letters, where these were put into Latin by eye.
 """
+
+
+NEWTONS = "did you mean 'MN', 10^6 N? A millinewton is 0.001 N"
+
+THOUSANDTHS: dict[str, str] = {
+    "mN": NEWTONS,
+    "mn": NEWTONS,
+    "mPa": "did you mean 'MPa', 10^6 Pa? A millipascal is 0.001 Pa",
+}
+"""Hints at thousandths, which are no units here: the capital letter makes a million of them."""
+
+
+def hint_of(word: str) -> str:
+    """Return a hint at the unit that a word behind a number most likely means, '' for none.
+
+    >>> hint_of("MM")
+    "did you mean 'mm'?"
+    >>> hint_of("mn")
+    "did you mean 'MN', 10^6 N? A millinewton is 0.001 N"
+    """
+    if word in THOUSANDTHS:
+        return THOUSANDTHS[word]
+    meant = unit_meant(word)
+    return f"did you mean {meant!r}?" if meant else ""
 
 
 def unit_meant(word: str) -> str:
