@@ -12,8 +12,6 @@ from ..formula.tree import Call
 from ..frozen import frozen
 from ..model.mechanism import (
     Contact,
-    Force,
-    ForcePair,
     Link,
     Mechanism,
     Meshing,
@@ -22,7 +20,6 @@ from ..model.mechanism import (
     Slide,
     Slider,
     Slot,
-    Torque,
 )
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector, components, reverse
@@ -87,13 +84,7 @@ def lines_of(acts: Iterable[Act], guide: Angle | None) -> Iterator[Angle]:
 def bent(pose: Pose) -> Iterator[str]:
     """Yield the links that something acts on between their pins, or turns."""
     for load in pose.mechanism.loads:
-        match load:
-            case ForcePair(first_link=first, second_link=second):
-                yield from (first, second)
-            case Force(link=link) | Torque(link=link):
-                yield link
-            case _:
-                assert_never(load)
+        yield from load.links
     yield from (contact.body for contact in pose.contacts)
     for joint in pose.mechanism.joints:
         match joint:

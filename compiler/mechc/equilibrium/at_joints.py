@@ -8,7 +8,6 @@ from ..algebra.trigonometry import cosine
 from ..frozen import replace
 from ..kinematics.joint_refs import held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Reaction
-from ..model.parts.loads import acts_at
 from ..model.parts.targets import Target
 from ..pose.pose import Arm, Pose, Vector
 from .acts import QUARTER, Act, FreeBody, X, Y, part_along, summed, unit
@@ -41,7 +40,7 @@ def _alone_at(pivot: str, mechanism: Mechanism) -> list[tuple[str, ...]]:
     """Return the body that alone is held by a pivot, as the subject of the force there."""
     bodies = [body for body in mechanism.bodies if pivot in body.points]
     joints = [joint for joint in mechanism.joints if pivot in joint.points]
-    loads = [load for load in mechanism.loads if acts_at(pivot, load)]
+    loads = [load for load in mechanism.loads if pivot in load.points]
     is_alone = len(bodies) == len(joints) == 1 and not loads and pivot not in mechanism.shared
     return [("pivot", bodies[0].name, pivot)] if is_alone else []
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 
 from ..formula.evaluate import evaluate
 from ..frozen import frozen, replace
-from ..model.mechanism import Force, ForcePair, Torque
+from ..model.mechanism import Torque
 from ..model.values import Chain
 from ..pose.motion import Motion
 from ..power.balance import Balance, Term
@@ -112,16 +112,11 @@ class _Maker:
         return next(moving, max(here.points, key=here.speed))
 
     def _loaded(self) -> tuple[str, ...]:
-        match self._driving.load if self._driving else None:
-            case Force(point=point):
-                return (point,)
-            case ForcePair(first=first, second=second):
-                return second, first
-            case Torque(link=name):
-                links = self.balance.plan.graph.pose.mechanism.links
-                return next((link.points for link in links if link.name == name), ())
-            case None:
-                return ()
+        """Return the points that the driving load acts on, those of its link for a couple."""
+        load = self._driving.load if self._driving else None
+        if isinstance(load, Torque):
+            return self.balance.plan.graph.pose.mechanism.link(load.link).points
+        return load.points[::-1] if load else ()
 
 
 def _different(one: Velocities, other: Velocities) -> Iterator[str]:

@@ -8,8 +8,6 @@ from ..diagnostics import friction as messages
 from ..formula.tree import ZERO
 from ..kinematics.joint_refs import JointRef
 from ..model.mechanism import (
-    Force,
-    ForcePair,
     Load,
     LoadForm,
     LoadRatio,
@@ -54,13 +52,7 @@ def asks_for_loads(mechanism: Mechanism) -> bool:
 
 def acts_on_pin(load: Load, point: str) -> bool:
     """Return whether a load acts on a pin, and on none of the bodies there."""
-    match load:
-        case Force(point=at, link=link):
-            return at == point and not link
-        case ForcePair(first=first, second=second, first_link=link, second_link=other):
-            return (first == point and not link) or (second == point and not other)
-        case _:
-            return False
+    return ("", point) in load.ends
 
 
 def _alike(pin: PinFriction, pose: Pose, driving: str, given: Given) -> bool:

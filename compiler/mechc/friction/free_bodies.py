@@ -284,12 +284,5 @@ def _has_shared_points(bodies: Bodies) -> bool:
 
 def _is_apart(load: Load, bodies: Bodies) -> bool:
     """Return whether a load acts on a rod itself, or on a lever at its pivot."""
-    match load:
-        case Force(point=point, link=link):
-            ends = [(link, point)]
-        case ForcePair(first=first, second=second):
-            ends = [(load.first_link, first), (load.second_link, second)]
-        case _:
-            return False
-    named = [(link, point) for link, point in ends if link]
+    named = [(link, point) for link, point in load.ends if link]
     return any(link not in bodies.levers or point in bodies.fixed for link, point in named)

@@ -5,8 +5,6 @@ from typing import Literal, assert_never
 
 from ..model.mechanism import (
     Contact,
-    Force,
-    ForcePair,
     Link,
     Mechanism,
     Meshing,
@@ -44,13 +42,10 @@ def held_end(mechanism: Mechanism, link: Link) -> str:
 
     At an end where a load acts on the rod itself the pin gives not all of the force along it.
     """
-    loaded = {k.point for k in mechanism.loads if isinstance(k, Force) and k.link == link.name}
-    for pair in (k for k in mechanism.loads if isinstance(k, ForcePair)):
-        ends = (pair.first_link, pair.first), (pair.second_link, pair.second)
-        loaded |= {point for name, point in ends if name == link.name}
+    loaded = {end for load in mechanism.loads for end in load.ends}
 
     def is_held(point: str) -> bool:
-        if point in loaded:
+        if (link.name, point) in loaded:
             return False
         others = sum(point in k.points for k in mechanism.links) > 1
         return others or bool(mechanism.slides_at(point)) or point in _held(mechanism)

@@ -319,14 +319,11 @@ class Mechanism:
         """
         ends = {frozenset(telescope.points) for telescope in self.telescopes}
         pairs = (k for k in self.loads if isinstance(k, ForcePair))
-        return tuple(
-            k for k in pairs if frozenset((k.first, k.second)) not in ends and self.loose_ends(k)
-        )
+        return tuple(k for k in pairs if frozenset(k.points) not in ends and self.loose_ends(k))
 
     def loose_ends(self, pair: ForcePair) -> list[str]:
         """Return the ends of a pair of forces on a body that is not named."""
-        ends = (pair.first, pair.first_link), (pair.second, pair.second_link)
-        return [point for point, link in ends if not link and self.turning_at(point)]
+        return [point for link, point in pair.ends if not link and self.turning_at(point)]
 
     def turning_at(self, point: str) -> tuple[str, ...]:
         """Return the links and the cylinders that turn on a pin."""

@@ -5,8 +5,6 @@ from typing import assert_never
 
 from .mechanism import (
     Contact,
-    Force,
-    ForcePair,
     Link,
     Mechanism,
     Meshing,
@@ -40,10 +38,7 @@ def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
             case _:
                 assert_never(joint)
     for load in mechanism.loads:
-        if isinstance(load, ForcePair):
-            yield from (load.first, load.second)
-        elif isinstance(load, Force):
-            yield load.point
+        yield from load.points
 
 
 def place_matters(point: str, mechanism: Mechanism) -> bool:

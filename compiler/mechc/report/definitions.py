@@ -22,7 +22,7 @@ from ..formula.tree import (
 )
 from ..formula.walk import substitute, walk
 from ..frozen import frozen
-from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
+from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter
 from ..model.result import Definition, Result
 from ..model.values import is_constant
 from ..named import NamedTuple
@@ -155,9 +155,7 @@ def given_loads(mechanism: Mechanism) -> Iterator[Parameter]:
 
 def literal_unit(load: Load, given: Formula | None = None) -> str:
     """Return the unit of a load whose size, ``given`` or tied, is a number; else ''."""
-    if not isinstance(given or load.tie, Number):
-        return ""
-    return "N*m" if isinstance(load, Torque) else "N"
+    return si_unit(load.dimension) if isinstance(given or load.tie, Number) else ""
 
 
 def constant_units(mechanism: Mechanism) -> dict[str, str]:

@@ -15,7 +15,6 @@ from ..model.mechanism import (
     LoadRatio,
     Mechanism,
     Parameter,
-    Torque,
     WithFriction,
 )
 from ..model.parts import written
@@ -360,7 +359,7 @@ def _zeros(chain: Chain, given: Mapping[str, float]) -> Iterator[str]:
 
 def _of_loads(where: Iterable[Definition], mechanism: Mechanism) -> dict[str, str]:
     """Return the units of the loads that have a formula, such as weights."""
-    units = {load.name: "N*m" if isinstance(load, Torque) else "N" for load in mechanism.loads}
+    units = {load.name: si_unit(load.dimension) for load in mechanism.loads}
     return {d.name: units[d.name] for d in where if d.name in units}
 
 

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Set
 
-from ..model.mechanism import Axial, Force, ForceAtJoint, ForcePair, Normal, Reaction
+from ..model.mechanism import Axial, ForceAtJoint, Normal, Reaction
 from .answers import Answer, combination, one_of, unknown_bases
 from .assembly import Plane
 from .balanced import Balanced
@@ -50,17 +50,7 @@ def wanted_of(target: ForceAtJoint, unfolding: Unfolding, system: System) -> tup
 
 def _is_loaded(link: str, point: str, unfolding: Unfolding) -> bool:
     """Return whether a load acts on a link itself at a point, so that a pin gives not all of it."""
-    for load in unfolding.pose.mechanism.loads:
-        match load:
-            case Force(point=at, link=on):
-                ends = [(on, at)]
-            case ForcePair(first=first, second=second, first_link=one, second_link=other):
-                ends = [(one, first), (other, second)]
-            case _:
-                ends = []
-        if (link, point) in ends:
-            return True
-    return False
+    return any((link, point) in load.ends for load in unfolding.pose.mechanism.loads)
 
 
 def _on_link_or_point(

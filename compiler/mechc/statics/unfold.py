@@ -72,8 +72,7 @@ class Unfolding(Halves):
     def turning_on(self, point: str) -> Iterator[str]:
         """Yield the links and telescopes that a pin joins, but no telescope that nothing loads."""
         mechanism = self.pose.mechanism
-        pairs = [load for load in mechanism.loads if isinstance(load, ForcePair)]
-        loaded = [{pair.first, pair.second} for pair in pairs]
+        loaded = [set(load.points) for load in mechanism.loads]
         yield from (link.name for link in mechanism.rigid_links if point in link.points)
         for telescope in mechanism.telescopes:
             if point in telescope.points and {*telescope.points} in loaded:

@@ -24,7 +24,7 @@ from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import Expect, Mechanism, Torque
+from ..model.mechanism import Expect, Mechanism
 from ..model.result import Definition, Result
 from ..model.values import (
     Chain,
@@ -39,7 +39,7 @@ from ..model.values import (
     standing,
 )
 from ..named import NamedTuple
-from ..units import in_unit
+from ..units import in_unit, si_unit
 from .analysis import as_printed
 from .ranges import scale_of
 from .tolerances import SAME_FIGURE, SAME_RATIO
@@ -319,5 +319,5 @@ def _shown_at(expect: Expect, result: Result, mechanism: Mechanism, values: Valu
 def _in_units(at: Values, mechanism: Mechanism) -> dict[str, str]:
     """Return values as text: of parameters in the units written, of loads in those of the SI."""
     units = {p.name: p.unit for p in mechanism.parameters}
-    units |= {k.name: "N*m" if isinstance(k, Torque) else "N" for k in mechanism.loads}
+    units |= {load.name: si_unit(load.dimension) for load in mechanism.loads}
     return {name: in_unit(value, units.get(name, ""), 10) for name, value in at.items()}

@@ -17,7 +17,6 @@ from ..mechanism import (
     Direction,
     Find,
     Force,
-    ForcePair,
     Link,
     LoadForm,
     LoadRatio,
@@ -129,7 +128,7 @@ def _idle(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield the telescopes in which nothing acts, where forces are looked at."""
     if not any(isinstance(find.target, LoadForm | LoadRatio) for find in mechanism.finds):
         return
-    acting = [{k.first, k.second} for k in mechanism.loads if isinstance(k, ForcePair)]
+    acting = [set(load.points) for load in mechanism.loads]
     for telescope in mechanism.telescopes:
         is_held = bool(body_through(telescope.points, mechanism))
         if set(telescope.points) not in acting and not is_held:

@@ -33,7 +33,6 @@ from ..parts.friction import (
     ThreadFriction,
     WheelFriction,
 )
-from ..parts.loads import acts_at
 from ..statements import every, only
 from . import collars, pulleys
 from .coefficients import (
@@ -336,7 +335,7 @@ def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
         return True
     if point.text in scope.points.guided:
         held = scope.points.carried.keys() | scope.points.touching.keys()
-        is_loaded = point.text in held or any(acts_at(point.text, k) for k in built.loads)
+        is_loaded = point.text in held or any(point.text in k.points for k in built.loads)
         if not is_loaded:
             scope.report.add(messages.nothing_presses(point.span, point.text))
         return is_loaded

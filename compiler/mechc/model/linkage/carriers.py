@@ -40,7 +40,6 @@ from ..mechanism import (
     Slider,
     Slot,
     Telescope,
-    Torque,
     WheelPair,
 )
 
@@ -210,9 +209,7 @@ def _bent(mechanism: Mechanism) -> Iterator[str]:
     """Yield the links that more than two forces in one line act on."""
     m = mechanism
     yield from (k.name for k in m.links if len(k.points) > 2)
-    yield from (k.link for k in m.loads if isinstance(k, Torque | Force) and k.link)
-    pairs = [k for k in m.loads if isinstance(k, ForcePair)]
-    yield from (name for k in pairs for name in (k.first_link, k.second_link))
+    yield from (name for load in m.loads for name in load.links)
     yield from (name for joint in m.joints for name in joint.bodies)
 
 

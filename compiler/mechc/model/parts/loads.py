@@ -4,7 +4,6 @@ A ``tie`` is a formula in parameters and one other load.
 """
 
 from fractions import Fraction
-from typing import assert_never
 
 from ...formula.tree import Formula, number, product, total
 from ...frozen import frozen
@@ -42,8 +41,38 @@ class Spread:
         return product([(self.part, 1), (self.length, 1)])
 
 
+Ends = tuple[tuple[str, str], ...]
+"""Where a load acts: by its link and point, '' for the link where it acts on the pin itself."""
+
+
+class AtPoints:
+    """A load that acts at points of links, or on the pins there."""
+
+    __slots__ = ()
+
+    @property
+    def ends(self) -> Ends:
+        """Return the link and the point of each of its forces."""
+        raise NotImplementedError
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it acts on."""
+        return tuple(point for _, point in self.ends)
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        """Return the links that it acts on, '' for a pin."""
+        return tuple(link for link, _ in self.ends)
+
+    @property
+    def dimension(self) -> Dimension:
+        """Return the dimension of its size."""
+        return FORCE
+
+
 @frozen
-class Force:
+class Force(AtPoints):
     """A force on a point; ``tie`` is a formula linear in one other load, or None.
 
     ``times`` multiplies the load wherever it acts. ``link`` is the link that carries it, ''
@@ -62,14 +91,9 @@ class Force:
     spread: Spread | None = None
 
     @property
-    def points(self) -> tuple[str, ...]:
-        """The points that it acts on; a couple acts on a link."""
-        return (self.point,)
-
-    @property
-    def dimension(self) -> Dimension:
-        """The dimension of its size."""
-        return FORCE
+    def ends(self) -> Ends:
+        """Return the link and the point that it acts on."""
+        return ((self.link, self.point),)
 
 
 @frozen
@@ -83,18 +107,28 @@ class Torque:
     times: Fraction = Fraction(1)
 
     @property
-    def points(self) -> tuple[str, ...]:
-        """The points that it acts on; a couple acts on a link."""
+    def ends(self) -> Ends:
+        """Return the link and the point of each of its forces: it acts at no point."""
         return ()
 
     @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it acts on: none."""
+        return ()
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        """Return the link that it acts on."""
+        return (self.link,)
+
+    @property
     def dimension(self) -> Dimension:
-        """The dimension of its size."""
+        """Return the dimension of its size."""
         return TORQUE
 
 
 @frozen
-class ForcePair:
+class ForcePair(AtPoints):
     """A pair of equal and opposite forces that pushes two points apart.
 
     ``tie`` is None for an actuator; for a spring it is c·(l0 − len_AB), a known load, and
@@ -116,28 +150,10 @@ class ForcePair:
     joins_twins: bool = False
 
     @property
-    def points(self) -> tuple[str, ...]:
-        """The points that it acts on; a couple acts on a link."""
-        return (self.first, self.second)
-
-    @property
-    def dimension(self) -> Dimension:
-        """The dimension of its size."""
-        return FORCE
+    def ends(self) -> Ends:
+        """Return the link and the point of each of its two forces."""
+        return (self.first_link, self.first), (self.second_link, self.second)
 
 
 Load = Force | Torque | ForcePair
 """A weight is a :class:`Force` with ``weight`` True and ``tie`` = m·g (a known load)."""
-
-
-def acts_at(point: str, load: Load) -> bool:
-    """Return whether a load acts at a point."""
-    match load:
-        case Force():
-            return load.point == point
-        case ForcePair():
-            return point in (load.first, load.second)
-        case Torque():
-            return False
-        case _:
-            assert_never(load)

@@ -9,9 +9,7 @@ from ...units import ANGLE, FORCE, Dimension
 from ..mechanism import (
     Axial,
     Force,
-    ForcePair,
     Link,
-    Load,
     Mechanism,
     Normal,
     Part,
@@ -114,12 +112,7 @@ def _in_arc(symbol: ast.Symbol, pin: str, ends: tuple[str, ...], scope: Scope) -
 
 def check_rods(mechanism: Mechanism, scope: Scope) -> None:
     """Report rods that loads act on at both ends: the force along them is not that of a pin."""
-    on = {(load.link, load.point) for load in mechanism.loads if isinstance(load, Force)} | {
-        end
-        for load in mechanism.loads
-        if isinstance(load, ForcePair)
-        for end in ((load.first_link, load.first), (load.second_link, load.second))
-    }
+    on = {end for load in mechanism.loads for end in load.ends}
     sliding = {j.joint for j in mechanism.friction.joints if isinstance(j, RopeFriction)}
     spread = {k.spread.link for k in mechanism.loads if isinstance(k, Force) and k.spread}
     for find in mechanism.finds:
@@ -165,21 +158,9 @@ def warn_of_loads_on_pins(mechanism: Mechanism, scope: Scope) -> None:
     for (point, link), span in asked.items():
         others = [k.name for k in mechanism.links if point in k.points and k.name != link]
         for load in mechanism.loads if others and point not in rough else ():
-            if _is_on_the_pin(load, point):
+            if ("", point) in load.ends:
                 words = span, load.name, point, link, others, load.span
                 scope.report.add(messages.load_on_the_pin(*words))
-
-
-def _is_on_the_pin(load: Load, point: str) -> bool:
-    """Return whether a load acts at a point and is carried by no link there."""
-    match load:
-        case Force(point=at, link=""):
-            return at == point
-        case ForcePair():
-            ends = (load.first, load.first_link), (load.second, load.second_link)
-            return (point, "") in ends
-        case _:
-            return False
 
 
 def check_guides_of_copies(mechanism: Mechanism, scope: Scope) -> None:

@@ -11,7 +11,7 @@ from ...kinematics.forms import scaled, spin
 from ...kinematics.graph import Form, Graph, Kind, Relation
 from ...kinematics.meshes import turning
 from ...kinematics.plan import Block, Plan
-from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque, WheelPair
+from ...model.mechanism import Force, Load, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
 from ..kinds import Rule
@@ -20,18 +20,16 @@ from .notation import Named, Names, Notation, linear, times
 from .rules import involved, pole_of, rule_of
 
 
-def acting_on(load: Force | ForcePair, graph: Graph) -> tuple[str, ...]:
-    """Return the described points on which a force or a pair of forces acts."""
-    if isinstance(load, Force):
-        return (load.point,)
-    return tuple(p for p in (load.first, load.second) if p in graph.velocities)
+def acting_on(load: Load, graph: Graph) -> tuple[str, ...]:
+    """Return the described points on which a load acts."""
+    return tuple(p for p in load.points if p in graph.velocities)
 
 
 def output_points(balance: Balance) -> Iterator[str]:
     """Yield the points whose velocities loads and speeds asked for rest on."""
     graph = balance.plan.graph
     for term in balance.terms:
-        if any(term.power) and not isinstance(term.load, Torque):
+        if any(term.power):
             yield from acting_on(term.load, graph)
     yield from (speed.of for speed in _speeds_asked(graph) if speed.kind == "point")
 

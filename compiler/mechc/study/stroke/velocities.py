@@ -13,7 +13,7 @@ from ...algebra.sums import add, canonical
 from ...formula.tree import Symbol
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import Arrow, Force, ForcePair, Load, Torque
+from ...model.mechanism import Arrow, Force, ForcePair, Torque
 from ...model.parts.repeated import primed
 from ...named import NamedTuple
 from ...power.balance import Balance, Term
@@ -121,7 +121,7 @@ def _shifted(balance: Balance) -> Velocity | None:
 def _along_arrow(arrow: Arrow, balance: Balance) -> Velocity | None:
     """Return the speed at which a vector grows: of a pair of forces, or of a point in its guide."""
     for term in balance.terms:
-        if _pair(term.load) == {arrow.tail, arrow.head}:
+        if set(term.load.points) == {arrow.tail, arrow.head}:
             return _of_load(term)
     pose = balance.plan.graph.pose
     guide = pose.guide_of(arrow.head)
@@ -129,10 +129,6 @@ def _along_arrow(arrow: Arrow, balance: Balance) -> Velocity | None:
         return None
     speed = balance.plan.component(arrow.head, guide)[0]
     return Velocity((SpeedOf(f"V_{arrow.head}", "guide", arrow.head),), VELOCITY, speed)
-
-
-def _pair(load: Load) -> set[str]:
-    return {load.first, load.second} if isinstance(load, ForcePair) else set()
 
 
 def _own_rate(plan: Plan) -> Velocity | None:
