@@ -112,3 +112,17 @@ def test_a_pin_leaves_a_slot_with_its_own_speed_less_that_of_the_slot_under_it()
     left = forms.leaving(found, touch, at(90, alpha=1))
     assert form(left) == {0: pytest.approx(-A)}
     assert forms.leaving(found, touch._replace(reach=()), at(90, alpha=1)) == {}
+
+
+def test_a_couple_works_against_its_links_spin_and_a_force_against_its_points_speed_along_it():
+    found = graph(slider_crank())
+    couple, push = found.pose.mechanism.loads
+    assert forms.speed_of_load(found, couple) == {unknown(found, "OA"): ONE}
+    assert forms.speed_of_load(found, push) == {unknown(found, "B"): ONE}
+
+
+def test_a_pair_of_forces_works_against_the_speed_at_which_its_points_part():
+    pair = ForcePair("S", "B", "K", HERE)
+    pose = two_bars()
+    found = graph(replace(pose, lines={**pose.lines, "S": at(90)}))
+    assert forms.speed_of_load(found, pair) == forms.parting(found, pair, at(90))

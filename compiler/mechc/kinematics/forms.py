@@ -1,12 +1,13 @@
 """Linear forms in the unknown speeds: projections of velocities, spins of links."""
 
 from collections.abc import Iterable, Mapping
+from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
-from ..model.mechanism import ForcePair
+from ..model.mechanism import Force, ForcePair, Load, Torque
 from ..pose.pose import PointContact, Pose, Vector
 from .graph import Flow, Form, Graph, Velocity
 
@@ -52,6 +53,19 @@ def parting(graph: Graph, pair: ForcePair, line: Angle) -> Form:
         return projection(graph.velocities[pair.first], line)
     ahead, behind = (projection(graph.velocities[p], line) for p in (pair.second, pair.first))
     return subtract(ahead, behind)
+
+
+def speed_of_load(graph: Graph, load: Load) -> Form:
+    """Return the speed with which a load does its work: its power is the load times this."""
+    match load:
+        case Force(name, point):
+            return projection(graph.velocities[point], graph.pose.lines[name])
+        case ForcePair(name):
+            return parting(graph, load, graph.pose.lines[name])
+        case Torque(_, link):
+            return spin(graph, link)
+        case _:
+            assert_never(load)
 
 
 def leaving(graph: Graph, contact: PointContact, along: Angle) -> Form:

@@ -27,13 +27,12 @@ from ..model.mechanism import (
     Pivot,
     Rack,
     Slider,
-    Torque,
 )
 from ..pose.pose import Pose
 from ..source import Source, Span
 from . import meshes
 from .carriers import graph_of
-from .forms import QUARTER, combined, leaving, parting, projection, spin, subtract
+from .forms import QUARTER, combined, leaving, projection, speed_of_load, spin, subtract
 from .graph import Form, Graph, Relation, Rule
 from .joint_refs import JointRef, contact_at
 from .plan import Plan, Speeds
@@ -92,21 +91,9 @@ def released_linkage(
 def work_of(shares: Sequence[Share]) -> Measure:
     """Return the speed with which a free load does its work, with all that are tied to it."""
     if len(shares) == 1:
-        return _speed_of(shares[0][1])
-    measures = [(part, _speed_of(load)) for part, load in shares]
-    return lambda graph: combined((part, measure(graph)) for part, measure in measures)
-
-
-def _speed_of(load: Load) -> Measure:
-    match load:
-        case Force(name, point):
-            return lambda graph: projection(graph.velocities[point], graph.pose.lines[name])
-        case ForcePair(name):
-            return lambda graph: parting(graph, load, graph.pose.lines[name])
-        case Torque(_, link):
-            return lambda graph: spin(graph, link)
-        case _:
-            assert_never(load)
+        ((_, load),) = shares
+        return lambda graph: speed_of_load(graph, load)
+    return lambda graph: combined((part, speed_of_load(graph, load)) for part, load in shares)
 
 
 def _held_still(graph: Graph, measures: Iterable[Measure], span: Span) -> Graph:

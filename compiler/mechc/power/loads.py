@@ -1,13 +1,14 @@
 """Loads as terms of the power equations."""
 
 from fractions import Fraction
+from typing import assert_never
 
 from ..algebra.angle import rational
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
-from ..kinematics.forms import parting
+from ..kinematics.forms import speed_of_load
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force, ForcePair, Load, Mechanism, Torque
 from .balance import Term
@@ -23,13 +24,8 @@ def terms(plan: Plan) -> tuple[Term, ...]:
 def _term(plan: Plan, load: Load, names: set[str]) -> Term:
     count = Product(rational(load.times * occurrences(plan.graph.pose.mechanism, load)))
     tie = _tie(load.tie, names) if load.tie is not None else None
-    if isinstance(load, Force):
-        line = plan.graph.pose.lines[load.name]
-        return Term(load, count, plan.component(load.point, line), line, tie)
-    if isinstance(load, ForcePair):
-        line = plan.graph.pose.lines[load.name]
-        return Term(load, count, plan.value(parting(plan.graph, load, line)), line, tie)
-    return Term(load, count, plan.spin(load.link), None, tie)
+    speed = plan.value(speed_of_load(plan.graph, load))
+    return Term(load, count, speed, plan.graph.pose.lines.get(load.name), tie)
 
 
 def given_size(mechanism: Mechanism, load: str) -> Formula | None:
@@ -86,6 +82,8 @@ def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
             return (first, second)
         case Torque(link=link):
             return links[link]
+        case _:
+            assert_never(load)
 
 
 def at_rest(load: Load, mechanism: Mechanism) -> str:

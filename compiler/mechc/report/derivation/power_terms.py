@@ -1,13 +1,12 @@
 """The power of each load by the speeds that the steps have named, and the power equation."""
 
 from collections.abc import Iterator, Mapping
-from typing import assert_never
 
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
-from ...kinematics.forms import parting, projection, spin
+from ...kinematics.forms import speed_of_load
 from ...kinematics.graph import Form
-from ...model.mechanism import Force, ForcePair, Torque
+from ...model.mechanism import Force, ForcePair
 from ...named import NamedTuple
 from ...power.balance import Term
 from ..kinds import Rule
@@ -38,18 +37,16 @@ def speeds_along(speeds: SpeedSteps) -> Mapping[str, AlongLoad]:
 
 def _speed_along(term: Term, speeds: SpeedSteps) -> AlongLoad | None:
     """Return the speed along a force, or that at which the ends of a pair of forces part."""
-    assert term.line is not None
     graph = speeds.plan.graph
+    form = speed_of_load(graph, term.load)
     match term.load:
         case Force(name, point):
             if len(graph.velocities[point]) < 2:
                 return None
-            form = projection(graph.velocities[point], term.line)
             rule, subject = rule_of_component(point, name, graph)
             said = linear(form, speeds.names_at(form, *subject))
             symbol = Symbol(f"V_{point}_{name}")
         case ForcePair(_, first, second):
-            form = parting(graph, term.load, term.line)
             if len(form) < 2:
                 return None
             said = linear(_moving(form, speeds), speeds.names_at(form, first, second))
@@ -69,22 +66,11 @@ def power_terms(speeds: SpeedSteps, along: Mapping[str, AlongLoad]) -> tuple[Pow
 
 
 def _power_term(term: Term, speeds: SpeedSteps, along: Mapping[str, AlongLoad]) -> PowerTerm:
-    load, graph = term.load, speeds.plan.graph
-    at: tuple[str, ...]
-    match load:
-        case Force(_, point):
-            assert term.line is not None
-            form, at = projection(graph.velocities[point], term.line), (point,)
-        case ForcePair(_, first, second):
-            assert term.line is not None
-            form, at = parting(graph, load, term.line), (first, second)
-        case Torque(_, link):
-            form, at = spin(graph, link), (link,)
-        case _:
-            assert_never(load)
+    load = term.load
+    at = load.points or load.links
     if load.name in along:
         return PowerTerm(load.name, at[0], term.count.formula(), along[load.name].symbol)
-    moving = _moving(form, speeds)
+    moving = _moving(speed_of_load(speeds.plan.graph, load), speeds)
     speed = linear(moving, speeds.names_at(moving, *at))
     return PowerTerm(load.name, at[0], term.count.formula(), speed)
 
