@@ -6,7 +6,7 @@ from typing import assert_never
 from ..algebra.angle import Angle
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
-from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
+from ..model.mechanism import Contact, Feed, Pivot, Rope, Slider, Slot, WheelPair
 from ..pose.pose import PointContact, Pose
 from . import meshes
 from .forms import combined, projection, subtract, turned
@@ -24,7 +24,7 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
         match joint:
             case WheelPair():
                 yield _mesh(joint, pose, spins)
-            case Rack() | Screw():
+            case Feed():
                 yield _feed(joint, pose, velocities, spins)
             case Rope():
                 yield _rope(joint, pose, velocities)
@@ -68,17 +68,15 @@ def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:
     first, second = meshes.rims(mesh, pose)
     sizes = (mesh.first_link, first), (mesh.second_link, second), (mesh.arm, -add((first, second)))
     form = {spins[link]: size for link, size in sizes if link and size}
-    rule = Rule.GEAR if mesh.kind == "gear" else Rule.BELT
-    return Relation(rule, mesh.bodies[0], mesh.points, Angle(), form, mesh.span, mesh.id)
+    return Relation(Rule(mesh.kind), mesh.bodies[0], mesh.points, Angle(), form, mesh.span, mesh.id)
 
 
-def _feed(feed: Rack | Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
+def _feed(feed: Feed, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
     """V − ω · lead = 0, V the speed of a point along its guide, seen from a rack's pivot."""
     along = pose.moved_along(feed.point)
     form = meshes.travel(feed, pose, velocities, {spins[feed.link]: ONE})
-    rule = Rule.RACK if isinstance(feed, Rack) else Rule.SCREW
     points = (feed.base, feed.point) if feed.base else (feed.point,)
-    return Relation(rule, feed.link, points, along, form, feed.span, feed.id)
+    return Relation(Rule(feed.kind), feed.link, points, along, form, feed.span, feed.id)
 
 
 def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:

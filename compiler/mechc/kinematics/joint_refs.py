@@ -10,7 +10,6 @@ from ..model.mechanism import (
     Meshing,
     Pivot,
     Rope,
-    Screw,
     Slider,
     Slot,
     WheelPair,
@@ -68,10 +67,9 @@ def _held(mechanism: Mechanism) -> Iterator[str]:
 def unclear(mechanism: Mechanism) -> frozenset[str]:
     """Return the pins on which wheels and screws press in directions that are undetermined.
 
-    Teeth press across the line of centres, belts are tightened beforehand, and a screw's
-    thrust is out of the plane. A rack presses along its guide.
+    A rack presses along its guide.
     """
-    pressing = [j for j in mechanism.joints if isinstance(j, WheelPair | Screw)]
+    pressing = [mesh for mesh in mechanism.meshes if mesh.presses_aside]
     turning = {link for joint in pressing for link in joint.bodies}
     held = (p for k in mechanism.links if k.name in turning for p in k.points)
     centres = {p for j in pressing if isinstance(j, WheelPair) for p in j.points}

@@ -7,7 +7,7 @@ from typing import assert_never
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI
-from ..model.mechanism import Feed, Mesh, Meshing, Rack, Rope, Screw, WheelPair
+from ..model.mechanism import Feed, Mesh, Meshing, Rope, WheelPair
 from ..pose.pose import Pose
 from .forms import combined, projection, scaled, spin, subtract
 from .graph import Form, Graph, Velocity
@@ -26,18 +26,13 @@ def rims(mesh: WheelPair, pose: Pose) -> tuple[Product, Product]:
     return first, -second if mesh.same else second
 
 
-def lead(feed: Rack | Screw, pose: Pose) -> Product:
+def lead(feed: Feed, pose: Pose) -> Product:
     """Return how far a link moves a point while it turns by a radian, as the guide points."""
-    match feed:
-        case Rack(radius=radius):
-            return pose.radii[radius]
-        case Screw(pitch=pitch):
-            return pose.radii[pitch] / to_product(PI).scaled(2)
-        case _:
-            assert_never(feed)
+    way = pose.radii[feed.way]
+    return way / to_product(PI).scaled(2) if feed.is_per_turn else way
 
 
-def travel(feed: Rack | Screw, pose: Pose, velocities: Mapping[str, Velocity], turn: Form) -> Form:
+def travel(feed: Feed, pose: Pose, velocities: Mapping[str, Velocity], turn: Form) -> Form:
     """Return V of the point along its guide, less ω · lead, less that of what it is seen from."""
     along = pose.moved_along(feed.point)
     ahead = subtract(projection(velocities[feed.point], along), scaled(turn, lead(feed, pose)))

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Literal, assert_never
 
 from ..frozen import frozen
+from ..model.parts.holding import MeshKind
 from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 from ..pose.places import direction as direction
@@ -67,7 +68,7 @@ class PinOnBody(NamedTuple):
     normal: Plane
 
 
-TransferKind = Literal["gear", "belt", "rack", "screw", "rope", "slot"]
+TransferKind = Literal[MeshKind, "rope", "slot"]
 """The joints that pass a force on; a slot passes the couple of what it guides."""
 
 

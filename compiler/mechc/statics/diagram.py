@@ -8,13 +8,11 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Literal
 
+from ..model.parts.holding import MeshKind
 from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 
-Kind = Literal[
-    "load", "pin", "ground", "guide", "slot", "contact",
-    "gear", "belt", "rack", "screw", "rope", "friction",
-]  # fmt: skip
+Kind = Literal["load", "pin", "ground", "guide", "slot", "contact", MeshKind, "rope", "friction"]
 """What an action comes from: a load, a joint, or the friction there."""
 
 Gap = Literal["", "indeterminate", "transmission"]

@@ -19,9 +19,9 @@ def transfers(halves: Halves) -> Iterator[Transfer]:
             case WheelPair():
                 yield from both(halves, _rims(halves, joint))
             case Rack():
-                yield from both(halves, Transfer("rack", joint.id, _teeth(halves, joint)))
+                yield from both(halves, Transfer(joint.kind, joint.id, _teeth(halves, joint)))
             case Screw():
-                yield from both(halves, Transfer("screw", joint.id, _thread(halves, joint)))
+                yield from both(halves, Transfer(joint.kind, joint.id, _thread(halves, joint)))
             case Rope():
                 yield from both(halves, _falls(halves, joint))
             case Slot(link=link, guided=guided) if guided:

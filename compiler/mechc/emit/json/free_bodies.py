@@ -1,15 +1,12 @@
 """Free bodies in JSON: under each set of loads, every body with all that acts on it."""
 
 import math
+from typing import get_args
 
+from ...statics import diagram
 from ...statics.diagram import Acting, Diagram, FreeBody
 from .figure import PLANE
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
-
-KINDS = (
-    *("load", "pin", "ground", "guide", "slot", "contact", "gear", "belt", "rack", "screw", "rope"),
-    "friction",
-)
 
 
 def _magnitude(acting: Acting) -> float | None:
@@ -19,7 +16,7 @@ def _magnitude(acting: Acting) -> float | None:
 ACTING: Kind[Acting] = record(
     "acting",
     "A force on a body and a couple beside it.",
-    member("kind", "What it comes from.", one_of(*KINDS), lambda a: a.kind),
+    member("kind", "What it comes from.", one_of(*get_args(diagram.Kind)), lambda a: a.kind),
     member(
         "by",
         "A load, body or pin, ground, branches (other copies); empty of losses in wheels.",

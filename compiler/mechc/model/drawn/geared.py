@@ -39,8 +39,6 @@ from ..mechanism import (
     Mechanism,
     Mesh,
     Offset,
-    Rack,
-    Screw,
     Slider,
     WheelPair,
 )
@@ -96,11 +94,9 @@ def _tie(mesh: Mesh, mechanism: Mechanism) -> tuple[Term, ...]:
             back = negative(mesh.second_radius) if mesh.same else mesh.second_radius
             arm = negative(total([ahead, back]))
             return Term(first, "", ahead), Term(second, "", back), Term(mesh.arm, "", arm)
-        case Rack(point, _, link, radius):
-            return Term(link, "", radius), Term(_guided(point, mechanism), point, number(-1))
-        case Screw(point, pitch, link):
-            for_radian = product([(pitch, 1), (number(2), -1), (PI, -1)])
-            return Term(link, "", for_radian), Term(_guided(point, mechanism), point, number(-1))
+        case Feed(point=point, link=link, way=way):
+            lead = product([(way, 1), (number(2), -1), (PI, -1)]) if mesh.is_per_turn else way
+            return Term(link, "", lead), Term(_guided(point, mechanism), point, number(-1))
         case _:
             assert_never(mesh)
 

@@ -1,10 +1,11 @@
 """What kinds of joints have in common: what they hold, what they pass on, what sizes they have."""
 
 from collections.abc import Sequence
-from typing import Self
+from typing import Literal, Self
 
 from ...formula.tree import Formula
 from ...named import NamedTuple
+from ...source import Span
 
 
 class OnePoint:
@@ -71,6 +72,10 @@ class Unsized:
 # --------------------------------------------------------------------------- motion
 
 
+MeshKind = Literal["gear", "belt", "rack", "screw"]
+"""The words of the language for what passes a motion on, and of the relation that it asks for."""
+
+
 class Meshing:
     """A joint that passes a motion on and holds nothing: rims, teeth, a thread.
 
@@ -80,15 +85,46 @@ class Meshing:
 
     __slots__ = ()
 
+    @property
+    def kind(self) -> MeshKind:
+        """Return the word of the language for it."""
+        raise NotImplementedError
+
+    @property
+    def presses_aside(self) -> bool:
+        """Return whether it presses on pins in directions that are undetermined.
+
+        Teeth press across the line of centres, belts are tightened beforehand, and a screw's
+        thrust is out of the plane.
+        """
+        return True
+
 
 class Feed(OnLink, Meshing):
     """Turning ``link`` moves the guided ``point`` along its guide.
 
-    V = ω · lead, ``meshes.lead``, seen from the point ``base``; '' is the ground.
+    V = ω · lead, seen from the point ``base``; '' is the ground. Its size is the lead, or the
+    way of a whole turn, 2π times the lead.
     """
 
     __slots__ = ()
     point: str
+    span: Span
+
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        raise NotImplementedError
+
+    @property
+    def way(self) -> Formula:
+        """Return how far the point moves in a radian, or in a turn where it ``is_per_turn``."""
+        raise NotImplementedError
+
+    @property
+    def is_per_turn(self) -> bool:
+        """Return whether its ``way`` is that of a turn."""
+        return False
 
     @property
     def base(self) -> str:

@@ -252,6 +252,21 @@ class Rack(Feed):
         return f"rack {self.point} on {self.pivot}"
 
     @property
+    def kind(self) -> Literal["rack"]:
+        """Return the word of the language for it."""
+        return "rack"
+
+    @property
+    def presses_aside(self) -> bool:
+        """Return that it presses along its guide."""
+        return False
+
+    @property
+    def way(self) -> Formula:
+        """Return the radius of the gear: how far it rolls in a radian."""
+        return self.radius
+
+    @property
     def points(self) -> tuple[str, ...]:
         """Return the points that it holds."""
         return (self.point, self.pivot)
@@ -288,6 +303,21 @@ class Screw(OnePoint, Feed):
     def id(self) -> str:
         """Return the joint's name among all joints."""
         return f"screw {self.point} on {self.link}"
+
+    @property
+    def kind(self) -> Literal["screw"]:
+        """Return the word of the language for it."""
+        return "screw"
+
+    @property
+    def way(self) -> Formula:
+        """Return the pitch."""
+        return self.pitch
+
+    @property
+    def is_per_turn(self) -> bool:
+        """Return that the pitch is the way of a turn."""
+        return True
 
     @property
     def sizes(self) -> tuple[Size]:
