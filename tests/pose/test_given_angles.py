@@ -7,7 +7,7 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.facing import quarter_turned, rewritten
 from mechc.formula.to_text import text
-from mechc.pose.given_angles import GivenLines
+from mechc.pose.given_angles import Constants, GivenLines
 
 THETA, PHI = Angle.of("theta"), Angle.of("phi")
 
@@ -18,7 +18,7 @@ def at(angle: Angle, degrees: int) -> Angle:
 
 def written(product, *lines: Angle) -> str:
     """Return a product in the angles between lines, each of them written as an arrow."""
-    quarter = GivenLines({Angle(), *lines}, {*lines}, {Angle(), *lines}).quarter
+    quarter = GivenLines({Angle(), *lines}, {Angle(), *lines}).quarter
     return text(rewritten(product.formula(), lambda whole: quarter_turned(whole, quarter)))
 
 
@@ -54,7 +54,64 @@ def test_a_constant_angle_is_a_given_one():
     assert written(sine(Angle.constant(50)), PHI, at(PHI, 50)) == "sin(5*pi/18)"
     assert written(cosine(Angle.constant(110)), at(PHI, 110), PHI) == "cos(11*pi/18)"
     assert written(sine(Angle.constant(50)), PHI, at(PHI, 40)) == "cos(2*pi/9)"
-    assert written(sine(Angle.constant(50)), Angle.constant(50)) == "cos(2*pi/9)"
+    assert written(sine(Angle.constant(50)), Angle.constant(50)) == "sin(5*pi/18)"
+    assert written(cosine(Angle.constant(43)), Angle.constant(-47)) == "sin(47*pi/180)"
+
+
+def turned(degrees: int, arms=(), others=(), corners=()) -> int:
+    """Return how a constant angle is turned, in degrees."""
+    links, guides, turns = ([Angle.constant(a) for a in each] for each in (arms, others, corners))
+    return Constants(links, links, guides, turns).quarter(degrees)
+
+
+@pytest.mark.parametrize(
+    ("degrees", "lines", "expected"),
+    [
+        (43, {"arms": [-47], "others": [0]}, -90),
+        (43, {"arms": [47], "others": [90]}, -90),
+        (47, {"arms": [47], "others": [90]}, 0),
+        (40, {"arms": [70], "others": [20]}, -90),
+        (40, {"arms": [50], "others": [10, 100]}, 0),
+        (80, {"arms": [170], "others": [0]}, -90),
+        (70, {"arms": [110], "others": [0]}, -90),
+        (30, {"arms": [0, 60], "corners": [60]}, -90),
+        (33, {"arms": [47], "others": [0]}, 0),
+    ],
+)
+def test_a_constant_angle_is_that_of_two_lines_as_they_are_written(degrees, lines, expected):
+    """An acute direction as it stands, an obtuse one by the nearest axis, else between lines."""
+    assert turned(degrees, **lines) == expected
+
+
+LEANING_ROD = """
+mechanism m
+param a = 100 mm
+param phi = 30 deg in 10 deg .. 60 deg
+pivot O
+slider B along {guide}
+link OA
+link AB
+OA = a @ phi
+AB = @ {rod}
+torque M on OA
+force F at B along {guide}
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("guide", "rod", "divisor"),
+    [
+        ("x", "-47 deg", "cos(47*pi/180)"),
+        ("y", "43 deg", "sin(43*pi/180)"),
+        ("10 deg", "-30 deg", "cos(2*pi/9)"),
+        ("x", "-160 deg", "cos(pi/9)"),
+    ],
+)
+def test_a_rod_at_an_angle_that_is_a_number_has_that_angle(guide, rod, divisor):
+    text_of_rod = LEANING_ROD.format(guide=guide, rod=rod)
+    found = mechc.loads(text_of_rod, "m.mech").results["k"]
+    assert text(found.formula).endswith(f"/{divisor}")
 
 
 FOUR_BAR = """

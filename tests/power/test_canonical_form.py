@@ -117,6 +117,9 @@ def _turned(line, by, where):
 
 
 EVERYWHERE = [shuffled, reordered, reversed_vectors, wound]
+BY_AN_AXIS = {"class_four_block"}
+"""A rod at 15 degrees and a load along y: turned, they are two lines at 75 degrees."""
+
 TURNED = [turned_by_a_number, turned_by_a_symbol]
 
 
@@ -140,4 +143,8 @@ def test_the_formula_does_not_depend_on_how_it_is_written(name, rewritten):
     "name", in_thirds(n for n in NAMES if not any("(" in line for line in source(n)))
 )
 def test_turning_the_drawing_leaves_the_formula(name, rewritten):
+    if name in BY_AN_AXIS:
+        found, filed = results(rewritten(source(name))), results(source(name))
+        assert all(equal(found[n].formula, filed[n].formula) for n in filed)
+        return
     assert formulas(rewritten(source(name))) == as_filed(name)

@@ -543,8 +543,8 @@ let F = 300 N
         (
             120,
             [
-                "M_f + F * len_OA * cos(10 deg) = rho * abs(F)",
-                "M_hold + F * len_OA * cos(10 deg) = -rho * abs(F)",
+                "M_f + F * len_OA * sin(80 deg) = rho * abs(F)",
+                "M_hold + F * len_OA * sin(80 deg) = -rho * abs(F)",
             ],
         ),
     ],

@@ -4,8 +4,10 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled, loaded
+from mechc.driver import compile_source
 from mechc.report.languages.registry import locale
 from mechc.report.text.derivation import render
+from mechc.source import Source
 
 DRAWN = """
 mechanism drawn
@@ -197,3 +199,37 @@ def test_what_slides_around_a_drum_need_be_no_rope(language, said):
 
 def test_a_rope_over_pulleys_is_one():
     assert "A rope runs through" in loaded("block_and_tackle").emit("latex")
+
+
+OBLIQUE = """
+mechanism oblique
+slider B along 80 deg
+pivot O
+link OAC
+link AB
+OA = 100 mm @ 47 deg
+angle AOC = 33 deg
+OC = 60 mm
+AB = @ -30 deg
+force P at C along y
+force F at B along 80 deg
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "unicode", "expected"),
+    [
+        ("en", True, ["∠(x, OA) = 47°", "∠AOC = 33°", "∠(x, AB) = −30°"]),
+        ("en", False, ["angle(x, OA) = 47 deg", "angle AOC = 33 deg", "angle(x, AB) = -30 deg"]),
+        ("en", True, ["The point B moves along a guide with the direction 80°."]),
+        ("uk", True, ["Точка B рухається вздовж напрямної під кутом 80° до осі x."]),
+        ("ru", True, ["Сила F приложена в точке B под углом 80° к оси x."]),
+    ],
+)
+def test_a_derivation_has_the_angles_that_are_numbers(language, unicode, expected):
+    compilation = compile_source(Source("m.mech", OBLIQUE))
+    shown = render(compilation.reported, compilation.mechanism, unicode=unicode, language=language)
+    given = " ".join(shown.partition("\n\n")[2].partition("\n\n")[0].split())
+    assert all(line in given for line in expected)
+    assert "P" not in given  # it acts along an axis

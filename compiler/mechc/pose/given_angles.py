@@ -4,10 +4,10 @@ The algebra knows one form of a sine, sin(theta + 60°) = cos(theta − 30°), w
 is written for a reader has the angle that two of the given lines make.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 
-from ..algebra.angle import Angle
+from ..algebra.angle import Angle, Rational
 from ..algebra.from_formula import to_angle
 from ..formula.facing import Quarter, led, quarter_turned, rewritten
 from ..formula.tree import Formula, Implicit, System
@@ -15,16 +15,26 @@ from ..frozen import replace
 from ..model.mechanism import Arrow, Turn
 from .pose import Definition, Pose, Vector, reverse
 
+RIGHT = 90
+"""The degrees of a right angle."""
+
 
 class GivenLines:
     """The lines of a pose, the x axis among them, and the directions of vectors as written.
 
-    Constant angles are those between vectors alone, which stay when the whole drawing is turned.
+    ``constants`` are the angles that are numbers; without them those between ``arrows`` are meant,
+    and those that these have with the x axis.
     """
 
-    def __init__(self, lines: Iterable[Angle], arms: Iterable[Angle], arrows: Iterable[Angle]):
-        self._lines, self._arms = (_Directions(found, 180) for found in (lines, arms))
-        self._arrows = _Directions(arrows, 360)
+    def __init__(
+        self,
+        lines: Iterable[Angle],
+        arrows: Iterable[Angle],
+        constants: "Constants | None" = None,
+    ):
+        lines, arrows = [*lines], [*arrows]
+        self._lines, self._arrows = _Directions(lines, 180), _Directions(arrows, 360)
+        self._constants = constants or Constants(lines, arrows)
 
     def quarter(self, argument: Formula) -> int:
         """Return by how many degrees an angle is to be turned to be one between two lines.
@@ -32,19 +42,19 @@ class GivenLines:
         0 where it is one, or becomes none by a quarter turn.
         """
         angle = to_angle(argument)
-        if angle is None or not angle.degrees % 90 or self._are_at(angle):
+        if angle is None or not angle.degrees % 90:
+            return 0
+        if not angle.terms:
+            return self._constants.quarter(angle.degrees)
+        if self._lines.are_at(angle):
             return 0
         near = [angle + Angle.constant(turn) for turn in (90, -90)]
-        chosen = min(filter(self._are_at, near), key=self._rank, default=angle)
+        chosen = min(filter(self._lines.are_at, near), key=self._rank, default=angle)
         return int(chosen.degrees - angle.degrees)
 
     def _rank(self, angle: Angle) -> tuple[bool, float]:
         """Return a smaller value for angles between arrows as they are written, and small ones."""
         return not self._arrows.are_at(angle), abs(float(angle.degrees))
-
-    def _are_at(self, angle: Angle) -> bool:
-        """Return whether two of the lines are at an angle."""
-        return (self._lines if angle.terms else self._arms).are_at(angle)
 
 
 class _Directions:
@@ -59,6 +69,69 @@ class _Directions:
         return any(_within(known + angle, self._turn) in self._known for known in self._known)
 
 
+class Constants:
+    """The angles of a drawing that are numbers, those first that its text has as they are.
+
+    A direction, ``AB = @ 47 deg`` or ``along 47 deg``, is the angle with an axis, and means one
+    where something lies along an axis; then come angles between two links, between any two lines,
+    and what an obtuse direction has with the nearest axis. Lines along an axis make no angles of
+    their own: what another line has with the y axis is 90° less what it is given by.
+    """
+
+    def __init__(
+        self,
+        arms: Iterable[Angle],
+        arrows: Iterable[Angle],
+        others: Iterable[Angle] = (),
+        corners: Iterable[Angle] = (),
+    ) -> None:
+        """Take the directions of links, as they are written too, of guides and loads, angles."""
+        arms, arrows, others = [*arms], [*arrows], [*others]
+        directions = [angle for angle in (*arrows, *others) if not angle.terms]
+        has_axis = any(not line.degrees % RIGHT for line in (*arms, *directions) if not line.terms)
+        sizes = {_size(angle.degrees, 360) for angle in directions if has_axis or not others}
+        given = {size for size in sizes if size < RIGHT}
+        given |= {_size(corner.degrees, 360) for corner in corners if not corner.terms}
+        beyond = {_size(size, RIGHT) for size in sizes if size > RIGHT}
+        as_drawn = _Directions(_tilted(arrows), 360)
+        tilted, whole = (_Directions(_tilted(found), 180) for found in (arms, (*arms, *others)))
+        self._kinds: Sequence[Callable[[Rational], bool]] = (
+            lambda degrees: _size(degrees, 360) in given,
+            lambda degrees: as_drawn.are_at(Angle.constant(degrees)),
+            lambda degrees: tilted.are_at(Angle.constant(degrees)),
+            lambda degrees: whole.are_at(Angle.constant(degrees)),
+            lambda degrees: _size(degrees, 180) in beyond,
+        )
+
+    def quarter(self, degrees: Rational) -> int:
+        """Return by how many degrees an angle is to be turned to be one that is given."""
+        return min((0, 90, -90), key=lambda turn: self._key(degrees, turn))
+
+    def _key(self, degrees: Rational, turn: int) -> tuple[int, bool, float]:
+        """Return a smaller value for what is given more plainly, then as it is, then for small."""
+        return self._rank(degrees + turn), turn != 0, abs(float(degrees + turn))
+
+    def _rank(self, degrees: Rational) -> int:
+        """Return a smaller number for an angle that is given in a plainer way."""
+        kinds = (rank for rank, is_of in enumerate(self._kinds) if is_of(degrees))
+        return next(kinds, len(self._kinds))
+
+
+def _tilted(angles: Iterable[Angle]) -> Iterator[Angle]:
+    """Yield the directions that lie along no axis."""
+    return (angle for angle in angles if angle.terms or angle.degrees % 90)
+
+
+def _size(degrees: Rational, turn: int) -> Rational:
+    """Return the size of an angle that is the same in either sense, and after a turn.
+
+    >>> [_size(degrees, 180) for degrees in (47, -47, 133, 313)], _size(313, 360)
+    ([47, 47, 47, 47], 47)
+    """
+    within: Rational = degrees % turn
+    return min(within, turn - within)
+
+
 def _within(angle: Angle, turn: int) -> Angle:
     return Angle(angle.terms, angle.degrees % turn)
 
@@ -71,9 +144,10 @@ def given_lines(pose: Pose) -> Quarter | None:
     """
     between = (vector for ends, vector in pose.vectors.items() if all(ends))
     arms = {arm.angle for vector in between for arm in vector}
+    others = [*pose.guides.values(), *pose.lines.values()]
     lines = {Angle(), *arms}
     known = {_within(line, 180) for line in lines}
-    for angle in (*pose.guides.values(), *pose.lines.values()):
+    for angle in others:
         if _within(angle + Angle.constant(90), 180) not in known:
             lines.add(angle)
             known.add(_within(angle, 180))
@@ -81,7 +155,15 @@ def given_lines(pose: Pose) -> Quarter | None:
     if not any(angle.degrees % 90 for angle in lines):
         return None
     arrows = {arm.angle for vector in _as_written(pose) for arm in vector}
-    return cache(GivenLines(lines, arms, {*arrows, Angle()}).quarter)
+    constants = Constants(arms, arrows, others, _corners(pose))
+    return cache(GivenLines(lines, {*arrows, Angle()}, constants).quarter)
+
+
+def _corners(pose: Pose) -> Iterator[Angle]:
+    """Yield the angles that are given between two arms of a link."""
+    turns = (item for item in pose.mechanism.geometry if isinstance(item, Turn))
+    found = (to_angle(turn.angle) for turn in turns)
+    yield from (angle for angle in found if angle is not None)
 
 
 def _as_written(pose: Pose) -> Iterator[Vector]:

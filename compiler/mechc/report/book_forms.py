@@ -176,7 +176,7 @@ def _in_angles_of(components: Iterable[Formula], square: Formula) -> Formula:
     calls = (part for one in components for part in walk(one) if is_call(part, "sin", "cos"))
     found = (to_angle(call.arguments[0]) for call in calls)
     arms = {angle for angle in found if angle is not None}
-    quarter = GivenLines({Angle(), *arms}, arms, {Angle(), *arms}).quarter
+    quarter = GivenLines({Angle(), *arms}, {Angle(), *arms}).quarter
     return rewritten(square, lambda part: quarter_turned(part, quarter))
 
 

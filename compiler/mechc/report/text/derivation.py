@@ -2,26 +2,24 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
 
-from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
 from ...formula.tree import Symbol
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.statements import is_sheet
-from ...model.values import own_stroke
 from ...study.analysis import Analysis
-from ...units import ANGLE, in_unit, si_unit
+from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..by_parts import by_parts
-from ..definitions import Solved, given_loads, grouped, looked_up, stated_above, without_minus
+from ..definitions import Solved, grouped, looked_up, stated_above, without_minus
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, direction_function, lines, position_sentences, sentences
 from ..steps import Derivation, LastStep
 from . import note
-from .printer import print_name, print_quantity
-from .speller import DEEP, SHOWN, WIDTH, Speller, speller
+from .given import given
+from .speller import DEEP, WIDTH, Speller, speller
 
 
 def render(
@@ -47,7 +45,7 @@ def render(
     tables = note.tables(mechanism.tables, spell)
     lines = [
         *_title(mechanism, spell),
-        *_given(mechanism, spell),
+        *given(mechanism, spell),
         *(["", *tables] if tables else []),
         *_conventions(whole, mechanism, spell),
         *_position(whole.position, spell),
@@ -115,24 +113,6 @@ def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
 def _title(mechanism: Mechanism, spell: Speller) -> list[str]:
     said = (mechanism.title or mechanism.name, mechanism.source)
     return [line for text in said for line in spell.wrapped(spell.text(text), "")]
-
-
-def _given(mechanism: Mechanism, spell: Speller) -> list[str]:
-    """Return the quantities that the description gives, lengths and loads that are numbers too."""
-    free = (p for p in mechanism.parameters if p.value is not None or p.range)
-    lines = note.given((*free, *mechanism.literals, *given_loads(mechanism)), spell)
-    return ["", *lines, *_stroke(mechanism, spell)] if lines else []
-
-
-def _stroke(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
-    if found := own_stroke(mechanism):
-        parameter, *ends = found
-        unit = parameter.unit or si_unit(parameter.dimension)
-        values = (in_unit(evaluate(end, {}), unit, SHOWN) for end in ends)
-        low, high = (spell.units(print_quantity(value, spell.signs)) for value in values)
-        symbol = print_name(parameter.name, spell.signs)
-        said = spell.locale.joints["driven"].format(parameter=symbol, low=low, high=high)
-        yield from spell.wrapped(f"{said[0].upper()}{said[1:]}.", "  ")
 
 
 def _conventions(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterator[str]:

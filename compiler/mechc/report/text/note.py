@@ -96,9 +96,10 @@ def _aligned(rows: Iterable[Row], spell: Speller) -> Iterator[str]:
             yield from (*spell.broken(row.said, "  "), *spell.wrapped(row.label, " " * 6))
 
 
-def given(parameters: Iterable[Parameter], spell: Speller) -> list[str]:
-    """Return the given parameters under their heading: values, ranges, texts."""
-    return _headed(spell.locale.given, [_given(p, spell) for p in parameters], spell)
+def given(parameters: Iterable[Parameter], spell: Speller, angles: Iterable[str] = ()) -> list[str]:
+    """Return the given parameters under their heading, values, ranges, texts, and ``angles``."""
+    rows = [*(_given(p, spell) for p in parameters), *map(Row, angles)]
+    return _headed(spell.locale.given, rows, spell)
 
 
 def _given(parameter: Parameter, spell: Speller) -> Row:

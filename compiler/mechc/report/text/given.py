@@ -1,0 +1,85 @@
+"""What a description gives, for the terminal: quantities, angles that are numbers, the stroke."""
+
+from collections.abc import Iterator
+
+from ...formula.evaluate import evaluate
+from ...formula.layout import in_degrees
+from ...formula.tree import Formula
+from ...model.mechanism import Absolute, Arrow, Direction, Force, Mechanism, Slider, Turn
+from ...model.values import own_stroke
+from ...units import in_unit, si_unit
+from ..definitions import given_loads
+from . import note
+from .printer import print_name, print_quantity
+from .speller import SHOWN, Speller
+
+
+def given(mechanism: Mechanism, spell: Speller) -> list[str]:
+    """Return what the description gives: quantities, lengths, angles and loads that are numbers."""
+    free = (p for p in mechanism.parameters if p.value is not None or p.range)
+    quantities = (*free, *mechanism.literals, *given_loads(mechanism))
+    angles = dict.fromkeys(_angles(mechanism, spell))
+    lines = note.given(quantities, spell, angles)
+    said = [line for each in _directions(mechanism, spell) for line in spell.wrapped(each, "  ")]
+    heading = [spell.locale.given] if said and not lines else []
+    return ["", *heading, *lines, *said, *_stroke(mechanism, spell)] if lines or said else []
+
+
+def _angles(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+    """Yield the angles of vectors that are numbers, and those between the arms of a link."""
+    drawn = {point.span for point in mechanism.drawn}
+    for item in mechanism.geometry:
+        match item:
+            case Arrow(tail, head, _, line) if item.span not in drawn and _is_oblique(line):
+                assert isinstance(line, Absolute)
+                yield _angle(f"(x, {spell.point(tail + head)})", line.angle, spell)
+            case Turn(first, vertex, second, size) if in_degrees(size) is not None:
+                yield _angle(f" {spell.point(first + vertex + second)}", size, spell)
+
+
+def _angle(name: str, size: Formula, spell: Speller) -> str:
+    """Return an angle with its size: ``∠(x, AB) = −47°``, ``∠ABC = 100°``."""
+    sign, name = ("∠", name.lstrip()) if spell.signs.fancy else ("angle", name)
+    return f"{sign}{name} = {spell.relation((size,), (), True)}"
+
+
+def _is_oblique(line: Direction | None) -> bool:
+    """Return whether a direction is a number that is none of an axis."""
+    size = in_degrees(line.angle) if isinstance(line, Absolute) else None
+    return size is not None and bool(size % 90)
+
+
+def _directions(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+    """Yield the sentences on guides and loads along directions that are oblique numbers."""
+    words = spell.locale
+    for slider in mechanism.each(Slider):
+        if _is_oblique(slider.along):
+            direction = _spoken(slider.along, spell)
+            yield _sentence(words.slider, point=spell.point(slider.point), direction=direction)
+    for load in mechanism.loads:
+        if isinstance(load, Force) and _is_oblique(load.along):
+            template = words.weight if load.weight else words.force
+            names = {"load": print_name(load.name, spell.signs), "point": spell.point(load.point)}
+            yield _sentence(template, **names, direction=_spoken(load.along, spell))
+
+
+def _spoken(line: Direction, spell: Speller) -> str:
+    assert isinstance(line, Absolute)
+    angle = spell.relation((line.angle,), (), True)
+    return spell.locale.directions["absolute"].format(angle=angle).replace("$", "")
+
+
+def _sentence(template: str, **words: str) -> str:
+    said = template.format(**words)
+    return f"{said[0].upper()}{said[1:]}."
+
+
+def _stroke(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+    if found := own_stroke(mechanism):
+        parameter, *ends = found
+        unit = parameter.unit or si_unit(parameter.dimension)
+        values = (in_unit(evaluate(end, {}), unit, SHOWN) for end in ends)
+        low, high = (spell.units(print_quantity(value, spell.signs)) for value in values)
+        symbol = print_name(parameter.name, spell.signs)
+        driven = spell.locale.joints["driven"]
+        yield from spell.wrapped(_sentence(driven, parameter=symbol, low=low, high=high), "  ")
