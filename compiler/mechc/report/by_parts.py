@@ -23,11 +23,8 @@ from ..formula.walk import children, rebuild, symbols
 from ..model.result import Definition
 from .dimensions import names_in
 from .evaluated import Evaluated, Known, found_unit
+from .made_names import NamedSums
 from .put_in import DIGITS, Quantity, in_numbers, values_of
-
-NamedSums = Mapping[Formula, Symbol]
-"""The sums that have got names of their own on a page."""
-
 
 ROUNDED = 5e-6
 """The part of a value that rounding of printed numbers may make."""

@@ -7,6 +7,7 @@ from ...formula.tree import ZERO, Formula, Symbol
 from ...formula.walk import substitute, symbols
 from ...friction.solution import Solution
 from ...frozen import replace
+from ...model.mechanism import SpeedRatio
 from ...study.analysis import Analysis
 from ..kinds import Rule
 from ..sentences.speller import guided_of
@@ -48,9 +49,61 @@ def derive(
     )
     face = Facing(solution.plan, turns_of_friction(results, mechanism))
     derivation = face.derivation(derivation)
-    position = position_steps(solution.plan.graph.pose, derivation)
     last = map(face.last_step, last_steps(derivation, solution.balance.equations.owners))
-    return replace(derivation, position=tuple(position), last_steps=tuple(last))
+    derivation = without_unused(replace(derivation, last_steps=tuple(last)))
+    position = position_steps(solution.plan.graph.pose, derivation)
+    return replace(derivation, position=tuple(position))
+
+
+# ------------------------------------------------------------------------------- what is not used
+
+
+def without_unused(derivation: Derivation) -> Derivation:
+    """Return a derivation without the speeds that relations solved together give in vain.
+
+    Nothing else has them: no other step, no load's power, no account of friction, no result.
+    """
+    asked = _speeds_elsewhere(derivation)
+
+    def used(step: Step) -> Step:
+        if step.rule is not Rule.TOGETHER:
+            return step
+        others = (each for each in derivation.steps if each is not step)
+        names = asked.union(*(_names_in(*each.relations, *each.results) for each in others))
+        wanted = tuple(e for e in step.results if _is_wanted(e, step.results, names))
+        return replace(step, results=wanted) if wanted else step
+
+    steps = tuple(map(used, derivation.steps))
+    shown = _names_in(*(e for step in steps for e in step.results))
+    ratios = tuple(r for r in derivation.ratios if r.name in shown | asked)
+    return replace(derivation, steps=steps, ratios=ratios)
+
+
+def _is_wanted(equation: Equation, beside: Sequence[Equation], names: Set[str]) -> bool:
+    """Return whether a result is mentioned, by its own name or the ratio that it stands for."""
+    of_it = [e for e in beside if e.left == equation.left]
+    ratios = (symbols(e.right) for e in of_it if e.right != equation.right)
+    own = symbols(equation.left)
+    return not names.isdisjoint(own) or any(names & found for found in ratios)
+
+
+def _names_in(*equations: Equation) -> frozenset[str]:
+    return symbols(*(side for equation in equations for side in equation))
+
+
+def _speeds_elsewhere(derivation: Derivation) -> frozenset[str]:
+    """Return the names that a derivation has but for its steps, the speeds asked for by theirs."""
+    found = {n for term in derivation.terms for n in symbols(term.speed)}
+    for explanation in derivation.explanations:
+        found |= _names_in(*(e for p in explanation.paragraphs for e in p.equations))
+        found |= symbols(*(d.formula for d in explanation.where))
+    for last in derivation.last_steps:
+        found |= _names_in(last.ratio) | symbols(*(last.chain.links if last.chain else ()))
+    for result in derivation.results:
+        found |= symbols(result.formula, *(d.formula for d in result.where))
+        if isinstance(result.target, SpeedRatio):
+            found |= {result.target.above.name, result.target.below.name}
+    return frozenset(found)
 
 
 # -------------------------------------------------------------------------------------- translation

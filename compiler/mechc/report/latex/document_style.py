@@ -1,11 +1,11 @@
 """How one document writes names: which are angles, and no two of them alike."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
-from ...formula.walk import symbols
 from ...frozen import replace
 from ...model.mechanism import Mechanism, WithFriction
 from ...study.analysis import Analysis
+from ..made_names import names_of, points_of
 from ..sentences.remarks import called, reaction
 from ..sentences.speller import angles_of, couples_of, guided_of, own_names
 from .notation import Notation, of_first_order, of_force, spellings
@@ -21,11 +21,11 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
         guided=guided_of(mechanism),
         texts=texts,
         own=own_names(mechanism),
-        pictured=frozenset((*_points(mechanism), *own_names(mechanism))),
+        pictured=frozenset((*points_of(mechanism), *own_names(mechanism))),
     )
-    known.made.take(_names(mechanism, results))
-    known.made.take_points(_points(mechanism))
-    known = replace(known, spellings=spellings(_names(mechanism, results), known))
+    known.made.take(names_of(mechanism, results))
+    known.made.take_points(points_of(mechanism))
+    known = replace(known, spellings=spellings(names_of(mechanism, results), known))
     forces = {
         name: of_force(r.name, force, known)
         for r in results
@@ -42,18 +42,3 @@ def first_orders(results: Iterable[Analysis], style: Notation) -> dict[str, str]
         for r in results
         if isinstance(r.target, WithFriction) and r.target.order == "first"
     }
-
-
-def _points(mechanism: Mechanism) -> Iterator[str]:
-    """Yield the points of bodies, and those that are pinned to the ground."""
-    yield from (point for body in mechanism.bodies for point in body.points)
-    yield from mechanism.fixed
-
-
-def _names(mechanism: Mechanism, results: Sequence[Analysis]) -> Iterator[str]:
-    yield from (p.name for p in (*mechanism.parameters, *mechanism.literals))
-    yield from dict.fromkeys(load.name for load in mechanism.loads)
-    for result in results:
-        yield result.name
-        yield from (d.name for d in result.where)
-        yield from sorted(symbols(result.formula))

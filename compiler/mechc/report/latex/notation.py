@@ -5,14 +5,11 @@ ctg and a decimal comma.
 """
 
 from collections.abc import Iterable, Mapping
-from itertools import chain, count
 from types import MappingProxyType
 
-from ...algebra.equality import equal
 from ...formula.names import (
     GREEK,
     JointForce,
-    Name,
     Point,
     split_force,
     split_name,
@@ -20,12 +17,11 @@ from ...formula.names import (
     split_ratio,
     words_in,
 )
-from ...formula.tree import Formula, Symbol, negative
-from ...formula.walk import symbols
 from ...frozen import frozen
 from ...model.mechanism import Reaction
 from ...patterns import pattern
 from ..languages.registry import locale
+from ..made_names import MadeNames
 from .text import escape
 
 _COMMON = {
@@ -53,62 +49,6 @@ _RELATIONS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq "}
 def relation_sign(sign: str) -> str:
     """Return the sign between two sides; one that has no name in LaTeX as it is."""
     return _RELATIONS.get(sign, sign)
-
-
-LETTERS = "ZYXWUH"
-"""The letters of sums with a name, in the order in which they are taken."""
-
-
-class MadeNames:
-    """The names made up for long formulas of one document, each with one meaning.
-
-    ``Z1`` and ``Z_1`` are one name on paper, so that either keeps the other from being made up;
-    beside a point Z another letter is taken.
-    """
-
-    def __init__(self) -> None:
-        self._names: dict[Formula, Symbol] = {}
-        self._taken: set[Name] = set()
-        self._letter = LETTERS[0]
-
-    def take(self, names: Iterable[str]) -> None:
-        """Keep names that mean something already from being made up."""
-        self._taken.update(map(split_name, names))
-
-    def take_points(self, points: Iterable[str]) -> None:
-        """Keep the letters of points from those of sums, as long as there are others."""
-        of_points = {part.letter for point in points for part in split_points(point)}
-        self._letter = next((x for x in LETTERS if x not in of_points), LETTERS[0])
-
-    @property
-    def sums(self) -> Mapping[Formula, Symbol]:
-        """Return the names made up so far, by the formulas that they stand for."""
-        return self._names
-
-    def known(self, formula: Formula) -> Symbol | None:
-        """Return the name that a formula has got, if any."""
-        return self._names.get(formula)
-
-    def opposite(self, formula: Formula) -> Formula | None:
-        """Return a name with a minus, where one has been made up for the opposite sum."""
-        for known, name in self._names.items():
-            if symbols(known) == symbols(formula) and equal(known, negative(formula)):
-                return negative(name)
-        return None
-
-    def of_sum(self, formula: Formula) -> Symbol:
-        """Return a new name ``Z_1``, ``Z_2`` … for a sum."""
-        return self._fresh(formula, (f"{self._letter}_{i}" for i in count(1)))
-
-    def of_coefficient(self, formula: Formula, load: str) -> Symbol:
-        """Return a new name ``c_F``, ``c_F_2`` … for the coefficient of a load F."""
-        own = f"c_{load}"
-        return self._fresh(formula, chain([own], (f"{own}_{i}" for i in count(2))))
-
-    def _fresh(self, formula: Formula, names: Iterable[str]) -> Symbol:
-        name = next(n for n in names if split_name(n) not in self._taken)
-        self.take([name])
-        return self._names.setdefault(formula, Symbol(name))
 
 
 @frozen

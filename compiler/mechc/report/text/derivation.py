@@ -1,9 +1,10 @@
 """The derivation for the terminal: numbered steps, the rule in words, what it gives."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
+from itertools import chain
 
 from ...formula.layout import is_angle
-from ...formula.tree import Symbol
+from ...formula.tree import Formula, Implicit, Symbol
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.statements import is_sheet
@@ -13,13 +14,14 @@ from ..brief import needed, relations, short
 from ..by_parts import by_parts
 from ..definitions import Solved, grouped, looked_up, stated_above, without_minus
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
+from ..made_names import MadeNames, names_of, points_of
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, direction_function, lines, position_sentences, sentences
 from ..steps import Derivation, LastStep
 from . import note
 from .given import given
-from .speller import DEEP, WIDTH, Speller, speller
+from .speller import DEEP, LINES, WIDTH, Speller, speller
 
 
 def render(
@@ -42,6 +44,7 @@ def render(
     if is_sheet(mechanism):
         return note.render(mechanism, derivation.results, spell)
     whole = outline(derivation, mechanism, stated_above(mechanism))
+    spell = spell.naming(_formulas(whole, derivation), _names(derivation, mechanism))
     tables = note.tables(mechanism.tables, spell)
     lines = [
         *_title(mechanism, spell),
@@ -58,6 +61,27 @@ def render(
         demand = f"{spell.locale.requirements} {conditions(derivation.requires, spell)}."
         lines += ["", *spell.wrapped(demand, "")]
     return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
+
+
+def _names(derivation: Derivation, mechanism: Mechanism) -> MadeNames:
+    """Return names to be made up, but for those that mean something on the page."""
+    made = MadeNames()
+    made.take(names_of(mechanism, derivation.results))
+    made.take_points(points_of(mechanism))
+    return made
+
+
+def _formulas(whole: Outline, derivation: Derivation) -> Iterator[Formula]:
+    """Yield the sides of the equations of a page from the velocities on."""
+    for step in derivation.steps:
+        for sides in chain(*lines(step)):
+            yield from sides
+    for last in derivation.last_steps:
+        yield from (last.chain.product, last.ratio.right) if last.chain else last.ratio
+    for section in whole.results:
+        yield from (side for p in section.paragraphs for pair in p.equations for side in pair)
+        yield from (r.formula for r in section.results if r.name not in section.lines)
+        yield from (d.formula for d in section.where if not isinstance(d.formula, Implicit))
 
 
 def _results(sections: Sequence[Section], spell: Speller) -> Iterator[str]:
@@ -85,6 +109,7 @@ def render_brief(
     if is_sheet(mechanism):
         return note.render(mechanism, derivation.results, spell)
     whole = outline(derivation, mechanism, looked_up(mechanism))
+    spell = spell.naming(_formulas(whole, derivation), _names(derivation, mechanism))
     position = [line for p in whole.position for line in _where(p.literals, p.where, spell, {})]
     results = _equations(needed(derivation), spell)
     for section in whole.results:
@@ -99,7 +124,8 @@ def render_brief(
 
 def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
     """Yield the values of formulas at the default pose, with the numbers put in."""
-    found = tuple(by_parts(values, {}, lambda item: item.numbers is not None))
+    sums = spell.parts.sums if spell.parts else {}
+    found = tuple(by_parts(values, sums, lambda item: _fits(item, spell)))
     if found:
         yield from ("", spell.locale.numbers, f"     {spell.locale.at_default}:")
     for left, numbers, value, angle, *_ in found:
@@ -108,6 +134,15 @@ def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
         sides.append(spell.quantity(value))
         whole = " = ".join(sides).replace("-", spell.signs.minus)
         yield from spell.broken(spell.units(whole))
+
+
+def _fits(item: Evaluated, spell: Speller) -> bool:
+    """Return whether a formula is shown with its numbers; with names for its parts, if short."""
+    if item.numbers is None or item.formula is None or not spell.parts:
+        return item.numbers is not None
+    is_named = spell.parts.shown(item.formula) != item.formula
+    room = LINES * spell.width
+    return not is_named or len(spell.relation((item.numbers,), (), item.angle)) <= room
 
 
 def _title(mechanism: Mechanism, spell: Speller) -> list[str]:
@@ -179,6 +214,7 @@ def _last(step: LastStep, spell: Speller) -> Iterator[str]:
         shown = [spell.relation((side,), (), False) for side in (ratio, *links, product)]
         times = " · " if spell.signs.fancy else " * "
         yield from spell.broken(f"{shown[0]} = {times.join(shown[1:-1])} = {shown[-1]}")
+        yield from _made([product], spell)
     yield from _equations((step.ratio,), spell)
 
 
@@ -210,7 +246,8 @@ def _result(result: Analysis, spell: Speller, section: Section) -> list[str]:
     left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
     angle = result.dimension == ANGLE or is_angle(result.formula, spell.angles)
     whole = spell.relation((*left, result.formula), ("=",) * len(left), angle)
-    return spell.broken(whole + _unit(result.name, section.units, spell))
+    shown = spell.broken(whole + _unit(result.name, section.units, spell))
+    return shown + list(_made([result.formula], spell))
 
 
 def _unit(name: str, units: Mapping[str, str], spell: Speller) -> str:
@@ -237,9 +274,20 @@ def _group(group: Definition | Solved, spell: Speller, units: Mapping[str, str])
 
 def _equations(equations: Iterable[Sides], spell: Speller) -> list[str]:
     """Return equations, aligned at the first equals sign where that costs no width."""
+    equations = tuple(equations)
     rows = [[spell.relation((side,), (), False) for side in e] for e in equations]
     widest = max((len(row[0]) for row in rows), default=0)
     aligned = [" = ".join((row[0].rjust(widest), *row[1:])) for row in rows]
     if max(map(len, aligned), default=0) > spell.width - len(DEEP):
         aligned = [line.lstrip() for line in aligned]
-    return [part for line in aligned for part in spell.broken(line)]
+    shown = [part for line in aligned for part in spell.broken(line)]
+    return shown + list(_made((side for e in equations for side in e), spell))
+
+
+def _made(formulas: Iterable[Formula], spell: Speller) -> Iterator[str]:
+    """Yield the names that are new in formulas of the page, with what they stand for."""
+    fresh = [*spell.parts.fresh(formulas)] if spell.parts else []
+    if fresh:
+        yield f"     {spell.locale.where}"
+    for definition in fresh:
+        yield from _group(definition, spell, {})

@@ -15,7 +15,7 @@ from .speller import SHOWN, Speller
 
 
 def given(mechanism: Mechanism, spell: Speller) -> list[str]:
-    """Return what the description gives: quantities, lengths, angles and loads that are numbers."""
+    """Return the lines of what is given: quantities, lengths, angles and loads that are numbers."""
     free = (p for p in mechanism.parameters if p.value is not None or p.range)
     quantities = (*free, *mechanism.literals, *given_loads(mechanism))
     angles = dict.fromkeys(_angles(mechanism, spell))

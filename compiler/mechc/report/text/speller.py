@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from ...formula.evaluate import evaluate
+from ...formula.layout import is_angle
 from ...formula.tree import Formula, Symbol
 from ...frozen import replace
 from ...later import Later
@@ -14,9 +15,11 @@ from ...patterns import pattern
 from ...units import behind, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
+from ..made_names import MadeNames
 from ..put_in import Quantity, in_degrees
 from ..sentences.speller import angles_of, couples_of, guided_of, own_names
 from . import printer
+from .repeated import Repeated
 from .signs import ASCII, UNICODE, Signs
 
 textwrap = Later("textwrap")
@@ -27,6 +30,9 @@ SHOWN = 6
 
 WIDTH = 80
 """Columns that lines keep to where they can."""
+
+LINES = 2
+"""A formula that takes no more lines than this is read as a whole."""
 
 DEEP = " " * 8
 """What stands before a formula."""
@@ -47,13 +53,14 @@ class Speller(NamedTuple):
     """Mathematics inside a sentence, with the signs of a terminal, the words of a language.
 
     Lines keep to ``width`` columns where they can; ``texts`` are what those of the description
-    are in the language.
+    are in the language, ``parts`` the names of what formulas have more than once.
     """
 
     signs: Signs
     locale: Locale
     width: int = WIDTH
     texts: Mapping[str, str] = MappingProxyType({})
+    parts: Repeated | None = None
 
     @property
     def angles(self) -> frozenset[str]:
@@ -72,6 +79,7 @@ class Speller(NamedTuple):
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
+        sides = self.parts.sides(sides) if self.parts else sides
         line = printer.print_side(sides[0], self.signs, angle)
         for sign, side in zip(signs, sides[1:], strict=True):
             shown = self.signs.relations.get(sign, sign)
@@ -146,6 +154,19 @@ class Speller(NamedTuple):
             break_on_hyphens=False,
         )
         return [line.replace("\u00a0", " ") for line in lines]
+
+    def naming(self, formulas: Iterable[Formula], made: MadeNames) -> "Speller":
+        """Return the speller of a page, which has names for what its formulas have repeatedly."""
+        many = (f for f in formulas if self._width(f) > LINES * WIDTH)
+        repeated = Repeated(many, made, self._is_long)
+        return self._replace(parts=repeated) if repeated.sums else self
+
+    def _is_long(self, part: Formula) -> bool:
+        """Return whether a part of a formula takes more than half a line."""
+        return not is_angle(part, self.angles) and self._width(part) > WIDTH // 2
+
+    def _width(self, formula: Formula) -> int:
+        return len(self.relation((formula,), (), False))
 
     def literal(self, literal: Parameter) -> str:
         """Return the line on a length that is given by a number."""

@@ -1,0 +1,89 @@
+"""Long parts that a derivation has more than once, and speeds that it finds in vain."""
+
+from good_mechanisms import compiled
+from mechc.formula.operations import count_operations
+from mechc.formula.to_text import text
+from mechc.formula.tree import Call, Symbol, number, product, quotient, total
+from mechc.frozen import replace
+from mechc.report.derivation.from_solution import without_unused
+from mechc.report.kinds import Rule
+from mechc.report.made_names import MadeNames
+from mechc.report.steps import Derivation, Equation, PowerTerm, Step
+from mechc.report.text.derivation import render
+from mechc.report.text.repeated import Repeated
+
+A, B, C, D = map(Symbol, "abcd")
+LONG = total(
+    product([(side, 1), (Call("sin", (total([A, angle]),)), 1), (Call("cos", (angle,)), 1)])
+    for side, angle in ((A, B), (C, D), (D, C))
+)
+
+
+def test_a_sum_is_named_where_it_stands_twice_and_never_as_a_whole():
+    once, twice = [quotient(A, LONG)], [quotient(A, LONG), quotient(B, LONG)]
+    assert not Repeated(once, MadeNames(), lambda part: True).sums
+    parts = Repeated(twice, MadeNames(), lambda part: True)
+    assert text(parts.shown(twice[0])) == "a/Z_1"
+    assert parts.shown(LONG) == LONG
+    assert [text(side) for side in parts.sides((LONG, number(0)))] == ["Z_1", "0"]
+
+
+def test_the_opposite_of_a_sum_has_its_name_with_a_minus():
+    opposite = total(product([(number(-1), 1), (term, 1)]) for term in LONG.terms)
+    parts = Repeated([quotient(A, LONG), quotient(B, LONG)], MadeNames(), lambda part: True)
+    assert text(parts.shown(quotient(C, opposite))) == "-c/Z_1"
+
+
+def test_what_is_short_or_a_letter_of_a_point_is_not_taken():
+    short = total([A, B])
+    formulas = [quotient(C, short), quotient(D, short)]
+    assert not Repeated(formulas, MadeNames(), lambda part: True).sums
+    assert count_operations(short) < count_operations(LONG)
+    made = MadeNames()
+    made.take_points(["Z"])
+    parts = Repeated([quotient(A, LONG), quotient(B, LONG)], made, lambda part: True)
+    assert text(parts.shown(quotient(A, LONG))) == "a/Y_1"
+
+
+def test_a_derivation_has_the_denominator_of_a_triad_once():
+    compilation = compiled("triad_closed")
+    shown = " ".join(render(compilation.reported, compilation.mechanism).split())
+    assert shown.count("BC · sin(φ_AB − φ_RD) · sin(φ_BC − φ_QC)") == 1
+    assert "where Z₁ = BC ·" in shown
+
+
+TOGETHER = Step(
+    Rule.TOGETHER,
+    ("AB", "CD"),
+    (Equation(Symbol("omega_AB"), Symbol("omega_CD")),),
+    tuple(
+        Equation(Symbol(n), product([(A, 1), (Symbol("omega_O"), 1)]))
+        for n in ("omega_AB", "omega_CD")
+    ),
+)
+TERMS = (PowerTerm("M", "O", number(1), Symbol("omega_O")),)
+
+
+def found(derivation: Derivation) -> list[str]:
+    return [text(e.left) for step in without_unused(derivation).steps for e in step.results]
+
+
+def test_speeds_that_nothing_has_are_left_out_of_what_is_solved_together():
+    load = PowerTerm("T", "AB", number(1), Symbol("omega_AB"))
+    derivation = Derivation((TOGETHER,), (*TERMS, load), (), ())
+    assert found(derivation) == ["omega_AB"]
+
+
+def test_speeds_that_a_later_step_has_are_kept():
+    load = PowerTerm("T", "AB", number(1), Symbol("omega_AB"))
+    lever = Equation(Symbol("V_D"), product([(B, 1), (Symbol("omega_CD"), 1)]))
+    arm = Step(Rule.ARM, ("C", "D"), (lever,), (lever,))
+    derivation = Derivation((TOGETHER, arm), (*TERMS, load), (), ())
+    assert found(derivation) == ["omega_AB", "omega_CD", "V_D"]
+
+
+def test_of_speeds_that_nothing_has_all_are_kept():
+    """A derivation that ends in them has no other end."""
+    assert found(Derivation((TOGETHER,), TERMS, (), ())) == ["omega_AB", "omega_CD"]
+    alone = replace(TOGETHER, rule=Rule.ROTATION)
+    assert found(Derivation((alone,), TERMS, (), ())) == ["omega_AB", "omega_CD"]
