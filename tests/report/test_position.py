@@ -1,17 +1,23 @@
 """Position: every name of a closed loop is introduced before it is used, from the loop it is of."""
 
+import math
+
 import pytest
 
 from good_mechanisms import CLOSED, compiled, loaded
 from mechc.driver import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
+from mechc.formula.names import direction_of, split_points
 from mechc.formula.to_text import text
 from mechc.formula.walk import symbols
+from mechc.model.values import completed, defaults
 from mechc.report.definitions import Solved, grouped, without_minus
 from mechc.report.languages.registry import locale
 from mechc.report.sections import outline
+from mechc.report.sentences.speller import own_names
 from mechc.report.sentences.wording import position_sentences
+from mechc.report.text.speller import speller
 from mechc.source import Source
 
 
@@ -80,8 +86,9 @@ def test_congruent_triangles_are_solved_once():
     ],
 )
 def test_it_is_said_by_what_triangles_are_congruent(language, sentence):
-    found = position_sentences(steps("peaucellier_closed"), locale(language), lambda name: name)
-    said = list(found)
+    compilation = compiled("peaucellier_closed")
+    spell = speller(compilation.results, compilation.mechanism, True, language)
+    said = list(position_sentences(steps("peaucellier_closed"), locale(language), spell))
     assert said[1] == sentence
 
 
@@ -259,3 +266,78 @@ def test_loops_that_close_together_stand_one_behind_the_other(name):
     assert axes == ["cos", "sin"] * (len(axes) // 2)
     assert all("sin" not in left + right for left, right in sides[::2])
     assert not any(side.startswith("-") or " - a*" in side for pair in sides for side in pair)
+
+
+def directions(figure, *ends):
+    """Return the direction in which each of two points lies seen from the first one."""
+    at, *others = (figure.points[point] for point in ends)
+    return [math.atan2(other.y - at.y, other.x - at.x) for other in others]
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_names_are_what_is_said_of_them(name):
+    """Angles of triangles, inclinations and directions, measured in the drawing."""
+    compilation = compiled(name)
+    known = completed(defaults(compilation.mechanism), compilation.pose.definitions)
+    for step in compilation.derivation.position:
+        for angle, (first, vertex, last) in step.corners:
+            one, other = directions(compilation.figure, vertex, first, last)
+            corner = abs(math.remainder(other - one, math.tau))
+            assert corner == pytest.approx(known[angle], abs=1e-9)
+        known = completed(known, step.definitions)
+        own = own_names(compilation.mechanism)
+        for found in (d.name for d in step.definitions if d.name not in own):
+            if ends := ["".join(point) for point in split_points(direction_of(found))]:
+                (measured,) = directions(compilation.figure, *ends)
+                off = math.remainder(measured - known[found], math.tau)
+                assert off == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("along", ["x", "-x"])
+@pytest.mark.parametrize("mode", ["forward", "back"])
+def test_a_guide_has_one_of_two_places_as_the_text_says(along, mode):
+    source = SLIDER.replace("along x through", f"along {along} through")
+    source = source.replace("assembly B forward", f"assembly B {mode}")
+    compilation = Compilation(Source("m.mech", source))
+    (step,) = compilation.derivation.position
+    assert (step.pin, step.is_ahead) == ("B", mode == "forward")
+    assert step.inclined == ("beta_AB", "AB")
+    ahead = (1 if along == "x" else -1) * (1 if mode == "forward" else -1)
+    assert compilation.figure.points["B"].x * ahead > 0
+
+
+@pytest.mark.parametrize(
+    ("language", "sentences"),
+    [
+        (
+            "en",
+            "β_AB is the inclination of AB to the guide. Of the two possible places of B on the "
+            "guide it is the one farther in the direction of the guide.",
+        ),
+        (
+            "uk",
+            "β_AB — кут нахилу AB до напрямної. З двох можливих положень точки B на напрямній "
+            "вибрано те, що далі в напрямі напрямної.",
+        ),
+        (
+            "ru",
+            "β_AB — угол наклона AB к направляющей. Из двух возможных положений точки B на "
+            "направляющей выбрано то, что дальше в направлении направляющей.",
+        ),
+    ],
+)
+def test_a_slider_is_said_to_be_assembled(language, sentences):
+    compilation = Compilation(Source("m.mech", SLIDER))
+    spell = speller(compilation.results, compilation.mechanism, True, language)
+    (said,) = position_sentences(compilation.derivation.position, locale(language), spell)
+    assert said.endswith(sentences)
+
+
+def test_angles_of_a_triangle_are_introduced():
+    compilation = compiled("oscillating_cylinder")
+    spell = speller(compilation.results, compilation.mechanism, True)
+    (said,) = position_sentences(compilation.derivation.position, locale("en"), spell)
+    assert said.endswith("Here μ_B = ∠CBO and γ_C = ∠BCO.")
+    page = emit(compilation, TARGET, Options("m"))[0].text
+    assert r"$\mu_B=\angle CBO$" in page
+    assert r"$\gamma_C=\angle BCO$" in page

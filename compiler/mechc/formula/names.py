@@ -107,6 +107,33 @@ def split_ratio(name: str) -> tuple[str, ...]:
     return tuple(name.split("_over_"))
 
 
+def direction_of(name: str) -> str:
+    """Return the vector of whose direction this is the name, '' of another name.
+
+    >>> direction_of("phi_AB"), direction_of("phi_O1B_"), direction_of("phi_max")
+    ('AB', 'O1B', '')
+    """
+    head, _, vector = name.rstrip("_").partition("_")
+    return vector if head == "phi" and len(split_points(vector)) == VECTOR_POINTS else ""
+
+
+VECTOR_POINTS = 2
+"""A vector leads from one point to another."""
+
+ANGLE_POINTS = 3
+"""An angle of a link is that at the second of three points."""
+
+
+def corner_of(name: str) -> str:
+    """Return the three points of the angle of a link that a name stands for, '' of another name.
+
+    >>> corner_of("turn_CAB"), corner_of("turn_O1AB"), corner_of("turn_rate"), corner_of("len_AB")
+    ('CAB', 'O1AB', '', '')
+    """
+    head, _, points = name.partition("_")
+    return points if head == "turn" and len(split_points(points)) == ANGLE_POINTS else ""
+
+
 def split_points(name: str) -> tuple[Point, ...]:
     """Split a point, vector or link into its points; ``()`` when it is none of these.
 

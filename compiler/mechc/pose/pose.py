@@ -95,7 +95,8 @@ class SolvedLoop(NamedTuple):
     is congruent to an earlier one has ``again`` what that gave, and ``like`` are the earlier one's
     points. ``put_in`` are directions that no name stands for in vectors: those of other vectors
     all the way or mirrored, and that of a side that mirrors one of the earlier triangle in a line
-    of symmetry.
+    of symmetry. Of a loop that closes along a guide ``pin`` is the point there, and ``is_ahead``
+    says of its two places that it has the one farther along the guide, or the other.
     """
 
     kind: LoopKind
@@ -105,6 +106,8 @@ class SolvedLoop(NamedTuple):
     like: tuple[str, ...] = ()
     again: frozenset[str] = frozenset()
     put_in: tuple[Definition, ...] = ()
+    pin: str = ""
+    is_ahead: bool | None = None
 
     @property
     def is_triangle(self) -> bool:

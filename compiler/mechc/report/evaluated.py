@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
 from ..formula.evaluate import evaluate
-from ..formula.names import split_name
+from ..formula.names import direction_of, split_name
 from ..formula.rounding import Rounding
 from ..formula.tree import Call, Formula, Symbol, is_call, number
 from ..formula.walk import symbols, walk
@@ -38,6 +38,7 @@ from .note import NoteLine
 from .put_in import Quantity, has_units, in_numbers, values_of, without_rounding
 from .sections import Outline, Section
 from .sentences.remarks import asked
+from .sentences.speller import own_names
 
 _ALIKE = {"rel_tol": 1e-6, "abs_tol": 1e-12}
 """What a printed formula may be off its value by rounding, next to a zero or a pole, too."""
@@ -159,6 +160,17 @@ def has_atan2(whole: Outline) -> bool:
     """Return whether an angle of the report is found from two components."""
     found = (part for d in _definitions(whole) for part in walk(d.formula))
     return any(is_call(part, "atan2") for part in found)
+
+
+def named_directions(whole: Outline, mechanism: Mechanism) -> list[str]:
+    """Return the names of directions of vectors that a report has, such as ``phi_AB``, in order.
+
+    They are those of mechc; what the description calls so is what its text says.
+    """
+    found = [d.name for d in _definitions(whole)]
+    found += [p.name for p in mechanism.parameters if p.name in mechanism.follow]
+    own = own_names(mechanism)
+    return [n for n in dict.fromkeys(found) if direction_of(n) and n not in own]
 
 
 def _idle_directions(whole: Outline) -> set[str]:

@@ -67,9 +67,10 @@ class Rule(StrEnum):
     """The same from the projections of the velocity on two lines."""
 
 
-PositionKind = Literal[LoopKind, "inclination", "length", "congruent", "sum"]
+PositionKind = Literal[LoopKind, "inclination", "length", "congruent", "sum", "angle"]
 """How a loop is solved, or gives one ``length`` or the ``inclination`` of a link alone, that it is
-a triangle ``congruent`` to an earlier one, or that a vector is the ``sum`` of others."""
+a triangle ``congruent`` to an earlier one, that a vector is the ``sum`` of others, or that an
+``angle`` of a link is given by a formula."""
 
 
 class SentenceKind(StrEnum):

@@ -24,7 +24,10 @@ class PositionStep:
 
     ``points`` is what the loop goes through (see ``SolvedLoop``), or the ends of the vector;
     ``definitions`` are those of its names that the derivation needs; ``like`` are the points of
-    the triangle that this one is congruent to.
+    the triangle that this one is congruent to. ``corners`` are the angles of a triangle among them,
+    each with its corner, ``inclined`` the inclination to a guide with the vector inclined.
+    Where a loop closes along a guide in two ways, ``pin`` is the point there and ``is_ahead`` says
+    whether it has the place farther along the guide.
     """
 
     kind: PositionKind
@@ -32,6 +35,10 @@ class PositionStep:
     is_clockwise: bool | None
     definitions: tuple[Definition, ...]
     like: tuple[str, ...] = ()
+    corners: tuple[tuple[str, tuple[str, str, str]], ...] = ()
+    inclined: tuple[str, str] | None = None
+    pin: str = ""
+    is_ahead: bool | None = None
 
 
 class Equation(NamedTuple):

@@ -18,6 +18,7 @@ from ...report.evaluated import (
     following,
     has_atan2,
     hides_units,
+    named_directions,
 )
 from ...report.languages import registry
 from ...report.languages.locale import Locale
@@ -48,6 +49,7 @@ from ...report.sentences.remarks import conditions, subject
 from ...report.sentences.wording import (
     Sides,
     direction_function,
+    directions_named,
     lines,
     position_sentences,
     sentences,
@@ -211,6 +213,8 @@ def report(
 
 def _conventions(whole: Outline, mechanism: Mechanism, locale: Locale, style: Notation) -> str:
     said = [locale.conventions.format(x="$x$")]
+    if named := directions_named(named_directions(whole, mechanism), locale, Speller(style)):
+        said.append(named)
     if has_atan2(whole):
         said.append(direction_function(locale, Speller(style)))
     if hides_units(whole, mechanism):
@@ -257,7 +261,7 @@ def brief(
 def _position(
     sections: Sequence[PositionSection], locale: Locale, style: Notation
 ) -> Iterator[PositionBlock]:
-    said = position_sentences((s.step for s in sections), locale, Speller(style).point)
+    said = position_sentences((s.step for s in sections), locale, Speller(style))
     for section, words in zip(sections, said, strict=True):
         yield PositionBlock(words, definitions(section.where, locale, style, {}))
 

@@ -238,7 +238,8 @@ class _Closing:
         kind = _how(chosen, group.kind)
         points = group.triples()[0] if kind in OF_A_TRIANGLE else points_around(cycle)
         side = tuple(arm for edge in cycle for arm in edge.arms)
-        state.take(unwound(chosen, state), wanted, [side], kind, points, sides.again)
+        place = self._choice.place(candidates, group, chosen) if kind == "guide" else None
+        state.take(unwound(chosen, state), wanted, [side], kind, points, sides.again, place)
         return True
 
     def _fit(self, name: str, cycle: Cycle) -> bool:

@@ -17,7 +17,7 @@ from .drawn import nearest
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .reach import reach_of
-from .state import State
+from .state import Place, State
 
 Corner = tuple[float, float]
 
@@ -67,6 +67,24 @@ class Choice:
         if len(meant) != 1:
             self._report_open(decisive, [poses[i] for i in left], group, read, not meant)
         return closures[left[0]]
+
+    def place(self, closures: Sequence[Closure], group: Loops, chosen: Closure) -> Place | None:
+        """Return which of two places the closure that was chosen gives a point on its guide.
+
+        None where closures do not differ by that.
+        """
+        read = Reading(self._state, _guide_lines(group, self._state), 0.0)
+        pins = [pin for pin, line in read.lines.items() if line.length in group.unknown]
+        if len(pins) != 1 or len(closures) != 2:
+            return None
+        (pin,) = pins
+        asked = Assembly((pin,), "forward", read.lines[pin].span)
+        other = next(closure for closure in closures if closure is not chosen)
+        poses = (self._state.tried(closure, self._state.base) for closure in (chosen, other))
+        mine, its = (read.measure(asked, pose) for pose in poses)
+        if mine is None or its is None or math.isnan(mine - its) or mine == its:
+            return None
+        return pin, mine > its
 
     def _note_slots(self, decisive: Sequence[Assembly], group: Loops, read: "Reading") -> None:
         """Note the pins in slots whose place along them a line has decided, and in which loop."""

@@ -23,6 +23,10 @@ MANY = 3
 """The angles that a direction is the sum of, from which on it keeps its name."""
 
 
+Place = tuple[str, bool]
+"""A point on a guide, and whether of its two places it has the one farther along it."""
+
+
 class State:
     """The unknowns found, in order; ``values`` are the default pose and poses near it.
 
@@ -111,11 +115,12 @@ class State:
         kind: LoopKind,
         points: tuple[str, ...],
         again: Set[str] = frozenset(),
+        place: Place | None = None,
     ) -> None:
         """Enter a closure for good, with the rates that the loops it closes give it.
 
         ``kind`` and ``points`` are those of the loop that it closes; ``again`` may be names of
-        a congruent triangle.
+        a congruent triangle, ``place`` says which of two places a point has on its guide.
         """
         known = _mentioned(closure) & again
         twins = {f"{name} again": name for name in known}
@@ -144,7 +149,8 @@ class State:
             for name, angle in closure.directions.items()
             if name in known_by
         )
-        self.solved.append(SolvedLoop(kind, points, names, turn, like, known, put_in))
+        placed = place or ("", None)
+        self.solved.append(SolvedLoop(kind, points, names, turn, like, known, put_in, *placed))
 
     def _name_directions(self) -> Iterator[str]:
         """Name the directions that are sums of many angles, all of them known by now.

@@ -4,9 +4,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from ...formula.facing import led
-from ...formula.names import split_points
+from ...formula.names import corner_of, split_points
 from ...formula.tree import HALF, ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.walk import reached, symbols, walk
+from ...frozen import replace
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop
 from ..kinds import PositionKind
@@ -52,7 +53,32 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
             shown = (Definition(d.name, led(d.formula)) for d in put_in)
             given = (Definition(n, formulas[n]) for n in names)
             found = (*given, *shown) if loop.kind == "mirrored" else (*shown, *given)
-            yield PositionStep(_kind(loop, found), loop.points, loop.is_clockwise, found, loop.like)
+            yield _introduced(loop, _kind(loop, found), found)
+
+
+def _introduced(
+    loop: SolvedLoop, kind: PositionKind, found: tuple[Definition, ...]
+) -> PositionStep:
+    """Return the step of a loop, with what the names are that it finds, and how it is assembled."""
+    corners = tuple(_corners(loop, found)) if kind in ("triangle", "congruent") else ()
+    inclined = None
+    if kind in ("guide", "inclination"):
+        named = (d.name for d in found if d.name.startswith("beta_") and _ends(d.name))
+        inclined = next(((name, _vector(name)) for name in named), None)
+    step = PositionStep(kind, loop.points, loop.is_clockwise, found, loop.like, corners, inclined)
+    return replace(step, pin=loop.pin, is_ahead=loop.is_ahead)
+
+
+def _corners(
+    loop: SolvedLoop, found: Iterable[Definition]
+) -> Iterator[tuple[str, tuple[str, str, str]]]:
+    """Yield the angles that a triangle finds, with their corners: mu between its unknown sides."""
+    first, pin, last = loop.points
+    corners = {f"mu_{pin}": (first, pin, last)}
+    corners |= {f"gamma_{first}": (pin, first, last), f"gamma_{last}": (first, last, pin)}
+    for definition in found:
+        if corner := corners.get(definition.name.rstrip("_")):
+            yield definition.name, corner
 
 
 def _ends(direction: str) -> frozenset[str]:
@@ -143,7 +169,8 @@ def _of_sums(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator
     for vector, names in groupby(named, _vector):
         found = tuple(Definition(n, formulas[n]) for n in names)
         points = tuple("".join(point) for point in split_points(vector))
-        yield PositionStep("sum", points, None, found)
+        is_corner = all(corner_of(definition.name) for definition in found)
+        yield PositionStep("angle" if is_corner else "sum", points, None, found)
 
 
 def _vector(name: str) -> str:

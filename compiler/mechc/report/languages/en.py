@@ -123,9 +123,22 @@ LOCALE = Locale(
         "lengths": "Loop {loop}: its projections give two lengths.",
         "length": "Loop {loop}: its projection gives a length.",
         "sum": "The vector {loop} is a sum of vectors: its projections give direction and length.",
+        "angle": "The angle {loop} of a link from what is given.",
         "vector": "The vector between points of {loop} that have their places.",
         "system": "The loops through {all} close together; their equations are solved by "
         "iteration.",
+    },
+    introduced={
+        "corners": "Here {corners}.",
+        "inclination": "{symbol} is the inclination of {part} to the guide.",
+        "direction": "{symbol} is the direction of the vector {vector}, counter-clockwise from "
+        "{x}.",
+        "directions": "{symbol} is the direction of the vector {vector}, counter-clockwise from "
+        "{x}; those of other vectors are named likewise.",
+        "ahead": "Of the two possible places of {pin} on the guide it is the one farther in "
+        "the direction of the guide.",
+        "behind": "Of the two possible places of {pin} on the guide it is the one farther "
+        "against the direction of the guide.",
     },
     turns={"cw": "clockwise", "ccw": "counter-clockwise"},
     velocities="Velocities",

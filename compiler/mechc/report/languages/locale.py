@@ -71,6 +71,9 @@ class Locale(NamedTuple):
 
     position: str
     loops: "Mapping[PositionKind, str]"
+    introduced: Mapping[str, str]
+    """What the names are that a loop finds, and which of two places a point has on a guide."""
+
     turns: Mapping[str, str]
     velocities: str
     magnitudes: str

@@ -11,6 +11,7 @@ from ...formula.names import (
     GREEK,
     JointForce,
     Point,
+    corner_of,
     split_force,
     split_name,
     split_points,
@@ -212,6 +213,8 @@ def _by_rule(symbol: str, style: Notation) -> str:
         return _of_part(symbol.removeprefix(f"{prefix}_"), prefix, style)
     if symbol.startswith("len_"):
         return points(symbol.removeprefix("len_"))
+    if symbol not in style.own and (corner := corner_of(symbol)):
+        return rf"\angle {points(corner)}"
     return _whole(symbol, style)
 
 

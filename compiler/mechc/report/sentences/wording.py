@@ -5,6 +5,7 @@ from itertools import groupby
 from typing import TypeVar
 
 from ...algebra.from_formula import to_product
+from ...formula.names import direction_of
 from ...formula.tree import (
     Call,
     Constant,
@@ -69,13 +70,32 @@ def _sentence(
 
 
 def position_sentences(
-    steps: Iterable[PositionStep], locale: Locale, spell: Callable[[str], str]
+    steps: Iterable[PositionStep], locale: Locale, spell: Speller
 ) -> Iterator[str]:
-    """Yield in words which loop gives what follows, and by which law."""
+    """Yield in words which loop gives what follows, by which law, in which of two positions."""
     listed = [*steps]
     templates = _in_full_once([step.kind for step in listed], locale.loops, locale.again)
     for step, template in zip(listed, templates, strict=True):
-        yield _of_loop(step, template, locale, spell)
+        yield " ".join(
+            (_of_loop(step, template, locale, spell.point), *_introduced(step, locale, spell))
+        )
+
+
+def _introduced(step: PositionStep, locale: Locale, spell: Speller) -> Iterator[str]:
+    """Yield what the names are that a loop finds, and which of two places a point has."""
+    if step.corners:
+        angles = (
+            spell.relation((Symbol(name), Symbol(f"turn_{''.join(corner)}")), ("=",), True)
+            for name, corner in step.corners
+        )
+        yield locale.introduced["corners"].format(corners=enumeration(angles, locale))
+    if step.inclined:
+        name, part = step.inclined
+        symbol = spell.relation((Symbol(name),), (), True)
+        yield locale.introduced["inclination"].format(symbol=symbol, part=spell.point(part))
+    if step.is_ahead is not None:
+        place = "ahead" if step.is_ahead else "behind"
+        yield locale.introduced[place].format(pin=spell.point(step.pin))
 
 
 def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
@@ -98,6 +118,18 @@ def direction_function(locale: Locale, spell: Speller) -> str:
     x, y = Symbol("x"), Symbol("y")
     names: dict[str, Formula] = {"x": x, "y": y, "function": Call("atan2", (y, x))}
     return locale.atan2.format_map({n: spell.relation((f,), (), True) for n, f in names.items()})
+
+
+def directions_named(names: Sequence[str], locale: Locale, spell: Speller) -> str:
+    """Return the sentence on what the first of the names of directions is, '' where there is none.
+
+    Of several it says that the others are named likewise.
+    """
+    if not names:
+        return ""
+    template = locale.introduced["directions" if len(names) > 1 else "direction"]
+    x, symbol = (spell.relation((Symbol(n),), (), True) for n in ("x", names[0]))
+    return template.format(x=x, symbol=symbol, vector=spell.point(direction_of(names[0])))
 
 
 def as_ratio(equation: Equation) -> Equation:

@@ -13,11 +13,18 @@ from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..by_parts import by_parts
 from ..definitions import Solved, grouped, looked_up, stated_above, without_minus
-from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
+from ..evaluated import Evaluated, evaluated, has_atan2, hides_units, named_directions
 from ..made_names import MadeNames, names_of, points_of
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
-from ..sentences.wording import Sides, direction_function, lines, position_sentences, sentences
+from ..sentences.wording import (
+    Sides,
+    direction_function,
+    directions_named,
+    lines,
+    position_sentences,
+    sentences,
+)
 from ..steps import Derivation, LastStep
 from . import note
 from .given import given
@@ -153,13 +160,15 @@ def _title(mechanism: Mechanism, spell: Speller) -> list[str]:
 def _conventions(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
     if hides_units(whole, mechanism):
         yield from spell.wrapped(spell.locale.plain_numbers, "  ")
+    if named := directions_named(named_directions(whole, mechanism), spell.locale, spell):
+        yield from spell.wrapped(named, "  ")
     if has_atan2(whole):
         yield from spell.wrapped(direction_function(spell.locale, spell), "  ")
 
 
 def _position(position: Iterable[PositionSection], spell: Speller) -> Iterator[str]:
     sections = [*position]
-    said = position_sentences((s.step for s in sections), spell.locale, spell.point)
+    said = position_sentences((s.step for s in sections), spell.locale, spell)
     if sections:
         yield from ("", spell.locale.position)
     for number, section, words in zip(_numbers_of(sections), sections, said, strict=True):

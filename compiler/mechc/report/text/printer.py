@@ -18,7 +18,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from ...formula.layout import TRIGONOMETRIC, decimal, letter_of
-from ...formula.names import GREEK, split_name, words_in
+from ...formula.names import GREEK, corner_of, split_name, words_in
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
 from ...patterns import pattern
@@ -64,11 +64,14 @@ def print_name(name: str, signs: Signs) -> str:
     """Return a quantity's name.
 
     >>> from .signs import UNICODE
-    >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B")]
-    ['α₁', 'ω_O₁B', 'O₁B']
+    >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B", "turn_ABC")]
+    ['α₁', 'ω_O₁B', 'O₁B', '∠ABC']
     """
+    corner = "" if name in signs.own else corner_of(name)
     if not signs.fancy:
-        return name
+        return f"angle_{corner}" if corner else name
+    if corner:
+        return f"∠{print_point(corner, signs)}"
     if name.startswith("len_"):
         return print_point(name.removeprefix("len_"), signs)
     head, primes, indices = split_name(_called(name, signs.texts))
