@@ -7,16 +7,21 @@ itself is a zero or a pole of the ratio, together they are none.
 import math
 from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import cached_property, partial
-from itertools import pairwise
+from itertools import pairwise, product
 
 from ..algebra.factors import Trig
 from ..algebra.product import Product
 from ..formula import roots
-from ..formula.tree import Formula
-from ..formula.walk import reached, symbols
+from ..formula.evaluate import evaluate
+from ..formula.tree import Call, Formula, is_call
+from ..formula.walk import reached, symbols, walk
 from ..model.mechanism import Mechanism
 from ..model.values import Chain, Values, range_of
+from ..pose.pose import Arm, Limit, Pose, evaluate_vector
+from ..pose.tolerances import SAME_PLACE
+from ..pose.vector_graph import mentioned
 from .ranges import last, moving_first, turns
+from .tolerances import SAME_RATIO
 
 CELLS = 37
 """Cells in which changes of sign are looked for."""
@@ -26,6 +31,9 @@ BEYOND = 0.01
 
 TOGETHER = 1e-6
 """What a factor may be at a zero of another one that it vanishes with."""
+
+ANYWHERE = 1.0
+"""An angle at which neither sine nor cosine is special, in radians."""
 
 
 class Meetings:
@@ -119,3 +127,54 @@ def meeting(
 def _place(number: int) -> str:
     """Return a name that no description has."""
     return f"={number}"
+
+
+# ------------------------------------------------------------- where loops lie flat or fold
+
+
+def flat_sides(pose: Pose, near: Values) -> Iterator[Set[str]]:
+    """Yield the names in the angles of each four-bar that may lie flat."""
+    for limit in pose.limits:
+        if may_lie_flat(limit, near):
+            points = set(limit.loop.split("-"))
+            given = {name for arm in limit.side for name in arm.angle.names}
+            solved = (s.names for s in pose.solved if points.issuperset(s.points))
+            yield given.union(*solved)
+
+
+def may_lie_flat(limit: Limit, near: Mapping[str, float]) -> bool:
+    """Return whether the four sides of a loop may all lie on one line, for the values given.
+
+    They do where the longest and the shortest are together as long as the others (Grashof).
+    """
+    turning: dict[object, list[Arm]] = {}
+    for arm in limit.side:
+        turning.setdefault(arm.angle.terms, []).append(arm)
+    names = mentioned(limit.side).union(*(symbols(size.formula()) for size in limit.sizes))
+    if limit.group != "triangle" or len(turning) != 2 or not names <= near.keys():
+        return False
+    sides = [math.hypot(*evaluate_vector(tuple(arms), near)) for arms in turning.values()]
+    sides += [abs(size.evaluate(near)) for size in limit.sizes]
+    first, *others = sides
+    senses = product((1, -1), repeat=len(others))
+    gaps = (first + sum(s * size for s, size in zip(each, others, strict=True)) for each in senses)
+    return any(abs(gap) <= SAME_PLACE * sum(sides) for gap in gaps)
+
+
+def is_fold(formula: Formula, near: Mapping[str, float]) -> bool:
+    """Return whether an angle is the arcsine of a sine, or of a cosine, for the values given."""
+    if not isinstance(formula, Call) or formula.function not in ("asin", "acos"):
+        return False
+    (argument,) = formula.arguments
+    for turn in walk(argument):
+        if is_call(turn, "sin", "cos"):
+            values = {**near, **dict.fromkeys(symbols(turn), ANYWHERE)}
+            if symbols(argument) <= values.keys():
+                sizes = (abs(evaluate(f, values)) for f in (argument, turn))
+                return math.isclose(*sizes, rel_tol=SAME_RATIO)
+    return False
+
+
+def is_between_sides(trig: Trig, names: Set[str]) -> bool:
+    """Return whether a sine is that of an angle between the sides that some names belong to."""
+    return trig.function == "sin" and trig.angle.names <= names and not trig.angle.degrees % 180

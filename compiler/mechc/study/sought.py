@@ -1,0 +1,171 @@
+"""What is asked of a factor of a ratio, and of its roots, before a zero or a pole is stated."""
+
+import math
+from collections.abc import Mapping, Sequence, Set
+from functools import cached_property
+
+from ..algebra.factors import Factor, Trig
+from ..algebra.from_formula import to_product
+from ..algebra.intervals import Box
+from ..algebra.orders import Root, angles, order, roots
+from ..algebra.product import Product, Sum
+from ..formula.evaluate import evaluate
+from ..formula.tree import is_call
+from ..formula.walk import reached, symbols, walk
+from ..model.boxes import range_box, stroke_box
+from ..model.values import Chain
+from ..power.balance import Balance, Solved
+from .analysis import Cause
+from .causes import cause
+from .meeting import TOGETHER, Meetings, flat_sides
+from .ranges import moving_first, with_range
+from .tolerances import VANISHED_SUM
+from .trends import is_free_of_zeros
+
+STEPS = (1e-4, 1e-6)
+"""How far from a root the values are compared that refute it, in radians.
+
+Far from it rounding does no harm; near it no other root that is close by does.
+"""
+
+ARCS = ("asin", "acos")
+"""Functions that intervals bound: angles by them may have sines that never vanish."""
+
+_SIZE = ""
+"""What a result is called among its definitions."""
+
+
+class Sought:
+    """A ratio, the side of its line on which factors vanish, and what is asked for each of them."""
+
+    def __init__(
+        self,
+        item: Solved,
+        balance: Balance,
+        near: Mapping[str, float],
+        side: int,
+        meetings: Meetings,
+    ) -> None:
+        assert item.value is not None
+        self.meetings = meetings
+        self.item, self.value, self.balance = item, item.value, balance
+        self.near, self.side = near, side
+        self.defined = dict(item.result.where)
+        self.given = {name: value for name, value in near.items() if name not in self.defined}
+        self.chain = Chain({**self.defined, _SIZE: item.result.formula})
+        mechanism = balance.plan.graph.pose.mechanism
+        self.box, self._ranged = stroke_box(mechanism), with_range(mechanism)
+        self.moving_first = moving_first(mechanism)
+
+    @cached_property
+    def _as_given(self) -> Box:
+        """Return the box of the ranges, of what has none at its value."""
+        mechanism = self.balance.plan.graph.pose.mechanism
+        ranged = {name: reach for name, reach in self.box.items() if name in self._ranged}
+        still = {n: x for n, x in range_box(mechanism).items() if n != mechanism.drive_name}
+        return {**still, **ranged}
+
+    @cached_property
+    def flat(self) -> list[Set[str]]:
+        """Return the names in the angles of each four-bar that may lie flat."""
+        return list(flat_sides(self.balance.plan.graph.pose, self.near))
+
+    def cause(self, factor: Factor, roots: tuple[Root, ...] = ()) -> Cause:
+        """Return the point or link that stands still at a zero of a factor, or at some roots."""
+        return cause(factor, roots, self.item, self.balance, self.side)
+
+    def is_outside(self, factor: Factor) -> bool:
+        """Return whether a factor is proved not to vanish within the ranges that are given."""
+        ranged = symbols(factor.formula()) & self._ranged
+        return bool(ranged) and is_free_of_zeros(Product.of(factor), self.box)
+
+    def is_absent(self, factor: Factor) -> bool:
+        """Return whether a sine or cosine of what loops find is proved not to vanish.
+
+        That is within the ranges, at the values given of what has none, and rests on arc sines
+        and cosines, of which intervals are known.
+        """
+        if not isinstance(factor, Trig) or factor.angle.names.isdisjoint(self.defined):
+            return False
+        needed = reached(factor.angle.names, self.defined)
+        found = [(n, f) for n, f in self.defined.items() if n in needed]
+        if not all(any(is_call(part, *ARCS) for part in walk(f)) for _, f in found):
+            return False
+        where = [(n, to_product(f)) for n, f in found]
+        return is_free_of_zeros(Product.of(factor), self._as_given, where)
+
+
+def has_order(root: Root, of: Sought) -> bool:
+    """Return whether a value is proved zero (infinite) at a root, at the values given, too."""
+    found = order(of.value, root.name, root.value)
+    there = found is not None and found * of.side > 0
+    return there and not is_refuted(root, of)
+
+
+def is_refuted(root: Root, of: Sought) -> bool:
+    """Return whether a value does something else where lengths are just as they are given.
+
+    With a = b, sin α/(a − b cos α) is infinite where it would vanish. And what is found by
+    closing loops may itself be infinite there, such as a pin's distance along a slot that is
+    parallel to its guide.
+    """
+    names = {root.name, *root.value.names}
+    if not names <= of.near.keys() or not names.isdisjoint(of.defined):
+        return False
+    far, near = STEPS
+    sizes = _beside(root, far, of)
+    if not sizes:
+        return _meets_another(root, of)
+    return _is_otherwise(sizes, of.side) and _is_otherwise(_beside(root, near, of), of.side)
+
+
+def _is_otherwise(sizes: Sequence[float], side: int) -> bool:
+    """Return whether sizes at a distance and at half of it are not those of a zero, or a pole."""
+    return bool(sizes) and math.log2(sizes[0] / sizes[1]) * side < 0.5
+
+
+def _meets_another(root: Root, of: Sought) -> bool:
+    """Return whether a sine across the line, of what loops find, is zero at a root as well.
+
+    Where there is no pose nothing else can refute a root.
+    """
+    there = of.chain.complete({**of.given, root.name: root.value.evaluate(of.near)})
+    across = (f for f, e in of.value.factors.items() if isinstance(f, Trig) and e * of.side < 0)
+    found = (f for f in across if not f.angle.names.isdisjoint(of.defined))
+    known = (f for f in found if f.angle.names <= there.keys())
+    return any(abs(evaluate(f.formula(), there)) < TOGETHER for f in known)
+
+
+def _beside(root: Root, step: float, of: Sought) -> list[float]:
+    """Return the sizes of a value a step from a root, and half of one; none where it has none."""
+    x = root.value.evaluate(of.near)
+    here = ({**of.given, root.name: x + h} for h in (step, step / 2))
+    sizes = [abs(of.chain.complete(values).get(_SIZE, math.nan)) for values in here]
+    return sizes if all(math.isfinite(size) and size for size in sizes) else []
+
+
+def roots_across(factor: Factor, value: Product) -> list[Root]:
+    """Return the roots of the sines across the line that have a symbol in common with a sum."""
+    return [root for trig in across_the_line(factor, value) for root in roots(trig, value)]
+
+
+def across_the_line(factor: Factor, value: Product) -> list[Trig]:
+    """Return the sines across the line that have a symbol in common with a sum."""
+    above = value.factors[factor] > 0
+    inside = {name for angle in angles(Product.of(factor)) for name in angle.names}
+    return [
+        trig
+        for trig, e in value.factors.items()
+        if isinstance(trig, Trig) and (e > 0) != above and trig.angle.names & inside
+    ]
+
+
+def is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
+    """Return whether a factor is zero at a root for the values given, against its usual size."""
+    if not isinstance(factor, Sum | Trig) or not {root.name, *root.value.names} <= near.keys():
+        return False
+    if not symbols(factor.formula()) <= near.keys():
+        return False
+    x = root.value.evaluate(near)
+    here, there = (abs(factor.evaluate({**near, root.name: x + h})) for h in (0, 1))
+    return here < VANISHED_SUM * there
