@@ -6,7 +6,7 @@ import pytest
 
 import mechc
 from mechc.formula.evaluate import evaluate
-from mechc.formula.over_line import over_line
+from mechc.formula.layout import over_line
 from mechc.formula.tree import Call, Symbol, number, product, total
 from mechc.report.text.printer import print_formula
 from mechc.report.text.signs import UNICODE

@@ -116,7 +116,7 @@ PAGES = [["check", CLAMP], ["compile", CLAMP, "--emit", "latex"]]
 
 
 @pytest.mark.parametrize(
-    ("arguments", "own", "all_"), [(CODE, 268, 356), (PAGES[0], 270, 356), (PAGES[1], 314, 399)]
+    ("arguments", "own", "all_"), [(CODE, 256, 344), (PAGES[0], 259, 345), (PAGES[1], 304, 389)]
 )
 def test_few_modules_are_imported(arguments: list[str], own: int, all_: int) -> None:
     """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
@@ -145,3 +145,14 @@ def test_compiling_to_code_imports_little() -> None:
     late = ("mechc.report.languages.", "mechc.api")
     early = {"mechc.report.languages.locale", "mechc.report.languages.registry"}
     assert {name for name in found if name.startswith(late)} <= early
+
+
+@pytest.mark.parametrize("description", [CLAMP, YAML])
+@pytest.mark.parametrize("command", [["check"], ["compile", "--emit", "latex"]], ids=" ".join)
+def test_no_words_of_messages_are_imported_where_nothing_is_wrong(
+    command: list[str], description: str
+) -> None:
+    early = {f"mechc.diagnostics.{name}" for name in ("diagnostic", "render", "model")}
+    found = imports("-m", "mechc", *command, description, "--no-cache")
+    assert {name for name in found if name.startswith("mechc.diagnostics.")} <= early
+    assert not {name for name in found if name.endswith(".slips")}

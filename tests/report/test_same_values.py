@@ -6,8 +6,7 @@ from hypothesis import given
 from formula_strategies import VALUES, formulas
 from mechc.formula.evaluate import evaluate
 from mechc.formula.facing import as_in, facing, led
-from mechc.formula.layout import in_degrees
-from mechc.formula.over_line import over_line
+from mechc.formula.layout import in_degrees, over_line
 from mechc.formula.tree import Sum
 from mechc.report.book_forms import book_form
 from mechc.report.sentences.order import geometry_first

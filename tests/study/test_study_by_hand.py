@@ -26,7 +26,6 @@ from mechc.power.from_plan import balance
 from mechc.source import Source
 from mechc.study import ranges
 from mechc.study.analysis import Acted, Break, DeadCentre, Vanishing
-from mechc.study.breaks import breaks
 from mechc.study.expectations import random_poses
 from mechc.study.ratios import sizes
 from mechc.study.sampling import _jumps, _loose
@@ -40,7 +39,7 @@ from mechc.study.stroke.stretches import with_reached
 from mechc.study.stroke.stroke import Column, Extremum, StrokeInterval
 from mechc.study.stroke.transmission import Transmission, named, transmissions
 from mechc.study.trends import trend
-from mechc.study.zeros import _each_place_once, _joined, limits
+from mechc.study.zeros import _each_place_once, _joined, breaks, limits
 from mechc.units import LENGTH, NUMBER
 from small_poses import HERE, VALUES, lever, plan, slider_crank, two_bars
 

@@ -2,7 +2,8 @@
 
 A force transmission reads as an engineer writes it: the ratio of the arms first, the
 factor of the angles behind it, ``2b/a · cos α sin θ / cos(α + θ)``. Constant angles
-stand in degrees. Both are decided here once, for LaTeX and for the terminal.
+stand in degrees, and the decimal that leads a quotient, as 2.5a divided by 5a makes it, is whole
+numbers above the line and below it. All is decided here once, for LaTeX and for the terminal.
 """
 
 from collections.abc import Iterable, Set
@@ -22,13 +23,17 @@ from .tree import (
     Sum,
     Symbol,
     negative,
+    number,
     power,
     total,
 )
-from .walk import children
+from .walk import children, rebuild
 
 LEAST, LARGEST = 1e-4, 1e12
 """Within these bounds a float is printed without a power of ten."""
+
+GLANCED = 10
+"""Whole numbers up to this are read at a glance, above a line and below it."""
 
 INVERSE = frozenset({"asin", "acos", "atan", "atan2"})
 """Functions whose value is an angle."""
@@ -289,3 +294,32 @@ def has_minus(term: Formula) -> bool:
             return value < 0
         case _:
             return False
+
+
+def over_line(formula: Formula) -> Formula:
+    """Return a formula whose quotients have small whole numbers for a decimal.
+
+    >>> from .to_text import text
+    >>> from fractions import Fraction
+    >>> from .tree import Call, Symbol, product
+    >>> sines = [(Call("sin", (Symbol("b"),)), 1), (Call("sin", (Symbol("c"),)), -1)]
+    >>> [text(over_line(product([(number(Fraction(n, 5)), 1), *sines]))) for n in (1, 2)]
+    ['sin(b)/(5*sin(c))', '2*sin(b)/(5*sin(c))']
+    """
+    parts = tuple(map(over_line, children(formula)))
+    whole = rebuild(formula, parts) if parts != children(formula) else formula
+    match whole:
+        case Product((Number(value), *rest)) if any(map(_divides, rest)):
+            above, below = value.numerator, value.denominator
+            if below in (5, 10) and abs(above) < GLANCED:
+                lead = () if above == 1 else (number(above),)
+                return Product((*lead, Power(number(below), number(-1)), *rest))
+    return whole
+
+
+def _divides(factor: Formula) -> bool:
+    """Return whether a factor stands below the line."""
+    match factor:
+        case Power(_, Number(value)):
+            return value < 0
+    return False

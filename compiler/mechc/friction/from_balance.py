@@ -26,7 +26,7 @@ from ..model.result import Result
 from ..model.results.conditions import refuse_failing
 from ..power.balance import Balance, Solved
 from ..power.definitions import let_results, open_lengths
-from ..power.idle import warn_of_idle_loads
+from ..power.loose import warn_of_idle_loads
 from ..power.numbers import DefaultNumbers, with_default
 from . import problem as problems
 from . import results

@@ -33,6 +33,7 @@ from .mechanism import Find, LoadForm, Mechanism, Offset, Slider
 from .names.literals import with_names
 from .names.points import Points
 from .names.scope import Scope
+from .results import reported
 from .results.conditions import implied, read_expects, read_requires
 from .results.finds import read_finds
 from .results.reactions import (
@@ -41,7 +42,6 @@ from .results.reactions import (
     warn_of_loads_on_pins,
     warn_of_shared_pivots,
 )
-from .results.reported import read_reported
 from .statements import check_doubled, every, only, refuse_links_in_a_sheet, written_as_sheet
 
 OF_FRICTION = (ast.Friction, ast.Motion, ast.Efficiency)
@@ -77,7 +77,8 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
     mechanism = _laid_out(mechanism, report)
-    mechanism = replace(mechanism, reported=read_reported(file, mechanism, scope))
+    if parts := every(file, ast.Reported):
+        mechanism = replace(mechanism, reported=reported.checked(parts, mechanism, scope))
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
     warn_idle(mechanism.joints, points)

@@ -11,5 +11,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"paths"}
+    SELDOM = {"force_pairs", "idle", "paths"}
     __getattr__ = waiting(__name__, SELDOM)

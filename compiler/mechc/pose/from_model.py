@@ -14,14 +14,12 @@ from ..model.results import failures
 from ..model.values import holds
 from ..named import NamedTuple
 from ..source import Span
-from . import lines
+from . import force_pairs, idle, lines
 from .bodies import aligned, contacts, frames, on_the_line
 from .closure import Closure, Condition, across
 from .directions import Directions
 from .drawn import drawn_elsewhere, given_by_hand, moved_from_drawing
-from .force_pairs import Pairing, thrust_line
 from .given_angles import in_given_angles
-from .idle import contradictions, remarks
 from .loops.closed import Closed
 from .loops.closing import close
 from .loops.guide_lines import with_lines
@@ -43,8 +41,9 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     and E304 where a loop does not close for independent symbols. W302 remarks on gears
     that do not reach one another.
     """
-    for fault in contradictions(mechanism.assemblies):
-        report.add(fault)
+    if mechanism.assemblies:
+        for fault in idle.contradictions(mechanism.assemblies):
+            report.add(fault)
     report.stop_on_errors()
     mechanism = with_lines(replace(mechanism, geometry=aligned(mechanism)))
     terms = Terms(mechanism)
@@ -109,7 +108,7 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
         return
     default = default_pose(pose.mechanism, pose.definitions)
     for assembly in closed.idle:
-        for remark in remarks(assembly, vectors, default):
+        for remark in idle.remarks(assembly, vectors, default):
             report.add(remark)
     for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
         report.add(fault)
@@ -169,9 +168,11 @@ def _pose(read: _Read, closed: Closed) -> Pose:
 
 def _thrusts(read: _Read, axis: Angle | None) -> Mapping[str, Angle]:
     """Return the direction in which each pair of forces pushes its second point."""
-    pairing = Pairing(read.mechanism, read.terms, read.vectors, axis, read.report)
-    pairs = (load for load in read.mechanism.loads if isinstance(load, ForcePair))
-    return {pair.name: thrust_line(pair, pairing) for pair in pairs}
+    pairs = [load for load in read.mechanism.loads if isinstance(load, ForcePair)]
+    if not pairs:
+        return {}
+    pairing = force_pairs.Pairing(read.mechanism, read.terms, read.vectors, axis, read.report)
+    return {pair.name: force_pairs.thrust_line(pair, pairing) for pair in pairs}
 
 
 def _links_without_direction(pose: Pose, read: _Read, closed: Closed) -> Mapping[str, Link]:

@@ -18,8 +18,8 @@ from ..model.mechanism import (
 )
 from . import force_results, speed_results
 from .balance import Balance, Solved
-from .idle import warn_of_idle_loads, warn_of_idle_motions
 from .load_results import load_form, load_ratio
+from .loose import warn_of_idle_loads, warn_of_idle_motions
 from .numbers import checked
 from .problem import Problem, problem_of
 

@@ -5,8 +5,7 @@ from fractions import Fraction
 from math import isclose, isfinite
 
 from ..formula.evaluate import evaluate
-from ..formula.layout import in_degrees
-from ..formula.over_line import over_line
+from ..formula.layout import in_degrees, over_line
 from ..formula.tree import (
     Constant,
     Formula,

@@ -6,8 +6,7 @@ from fractions import Fraction
 
 from ..formula.choices import is_looked_up
 from ..formula.evaluate import equations
-from ..formula.layout import decimal, has_minus, short_decimal
-from ..formula.over_line import over_line
+from ..formula.layout import decimal, has_minus, over_line, short_decimal
 from ..formula.tree import (
     ZERO,
     Constant,
@@ -86,7 +85,7 @@ class Letters:
     units: Mapping[str, str]
     positive: frozenset[str]
     choices: Mapping[str, Formula]
-    ranges: book_forms.Ranges
+    ranges: "book_forms.Ranges"
 
 
 def letters(

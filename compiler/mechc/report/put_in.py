@@ -9,9 +9,8 @@ from fractions import Fraction
 from itertools import pairwise
 
 from ..formula.evaluate import evaluate
-from ..formula.layout import TRIGONOMETRIC, diameters_behind, squares
+from ..formula.layout import TRIGONOMETRIC, diameters_behind, over_line, squares
 from ..formula.operations import count_operations
-from ..formula.over_line import over_line
 from ..formula.tree import (
     HALF,
     Call,

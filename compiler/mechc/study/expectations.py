@@ -18,7 +18,6 @@ from typing import Literal
 from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as messages
-from ..diagnostics.check import Slip
 from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Formula
@@ -281,7 +280,7 @@ def _figures(finding: Finding, unit: str) -> tuple[str, str]:
     return found, expected
 
 
-def likely_a_formula(finding: Finding, given: Values) -> Slip:
+def likely_a_formula(finding: Finding, given: Values) -> "messages.Slip":
     """Return that a figure was compared as a formula, and refuted at other values than given."""
     expect = finding.expect
     is_figure = not expect.at and not symbols(expect.value)
@@ -289,7 +288,7 @@ def likely_a_formula(finding: Finding, given: Values) -> Slip:
     return "figure" if is_figure and elsewhere else ""
 
 
-def _slip(finding: Finding) -> Slip:
+def _slip(finding: Finding) -> "messages.Slip":
     """Return the likely slip between two numbers, where it shows in them."""
     if not finding.expected or not math.isfinite(finding.found) or not finding.found:
         return ""

@@ -31,11 +31,10 @@ from ..units import LENGTH
 from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
-from .breaks import breaks
 from .ranges import with_range
 from .tolerances import SAME_RATIO
 from .trends import trend
-from .zeros import limits
+from .zeros import breaks, limits
 
 MANY = 16
 """A result of more parameters than this is given without swaps, trends and derivatives.

@@ -1,16 +1,20 @@
 """What is asked of a factor of a ratio, and of its roots, before a zero or a pole is stated."""
 
 import math
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import cached_property
 
+from ..algebra.angle import RADIAN
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box
 from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
+from ..algebra.sums import Bound
 from ..formula.evaluate import evaluate
-from ..formula.tree import is_call
+from ..formula.tree import Call, Formula, Power, is_call
+from ..formula.tree import Product as Factors
+from ..formula.tree import Sum as Terms
 from ..formula.walk import reached, symbols, walk
 from ..model.boxes import range_box, stroke_box
 from ..model.values import Chain
@@ -169,3 +173,35 @@ def is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
     x = root.value.evaluate(near)
     here, there = (abs(factor.evaluate({**near, root.name: x + h})) for h in (0, 1))
     return here < VANISHED_SUM * there
+
+
+# ---------------------------------------------------------------------------- factors
+
+
+def dividing_factors(formula: Formula) -> Iterator[Factor]:
+    """Yield the factors that a formula as a whole is divided by."""
+    for part in formula.factors if isinstance(formula, Factors) else (formula,):
+        if isinstance(part, Power | Call):
+            yield from (f for f, exponent in to_product(part).factors.items() if exponent < 0)
+
+
+def may_vanish(factor: Factor, near: Mapping[str, float]) -> bool:
+    """Return whether this is a sum, or a sine or cosine of what varies: no length, no constant.
+
+    A sum of lengths that are all positive, ``a + b``, does not vanish.
+    """
+    match factor:
+        case Trig(angle=angle):
+            return any(name != RADIAN for name, _ in angle.terms)
+        case Sum():
+            return not _all_positive(factor.formula(), near)
+        case _:
+            return isinstance(factor, Bound)
+
+
+def _all_positive(formula: Formula, near: Mapping[str, float]) -> bool:
+    """Return whether a sum has no functions and no term that is negative by default."""
+    if not isinstance(formula, Terms) or any(isinstance(f, Call) for f in walk(formula)):
+        return False
+    known = symbols(formula) <= near.keys()
+    return known and all(evaluate(t, near) > 0 for t in formula.terms)

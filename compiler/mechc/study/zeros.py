@@ -1,4 +1,4 @@
-"""Zeros and poles: which factors vanish, at which angle, and what stands still there."""
+"""Zeros, poles and breaks: which factors vanish, at which angle, and what stands still there."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
@@ -9,13 +9,22 @@ from ..algebra.intervals import vanishing_values
 from ..algebra.orders import Root, half_turns, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.trigonometry import sine
+from ..model.result import Definition
 from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
-from .analysis import Cause, Vanishing
-from .breaks import dividing_factors, may_vanish
+from .analysis import Break, Cause, Vanishing
 from .causes import across_of
 from .meeting import Meetings, is_between_sides, is_fold
-from .sought import Sought, across_the_line, has_order, is_nil, is_refuted, roots_across
+from .sought import (
+    Sought,
+    across_the_line,
+    dividing_factors,
+    has_order,
+    is_nil,
+    is_refuted,
+    may_vanish,
+    roots_across,
+)
 
 
 def limits(
@@ -32,6 +41,18 @@ def limits(
     found = (_conditions(Sought(item, balance, near, side, met)) for side in (1, -1))
     zeros, poles = map(_each_place_once, found)
     return zeros, poles
+
+
+def breaks(where: Iterable[Definition], near: Mapping[str, float]) -> tuple[Break, ...]:
+    """Return the conditions under which what loops find is infinite, each of them once.
+
+    A result that rests on it may jump there.
+    """
+    found: dict[Factor, Break] = {}
+    for name, formula in where:
+        for factor in filter(lambda f: may_vanish(f, near), dividing_factors(formula)):
+            found.setdefault(factor, Break(name, factor.formula()))
+    return tuple(found.values())
 
 
 def _each_place_once(found: Iterable[Vanishing]) -> tuple[Vanishing, ...]:

@@ -17,10 +17,9 @@ class Real(NamedTuple):
     """A type of real numbers, as far as the templates depend on it.
 
     ``bits`` is the unsigned type of the same width, ``top`` the place of the sign in it,
-    ``infinity`` and ``size`` are the bits of infinity and of all but the sign. ``tiny`` and
-    ``rounding`` are for this type what :data:`~mechc.formula.newton.TINY` and
-    :data:`~mechc.formula.newton.ROUNDING` are for ``double``, ``least`` what
-    :data:`~mechc.formula.arcs.LEAST` is.
+    ``infinity`` and ``size`` are the bits of infinity and of all but the sign. ``tiny``,
+    ``rounding`` and ``least`` are for this type what they are in :mod:`~mechc.formula.newton` and
+    :mod:`~mechc.formula.arcs` for ``double``; only code that solves equations needs them.
     """
 
     name: str
@@ -28,9 +27,24 @@ class Real(NamedTuple):
     top: int
     infinity: str
     size: str
-    tiny: float
-    rounding: float
-    least: float
+
+    @property
+    def tiny(self) -> float:
+        """Return the correction behind which no other is needed.
+
+        One of 3e-4 leaves some 1e-7, which is the rounding of ``float``.
+        """
+        return 3e-4 if self is FLOAT else newton.TINY
+
+    @property
+    def rounding(self) -> float:
+        """Return the expected correction below which none is needed."""
+        return 1e-8 if self is FLOAT else newton.ROUNDING
+
+    @property
+    def least(self) -> float:
+        """Return the length of an arc below which it leads nowhere."""
+        return 2.0**-10 if self is FLOAT else arcs.LEAST
 
 
 DOUBLE = Real(
@@ -39,9 +53,6 @@ DOUBLE = Real(
     top=63,
     infinity="0x7ff0000000000000u",
     size="0x7fffffffffffffffu",
-    tiny=newton.TINY,
-    rounding=newton.ROUNDING,
-    least=arcs.LEAST,
 )
 FLOAT = Real(
     name="float",
@@ -49,11 +60,7 @@ FLOAT = Real(
     top=31,
     infinity="0x7f800000u",
     size="0x7fffffffu",
-    tiny=3e-4,
-    rounding=1e-8,
-    least=2.0**-10,
 )
-"""A correction of 3e-4 leaves some 1e-7, which is ``float``'s rounding."""
 
 REALS = {real.name: real for real in (DOUBLE, FLOAT)}
 

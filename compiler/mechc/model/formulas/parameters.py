@@ -119,7 +119,7 @@ WIDE = math.radians(10) * (1 - SAME_VALUE)
 
 def _doubt(
     tolerance: Formula, parameter: Parameter, is_sheet: bool
-) -> doubtful_sizes.ToleranceDoubt | None:
+) -> "doubtful_sizes.ToleranceDoubt | None":
     """Return in which way a tolerance is too large, None where it may be meant."""
     size = evaluate(tolerance, {})
     if parameter.value and _is_of_all(tolerance, parameter.value, parameter, is_sheet):

@@ -7,17 +7,18 @@ from ...diagnostics.model import results as messages
 from ...syntax import ast
 from ..mechanism import Mechanism, Reported
 from ..names.scope import Scope
-from ..statements import every, is_sheet
+from ..statements import is_sheet
 from ..values import range_of
 
 PICTURES = ("scheme", "bodies", "plans", "stroke")
 """What a report may hold beside results and plots."""
 
 
-def read_reported(file: ast.File, mechanism: Mechanism, scope: Scope) -> tuple[Reported, ...]:
+def checked(
+    parts: Sequence[ast.Reported], mechanism: Mechanism, scope: Scope
+) -> tuple[Reported, ...]:
     """Return the parts of the report, in order; reject those that the mechanism does not have."""
-    parts = every(file, ast.Reported)
-    if parts and is_sheet(mechanism):
+    if is_sheet(mechanism):
         scope.report.add(messages.parts_of_a_sheet(parts[0].span))
         return ()
     return tuple(_checked(parts, mechanism, scope))

@@ -9,5 +9,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ...later import waiting
 
-    SELDOM = {"by_groups", "state"}
+    SELDOM = {"branches", "by_groups", "state"}
     __getattr__ = waiting(__name__, SELDOM)

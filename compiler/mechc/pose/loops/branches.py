@@ -7,7 +7,7 @@ nearby that close; from there each branch is followed to where it turns back.
 from collections.abc import Iterator
 from random import Random
 
-from ...diagnostics.pose import AssemblyRange
+from ...diagnostics import pose as messages
 from ...formula.evaluate import numeric
 from ...formula.folds import Curve
 from ...model.values import Chain, dependent
@@ -20,19 +20,19 @@ STARTS = 60
 """Random starts from which poses that close are looked for."""
 
 
-def branches(block: Block, state: State) -> list[AssemblyRange]:
+def branches(block: Block, state: State) -> "list[messages.AssemblyRange]":
     """Return the stretches of the drive on which a block closes, empty without a drive."""
     drive = state.mechanism.drive
     if drive is None:
         return []
     parameter = state.mechanism.parameter(drive.parameter)
     low, high = limits_of_drive(state, parameter.dimension)
-    found: list[AssemblyRange] = []
+    found: list[messages.AssemblyRange] = []
     curve = _curve(block, state, drive.parameter, parameter.dimension == ANGLE)
     for unknowns, x in _closed(block, state, curve):
         if low <= x <= high and not any(s.low <= x <= s.high for s in found):
             least, greatest = (curve.end(unknowns, x, goal).x for goal in (low, high))
-            found.append(AssemblyRange(least, greatest, parameter.dimension))
+            found.append(messages.AssemblyRange(least, greatest, parameter.dimension))
     return _joined(found)
 
 
@@ -62,9 +62,9 @@ def _closed(block: Block, state: State, curve: Curve) -> Iterator[tuple[list[flo
             yield found
 
 
-def _joined(stretches: list[AssemblyRange]) -> list[AssemblyRange]:
+def _joined(stretches: "list[messages.AssemblyRange]") -> "list[messages.AssemblyRange]":
     """Return stretches in order, those that overlap as one."""
-    joined: list[AssemblyRange] = []
+    joined: list[messages.AssemblyRange] = []
     for stretch in sorted(stretches, key=lambda s: s.low):
         if joined and stretch.low <= joined[-1].high:
             high = max(stretch.high, joined[-1].high)

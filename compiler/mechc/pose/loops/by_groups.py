@@ -25,7 +25,7 @@ from ..directions import Directions
 from ..pose import OF_A_TRIANGLE, ClosedLoop, Definition, Limit, LoopKind
 from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
 from ..vectors import Vectors
-from .branches import branches
+from . import branches
 from .choosing import Choice
 from .closed import Closed
 from .drawn import start
@@ -122,7 +122,7 @@ class _Closing:
             self._report.stop_on_errors()
             span = max((e.span for e in block.cycle), key=lambda s: s.start)
             loop, drive = loop_name(block.cycle), self._state.mechanism.drive
-            reach = branches(block, self._state)
+            reach = branches.branches(block, self._state)
             name = drive.parameter if drive else ""
             raise self._report.fail(messages.cannot_assemble(span, loop, name, reach, True))
         chosen = self._choice.choose(found, block)

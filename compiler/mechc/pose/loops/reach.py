@@ -13,7 +13,7 @@ from ...algebra.angle import Angle
 from ...algebra.factors import Factor, Trig
 from ...algebra.product import Product, Sum
 from ...algebra.sums import add
-from ...diagnostics.pose import AssemblyRange
+from ...diagnostics import pose as messages
 from ...formula.evaluate import evaluate
 from ...formula.roots import roots
 from ...formula.to_text import text
@@ -41,7 +41,7 @@ class End(NamedTuple):
     exact: str = ""
 
 
-def reach_of(state: State, closure: Closure, limit: Limit | None) -> list[AssemblyRange]:
+def reach_of(state: State, closure: Closure, limit: Limit | None) -> "list[messages.AssemblyRange]":
     """Return the stretches of the drive in which a group closes, empty without a drive."""
     drive = state.mechanism.drive
     if drive is None:
@@ -51,14 +51,16 @@ def reach_of(state: State, closure: Closure, limit: Limit | None) -> list[Assemb
     reach = _Reach(state, closure, drive.parameter)
     limits = [*state.limits, *([limit] if limit else [])]
     ends = reach.ends([m for one in limits for m in one.margins], low, high)
-    found: list[AssemblyRange] = []
+    found: list[messages.AssemblyRange] = []
     for start, end in pairwise(ends):
         if not reach.closes((start.x + end.x) / 2):
             continue
         if found and found[-1].high == start.x:
             start = End(found[-1].low, found[-1].low_exact)
             found.pop()
-        found.append(AssemblyRange(start.x, end.x, parameter.dimension, start.exact, end.exact))
+        found.append(
+            messages.AssemblyRange(start.x, end.x, parameter.dimension, start.exact, end.exact)
+        )
     return found
 
 

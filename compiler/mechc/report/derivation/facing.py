@@ -14,9 +14,8 @@ from ...formula.facing import (
     terms_as_in,
     without_sign,
 )
-from ...formula.layout import has_minus
+from ...formula.layout import has_minus, over_line
 from ...formula.operations import count_operations
-from ...formula.over_line import over_line
 from ...formula.tree import Formula, Product, is_call, negative
 from ...formula.walk import symbols, walk
 from ...frozen import replace

@@ -6,11 +6,10 @@ from ...diagnostics import Diagnostic, syntax
 from ...source import Span
 from ..fault import Fault
 from ..vocabulary import IN_A_UNIT, points_of
-from . import slips
+from . import slips, written
 from .grammar import Start, keywords, reading, spelling, statement_words, with_names
 from .lalr import END, Refused, Token, span_of
 from .tokens import check
-from .written import example
 
 NAMING = frozenset(
     {"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DRIVE", "MECHANISM"}
@@ -159,7 +158,11 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
         is_glued = text.startswith(".") and before is not None and span_of(before).end == span.start
         hint = f"a name has no dot: write {before}_{text[1:].split()[0]}" if is_glued else ""
         return syntax.missing_equals(span, described(token), hint)
-    hint = example(line, allowed) if lacks_name else _in_a_value(line, position, allowed, start)
+    hint = (
+        written.example(line, allowed)
+        if lacks_name
+        else _in_a_value(line, position, allowed, start)
+    )
     hint = hint or slips.hint_for(line, position, allowed)
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
 

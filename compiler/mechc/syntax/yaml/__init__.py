@@ -2,3 +2,11 @@
 
 Promises: every value keeps its place in the text; a key is read, or was reported.
 """
+
+from typing import TYPE_CHECKING
+
+if not TYPE_CHECKING:
+    from ...later import waiting
+
+    SELDOM = {"slips"}
+    __getattr__ = waiting(__name__, SELDOM)
