@@ -88,6 +88,12 @@ STEPS = (1, 30)
 STILL = 1e-7
 """Of two speeds near a dead centre, a ratio that is rounding, by whatever power it falls."""
 
+NOISE = 1e-14
+"""A speed of nothing but rounding, where the whole motion is 1."""
+
+DISTANCES = (STEP, 100 * STEP, 10_000 * STEP)
+"""How near to a dead centre speeds are looked at; the farther the higher the order they vanish."""
+
 RULE, WEIGHTS = (-2, -1, 1, 2), (1 / 12, -2 / 3, 2 / 3, -1 / 12)
 """Places and weights of a difference quotient of fourth order."""
 
@@ -121,10 +127,12 @@ def _centre(
     if name not in free or not all(isinstance(loads[n], Force | Torque) for n in names):
         return
     x = evaluate(value, free)
-    near, far = (
-        _speeds(tree, {**free, name: x + d}, [loads[n] for n in names]) for d in (STEP, 10 * STEP)
+    asked = [loads[n] for n in names]
+    tried = (
+        [_speeds(tree, {**free, name: x + part * d}, asked) for part in (1, 10)] for d in DISTANCES
     )
-    if not near or not far or not near[1] or not far[1] or not far[0]:
+    near, far = next((s for s in tried if all(s) and min(map(min, s)) > NOISE), ([], []))
+    if not near:
         return
     first, second = near[0] / near[1], far[0] / far[1]
     stands = first < 0.3 * second or first < STILL
