@@ -1,6 +1,7 @@
 """Position: every name of a closed loop is introduced before it is used, from the loop it is of."""
 
 import math
+from typing import get_args
 
 import pytest
 
@@ -13,10 +14,12 @@ from mechc.formula.to_text import text
 from mechc.formula.walk import symbols
 from mechc.model.values import completed, defaults
 from mechc.report.definitions import Solved, grouped, without_minus
+from mechc.report.kinds import PositionKind
 from mechc.report.languages.registry import locale
 from mechc.report.sections import outline
 from mechc.report.sentences.speller import own_names
 from mechc.report.sentences.wording import position_sentences
+from mechc.report.steps import PositionStep
 from mechc.report.text.speller import speller
 from mechc.source import Source
 
@@ -41,6 +44,18 @@ def test_a_four_bar_is_one_triangle_and_its_vertices_state_the_assembly():
 )
 def test_each_loop_is_of_its_kind(name, kinds):
     assert [step.kind for step in steps(name)] == kinds
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+@pytest.mark.parametrize("kind", get_args(PositionKind))
+def test_a_kind_of_loop_that_comes_again_is_said_of_its_own_points(kind, language):
+    loops = [
+        PositionStep(kind, points, is_clockwise=True, definitions=(), like=("E", "F", "G"))
+        for points in (("A", "B", "C"), ("R", "S", "T"))
+    ]
+    spell = speller((), compiled("four_bar").pose.mechanism, False, language)
+    _, again = position_sentences(loops, locale(language), spell)
+    assert "RST" in again or "R, S" in again
 
 
 SLIDER = """

@@ -257,11 +257,13 @@ def _place_refuted(
 ) -> Iterator[str]:
     name, x = place
 
-    def size(at: float) -> float:
-        return abs(value(mechanism, result, {**free(mechanism, pose), name: at}))
+    def curve(at: float) -> Values:
+        return with_rest(mechanism, result, {**free(mechanism, pose), name: at})
 
-    found = order(size, x, NEAR)
-    if found is not None and found * _side(result, limit) < 0.5:
+    found = _order_at(result, curve, x, 1.0)
+    if found is None or _is_rounding(result, curve, x, 1.0):
+        return
+    if found * _side(result, limit) < 0.5:
         yield f"{result.name} has order {found:.2f} at {name} = {math.degrees(x):.4f}°"
 
 

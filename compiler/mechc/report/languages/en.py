@@ -140,6 +140,12 @@ LOCALE = Locale(
         "behind": "Of the two possible places of {pin} on the guide it is the one farther "
         "against the direction of the guide.",
     },
+    loops_again={
+        "triangle": "Likewise triangle {loop}, its vertices in {turn} order.",
+        "guide": "Likewise loop {loop}, across its guide and along it.",
+        "inclination": "Likewise loop {loop}, across its guide.",
+        "slot": "Likewise loop {loop}, across the line of its slot and along it.",
+    },
     turns={"cw": "clockwise", "ccw": "counter-clockwise"},
     velocities="Velocities",
     magnitudes="Each velocity is counted positive in the sense in which its point or link moves at "
@@ -199,7 +205,6 @@ LOCALE = Locale(
     },
     sentences=derived.ENGLISH,
     again={
-        "triangle": "Likewise triangle {loop}, its vertices in {turn} order.",
         "projection": "Likewise on the line {joined} the velocities of {all} have equal "
         "projections.",
         "lever": "Likewise about the pivot {first} the velocities of {rest} are proportional to "

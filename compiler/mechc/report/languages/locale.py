@@ -16,12 +16,12 @@ class Locale(NamedTuple):
     is the sign between units and tenths; ``cyrillic`` says that the words take other fonts.
     ``loops`` maps each kind of loop, and the sum of vectors, to the sentence on how it gives the
     position, with ``{loop}`` for its points, ``{all}`` for the same one by one, ``{turn}`` for one
-    of the ``turns``.
+    of the ``turns``; ``loops_again`` has shorter sentences from the second time on.
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
     first name of its subject, ``{second}``, ``{point}`` and ``{last}`` for the next, the last but
     one and the last, ``{rest}`` for all but the first, ``{all}`` for all of them and
-    ``{joined}`` for all written as one (the rod AB); ``again`` are the shorter sentences of loops
-    and rules from the second time on. ``trends`` and ``causes`` map the
+    ``{joined}`` for all written as one (the rod AB); ``again`` are the shorter sentences from
+    the second time on. ``trends`` and ``causes`` map the
     words of a result, ``joints`` those of a joint that is neither pin nor guide,
     ``given_friction`` what is given of friction, ``sentences`` those of a derivation about forces
     or friction, with places for its names and formulas. ``with_friction`` are headings by
@@ -71,6 +71,7 @@ class Locale(NamedTuple):
 
     position: str
     loops: "Mapping[PositionKind, str]"
+    loops_again: "Mapping[PositionKind, str]"
     introduced: Mapping[str, str]
     """What the names are that a loop finds, and which of two places a point has on a guide."""
 

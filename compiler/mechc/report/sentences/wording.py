@@ -39,7 +39,7 @@ def sentences(steps: Iterable[Step], locale: Locale, spell: Callable[[str], str]
 
 
 def _in_full_once(
-    kinds: Iterable[Kind], full: Mapping[Kind, str], again: Mapping[str, str]
+    kinds: Iterable[Kind], full: Mapping[Kind, str], again: Mapping[Kind, str]
 ) -> Iterator[str]:
     """Yield the template of each kind, from the second one on the short form where it has one."""
     known: set[str] = set()
@@ -74,7 +74,7 @@ def position_sentences(
 ) -> Iterator[str]:
     """Yield in words which loop gives what follows, by which law, in which of two positions."""
     listed = [*steps]
-    templates = _in_full_once([step.kind for step in listed], locale.loops, locale.again)
+    templates = _in_full_once([step.kind for step in listed], locale.loops, locale.loops_again)
     for step, template in zip(listed, templates, strict=True):
         yield " ".join(
             (_of_loop(step, template, locale, spell.point), *_introduced(step, locale, spell))
