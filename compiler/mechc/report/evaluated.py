@@ -168,8 +168,9 @@ def named_directions(whole: Outline, mechanism: Mechanism) -> list[str]:
     They are those of mechc; what the description calls so is what its text says.
     """
     found = [d.name for d in _definitions(whole)]
-    found += [p.name for p in mechanism.parameters if p.name in mechanism.follow]
-    own = own_names(mechanism)
+    drawn = [p.name for p in mechanism.parameters if is_constant(p)]
+    found += drawn
+    own = own_names(mechanism) - {*drawn}
     return [n for n in dict.fromkeys(found) if direction_of(n) and n not in own]
 
 

@@ -55,7 +55,7 @@ class Report(NamedTuple):
     vectors: tuple[VectorRow, ...]
     position: tuple[PositionBlock, ...]
     steps: tuple[StepBlock, ...]
-    several: str
+    explained: str
     balances: str
     last: str
     results: tuple[SectionBlock, ...]

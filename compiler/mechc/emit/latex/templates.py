@@ -64,8 +64,8 @@ def _body(_known: Mapping[str, Any]) -> str:
             _parts += ['\\end{enumerate}\n']
     if _known["balances"]:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].power), '}\n', str(_known["locale"].power_rule)]
-        if _known["several"]:
-            _parts += [' ', str(_known["several"])]
+        if _known["explained"]:
+            _parts += [' ', str(_known["explained"])]
         _parts += ['\n', str(_known["balances"]), '\n']
         if _known["last"]:
             _parts += [str(_known["locale"].hence), '\n', str(_known["last"]), '\n']
@@ -235,7 +235,7 @@ def _notebook(_known: Mapping[str, Any]) -> str:
             if step.results:
                 _parts += [str(_known["locale"].hence), '\n\n', str(step.results), '\n\n']
     if _known["balances"]:
-        _parts += ['**', str(_known["locale"].power), '**\n\n', str(_known["locale"].power_rule), ' ', str(_known["several"]), '\n\n', str(_known["balances"]), '\n\n']
+        _parts += ['**', str(_known["locale"].power), '**\n\n', str(_known["locale"].power_rule), ' ', str(_known["explained"]), '\n\n', str(_known["balances"]), '\n\n']
         if _known["last"]:
             _parts += [str(_known["locale"].hence), '\n\n', str(_known["last"]), '\n\n']
     _parts += ['**', str(_known["locale"].results), '**\n\n']

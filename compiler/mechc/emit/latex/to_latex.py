@@ -45,6 +45,7 @@ from ...report.latex.results import (
 )
 from ...report.latex.text import has_cyrillic
 from ...report.sections import Outline, PositionSection, chosen, outline
+from ...report.sentences.powers import power_remarks
 from ...report.sentences.remarks import conditions, subject
 from ...report.sentences.wording import (
     Sides,
@@ -197,7 +198,7 @@ def report(
         vectors=tuple(vector_rows(mechanism, locale, style)),
         position=tuple(_position(whole.position, locale, style)),
         steps=tuple(_steps(derivation.steps, locale, style)),
-        several=_several(derivation, locale),
+        explained=power_remarks(derivation, mechanism, locale, Speller(style)),
         balances=_equations(derivation.balances, locale, style),
         last=_last(derivation.last_steps, locale, style),
         results=tuple(section_blocks(whole.results, locale, style)),
@@ -310,8 +311,3 @@ def _chained(sides: Sides, style: Notation) -> Box:
 
 def _convention(derivation: Derivation, locale: Locale) -> str:
     return locale.signed if len(derivation.balances) > 1 else locale.magnitudes
-
-
-def _several(derivation: Derivation, locale: Locale) -> str:
-    count = len(derivation.balances)
-    return locale.several.format(count=count) if count > 1 else ""

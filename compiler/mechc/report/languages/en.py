@@ -231,6 +231,14 @@ LOCALE = Locale(
     power="Power equation",
     power_rule="Principle of virtual powers: in equilibrium the powers of all loads add up to "
     "zero in every possible motion.",
+    powers={
+        "projections": "In the power of a force the velocity of its point counts by its "
+        "projection on the force: {speeds}.",
+        "projection": "{speed} for {load}",
+        "halves": "The factor {number} of {loads}: such a load acts in both mirrored halves.",
+        "parts": "The factor {number} of {loads}: such a load acts in each of the "
+        "{number} equal parts.",
+    },
     several="The mechanism has {count} degrees of freedom, hence {count} equations.",
     results="Results",
     further="Further quantities",

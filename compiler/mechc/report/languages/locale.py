@@ -87,6 +87,9 @@ class Locale(NamedTuple):
 
     power: str
     power_rule: str
+    powers: Mapping[str, str]
+    """What explains the factors of the power equation, and projections of velocities in it."""
+
     several: str
 
     results: str

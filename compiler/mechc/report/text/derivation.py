@@ -16,6 +16,7 @@ from ..definitions import Solved, grouped, looked_up, stated_above, without_minu
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units, named_directions
 from ..made_names import MadeNames, names_of, points_of
 from ..sections import Outline, PositionSection, Section, outline
+from ..sentences.powers import power_remarks
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
 from ..sentences.wording import (
     Sides,
@@ -60,7 +61,7 @@ def render(
         *_conventions(whole, mechanism, spell),
         *_position(whole.position, spell),
     ]
-    lines += [*_velocities(derivation, spell), *_power(derivation, spell)]
+    lines += [*_velocities(derivation, spell), *_power(derivation, mechanism, spell)]
     lines += _results(whole.results, spell)
     if numbers:
         lines += _numbers(evaluated(whole, mechanism), spell)
@@ -208,10 +209,11 @@ def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
         yield from _equations((*said, *hence), spell)
 
 
-def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
+def _power(derivation: Derivation, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
     if derivation.balances:
+        explained = power_remarks(derivation, mechanism, spell.locale, spell)
         yield from ("", spell.locale.power)
-        yield from spell.wrapped(spell.locale.power_rule, "     ")
+        yield from spell.wrapped(f"{spell.locale.power_rule} {explained}".rstrip(), "     ")
         yield from _equations(derivation.balances, spell)
     for step in derivation.last_steps:
         yield from _last(step, spell)

@@ -1,0 +1,75 @@
+"""What is said of the power equation: its factors, and the projections of velocities in it."""
+
+from collections.abc import Iterator, Sequence
+
+from ...algebra.angle import Rational
+from ...algebra.from_formula import to_product
+from ...formula.layout import has_minus
+from ...formula.tree import Formula, Symbol, is_call, negative, number
+from ...formula.walk import walk
+from ...model.mechanism import Force, Mechanism
+from ..languages.locale import Locale
+from ..steps import Derivation, PowerTerm
+from .order import enumeration
+from .speller import Speller
+
+
+def power_remarks(
+    derivation: Derivation, mechanism: Mechanism, locale: Locale, spell: Speller
+) -> str:
+    """Return the sentences on the power equation, or that there are several; '' where none are."""
+    count = len(derivation.balances)
+    if count > 1:
+        return locale.several.format(count=count)
+    terms = derivation.terms if count else ()
+    said = (
+        *_factors(terms, mechanism, locale, spell),
+        *_projections(terms, mechanism, locale, spell),
+    )
+    return " ".join(said)
+
+
+def _projections(
+    terms: Sequence[PowerTerm], mechanism: Mechanism, locale: Locale, spell: Speller
+) -> Iterator[str]:
+    """Yield which projections of velocities forces work along, where these are not across."""
+    forces = {load.name for load in mechanism.loads if isinstance(load, Force)}
+    found = [
+        locale.powers["projection"].format(
+            speed=_spelled(_size(term.speed), spell), load=_spelled(Symbol(term.load), spell)
+        )
+        for term in terms
+        if term.load in forces and _is_projected(term.speed)
+    ]
+    if found:
+        yield locale.powers["projections"].format(speeds=enumeration(found, locale))
+
+
+def _is_projected(speed: Formula) -> bool:
+    return any(is_call(part, "sin", "cos") for part in walk(speed))
+
+
+def _size(speed: Formula) -> Formula:
+    return negative(speed) if has_minus(speed) else speed
+
+
+def _factors(
+    terms: Sequence[PowerTerm], mechanism: Mechanism, locale: Locale, spell: Speller
+) -> Iterator[str]:
+    """Yield why loads are counted more than once: they act in several equal parts."""
+    loads = {load.name: load for load in mechanism.loads}
+    groups: dict[Rational, list[str]] = {}
+    for term in terms:
+        load = loads[term.load]
+        times = to_product(term.times).coefficient
+        if load.times == 1 and times > 1:
+            groups.setdefault(times, []).append(_spelled(Symbol(term.load), spell))
+    for times, names in groups.items():
+        is_mirrored = mechanism.mirror is not None and times == mechanism.mirror.number
+        template = locale.powers["halves" if is_mirrored else "parts"]
+        shown = _spelled(number(times), spell)
+        yield template.format(number=shown, loads=enumeration(names, locale))
+
+
+def _spelled(formula: Formula, spell: Speller) -> str:
+    return spell.relation((formula,), (), False)

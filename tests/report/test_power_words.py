@@ -1,0 +1,113 @@
+"""What explains the power equation: factors of loads, projections of velocities."""
+
+import pytest
+
+from mechc.driver import Compilation, emit
+from mechc.emit.latex.to_latex import TARGET
+from mechc.emit.target import Options
+from mechc.formula.tree import Call, Symbol, negative, number, product
+from mechc.frozen import replace
+from mechc.report.languages.registry import locale
+from mechc.report.sentences.powers import power_remarks
+from mechc.report.text.speller import speller
+from mechc.source import Source
+
+LEVER = """
+param a = 100 mm
+param b = 60 mm
+param alpha = 20 deg
+pivot O
+link OAB
+OA = a @ alpha
+OB = b @ 0 deg
+force P at A along {way}
+force F at B along y {times}
+{whole}
+find k = P/F
+"""
+
+
+def lever(way="perp OA", times="", whole=""):
+    return Compilation(Source("m.mech", LEVER.format(way=way, times=times, whole=whole)))
+
+
+def said(language="en", **how):
+    compilation = lever(**how)
+    spell = speller(compilation.results, compilation.mechanism, True, language)
+    return power_remarks(compilation.derivation, compilation.mechanism, locale(language), spell)
+
+
+def test_of_forces_along_velocities_that_act_once_nothing_is_said():
+    assert said() == ""
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        (
+            "en",
+            "In the power of a force the velocity of its point counts by its projection on the "
+            "force: V_A · cos α for P.",
+        ),
+        (
+            "uk",
+            "Потужність сили визначає проєкція швидкості точки на напрям сили: V_A · cos α для P.",
+        ),
+        (
+            "ru",
+            "Мощность силы определяется проекцией скорости точки на направление силы: "
+            "V_A · cos α для P.",
+        ),
+    ],
+)
+def test_the_cosine_is_of_the_angle_between_a_force_and_a_velocity(language, sentence):
+    assert said(language, way="y") == sentence
+
+
+def test_a_projection_has_no_minus():
+    """That is in the equation: the load works against the motion."""
+    compilation = lever("y")
+    derivation, mechanism = compilation.derivation, compilation.mechanism
+    spell = speller(compilation.results, mechanism, True)
+    speed = negative(product([(Symbol("V_A"), 1), (Call("cos", (Symbol("alpha"),)), 1)]))
+    terms = tuple(replace(t, speed=speed) if t.load == "P" else t for t in derivation.terms)
+    found = power_remarks(replace(derivation, terms=terms), mechanism, locale("en"), spell)
+    assert found.endswith("force: V_A · cos α for P.")
+
+
+MIRROR = "mirror across y sharing O"
+COPIES = "copies 3 sharing O"
+
+
+@pytest.mark.parametrize(
+    ("whole", "sentence"),
+    [
+        (MIRROR, "The factor 2 of P and F: such a load acts in both mirrored halves."),
+        (COPIES, "The factor 3 of P and F: such a load acts in each of the 3 equal parts."),
+    ],
+)
+def test_a_factor_counts_equal_parts(whole, sentence):
+    assert said(whole=whole) == sentence
+
+
+def test_a_factor_that_is_written_with_the_load_is_not_explained():
+    assert said(times="times 2") == ""
+    assert said(times="times 2", whole=MIRROR).startswith("The factor 2 of P: such a load")
+
+
+def test_of_several_equations_it_is_said_why():
+    compilation = lever("y")
+    derivation, mechanism = compilation.derivation, compilation.mechanism
+    spell = speller(compilation.results, mechanism, True)
+    twice = replace(derivation, balances=derivation.balances * 2)
+    assert power_remarks(twice, mechanism, locale("en"), spell) == (
+        "The mechanism has 2 degrees of freedom, hence 2 equations."
+    )
+    none = replace(derivation, balances=(), terms=(replace(derivation.terms[0], times=number(2)),))
+    assert power_remarks(none, mechanism, locale("en"), spell) == ""
+
+
+def test_pages_have_the_sentence_too():
+    compilation = lever("y", whole=MIRROR)
+    page = emit(compilation, TARGET, Options("m"))[0].text
+    assert "such a load acts in both mirrored halves. In the power of a force" in page
