@@ -111,7 +111,8 @@ class Extent:
 
     It is found by sampling and refined. ``least`` and ``greatest`` are None where it is infinite
     or undetermined somewhere; they are shown in the unit ``scale``. Zeros and poles are
-    ``looked`` for, or are not; on the parts ``nil`` the result is zero throughout.
+    ``looked`` for, or are not; on the parts ``nil`` the result is zero throughout. One that
+    ``is_monotone`` is proved to rise or fall, so that it is least and greatest at the ends.
     """
 
     parameter: str
@@ -124,6 +125,7 @@ class Extent:
     scale: str
     looked: bool
     nil: tuple[Range, ...] = ()
+    is_monotone: bool = False
 
 
 class Slope(NamedTuple):

@@ -1,7 +1,7 @@
-"""The extents of results along the stroke, or over a range in which they turn: for reports."""
+"""The extents of results along the stroke, or over ranges: for reports."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from ..diagnostics import Report
 from ..formula.roots import lowest, spaced
@@ -34,7 +34,9 @@ def with_extents(
         for result, one in extent.along_the_stroke(along, moving[name], report).items():
             found.setdefault(result, []).append(one)
     return tuple(
-        replace(r, extents=tuple(found.get(r.name) or _over_ranges(solution, r))) for r in results
+        replace(r, extents=(*(found.get(r.name) or turning), *ends))
+        for r in results
+        for turning, ends in [(_over_ranges(solution, r), _at_ends(solution, r, moving))]
     )
 
 
@@ -92,6 +94,38 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
                     scale=scale,
                     looked=False,
                 )
+
+
+def _at_ends(solution: Solution, result: Analysis, moving: Collection[str]) -> Iterator[Extent]:
+    """Yield the extent of a ratio over each range in which it is proved to rise, or to fall.
+
+    That is what it comes to at the ends. Nothing of what is ``moving`` along a stroke.
+    """
+    mechanism = solution.plan.graph.pose.mechanism
+    is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
+    for name, trend in (result.trends or {}).items() if is_ratio else ():
+        ends = range_of(name, mechanism)
+        is_news = name not in moving and name not in (result.proportional or {})
+        if trend in ("rises", "falls") and ends is not None and is_news:
+            sweep = Sweep(solution.plan, name, {})
+            least, greatest = sorted((Extreme(x, sweep.of(result, x)) for x in ends), key=_value)
+            if math.isfinite(least.value) and math.isfinite(greatest.value):
+                yield Extent(
+                    parameter=name,
+                    unit=unit_of(name, mechanism),
+                    range=ends,
+                    zeros=(),
+                    poles=(),
+                    least=least,
+                    greatest=greatest,
+                    scale=scale_of(result, mechanism),
+                    looked=False,
+                    is_monotone=True,
+                )
+
+
+def _value(extreme: Extreme) -> float:
+    return extreme.value
 
 
 def _extremes(sweep: Sweep, result: Analysis, grid: Sequence[float]) -> list[Extreme]:

@@ -345,6 +345,8 @@ LOCALE = Locale(
         "0 throughout": "{result} is 0 at all places looked at for {spans}",
         "0": "{result} is 0 at {places}",
         "infinite": "{result} is infinite at {places}",
+        "ends": "With the rest at the values given, {result} is {pairs}.",
+        "pair": "{low} at {first} and {high} at {last}",
         "neither": "{result} is neither 0 nor infinite",
         "least": "the least {result} is {value}, at {place}",
         "greatest": "the greatest {result} is {value}, at {place}",

@@ -359,6 +359,8 @@ LOCALE = Locale(
         "0 throughout": "{result} равно нулю во всех проверенных положениях при {spans}",
         "0": "{result} обращается в нуль при {places}",
         "infinite": "{result} стремится к бесконечности при {places}",
+        "ends": "При приведённых значениях остальных величин {result} равно {pairs}.",
+        "pair": "{low} при {first} и {high} при {last}",
         "neither": "{result} не обращается в нуль и не стремится к бесконечности",
         "least": "наименьшее значение {result} равно {value} при {place}",
         "greatest": "наибольшее значение {result} равно {value} при {place}",

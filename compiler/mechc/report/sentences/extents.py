@@ -1,6 +1,6 @@
 """The extent of a ratio along the stroke or over a range, in sentences."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ...formula.tree import Symbol
 from ...study.analysis import Analysis, Extent, Extreme
@@ -27,13 +27,37 @@ An extremum lies anywhere where its values are alike but for rounding, of which 
 def extent_remarks(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield a sentence for each range or stroke of which there is something to say."""
     is_stated = states_both(result)
-    for extent in result.extents:
+    yield from _ends(result, symbol, locale, spell)
+    for extent in (each for each in result.extents if not each.is_monotone):
         words = locale.extents
         parts = [*_singular(extent, symbol, is_stated, locale, spell)]
         parts += _extreme(extent, symbol, locale, spell)
         if parts:
             where = span(extent.range, extent, locale, spell)
             yield words["whole"].format(span=where, parts="; ".join(parts))
+
+
+def _ends(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
+    """Yield what a result comes to at the ends of ranges over which it rises or falls."""
+    pairs = [
+        locale.extents["pair"].format_map(_at_ends(extent, locale, spell))
+        for extent in result.extents
+        if extent.is_monotone
+    ]
+    if pairs:
+        yield locale.extents["ends"].format(result=symbol, pairs="; ".join(pairs))
+
+
+def _at_ends(extent: Extent, locale: Locale, spell: Speller) -> Mapping[str, str]:
+    """Return the values at both ends, and the ends, by the places in the sentence for them."""
+    ends = [end for end in (extent.least, extent.greatest) if end is not None]
+    first, last = sorted(ends, key=lambda end: end.x)
+    return {
+        "low": _value(first, extent, locale, spell),
+        "first": _at(first.x, extent, locale, spell),
+        "high": _value(last, extent, locale, spell),
+        "last": _at(last.x, extent, locale, spell),
+    }
 
 
 def _singular(
