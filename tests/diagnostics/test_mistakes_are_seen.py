@@ -12,6 +12,7 @@ from mechc.files import library
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.to_yaml import to_yaml
+from small_mechanisms import toggle
 from sources import in_thirds
 
 MISTAKEN = {"mm": "kg", "deg": "mm", "kg": "mm", "m": "deg", "N": "deg", "kN": "mm"}
@@ -64,21 +65,12 @@ def silent(cases: list[tuple[str, str, str]]) -> list[tuple[str, str]]:
     return [(name, wrong) for name, text, wrong in cases if not is_seen(text)]
 
 
-TOGGLE = """\
-param l = 200 mm
-param alpha = 10 deg in 2 deg .. 40 deg
-pivot O
-slider K along 90 deg
-link OB
-link BK
-OB = l @ 90 deg + alpha
-BK = l @ 90 deg - alpha
-force P at B along 0 deg
-force F at K along -90 deg
-find k = P/F
-expect k = 2*tan(alpha)
-expect k = 0.353 at alpha = 10 deg
-"""
+TOGGLE = toggle(
+    "find k = P/F",
+    "expect k = 2*tan(alpha)",
+    "expect k = 0.353 at alpha = 10 deg",
+    alpha="10 deg in 2 deg .. 40 deg",
+)
 
 KINDS = (
     # an angle

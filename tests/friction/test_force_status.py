@@ -14,23 +14,11 @@ import mechc
 from mechc.api import SolvedMechanism
 from mechc.routine.evaluate import status
 from paths import LIBRARY
+from small_mechanisms import toggle
 
-TOGGLE = """\
-mechanism toggle
-param l = 200 mm
-param alpha = 20 deg
-param f = 0.1
-pivot O
-slider K along y
-link OB
-link BK
-OB = l @ 90 deg + alpha
-BK = l @ 90 deg - alpha
-force P at B along x
-force F at K along -y
-friction pins f diameter 20 mm
-friction slider K f
-"""
+TOGGLE = "mechanism toggle\n" + toggle(
+    "param f = 0.1", "friction pins f diameter 20 mm", "friction slider K f", alpha="20 deg"
+)
 ANGLES = (-3, 0.3, 4, 82, 87)
 LOADS = (500.0, -500.0)
 UNLOADED = (0.35, 0.0)

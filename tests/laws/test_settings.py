@@ -17,6 +17,7 @@ from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.syntax.settings import parse
 from mechc.units import si_unit
+from small_mechanisms import drawn_four_bar
 
 PRESS = """
 mechanism press
@@ -39,20 +40,7 @@ force F at K along y
 find k = M/F
 """
 
-DRAWN_DRIVE = """
-mechanism rocker
-pivot O at (0 mm, 0 mm)
-pivot C at (100 mm, 0 mm)
-link OA
-link AB
-link CB
-A at (20 mm, 34.6 mm)
-B at (80 mm, 60 mm)
-drive OA from -40 deg to 80 deg
-torque M on OA
-torque T on CB
-find k = M/T
-"""
+DRAWN_DRIVE = drawn_four_bar("drive OA from -40 deg to 80 deg", "torque T on CB", "find k = M/T")
 
 
 def assert_set_as_evaluated(source: Source, name: str, value: float, unit: str) -> None:

@@ -5,25 +5,12 @@ import json
 import pytest
 
 import mechc
-
-TOGGLE = """\
-param l = 200 mm{length}
-param alpha = 10 deg{angle} in 2 deg .. 40 deg
-pivot O
-slider K along 90 deg
-link OB
-link BK
-OB = l @ 90 deg + alpha
-BK = l @ 90 deg - alpha
-force P at B along 0 deg
-force F at K along -90 deg
-find k = P/F
-{expect}
-"""
+import small_mechanisms
 
 
 def toggle(length: str = "", angle: str = "", expect: str = "") -> mechc.SolvedMechanism:
-    return mechc.loads(TOGGLE.format(length=length, angle=angle, expect=expect), "a.mech")
+    sizes = {"l": f"200 mm{length}", "alpha": f"10 deg{angle} in 2 deg .. 40 deg"}
+    return mechc.loads(small_mechanisms.toggle("find k = P/F", expect, **sizes), "a.mech")
 
 
 @pytest.mark.parametrize("sign", ["+-", "±", " +- ", " ± "])
@@ -59,7 +46,7 @@ def test_a_figure_out_of_bounds_is_refuted(figure):
 
 
 def test_plus_and_minus_apart_are_no_tolerance():
-    spaced = mechc.loads(TOGGLE.format(length=" + -0.1 m", angle="", expect=""), "a.mech")
+    spaced = toggle(" + -0.1 m")
     assert spaced.defaults["l"] == pytest.approx(0.1)
 
 

@@ -22,6 +22,7 @@ from mechc.formula.tree import is_call
 from mechc.formula.walk import walk
 from mechc.model.mechanism import ForcePair
 from reference_forces import Forces
+from small_mechanisms import toggle
 from sources import in_thirds
 
 ENOUGH = 1e-9
@@ -264,25 +265,10 @@ def test_a_load_that_a_reaction_shows_has_an_influence():
     assert warning.code == "W501"
 
 
-TOGGLE = """\
-param l = 200 mm
-param alpha = 10 deg
-pivot O
-slider K along {guide}
-link OB
-link BK
-OB = l @ 90 deg + alpha
-BK = l @ 90 deg - alpha
-force P at B along 0 deg
-force F at K along -90 deg
-find k = P/F
-"""
-
-
 @pytest.mark.parametrize("friction", ["", "friction slider K 0.1\nfriction pins 0.1 diameter 2 cm"])
 def test_a_component_that_is_exactly_zero_is_no_disagreement(friction):
     """Its weight in equilibrium is the rounded cosine of 90°."""
-    text = TOGGLE.format(guide="90 deg") + "find R_K, N_K, R_K on BK\n" + friction
+    text = toggle("find k = P/F", "find R_K, N_K, R_K on BK", friction)
     assert mechc.loads(text).evaluate(F=1.0)["R_K_y"] == 0
 
 

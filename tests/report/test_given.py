@@ -8,21 +8,11 @@ from mechc.driver import compile_source
 from mechc.report.languages.registry import locale
 from mechc.report.text.derivation import render
 from mechc.source import Source
+from small_mechanisms import drawn_four_bar
 
-DRAWN = """
-mechanism drawn
-pivot O at (0 mm, 0 mm)
-pivot C at (100 mm, 0 mm)
-link OA
-link AB
-link CB
-A at (20 mm, 35 mm)
-B at (80 mm, 60 mm)
-drive OA from 40 deg to 80 deg
-torque M on OA
-force F at B along x
-find k = M/F
-"""
+DRAWN = drawn_four_bar(
+    "drive OA from 40 deg to 80 deg", "force F at B along x", "find k = M/F", a="(20 mm, 35 mm)"
+)
 
 
 def test_lengths_of_a_drawing_that_formulas_name_are_given_with_their_values():

@@ -22,6 +22,7 @@ from mechc.report.sentences.wording import position_sentences
 from mechc.report.steps import PositionStep
 from mechc.report.text.speller import speller
 from mechc.source import Source
+from small_mechanisms import slider_crank
 
 
 def steps(name):
@@ -58,21 +59,7 @@ def test_a_kind_of_loop_that_comes_again_is_said_of_its_own_points(kind, languag
     assert "RST" in again or "R, S" in again
 
 
-SLIDER = """
-param r = 50 mm
-param phi = 40 deg
-pivot O at (0 mm, 0 mm)
-link OA
-link AB
-OA = r @ phi
-AB = 3*r
-slider B along x through O
-assembly B forward
-drive phi
-torque M on OA
-force F at B along -x
-find k = M/F
-"""
+SLIDER = slider_crank("find k = M/F", l="3*r", phi="40 deg", drive="")
 
 
 def test_a_place_on_a_guide_that_nothing_needs_is_not_spoken_of():

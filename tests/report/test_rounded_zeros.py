@@ -17,6 +17,7 @@ from mechc.formula.tree import Call, Symbol, degrees, negative, number, power, p
 from mechc.report.text.csv_of_stroke import to_csv
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
+from small_mechanisms import toggle
 
 LEVER = """\
 mechanism lever
@@ -83,24 +84,15 @@ def test_the_bound_holds_the_error(seed):
     assert abs(Fraction(product_.value) - exact) <= Fraction(product_.error)
 
 
-CRANK = """\
-mechanism crank
-param l = 1 m
-param alpha = 80 deg in 0 deg .. 180 deg
-pivot O
-slider K along 90 deg
-link OB
-link BK
-OB = l @ 90 deg + alpha
-BK = l @ 90 deg - alpha
-drive alpha from 0 deg to 180 deg
-force P at B along 0 deg
-force F at K along -90 deg
-let F = 3 N
-find P
-find R_O
-find V_K/V_B
-"""
+CRANK = "mechanism crank\n" + toggle(
+    "drive alpha from 0 deg to 180 deg",
+    "let F = 3 N",
+    "find P",
+    "find R_O",
+    "find V_K/V_B",
+    l="1 m",
+    alpha="80 deg in 0 deg .. 180 deg",
+)
 
 
 def test_functions_with_poles_are_infinite_there_and_not_zero():

@@ -6,26 +6,11 @@ from mechc.driver import Compilation
 from mechc.source import Source
 from mechc.statics import balanced
 from mechc.statics.referee import POSES
+from small_mechanisms import four_bar
 
-FOUR_BAR = """\
-mechanism four_bar
-param a = 40 mm
-param b = 120 mm
-param c = 80 mm
-param phi = 60 deg in 50 deg .. 80 deg
-pivot O at (0 mm, 0 mm)
-pivot C at (100 mm, 0 mm)
-link OA
-link AB
-link CB
-OA = a @ phi
-AB = b
-CB = c
-assembly ABC ccw
-torque M on OA
-torque T on CB
-find M
-"""
+FOUR_BAR = "mechanism four_bar\n" + four_bar(
+    "find M", phi="60 deg in 50 deg .. 80 deg", drive="", assembly="ccw"
+)
 
 SPRINGS = "".join(
     f"pivot Q{i} at (0 mm, {i + 3} mm)\nspring 5 N/mm between Q{i} and B free 20 mm\n"

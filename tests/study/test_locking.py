@@ -20,6 +20,7 @@ from mechc.study.analysis import Analysis
 from mechc.study.intervals import EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from mechc.study.states import Moving
 from paths import LIBRARY
+from small_mechanisms import slider_crank
 from sources import in_thirds
 
 SAMPLED = LOCALE.sampled
@@ -84,24 +85,16 @@ find k = P / M
 find i = M / P
 """
 
-SLIDER_CRANK = """
-param r = 40 mm
-param l = 120 mm
-param phi = 40 deg
-drive phi from 1 deg to 179 deg
-pivot O
-slider B along x through O
-link OA
-link AB
-OA = r @ phi
-AB = l
-assembly B forward
-force F at B along x
-torque M on OA
-friction pins 0.15 diameter 12 mm
-friction slider B 0.1
-find k = F / M
-"""
+SLIDER_CRANK = slider_crank(
+    "friction pins 0.15 diameter 12 mm",
+    "friction slider B 0.1",
+    "find k = F / M",
+    r="40 mm",
+    l="120 mm",
+    phi="40 deg",
+    drive="from 1 deg to 179 deg",
+    along="x",
+)
 
 
 def results(description: str) -> dict[str, Analysis]:

@@ -17,6 +17,7 @@ from mechc.study.analysis import Acted, DeadCentre
 from mechc.study.stroke.along import Along
 from other_kinds import of_two_lengths
 from paths import LIBRARY
+from small_mechanisms import slider_crank
 from sources import in_thirds
 from stroke_statements import rate
 
@@ -191,28 +192,10 @@ def test_nothing_branches_near_a_change_point():
     assert {s.kind for s in limited.singular} == {OUTPUT_STILL, DRIVE_STILL}
 
 
-CRANK_SLIDER = """
-param a = 100 mm
-param l = {l}
-param phi = 30 deg
-pivot O
-slider B along x through O
-link OA
-link AB
-OA = a @ phi
-AB = l
-assembly B forward
-drive phi from 0 deg to 360 deg
-torque M on OA
-force F at B along -x
-find k = M/F
-"""
-
-
-@pytest.mark.parametrize("length", ["100 mm", "a"])
+@pytest.mark.parametrize("length", ["100 mm", "r"])
 def test_a_crank_as_long_as_its_rod(length):
     """At 90° and 270° the slider is on the pivot and may stay there."""
-    found = stroke(CRANK_SLIDER.format(l=length))
+    found = stroke(slider_crank("find k = M/F", r="100 mm", l=length, phi="30 deg"))
     assert places(found) == pytest.approx([math.pi / 2, 3 * math.pi / 2], abs=1e-12)
 
 
@@ -699,22 +682,14 @@ def test_spreadsheets_get_their_decimals(capsys):
     assert capsys.readouterr().out == point.replace(",", ";").replace(".", ",")
 
 
-BOTH_WAYS = """
-param r = 40 mm
-param l = 120 mm
-param phi = 40 deg
-drive phi from -60 deg to 240 deg
-pivot O
-slider B along x through O
-link OA
-link AB
-OA = r @ phi
-AB = l
-assembly B forward
-force F at B along x
-torque M on OA
-find k = F / M
-"""
+BOTH_WAYS = slider_crank(
+    "find k = F / M",
+    r="40 mm",
+    l="120 mm",
+    phi="40 deg",
+    drive="from -60 deg to 240 deg",
+    along="x",
+)
 
 
 @pytest.mark.parametrize("with_friction", in_thirds([False, True]))

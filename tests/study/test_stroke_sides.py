@@ -11,25 +11,10 @@ import pytest
 
 import mechc
 from mechc.cli.main import main
+from small_mechanisms import slider_crank
 from sources import in_thirds
 
-CRANK = """
-param r = 50 mm
-param l = 200 mm
-param phi = 60 deg
-drive phi from 0 deg to 360 deg
-pivot O at (0 mm, 0 mm)
-slider B along x through O
-link OA
-link AB
-OA = r @ phi
-AB = l
-assembly B forward
-torque M on OA
-force F at B along -x
-friction pins 0.12 diameter 20 mm
-friction slider B 0.1
-"""
+CRANK = slider_crank("friction pins 0.12 diameter 20 mm", "friction slider B 0.1")
 BESIDE = 1e-7
 
 

@@ -13,6 +13,7 @@ from mechc.frozen import replace
 from mechc.source import Source
 from mechc.study.analysis import DeadCentre
 from mechc.study.stroke.stroke import Singular
+from small_mechanisms import slider_crank
 from stroke_statements import moving, refuted
 
 
@@ -43,22 +44,9 @@ def centres(seeds: Iterable[int]) -> int:
     return found
 
 
-CRANK = """
-param r = 50 mm
-param phi = 60 deg
-drive phi from 10 deg to 200 deg
-pivot O at (0 mm, 0 mm)
-slider B along x through O
-link OA
-link AB
-OA = r @ phi
-AB = 200 mm
-assembly B forward
-torque M on OA
-force F at B along -x
-friction pins 0.12 diameter 20 mm
-find k = M/F
-"""
+CRANK = slider_crank(
+    "friction pins 0.12 diameter 20 mm", "find k = M/F", drive="from 10 deg to 200 deg"
+)
 
 
 def test_the_sampler_refutes_what_is_false_along_a_stroke():
