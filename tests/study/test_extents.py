@@ -245,3 +245,28 @@ def test_values_at_both_ends_stand_in_one_sentence():
         "With the rest at the values given, k is 0.30463 at α = 10° and 0.39162 at α = 40°; "
         "0.05565 at β = 5° and 0.55296 at β = 60°." in said
     )
+
+
+def test_a_telescope_without_a_drive_is_followed_along_its_range():
+    """The boom is in line with the load's path at s = √(c² + r²): there k is zero."""
+    text = (LIBRARY / "oscillating_cylinder.mech").read_text()
+    still = re.sub(r"(?m)^drive .*\n", "", text)
+    compilation = Compilation(Source("m.mech", still))
+    (k,) = compilation.reported.results
+    (extent,) = k.extents
+    assert (extent.parameter, extent.unit, extent.looked) == ("s", "mm", True)
+    assert extent.range == pytest.approx((0.4, 0.9))
+    assert extent.zeros == pytest.approx((math.hypot(0.6, 0.4),), rel=1e-9)
+    assert list(along(compilation)) == []
+    said = " ".join(render(compilation.reported, compilation.mechanism).split())
+    assert "For 400 ≤ s ≤ 900 mm, the rest at the values given, k is 0 at s = 721.1 mm" in said
+
+
+def test_a_side_of_a_link_is_not_followed_along_its_range():
+    """Its length is a size to be chosen: nothing moves along it."""
+    text = (LIBRARY / "oscillating_cylinder.mech").read_text()
+    rigid = re.sub(r"(?m)^drive .*\n", "", text)
+    sized = rigid.replace("param r = 400 mm", "param r = 400 mm in 350 mm .. 450 mm")
+    assert sized != rigid
+    (k,) = Compilation(Source("m.mech", sized)).reported.results
+    assert [e.parameter for e in k.extents] == ["s"]

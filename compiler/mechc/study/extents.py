@@ -10,7 +10,7 @@ from ..frozen import replace
 from ..model.mechanism import Drive, LoadRatio, SpeedRatio
 from ..model.values import range_of
 from .analysis import Analysis, Extent, Extreme, least_and_greatest
-from .ranges import moved, scale_of, unit_of
+from .ranges import extends, scale_of, turns, unit_of, varying
 from .stroke import extent
 from .sweep import Sweep
 from .tolerances import SAME_FIGURE
@@ -24,10 +24,11 @@ def with_extents(
 ) -> tuple[Analysis, ...]:
     """Return the results with the extents of ratios along the stroke, or over ranges.
 
-    Without a drive a loop is followed along each angle that has a range, as if that were one.
+    Without a drive a loop is followed along each angle that has a range, and along the length of
+    a telescope that has one, as if that were one.
     """
     mechanism = solution.plan.graph.pose.mechanism
-    moving = {mechanism.drive.parameter: results} if mechanism.drive else _turned(solution, results)
+    moving = {mechanism.drive.parameter: results} if mechanism.drive else _moving(solution, results)
     found: dict[str, list[Extent]] = {}
     for name in moving:
         along = solution if mechanism.drive else _driven_by(name, solution)
@@ -40,15 +41,17 @@ def with_extents(
     )
 
 
-def _turned(solution: Solution, results: Sequence[Analysis]) -> dict[str, list[Analysis]]:
-    """Return the ratios that rest on a loop, by the angles with ranges that move them."""
+def _moving(solution: Solution, results: Sequence[Analysis]) -> dict[str, list[Analysis]]:
+    """Return the ratios that rest on a loop, by the angles and telescopes that move them."""
     pose = solution.plan.graph.pose
     closed = {definition.name for definition in pose.definitions}
     found: dict[str, list[Analysis]] = {}
     for result in results:
         is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
         if is_ratio and any(d.name in closed for d in result.where):
-            for name in moved(pose.mechanism, [result]):
+            for name in varying(pose.mechanism, [result]):
+                if not turns(name, pose.mechanism) and not extends(name, pose.mechanism):
+                    continue
                 if name in pose.free and range_of(name, pose.mechanism) is not None:
                     found.setdefault(name, []).append(result)
     return found
@@ -58,7 +61,7 @@ def _driven_by(name: str, solution: Solution) -> Solution:
     """Return the solution as if a drive stood in the description."""
     plan = solution.plan
     graph, mechanism = plan.graph, plan.graph.pose.mechanism
-    drive = Drive(name, None, None, mechanism.span, turns=True)
+    drive = Drive(name, None, None, mechanism.span, turns=turns(name, mechanism))
     pose = replace(graph.pose, mechanism=replace(mechanism, drive=drive))
     plan = replace(plan, graph=replace(graph, pose=pose))
     return replace(solution, balance=replace(solution.balance, plan=plan))

@@ -5,8 +5,9 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import groupby
 
 from ..formula import roots
+from ..formula.tree import Symbol
 from ..formula.walk import symbols
-from ..model.mechanism import Mechanism
+from ..model.mechanism import Arrow, Mechanism
 from ..model.result import Result
 from ..model.values import own_unit, usual_units
 from ..units import ANGLE, LENGTH, in_unit
@@ -63,6 +64,13 @@ def _used(mechanism: Mechanism, results: Sequence[Result]) -> set[str]:
 def turns(name: str, mechanism: Mechanism) -> bool:
     """Return whether a parameter is an angle."""
     return any(p.name == name and p.dimension == ANGLE for p in mechanism.parameters)
+
+
+def extends(name: str, mechanism: Mechanism) -> bool:
+    """Return whether a parameter is the length of a telescope."""
+    ends = {frozenset(telescope.points) for telescope in mechanism.telescopes}
+    arrows = (entry for entry in mechanism.geometry if isinstance(entry, Arrow))
+    return any(a.length == Symbol(name) and {a.tail, a.head} in ends for a in arrows)
 
 
 def unit_of(name: str, mechanism: Mechanism) -> str:
