@@ -1,13 +1,17 @@
 """The last step of a derivation: ratios of speeds put into the power equation give k."""
 
+import math
+
 import pytest
 
 import mechc
 from good_mechanisms import CLOSED, compiled, loaded
 from mechc.algebra.equality import equal
+from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import substitute, symbols
+from mechc.model.values import completed, defaults
 from mechc.report.kinds import Rule
 
 OPEN = ["karpenko_fig1_parallel_levers", "karpenko_fig9_packet_clamp", "tied_chain", "claw_closed"]
@@ -116,3 +120,27 @@ def test_a_quotient_of_two_negative_sums_has_no_minus():
     """Both jaws move against what presses on them."""
     text = loaded("d45_09_racks_pinion").emit("latex")
     assert r"\frac{N}{P}&=\frac{V_A}{V_A+V_B}" in text.replace(r"\frac{N}{P}=", r"\frac{N}{P}&=")
+
+
+def test_by_equilibrium_a_long_ratio_ends_in_forces_not_in_ratios_of_speeds():
+    """Jansen's leg: k rests on i_ZBC, i_ZD and i_DEF, which sums of forces know nothing of."""
+    compilation = compiled("jansen_leg")
+    by_sums = compilation.by_equilibrium
+    (k,), (explanation,) = by_sums.results, by_sums.explanations
+    assert not any(d.name.startswith("i_") for d in k.where)
+    assert [d.name for d in k.where][-3:] == ["n_CE", "n_AB", "n_AD"]
+    assert [text(side) for e in explanation.paragraphs[-1].equations for side in e] == [
+        *("n_CE", "N_CE/W", "n_AB", "N_AB/W", "n_AD", "N_AD/W")
+    ]
+    assert {n for n in symbols(k.formula) if n[0] in "in"} == {"n_AB", "n_AD"}
+    (by_speeds,) = compilation.reported.results
+    for phi in (40, 140, 230, 310):
+        known = {**defaults(compilation.mechanism), "phi": math.radians(phi)}
+        values = [evaluate(one.formula, completed(known, one.where)) for one in (k, by_speeds)]
+        assert values[0] == pytest.approx(values[1], rel=1e-9)
+
+
+def test_by_equilibrium_a_short_ratio_stays_as_it_is():
+    compilation = compiled("karpenko_fig9_packet_clamp")
+    by_sums = compilation.by_equilibrium.results[0].formula
+    assert text(by_sums) == text(compilation.reported.results[0].formula)

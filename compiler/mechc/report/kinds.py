@@ -230,5 +230,7 @@ class SentenceKind(StrEnum):
     """The force on a link at a pin, of those that act there."""
     MADE_UP_BY_GROUND = "made up by ground"
     """The same of the ground, at a pivot."""
+    FORCES_PER_LOAD = "forces per load"
+    """The names of forces divided by a load."""
     SOLVED_TOGETHER = "solved together"
     """The forces that several sums give together."""

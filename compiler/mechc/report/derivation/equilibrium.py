@@ -22,6 +22,7 @@ from .facing import Facing, turns_of_friction
 from .forces import of_forces
 from .friction import of_friction
 from .notation import direction_formula
+from .per_load import by_forces
 from .position import position_steps
 
 Places = tuple[str, ...]
@@ -49,7 +50,10 @@ def derive_by_equilibrium(
 
     A force at a joint that no sums lead to is found by virtual power.
     """
-    explanations = (*explained_by_sums(solution, loads), *of_friction(solution, results))
+    loads = tuple(loads)
+    sums = tuple(explained_by_sums(solution, loads))
+    results, sums = by_forces(solution, loads, results, sums)
+    explanations = (*sums, *of_friction(solution, results))
     pose = solution.plan.graph.pose
     requires = pose.mechanism.requires
     face = Facing(solution.plan, turns_of_friction(results, pose.mechanism))

@@ -28,6 +28,7 @@ ENGLISH = {
     "pin across": "Forces on the pin {point} perpendicular to the rod {rod}:",
     "made up": "The force on {link} at {point} is the sum of those that act on it there:",
     "made up by ground": "The force of the ground at {point} balances all that acts there:",
+    "forces per load": "These forces, divided by {load}:",
     "solved together": "These equations together give",
 }
 
@@ -62,6 +63,7 @@ UKRAINIAN = {
     "{rod}:",
     "made up": "Реакція на ланку {link} у шарнірі {point} — сума сил, що діють на неї там:",
     "made up by ground": "Реакція стояка в шарнірі {point} зрівноважує всі сили, що діють там:",
+    "forces per load": "Ці сили, поділені на {load}:",
     "solved together": "Розв’язавши ці рівняння разом, маємо",
 }
 
@@ -98,5 +100,6 @@ RUSSIAN = {
     "made up": "Реакция на звено {link} в шарнире {point} — сумма сил, действующих на него там:",
     "made up by ground": "Реакция стойки в шарнире {point} уравновешивает все действующие там "
     "силы:",
+    "forces per load": "Эти силы, делённые на {load}:",
     "solved together": "Решив эти уравнения совместно, получаем",
 }
