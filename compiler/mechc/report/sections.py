@@ -16,10 +16,11 @@ from ..model.mechanism import Mechanism, Parameter
 from ..model.parts.targets import Efficiency, LoadRatio, SpeedRatio, WithFriction, whole
 from ..model.result import Definition
 from ..named import NamedTuple
-from ..study.analysis import Analysis
+from ..study.analysis import Analysis, Multiple
 from . import steps
 from .definitions import Letters, as_written, given_loads, letters
 from .derivation import friction
+from .multiples import multiple
 from .note import NoteLine, own_lines
 from .sentences.remarks import own_conditions, reaction
 
@@ -102,7 +103,8 @@ def _results(
         needed = (d for r in results for d in earlier.of(r, lines))
         fresh = [*rested, *needed]
         conditioned = earlier.conditioned(_conditioned_once(results))
-        brief = (in_short(r, derivation.results) for r in earlier.said_once(conditioned))
+        once = earlier.said_once(conditioned, known.positive)
+        brief = (in_short(r, derivation.results) for r in once)
         shown = tuple(_by_exact(r, derivation) for r in brief if not earlier.has_said(r, lines))
         if not shown:
             continue
@@ -149,8 +151,13 @@ class Shown:
         self._known |= dict(fresh)
         return fresh
 
-    def said_once(self, results: Iterable[Analysis]) -> Iterator[Analysis]:
-        """Yield results, a ratio that is equal to an earlier one, or its inverse, with its name."""
+    def said_once(
+        self, results: Iterable[Analysis], positive: Collection[str]
+    ) -> Iterator[Analysis]:
+        """Yield results, a ratio that an earlier one is equal to, or its inverse, with its name.
+
+        So is one that is an earlier one times a factor of lengths that are ``positive``.
+        """
         for result in results:
             is_ratio = isinstance(result.target, LoadRatio | SpeedRatio) and symbols(result.formula)
             known = self._ratios.setdefault(result.formula, result.name) if is_ratio else ""
@@ -158,8 +165,24 @@ class Shown:
                 yield replace(result, same_as=known, derivatives=None)
             elif inverse := self._inverse_of(result):
                 yield replace(result, inverse_of=inverse, derivatives=None)
+            elif is_ratio and (found := self._multiple_of(result, positive)):
+                yield replace(result, multiple_of=found)
             else:
                 yield result
+
+    def _multiple_of(self, result: Analysis, positive: Collection[str]) -> Multiple | None:
+        """Return the earlier ratio that a result is a multiple of; None if there is none.
+
+        None as well where what is said of the result is of a parameter that the factor has, and
+        where nothing is said of it.
+        """
+        followed = {n for n in result.trends or {} if n not in (result.proportional or {})}
+        followed |= {extent.parameter for extent in result.extents}
+        if not followed and not result.zeros and not result.poles:
+            return None
+        others = {name: f for f, name in self._ratios.items() if name != result.name}
+        found = multiple(result.formula, others, positive)
+        return found if found and followed.isdisjoint(symbols(found.factor)) else None
 
     def _inverse_of(self, result: Analysis) -> str:
         """Return the name of the earlier ratio of the same two loads, upside down; '' if none."""

@@ -136,6 +136,14 @@ class Slope(NamedTuple):
     unit: str = ""
 
 
+class Multiple(NamedTuple):
+    """An earlier ratio, and the factor of one sign by which another one is so many times it."""
+
+    name: str
+    factor: Formula
+    is_negative: bool
+
+
 Trend = Literal[
     "rises", "falls", "rises between poles", "falls between poles", "constant", "turns", "unknown"
 ]
@@ -161,7 +169,8 @@ class Analysis(Result):
     ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
     the conditions of a result that is printed for one case, those of the earlier result
     ``holds_as`` if it is named; of a ratio that is the ``same_as`` an earlier one no more is said,
-    and of the ``inverse_of`` one only how what is said of that is to be read;
+    and of the ``inverse_of`` one, or a ``multiple_of`` it, only how what is said of that is to be
+    read;
     ``inside`` are the names of its ``where`` that are coefficients of a system. ``locking`` states
     of a ratio with friction where nothing moves, ``driven`` of it whether the other loads drive
     the motion at the default pose (None where that is not known), ``efficiency_ranges`` of an
@@ -184,6 +193,7 @@ class Analysis(Result):
     holds_as: str = ""
     same_as: str = ""
     inverse_of: str = ""
+    multiple_of: Multiple | None = None
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
     driven: bool | None = None

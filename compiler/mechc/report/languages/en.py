@@ -396,6 +396,13 @@ LOCALE = Locale(
         "limits": "where {other} vanishes, {result} becomes infinite, and vice versa",
         "trends": "where {other} rises, {result} falls, and vice versa",
     },
+    multiple_of={
+        "limits": "{result} vanishes or becomes infinite where {other} does",
+        "trends": "with {names} it rises or falls as {other} does",
+        "opposite trends": "with {names} it falls where {other} rises, and vice versa",
+        "extremes": "it is least and greatest where {other} is",
+        "opposite extremes": "it is least where {other} is greatest, and vice versa",
+    },
     requirements="The result holds for",
     numbers="Numerical values",
     at_default="At the values given",

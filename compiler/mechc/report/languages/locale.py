@@ -166,6 +166,7 @@ class Locale(NamedTuple):
     holds_as: str
     same_as: str
     inverse_of: Mapping[str, str]
+    multiple_of: Mapping[str, str]
     requirements: str
     numbers: str
     at_default: str

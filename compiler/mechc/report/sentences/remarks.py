@@ -22,7 +22,7 @@ from ...model.mechanism import (
 from ...model.names.forms import form_of_pose
 from ...model.parts.targets import drives_from_below, drives_the_return
 from ...model.parts.written import WrittenSides
-from ...study.analysis import Analysis, Break, Scope, Trend
+from ...study.analysis import Analysis, Break, Multiple, Scope, Trend
 from ..languages.locale import Locale
 from . import extents
 from .limits import limits
@@ -211,13 +211,14 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     if result.inverse_of:
         return (_inverse(result, symbol, locale, spell),)
     said = _holds(result, locale, spell) + _senses(result, symbol, locale, spell)
+    if result.multiple_of:
+        said += _as_other(result, result.multiple_of, symbol, locale, spell)
+        said += _proportions(result, locale, spell)
+        return (*said, *_independent(result, symbol, locale, spell))
     said += limits(result, symbol, locale, spell)
     said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
     said += _proportions(result, locale, spell)
-    if result.independent:
-        symbols = (_spelled(Symbol(n), spell) for n in result.independent)
-        names = joined(symbols, locale.negation)
-        said.append(locale.independent.format(result=symbol, names=names))
+    said += _independent(result, symbol, locale, spell)
     for first, second in filter(lambda pair: _is_news(pair, result), result.swaps):
         one, other = (_spelled(Symbol(n), spell) for n in (first, second))
         said.append(locale.swaps.format(result=symbol, first=one, second=other))
@@ -241,6 +242,27 @@ def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> s
         (asked(result), quotient(ONE, Symbol(result.inverse_of))), ("=",), False
     )
     return f"{inverse}: {'; '.join(said)}." if said else f"{inverse}."
+
+
+def _as_other(
+    result: Analysis, other: Multiple, symbol: str, locale: Locale, spell: Speller
+) -> list[str]:
+    """Return the sentence on a result that is a multiple of a ratio, of which all was said."""
+    trends = (result.trends or {}).items()
+    moved = [n for n, trend in trends if trend in ("rises", "falls") and _is_news([n], result)]
+    extremes = any(extent.least and not extent.is_monotone for extent in result.extents)
+    names = {"result": symbol, "other": _spelled(Symbol(other.name), spell)}
+    names["names"] = _symbols(moved, locale, spell) if moved else ""
+    sense = "opposite " if other.is_negative else ""
+    kinds = {
+        "limits": bool(result.zeros or result.poles),
+        f"{sense}trends": bool(moved),
+        f"{sense}extremes": extremes,
+    }
+    said = [locale.multiple_of[k].format_map(names) for k, is_said in kinds.items() if is_said]
+    times = product([(other.factor, 1), (Symbol(other.name), 1)])
+    equation = spell.relation((asked(result), times), ("=",), False)
+    return [f"{equation}: {'; '.join(said)}."] if said else [f"{equation}."]
 
 
 def _is_news(names: Iterable[str], result: Analysis) -> bool:
@@ -301,6 +323,13 @@ def _proportions(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     simple = product((Symbol(n), -e if inverse else e) for n, e in sorted(powers.items()))
     shown, factor = _spelled(asked(result), spell), _spelled(simple, spell)
     return [template.format(result=shown, factor=factor)]
+
+
+def _independent(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
+    if not result.independent:
+        return []
+    names = joined((_spelled(Symbol(n), spell) for n in result.independent), locale.negation)
+    return [locale.independent.format(result=symbol, names=names)]
 
 
 def _symbols(names: Iterable[str], locale: Locale, spell: Speller) -> str:
