@@ -7,6 +7,7 @@ import pytest
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.source import Source
+from small_mechanisms import slider_crank
 
 LEVER = """
 param mu = 0.2
@@ -208,3 +209,12 @@ def test_turns_that_pi_brings_to_radians(lines: str, codes: set[str]) -> None:
     assert compilation.mechanism
     found = {d.code for d in compilation.report.diagnostics}
     assert found & {"W267", "W268"} == codes
+
+
+@pytest.mark.parametrize(("speed", "doubted"), [("10 rad/s", False), ("0 rad/s", True)])
+def test_a_drive_of_no_speed_is_doubted(speed: str, doubted: bool) -> None:
+    crank = slider_crank("find k = M/F", drive=f"from 0 deg to 90 deg speed {speed}")
+    compilation = Compilation(Source("crank.mech", crank))
+    assert compilation.mechanism
+    said = [d.message for d in compilation.report.diagnostics if "the speed of phi" in d.message]
+    assert len(said) == doubted
