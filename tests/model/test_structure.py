@@ -6,7 +6,7 @@ import pytest
 
 from mechc.driver import Compilation
 from mechc.formula.tree import ONE
-from mechc.model.linkage.carriers import Carriers, Edge, Node, is_held, refined
+from mechc.model.linkage.carriers import Adjacency, Carriers, Node, is_held, refined
 from mechc.model.mechanism import WheelPair
 from mechc.source import Source
 from small_poses import HERE
@@ -14,11 +14,11 @@ from small_poses import HERE
 PATH = [("point", name) for name in "abcde"]
 
 
-def path(*labels: str) -> list[Edge]:
+def path(*labels: str) -> list[Adjacency]:
     return [(one, other, label) for one, other, label in zip(PATH, PATH[1:], labels, strict=False)]
 
 
-def ranks(edges: Sequence[Edge], nodes: Sequence[Node] = PATH) -> list[int]:
+def ranks(edges: Sequence[Adjacency], nodes: Sequence[Node] = PATH) -> list[int]:
     found = refined(dict.fromkeys(nodes, "pin"), edges)
     return [found[node] for node in nodes]
 
@@ -37,7 +37,7 @@ def test_a_label_far_away_makes_a_difference() -> None:
 
 def test_the_order_of_edges_and_their_sense_make_none() -> None:
     edges = path("on", "slot", "on", "on")
-    turned: list[Edge] = [(other, one, label) for one, other, label in reversed(edges)]
+    turned: list[Adjacency] = [(other, one, label) for one, other, label in reversed(edges)]
     assert ranks(turned) == ranks(edges)
 
 

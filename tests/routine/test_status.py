@@ -8,7 +8,7 @@ import pytest
 from gripping_brake import gripping_brake
 from mechc.driver import compile_source
 from mechc.formula.tree import ZERO, Symbol
-from mechc.model.result import Drive
+from mechc.model.result import DrivingLoad
 from mechc.routine.evaluate import evaluate, status
 from mechc.routine.steps import Function, Guard, Input, Status
 from mechc.source import Source
@@ -20,7 +20,7 @@ DRIVE, FORCE = Symbol("P"), Symbol("R")
 
 def result(sense: int = 1, guards: tuple[Guard, ...] = (), is_idle: bool = False) -> Function:
     """Return a force R that stands for itself; the drive is P without friction, P_f with it."""
-    drive = Drive(Symbol("P"), Symbol("P_f"))
+    drive = DrivingLoad(Symbol("P"), Symbol("P_f"))
     asked = Status("R_status", drive, sense, INPUTS, (), guards, is_idle)
     return Function("R", "", INPUTS, (), (), FORCE, FORCE, (), NUMBER, 0, status=asked)
 

@@ -13,7 +13,7 @@ from typing import assert_never
 
 from ..formula.choices import equal_within, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
-from ..model.result import Drive
+from ..model.result import DrivingLoad
 from ..routine.quotient import is_decimal, quotient_of
 from ..routine.steps import Guard, Status
 
@@ -140,6 +140,6 @@ def driving(status: Status, printer: Printer, call: Callable[[str], str]) -> tup
 
     Of a load or a ratio the second one is its own ``value``.
     """
-    if isinstance(status.drive, Drive):
+    if isinstance(status.drive, DrivingLoad):
         return printer.print(status.drive.ideal), printer.print(status.drive.load)
     return call(status.drive), "value"

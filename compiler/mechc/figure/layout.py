@@ -7,7 +7,7 @@ from itertools import chain
 from ..frozen import frozen
 from ..model.mechanism import Force, Mechanism, Pivot, Slider
 from ..named import NamedTuple
-from ..pose.places import NOWHERE, Edge, Plane, between, placed
+from ..pose.places import NOWHERE, KnownVector, Plane, between, placed
 from .figure import MirrorLine
 from .lengths import choose
 from .tolerances import SAME_PLACE
@@ -95,8 +95,8 @@ def _laid_out(ways: Ways, factor: float) -> Layout:
     size = usual(firm)
     lengths = choose(firm, pose.placeholders, factor * size)
     names = [*dict.fromkeys(points_of(pose.mechanism))]
-    edges = [Edge(w.tail, w.head, w.vector.at(lengths)) for w in firm]
-    places = placed(_connected([*(Edge(n, n, NOWHERE) for n in names), *edges], ways, size))
+    edges = [KnownVector(w.tail, w.head, w.vector.at(lengths)) for w in firm]
+    places = placed(_connected([*(KnownVector(n, n, NOWHERE) for n in names), *edges], ways, size))
     groups: dict[str, Points] = {}
     for name, place in places.items():
         groups.setdefault(place.start, {})[name] = place.at
@@ -108,7 +108,7 @@ def _laid_out(ways: Ways, factor: float) -> Layout:
     return Layout({n: points[n] for n in names}, mirror, found, size, gap / size)
 
 
-def _span(edge: Edge, points: Points) -> Plane:
+def _span(edge: KnownVector, points: Points) -> Plane:
     """Return the vector between the ends of an edge, where they have come to stand."""
     return points[edge.head].minus(points[edge.tail])
 
@@ -124,11 +124,11 @@ def points_of(mechanism: Mechanism) -> Iterable[str]:
     yield from (load.point for load in mechanism.loads if isinstance(load, Force))
 
 
-def _connected(edges: list[Edge], ways: Ways, size: float) -> list[Edge]:
+def _connected(edges: list[KnownVector], ways: Ways, size: float) -> list[KnownVector]:
     """Return the edges with loose ones, as long as they connect what is not connected yet."""
     for tail, head, vector in ways.loose():
         if between(placed(edges), tail, head) is None:
-            edges.append(Edge(tail, head, vector.at(dict.fromkeys(vector.parts, size))))
+            edges.append(KnownVector(tail, head, vector.at(dict.fromkeys(vector.parts, size))))
     return edges
 
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from ..frozen import frozen
 from ..kinematics.graph import Velocity
 from ..kinematics.plan import Plan, Speeds
+from ..model.values import Values
 from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane, direction
 from .figure import Contact, Figure, Link, Slot
@@ -56,9 +57,6 @@ class Velocities:
             tuple(s._replace(velocity=s.velocity.times(factor)) for s in self.slidings),
             self.chosen,
         )
-
-
-Values = Mapping[str, float]
 
 
 def rates(plan: Plan, figure: Figure, given: Values, drive: int) -> Velocities:

@@ -10,13 +10,11 @@ from ..formula.walk import symbols
 from ..model.mechanism import Efficiency, LoadRatio, Mechanism, Require, Target, WithFriction
 from ..model.parts.targets import SIGNS
 from ..model.result import Definition, FrictionResult, Result
-from ..model.values import completed, holds, standing
+from ..model.values import Values, completed, holds, standing
 from ..power.check import undefined
 from ..power.numbers import default_values
 from .solution import Solution, SolvedWithFriction
 from .tolerances import SAME_RESULT
-
-Values = Mapping[str, float]
 
 
 def broken_promises(solution: Solution) -> list[str]:

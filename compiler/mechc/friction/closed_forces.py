@@ -37,7 +37,7 @@ from .solution import Step, StepKind
 X, Y = (Arm(ONE, Angle()),), (Arm(ONE, QUARTER),)
 
 
-class Drive(NamedTuple):
+class NamedDrive(NamedTuple):
     """The driving load by the name of its result with friction, and what that rests on."""
 
     size: Product
@@ -51,7 +51,7 @@ class Asked(NamedTuple):
     target: ForceAtJoint
     pose: Pose
     driving: str
-    drive: Drive | None
+    drive: NamedDrive | None
 
 
 class Components(Protocol):
@@ -102,7 +102,7 @@ def closed_force(asked: Asked, transmitted: Transmitted, way: Way, signs: AtOneP
     return Printed(formula, tuple(dict.fromkeys(where)), conditions(signs), steps, positive(solver))
 
 
-def _rests_on(formula: Formula, drive: Drive) -> bool:
+def _rests_on(formula: Formula, drive: NamedDrive) -> bool:
     return not symbols(formula).isdisjoint(d.name for d in drive.where)
 
 

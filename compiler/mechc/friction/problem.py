@@ -39,7 +39,7 @@ from .normal_forces import Idle, LoadedByAnother, Undetermined, loaded_pairs
 from .pairs import FrictionPair, LoadedPair, pairs
 
 if TYPE_CHECKING:
-    from .closed_forces import Drive
+    from .closed_forces import NamedDrive
 
 Loaded = tuple[LoadedPair, ...]
 
@@ -181,7 +181,7 @@ class Problem:
             self._idle[driving] = is_nil_everywhere(driving, where, self.plan.graph.pose)
         return self._idle[driving]
 
-    def drive(self, sense: Sense) -> "Drive | None":
+    def drive(self, sense: Sense) -> "NamedDrive | None":
         """Return the driving load by the name of its result with friction, if that is known."""
         wanted = WithFriction(LoadForm(self.driving), sense)
         finds = self.mechanism.finds
@@ -192,7 +192,7 @@ class Problem:
             return None
         case = found.case
         own = Definition(name, case.formula)
-        return closed_forces.Drive(Product.symbol(name), (*case.where, own))
+        return closed_forces.NamedDrive(Product.symbol(name), (*case.where, own))
 
     def remark_on_pins(self, case: Case, *, exact: bool) -> None:
         """Remark on pins whose friction depends on the link that they are fast in."""

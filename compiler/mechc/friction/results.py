@@ -20,7 +20,7 @@ from ..model.mechanism import (
 )
 from ..model.parts.targets import SIGNS
 from ..model.result import Case as PrintedCase
-from ..model.result import Definition, Drive, FrictionResult, Result
+from ..model.result import Definition, DrivingLoad, FrictionResult, Result
 from ..power.definitions import bound_sums, intermediates, open_lengths
 from ..power.magnitudes import magnitude
 from ..power.numbers import is_nil, value_of
@@ -275,7 +275,7 @@ def force_with_friction(
     result = result_of(problem, find, replace(ideal, where=()), loaded, named)
     without = without_friction(case, problem.equations)
     load = iterated(problem, without.formula(), loaded, sizes).formula
-    drive = Drive(without.formula(), load)
+    drive = DrivingLoad(without.formula(), load)
     known = resting_on(problem, ideal, drive.ideal, bound_sums(problem.plan, [without]))
     where = tuple(dict.fromkeys((*found.sums(), *known, *result.where)))
     is_idle = problem.is_idle(drive.ideal, known)

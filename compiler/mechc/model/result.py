@@ -63,7 +63,7 @@ class Case:
     guards: tuple[Require, ...] = ()
 
 
-class Drive(NamedTuple):
+class DrivingLoad(NamedTuple):
     """The load of the drive under which a force at a joint is so large.
 
     Without friction it is ``ideal``, with it ``load``; both rest on the force's definitions.
@@ -88,7 +88,7 @@ class FrictionResult(Result):
 
     case: Case | None = None
     inside: frozenset[str] = frozenset()
-    drive: Drive | None = None
+    drive: DrivingLoad | None = None
     driven: bool | None = None
     is_idle: bool = False
 

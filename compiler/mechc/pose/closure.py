@@ -20,6 +20,7 @@ from ..formula.evaluate import evaluate
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import constants
+from ..model.values import Values
 from ..named import NamedTuple
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector
@@ -28,7 +29,6 @@ from .tolerances import LOOP_GAP
 Row = dict[str, int]
 """A linear equation in the open lengths, modulo the prime; the constant stands under ''."""
 
-Values = Mapping[str, float]
 
 Poses = Callable[[], Sequence[Values]]
 """Gives some poses in numbers."""
@@ -43,7 +43,7 @@ class Condition(NamedTuple):
     span: Span
 
 
-class Closure:
+class ClosingEquations:
     """The equations so far, in echelon form.
 
     Of the symbols some are ``defined``; some are ``given`` by the description, while others come

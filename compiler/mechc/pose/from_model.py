@@ -16,7 +16,7 @@ from ..named import NamedTuple
 from ..source import Span
 from . import force_pairs, idle, lines
 from .bodies import aligned, contacts, frames, on_the_line
-from .closure import Closure, Condition, across
+from .closure import ClosingEquations, Condition, across
 from .directions import Directions
 from .drawn import drawn_elsewhere, given_by_hand, moved_from_drawing
 from .given_angles import in_given_angles
@@ -189,7 +189,7 @@ def _check_loops(pose: Pose, read: _Read, unfound: Set[str]) -> None:
     mechanism, vectors = read.mechanism, read.vectors
     given = given_by_hand(mechanism) if mechanism.drawn else None
     defined = {d.name for d in pose.definitions}
-    closure = Closure(pose.placeholders, defined, given, mechanism.brought_angles)
+    closure = ClosingEquations(pose.placeholders, defined, given, mechanism.brought_angles)
     poses = cache(partial(poses_nearby, mechanism, pose.definitions))
     slots = on_the_line([t for t in pose.contacts if t.kind == "slot"], vectors)
     for condition in (*_loops(vectors), *_guide_lines(pose, vectors), *slots):

@@ -60,7 +60,7 @@ def direction(angle: float) -> Plane:
     return Plane(math.cos(angle), math.sin(angle))
 
 
-class Edge(NamedTuple):
+class KnownVector(NamedTuple):
     """A vector that is known in full."""
 
     tail: str
@@ -78,7 +78,7 @@ class Place(NamedTuple):
 Sweep = Mapping[str, Place]
 
 
-def placed(edges: Iterable[Edge]) -> dict[str, Place]:
+def placed(edges: Iterable[KnownVector]) -> dict[str, Place]:
     """Put every point in its place, part by part, along the first way that leads there.
 
     >>> edges = Edge("O", "A", Plane(1.0, 0.0)), Edge("B", "A", Plane(0.0, 2.0))

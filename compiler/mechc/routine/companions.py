@@ -12,7 +12,7 @@ from ..formula.tree import Formula
 from ..frozen import replace
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.parts.targets import SIGNS
-from ..model.result import Drive, FrictionResult
+from ..model.result import DrivingLoad, FrictionResult
 from .functions import Asked, steps_to
 from .scope import Scope, rename
 from .steps import (
@@ -82,7 +82,7 @@ class Companions:
         used = mentioned(steps, ends).difference(*map(names_of, steps))
         used |= {i.name for i in function.inputs}
         name = self._fresh(f"{function.name}_status")
-        drive = Drive(ideal, load)
+        drive = DrivingLoad(ideal, load)
         inputs = self._in_order(used)
         return Status(name, drive, SIGNS[sense], inputs, steps, guards, result.is_idle)
 

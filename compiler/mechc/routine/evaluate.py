@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..formula.choices import SIGNS, equal_within, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
-from ..model.result import Drive
+from ..model.result import DrivingLoad
 from .arcs import Array
 from .newton import Equations, follow
 from .quotient import quotient_of
@@ -104,7 +104,7 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
     scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in asked.inputs}
     with np.errstate(all="ignore"):
         done = [_run(step, scope) for step in asked.steps]
-        if isinstance(asked.drive, Drive):
+        if isinstance(asked.drive, DrivingLoad):
             without, load = (compute(each, scope) for each in asked.drive)
         solved = [d for d, step in zip(done, asked.steps, strict=True) if isinstance(step, Solve)]
         is_pose = reduce(

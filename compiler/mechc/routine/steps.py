@@ -13,7 +13,7 @@ from ..formula.tree import Formula
 from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Require
-from ..model.result import Drive
+from ..model.result import DrivingLoad
 from ..units import ANGLE, LENGTH, Dimension
 
 if TYPE_CHECKING:
@@ -178,7 +178,7 @@ class Status:
     """
 
     name: str
-    drive: str | Drive
+    drive: str | DrivingLoad
     sense: int
     inputs: tuple[Input, ...]
     steps: tuple[Statement, ...]
@@ -189,7 +189,7 @@ class Status:
     def sides(self) -> tuple[Formula, ...]:
         """Return the formulas in terms of the steps."""
         compared = sides_of(self.guards)
-        return (*compared, *(self.drive if isinstance(self.drive, Drive) else ()))
+        return (*compared, *(self.drive if isinstance(self.drive, DrivingLoad) else ()))
 
     @property
     def way(self) -> str:

@@ -15,7 +15,7 @@ from ..formula.walk import symbols
 from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
 from ..named import NamedTuple
-from ..pose.places import Edge, Plane, Sweep, between, direction, placed
+from ..pose.places import KnownVector, Plane, Sweep, between, direction, placed
 from ..pose.pose import Pose, evaluate_vector
 from .tolerances import LOOP_GAP
 
@@ -40,7 +40,7 @@ def worst_gap(pose: Pose, values: Mapping[str, float]) -> Discrepancy | None:
     return worst if worst is not None and worst.size > LOOP_GAP * size else None
 
 
-def _links(pose: Pose, values: Mapping[str, float]) -> Iterator[Edge]:
+def _links(pose: Pose, values: Mapping[str, float]) -> Iterator[KnownVector]:
     """Yield the links' vectors, without those whose made-up length no loop fixes."""
     open_lengths = [name for name, length in pose.placeholders.items() if length is None]
     doubled = {**values, **{name: 2 * values[name] for name in open_lengths}}
@@ -50,19 +50,19 @@ def _links(pose: Pose, values: Mapping[str, float]) -> Iterator[Edge]:
             vector = pose.vector(link.name, tail, head)
             here = evaluate_vector(vector, values)
             if not open_lengths or here == evaluate_vector(vector, doubled):
-                yield Edge(tail, head, Plane(*here))
+                yield KnownVector(tail, head, Plane(*here))
 
 
-def _vectors(pose: Pose, values: Mapping[str, float]) -> Iterator[Edge]:
+def _vectors(pose: Pose, values: Mapping[str, float]) -> Iterator[KnownVector]:
     """Yield the vectors that the description itself gives in full."""
     for entry in pose.mechanism.geometry:
         match entry:
             case Offset(tail, head, x, y) if _known(values, x, y):
-                yield Edge(tail, head, Plane(evaluate(x, values), evaluate(y, values)))
+                yield KnownVector(tail, head, Plane(evaluate(x, values), evaluate(y, values)))
             case Arrow(tail, head, length, Absolute(angle)) if length is not None:
                 if _known(values, length, angle):
                     along = direction(evaluate(angle, values))
-                    yield Edge(tail, head, along.times(evaluate(length, values)))
+                    yield KnownVector(tail, head, along.times(evaluate(length, values)))
 
 
 def _known(values: Mapping[str, float], *formulas: Formula) -> bool:
@@ -76,7 +76,7 @@ class Drawing:
     places: Sweep
     values: Mapping[str, float]
 
-    def loop(self, edge: Edge) -> Discrepancy | None:
+    def loop(self, edge: KnownVector) -> Discrepancy | None:
         """Return the gap that opens at a vector when all others are in place."""
         found = between(self.places, edge.tail, edge.head)
         if found is None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ...model.result import Drive
+from ...model.result import DrivingLoad
 from ...named import NamedTuple
 from ...routine.steps import (
     NOTHING,
@@ -68,7 +68,7 @@ def status_context(
     used = mentioned(asked.steps, asked.sides)
     body, statuses = lines(asked.steps, used, solvers, printer, space)
     ideal, load = driving(asked, printer, lambda n: describe.call(functions[n], names, own))
-    is_needed_first = isinstance(asked.drive, Drive)
+    is_needed_first = isinstance(asked.drive, DrivingLoad)
     single, inputs = names[asked.name], list(own.values())
     arrays = [f"const double *MECHC_RESTRICT {name}" for name in inputs]
     return StatusContext(

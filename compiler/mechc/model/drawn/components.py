@@ -46,7 +46,7 @@ def polar(x: Product, y: Product, values: Mapping[str, float]) -> Polar | None:
     return None
 
 
-class Lengths:
+class DrawnLengths:
     """The lengths so far: of those in a rational ratio the first decides the digits.
 
     Where AD is drawn twice as long as AE, both have a decimal for a root, and the digits of the

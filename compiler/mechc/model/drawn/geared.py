@@ -45,10 +45,9 @@ from ..mechanism import (
 from ..parts.holding import Size
 from ..standing import direction_matters, place_matters
 from ..tolerances import VANISHED
+from ..values import Values
 from .rigidity import Independent, Row, direction, fixed
 from .sketch import Sketch
-
-Values = Mapping[str, float]
 
 
 class Term(NamedTuple):

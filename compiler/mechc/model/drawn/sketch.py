@@ -16,7 +16,7 @@ from ...units import ANGLE, LENGTH, Dimension
 from ..constants import number_of, rational
 from ..mechanism import Absolute, Mechanism, Parameter
 from ..tolerances import SAME_VECTOR
-from .components import Lengths, Polar, polar
+from .components import DrawnLengths, Polar, polar
 from .drawn_points import Components, DrawnPoints
 
 
@@ -53,7 +53,7 @@ class Sketch(DrawnPoints):
         self.parameters: dict[str, Parameter] = {}
         self._taken = {p.name for p in mechanism.parameters} | {p.name for p in mechanism.loads}
         self._vectors: list[_Vector] = []
-        self._lengths = Lengths()
+        self._lengths = DrawnLengths()
 
     def offset(self, tail: str, head: str) -> tuple[Formula, Formula]:
         """Return the vector between two points by its components."""

@@ -52,7 +52,7 @@ DIGITS = 9
 Node = tuple[str, str]
 """A ``point`` or a ``body`` by its name."""
 
-Edge = tuple[Node, Node, Hashable]
+Adjacency = tuple[Node, Node, Hashable]
 
 
 def is_held(point: str, mechanism: Mechanism) -> bool:
@@ -137,7 +137,7 @@ class Carriers:
                     asked += ["found"] * (found == load.name)
         return type(load).__name__, load.tie is not None, str(load.times), tuple(sorted(set(asked)))
 
-    def _edges(self) -> Iterator[Edge]:
+    def _edges(self) -> Iterator[Adjacency]:
         """Yield the edges between points, joints and bodies."""
         m = self._mechanism
         for body in (*self._bodies, *m.slides):
@@ -161,14 +161,14 @@ class Carriers:
             if isinstance(load, ForcePair) and not load.joins_twins:
                 yield ("point", load.first), ("point", load.second), self._role(load)
 
-    def _lengths(self) -> Iterator[Edge]:
+    def _lengths(self) -> Iterator[Adjacency]:
         """Yield the distances that are given, by their places from the longest one on."""
         found = dict(self._distances_given())
         places = {value: i for i, value in enumerate(sorted({*found.values()}, reverse=True))}
         for (tail, head), value in found.items():
             yield ("point", tail), ("point", head), ("length", f"{places[value]:06d}")
 
-    def _directions(self) -> Iterator[Edge]:
+    def _directions(self) -> Iterator[Adjacency]:
         """Yield the directions that are given, of either end of a vector alike, in degrees."""
         for entry in self._mechanism.geometry:
             match entry:
@@ -213,7 +213,7 @@ def _bent(mechanism: Mechanism) -> Iterator[str]:
     yield from (name for joint in m.joints for name in joint.bodies)
 
 
-def refined(labels: Mapping[Node, Hashable], edges: Sequence[Edge]) -> Mapping[Node, int]:
+def refined(labels: Mapping[Node, Hashable], edges: Sequence[Adjacency]) -> Mapping[Node, int]:
     """Return the place of each node among all, by its label and by those that surround it.
 
     Nodes that differ are distinguished by their neighbours round after round. The number of

@@ -41,7 +41,7 @@ class Spread:
         return product([(self.part, 1), (self.length, 1)])
 
 
-Ends = tuple[tuple[str, str], ...]
+LoadEnds = tuple[tuple[str, str], ...]
 """Where a load acts: by its link and point, '' for the link where it acts on the pin itself."""
 
 
@@ -51,7 +51,7 @@ class AtPoints:
     __slots__ = ()
 
     @property
-    def ends(self) -> Ends:
+    def ends(self) -> LoadEnds:
         """Return the link and the point of each of its forces."""
         raise NotImplementedError
 
@@ -91,7 +91,7 @@ class Force(AtPoints):
     spread: Spread | None = None
 
     @property
-    def ends(self) -> Ends:
+    def ends(self) -> LoadEnds:
         """Return the link and the point that it acts on."""
         return ((self.link, self.point),)
 
@@ -107,7 +107,7 @@ class Torque:
     times: Fraction = Fraction(1)
 
     @property
-    def ends(self) -> Ends:
+    def ends(self) -> LoadEnds:
         """Return the link and the point of each of its forces: it acts at no point."""
         return ()
 
@@ -150,7 +150,7 @@ class ForcePair(AtPoints):
     joins_twins: bool = False
 
     @property
-    def ends(self) -> Ends:
+    def ends(self) -> LoadEnds:
         """Return the link and the point of each of its two forces."""
         return (self.first_link, self.first), (self.second_link, self.second)
 

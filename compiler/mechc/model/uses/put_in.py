@@ -16,7 +16,7 @@ from ..parts.targets import whole
 from ..result import Result, Solved
 
 
-class Row(NamedTuple):
+class TiedLoad(NamedTuple):
     """A load that a ratio gives from another one: ``above = ratio*below``, or the inverse."""
 
     name: str
@@ -83,7 +83,7 @@ def ratios(solved: Solved) -> Iterator[tuple[str, str]]:
             yield result.target.above, result.target.below
 
 
-def following(solved: Solved, known: set[str]) -> Iterator[Row]:
+def following(solved: Solved, known: set[str]) -> Iterator[TiedLoad]:
     """Yield the loads that ratios give, of those whose other load is known."""
     ideal = {r.target: r.name for r in solved.results if isinstance(r.target, LoadRatio)}
     names = {r.name for r in solved.results} | known
@@ -94,9 +94,9 @@ def following(solved: Solved, known: set[str]) -> Iterator[Row]:
             case _:
                 continue
         if ratio.below in known and ratio.above not in known:
-            row = Row(ratio.above + ending, result.name, ratio.below, inverse=False)
+            row = TiedLoad(ratio.above + ending, result.name, ratio.below, inverse=False)
         elif ratio.above in known and ratio.below not in known:
-            row = Row(ratio.below + ending, result.name, ratio.above, inverse=True)
+            row = TiedLoad(ratio.below + ending, result.name, ratio.above, inverse=True)
         else:
             continue
         if row.name not in names:
@@ -104,7 +104,7 @@ def following(solved: Solved, known: set[str]) -> Iterator[Row]:
             yield row
 
 
-def formula(row: Row, place: Span) -> ast.Follows:
+def formula(row: TiedLoad, place: Span) -> ast.Follows:
     """Return the formula of a load that a ratio gives."""
     ratio, other = ast.Symbol(row.ratio, place), ast.Symbol(row.other, place)
     factors = ((1, other), (-1, ratio)) if row.inverse else ((1, ratio), (1, other))

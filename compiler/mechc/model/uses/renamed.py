@@ -7,7 +7,7 @@ from ...formula.walk import children, rebuild
 from ...frozen import on_demand, replace
 from ..mechanism import Parameter, Require
 from ..parts.targets import Efficiency, LoadForm, LoadRatio, Target, WithFriction
-from ..result import Case, ClosedLoop, Definition, Drive, FrictionResult, Result, Solved
+from ..result import Case, ClosedLoop, Definition, DrivingLoad, FrictionResult, Result, Solved
 
 Rename = Callable[[str], str]
 
@@ -88,7 +88,7 @@ class _Renaming:
             changed,
             case=changed.case and self._case(changed.case),
             inside=frozenset(map(self._name, changed.inside)),
-            drive=changed.drive and Drive(*map(self._formula, changed.drive)),
+            drive=changed.drive and DrivingLoad(*map(self._formula, changed.drive)),
         )
 
     def _elsewhere(self, result: Result) -> Result | None:
