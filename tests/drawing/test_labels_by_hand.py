@@ -36,11 +36,11 @@ def test_a_name_of_a_point_is_first_tried_where_it_is_wanted_then_on_either_side
     [
         (EAST, (20.0, 0.6 + HEIGHT / 2)),
         (EAST.times(-1), (-20.0, 0.6 + HEIGHT / 2)),
-        (NORTH, (0.6 + WIDTH / 2, 20.0)),
+        (NORTH, (-0.6 - WIDTH / 2, 20.0)),
         (NORTH.times(-1), (-0.6 - WIDTH / 2, -20.0)),
     ],
 )
-def test_a_name_of_a_line_is_first_tried_above_it_or_right_of_where_an_upright_one_leads(end, at):
+def test_a_name_of_a_line_is_first_tried_above_it_or_left_whichever_way_it_leads(end, at):
     one, opposite = first(Beside(ORIGIN, end, NAME, BODY), 2)
     assert one == near(*at)
     assert [a + b for a, b in zip(one, opposite, strict=True)] == near(end.x, end.y)

@@ -159,16 +159,25 @@ def _alternating(number: int) -> int:
     return (number + 1) // 2 * (1 if number % 2 else -1)
 
 
+def above(along: Plane) -> Plane:
+    """Return the unit vector from a line to the side above it, of an upright one to the left.
+
+    It is the same for the line that leads back.
+    """
+    left = along.turned()
+    is_there = left.x < 0 if abs(left.y) <= HORIZONTAL else left.y > 0
+    return left if is_there else left.times(-1)
+
+
 def _sides(start: Plane, end: Plane, width: float, height: float) -> Iterator[Candidate]:
     along = end.minus(start).unit()
     if along is None:
         return
-    left = along.turned()
-    upper = left if (left.y, -left.x) > (HORIZONTAL, 0) else left.times(-1)
+    upper = above(along)
     for distance in (0.6, 1.4):
         for part in ALONG:
             for side in (1, -1):
-                out = upper.times(side * (distance + _support(left, width, height)))
+                out = upper.times(side * (distance + _support(upper, width, height)))
                 yield Candidate(start.plus(end.minus(start).times(part)).plus(out))
 
 

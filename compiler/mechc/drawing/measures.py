@@ -8,12 +8,12 @@ from ..named import NamedTuple
 from ..pose.places import Plane, direction
 from .bodies import bars_at
 from .drawing import MEASURE, Arc, Polyline, Shape
-from .labels import Along, Beside
+from .labels import Along, Beside, above
 from .lettering import formula
 from .paper import Paper
 from .sheet import Layer, Sheet
 from .symbols import head, line, off
-from .tolerances import DETOUR, HORIZONTAL, SHORTEST
+from .tolerances import DETOUR, SHORTEST
 
 FIRST, LEVEL, LEVELS = 8.0, 6.5, 5
 """How far the first dimension line is from what it measures, the others from each other."""
@@ -169,8 +169,8 @@ def _between(paper: Paper, dimension: Dimension, point: str) -> bool:
 
 
 def _across(start: Plane, end: Plane) -> Plane:
-    unit = (end.minus(start).unit() or Plane(1.0, 0.0)).turned()
-    return unit if (unit.y, -unit.x) > (HORIZONTAL, 0) else unit.times(-1)
+    """Return the unit vector across a line to the side on which its number stands."""
+    return above(end.minus(start).unit() or Plane(1.0, 0.0))
 
 
 def _shortened(start: Plane, end: Plane) -> tuple[Plane, Plane]:
