@@ -132,10 +132,13 @@ def test_rows_of_a_stroke_are_zero_infinite_or_undetermined():
     assert [(e.result, e.kind) for e in stroke.extrema] == [("V_K_over_V_B", "minimum")]
 
 
-def test_a_load_that_is_infinite_at_the_default_pose_is_refused():
-    with pytest.raises(MechcError, match="E507") as caught:
-        compile_source(Source("m.mech", CRANK.replace("80 deg", "90 deg")))
-    assert {d.code for d in caught.value.diagnostics} == {"E507"}
+@pytest.mark.parametrize(("rod", "code"), [("60 deg", "E507"), ("90 deg - alpha", "E508")])
+def test_a_load_that_is_infinite_at_the_default_pose_is_refused(rod, code):
+    """Where the rod folds onto the crank nothing determines it: that is no infinite load."""
+    text = CRANK.replace("80 deg", "90 deg").replace("l @ 90 deg - alpha", f"l @ {rod}")
+    with pytest.raises(MechcError, match=code) as caught:
+        compile_source(Source("m.mech", text))
+    assert {d.code for d in caught.value.diagnostics} == {code}
 
 
 OVER = """\
@@ -200,9 +203,9 @@ def test_a_ratio_of_two_true_zeros_is_not_called_infinite():
     assert result.default is None
 
 
-IN_LINE = """
+ROUND_ANGLES = """
 param t1 = 180 deg
-param t2 = 180 deg
+param t2 = 45 deg
 param t3 = 270 deg
 pivot O
 slider A along 90 deg
@@ -220,7 +223,7 @@ find k = P/F
 
 def test_an_arm_that_is_zero_but_for_rounding_is_zero_in_a_report():
     """b_AB = -57.1 mm cos 270 deg was printed as 1.04891e-14 mm."""
-    compilation = compile_source(Source("line.mech", IN_LINE))
+    compilation = compile_source(Source("line.mech", ROUND_ANGLES))
     (document,) = emit(compilation, registry.load("latex"), Options("line"))
     assert "b_{AB}&=-57.1\\,\\text{mm}\\cos270^\\circ=0\\," in document.text
 

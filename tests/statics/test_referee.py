@@ -157,6 +157,38 @@ def test_three_copies_share_a_load_in_three_parts():
     assert ratio(copied) == pytest.approx(2 * k / 3)
 
 
+SHARED_FEED = """
+param r = 10 mm in 5 mm .. 30 mm
+pivot C
+link CE
+CE = 50 mm @ 0 deg
+slider G along y
+{feed}
+torque P on CE
+force F at G along -y
+copies 3 sharing G
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("feed", "k_f"),
+    [
+        ("rack G on C r\nfriction rack G 0.05", 10e-3 / 3 / 0.95),
+        (
+            "screw G pitch r on CE\nfriction screw G 0.1 thread 12 mm",
+            12e-3 / 2 / 3 * math.tan(math.atan(10 / (math.pi * 12)) + math.atan(0.1)),
+        ),
+    ],
+)
+def test_each_of_the_copies_gives_all_of_its_own_friction_in_teeth_and_threads(feed, k_f):
+    """A third of the load, and friction of that: the referee took a third of the friction."""
+    compilation = Compilation(Source("feed.mech", SHARED_FEED.format(feed=feed)))
+    assert compilation.verdict.agrees
+    found = {r.name: r.default for r in compilation.results}
+    assert found["k_f"] == pytest.approx(k_f)
+
+
 def test_a_redundant_parallel_branch_is_accepted():
     points = {"O": (0, 0), "A": (0, 1), "C": (1, 0), "B": (1, 1), "E": (2, 0), "D": (2, 1)}
     loads = [torque("M", "OA"), force("F", "D")]

@@ -265,3 +265,27 @@ def test_a_pole_that_a_zero_meets_at_the_default_values_only_is_stated_with_it()
     assert {text(f) for v in k.poles for f in v.but} == {"sin(alpha + beta)"}
     assert {text(f) for v in k.zeros for f in v.but} == {"sin(alpha - beta)"}
     assert list(refuted(mechanism, k)) == list(missing(mechanism, k)) == []
+
+
+BY_CHANCE_ELSEWHERE = """
+param alpha = 60 deg
+param beta = 120 deg in 60 deg .. 210 deg
+slider A along alpha
+slider C along 120 deg - alpha
+link AC
+AC = 80 mm @ beta
+force P at A along alpha
+force F at C along alpha - 60 deg
+find k = P/F
+"""
+
+
+def test_a_place_at_which_a_zero_meets_a_pole_for_the_values_given_is_stated_with_it():
+    """Both cos(alpha - beta) and sin(alpha + beta - 30 deg) are zero where beta is 150 deg.
+
+    Each by itself has another root along alpha, by which it was proved to make k vanish.
+    """
+    mechanism, (k,) = results(BY_CHANCE_ELSEWHERE)
+    meeting = [v for v in (*k.zeros, *k.poles) if v.at and v.at[0] == "beta" and v.but]
+    assert [text(v.factor) for v in meeting] == ["cos(alpha - beta)", "sin(alpha + beta - pi/6)"]
+    assert list(refuted(mechanism, k)) == []

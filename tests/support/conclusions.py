@@ -127,6 +127,8 @@ def _centre(
     if name not in free or not all(isinstance(loads[n], Force | Torque) for n in names):
         return
     x = evaluate(value, free)
+    if statements.meets_another(limit, {**free, name: x}):
+        return
     asked = [loads[n] for n in names]
     tried = (
         [_speeds(tree, {**free, name: x + part * d}, asked) for part in (1, 10)] for d in DISTANCES

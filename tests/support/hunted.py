@@ -24,6 +24,8 @@ from open_chains import Chain
 from other_kinds import KINDS as OTHER_KINDS
 from other_kinds import other, put_toggle
 from shared_lengths import shared
+from special_drives import driven
+from special_trains import special
 
 
 class Made(NamedTuple):
@@ -122,6 +124,8 @@ KINDS: dict[str, Callable[[int], Made | str | None]] = {
     "flat": flat,
     "equal lengths": four_bar,
     "shared lengths": shared,
+    "special": special,
+    "special driven": driven,
     **{kind: (lambda seed, kind=kind: other(kind, seed)) for kind in OTHER_KINDS},
     "joined": joined,
 }

@@ -74,6 +74,8 @@ class Reader:
             r"[0-9.]+|[A-Za-z]|\\(alpha|beta|theta|pi)", self.next
         ):
             factors.append(self.raised(self.atom()))
+            if self.next == "\\," and self.tokens[self.at + 1].startswith("\\mathrm"):
+                self.take()  # a number before a word, as in sin 2 al
         return product((f, 1) for f in factors)
 
     def raised(self, base: Formula) -> Formula:

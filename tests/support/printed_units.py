@@ -385,6 +385,10 @@ def extents(tex: str) -> Iterator[tuple[str, str, tuple[str, str]]]:
             yield name, of_value.removesuffix(r"\,\text{}"), (parameter, measured)
 
 
+NIL = 1e-12
+"""What a result may be in SI that is zero, at a place with few digits and where it is usual."""
+
+
 def displaced(tex: str) -> Iterator[str]:
     """Yield the extrema and zeros that are not where the page says, by its own formulas."""
     formulas = tex.partition(r"\section*{Numerical values}")[0]
@@ -396,7 +400,7 @@ def displaced(tex: str) -> Iterator[str]:
         usual = page.table.values.get(name)
         if usual is None or None in near:
             continue
-        slack = STEEP * abs(usual) if value == 0 else FLAT * abs(value)
+        slack = STEEP * abs(usual) + NIL if value == 0 else FLAT * abs(value)
         if not min(near) - slack <= value <= max(near) + slack:
             yield f"{name} is {near[0]}, not {value}, at {parameter} = {place}"
 

@@ -260,6 +260,8 @@ def _place_refuted(
     def curve(at: float) -> Values:
         return with_rest(mechanism, result, {**free(mechanism, pose), name: at})
 
+    if meets_another(limit, {**free(mechanism, pose), name: x}):
+        return
     found = _order_at(result, curve, x, 1.0)
     if found is None or _is_rounding(result, curve, x, 1.0):
         return
@@ -280,6 +282,12 @@ def _left_out(mechanism: Mechanism, result: Analysis, limit: Vanishing) -> Itera
     for x in roots(lambda at: evaluate(limit.factor, {**pose, name: at}), *given):
         if not any(math.isclose(x, place, abs_tol=NEAR) for place in listed):
             yield f"{result.name}: {text(limit.factor)} is zero at {name} = {x}: not listed"
+
+
+def meets_another(limit: Vanishing, there: Values) -> bool:
+    """Return whether one of the conditions holds that a limit leaves out."""
+    known = (f for f in limit.but if symbols(f) <= there.keys())
+    return any(abs(evaluate(f, there)) < NEAR for f in known)
 
 
 def order(size: Curve, x: float, near: float) -> float | None:

@@ -126,13 +126,13 @@ def with_default(result: Result, size: Size) -> Result:
 
 def checked(balance: Balance, numbers: DefaultNumbers, report: Report) -> tuple[Solved, ...]:
     """Return the results with their default values; report what is not regular there."""
-    _check_branch(balance, numbers.values, report)
+    is_branch = _check_branch(balance, numbers.values, report)
     finds = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
     solved: list[Solved] = []
     arrows = Arrows(balance, report)
     for item in balance.solved:
         size = numbers.of(item.result)
-        if size.number is not None:
+        if size.number is not None and not is_branch:
             find = finds[item.result.name]
             _remark(item, size.number, numbers.values, find, arrows, report)
         solved.append(replace(item, result=with_default(item.result, size)))
@@ -226,8 +226,10 @@ def form_of(result: Result, values: Mapping[str, float]) -> Valued:
     return Valued(form, value if symbols(result.formula) <= known.keys() else None)
 
 
-def _check_branch(balance: Balance, values: Mapping[str, float], report: Report) -> None:
-    """Compare the rank of the relations at the pose with their rank in general.
+def _check_branch(balance: Balance, values: Mapping[str, float], report: Report) -> bool:
+    """Return whether the pose is a branch point, and report it.
+
+    There the relations have a lower rank than in general, and no speed is determined.
 
     Where every block of the plan has its full rank, so have all relations together; only
     if one has not is the whole looked at, which is dear. Where the whole has its full rank all the
@@ -235,11 +237,11 @@ def _check_branch(balance: Balance, values: Mapping[str, float], report: Report)
     """
     plan = balance.plan
     try:
-        rows = [{u: p.evaluate(values) for u, p in r.form.items()} for r in plan.relations]
+        rows = [{u: _unrounded(p, values) for u, p in r.form.items()} for r in plan.relations]
     except (KeyError, ZeroDivisionError):
-        return
+        return False
     if all(_is_regular(block, rows) for block in plan.blocks):
-        return
+        return False
     mechanism, rank = plan.graph.pose.mechanism, numeric_rank(rows)
     if rank < len(rows):
         report.add(messages.branch_point(mechanism.span, [k.name for k in mechanism.links]))
@@ -247,6 +249,12 @@ def _check_branch(balance: Balance, values: Mapping[str, float], report: Report)
         speeds = [s for term in balance.terms for s in term.speed]
         if speeds and all(_is_finite(s, values) for s in speeds):
             report.add(messages.loads_stand_still(mechanism.span))
+    return rank < len(rows)
+
+
+def _unrounded(value: Product, values: Mapping[str, float]) -> float:
+    """Return the value of a product, 0 where a factor is nil: rounding would have a rank."""
+    return 0.0 if _vanishing(value, values, 1) is not None else value.evaluate(values)
 
 
 def _is_finite(speed: Product, values: Mapping[str, float]) -> bool:

@@ -210,8 +210,13 @@ def _screw(joint: str, unfolding: Unfolding) -> Screw:
 
 
 def _by_link(link: str, point: str, force: Plane, unfolding: Unfolding) -> tuple[Action, ...]:
-    """Return a force on a point by each of the links that drive it: both halves may share it."""
-    if unfolding.axis is None or unfolding.is_shared(link):
+    """Return a force on a point by each of the links that drive it: both halves may share it.
+
+    The link of one of several copies gives the whole of it, whoever else pushes the point.
+    """
+    if unfolding.axis is None:
+        return (PointForce(point, force.times(unfolding.part_of(link))),)
+    if unfolding.is_shared(link):
         return unfolding.push(point, force)
     return PointForce(point, force), PointForce(unfolding.twin(point), unfolding.reflected(force))
 

@@ -166,13 +166,17 @@ def across_the_line(factor: Factor, value: Product) -> list[Trig]:
 
 def is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
     """Return whether a factor is zero at a root for the values given, against its usual size."""
-    if not isinstance(factor, Sum | Trig) or not {root.name, *root.value.names} <= near.keys():
+    if not {root.name, *root.value.names} <= near.keys():
         return False
-    if not symbols(factor.formula()) <= near.keys():
+    return is_nil_at(factor, root.name, {**near, root.name: root.value.evaluate(near)})
+
+
+def is_nil_at(factor: Factor, name: str, there: Mapping[str, float]) -> bool:
+    """Return whether a factor is zero at some values, against its size at another one of a name."""
+    if not isinstance(factor, Sum | Trig) or not symbols(factor.formula()) <= there.keys():
         return False
-    x = root.value.evaluate(near)
-    here, there = (abs(factor.evaluate({**near, root.name: x + h})) for h in (0, 1))
-    return here < VANISHED_SUM * there
+    here, beside = (abs(factor.evaluate({**there, name: there[name] + h})) for h in (0, 1))
+    return here < VANISHED_SUM * beside
 
 
 # ---------------------------------------------------------------------------- factors

@@ -5,10 +5,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.halving import without
-from ..algebra.intervals import vanishing_values
+from ..algebra.intervals import Roots, vanishing_values
 from ..algebra.orders import Root, half_turns, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.trigonometry import sine
+from ..formula.evaluate import evaluate
+from ..formula.walk import symbols
 from ..model.result import Definition
 from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
@@ -21,6 +23,7 @@ from .sought import (
     dividing_factors,
     has_order,
     is_nil,
+    is_nil_at,
     is_refuted,
     may_vanish,
     roots_across,
@@ -208,13 +211,27 @@ def _vanishing(trig: Trig, why: Cause, of: Sought) -> Vanishing:
     """Return a condition solved for what moves; not for, nor by, what loops find."""
     found = trig.angle.names & of.defined.keys()
     at = None if found else vanishing_values(trig, of.near, of.box, of.moving_first)
-    but = tuple(t.formula() for t in _at_folds(trig, of))
+    nil = [*_at_folds(trig, of), *(_nil_across(at, of) if at else ())]
+    but = tuple(dict.fromkeys(f.formula() for f in nil))
     outside, absent = of.is_outside(trig), of.is_absent(trig)
     limit = Vanishing(trig.formula(), None, why, outside, but, absent=absent)
     if at is None:
         return limit
     period = at.period if at.is_many else None
     return limit._replace(at=(at.name, at.nearest), within=at.within, period=period)
+
+
+def _nil_across(at: Roots, of: Sought) -> Iterator[Factor]:
+    """Yield what is nil across the line at a place that is stated, at the values given.
+
+    Along another symbol, of which the factor was proved to vanish, it need not be: with a = 60°,
+    sin(a + b - 30°)/cos(a - b) vanishes along a where b is 120°, and is finite at b = 150°.
+    """
+    across = [f for f, e in of.value.factors.items() if e * of.side < 0]
+    for place in at.within or (at.nearest,):
+        if symbols(place) <= of.near.keys():
+            there = {**of.near, at.name: evaluate(place, of.near)}
+            yield from (f for f in across if is_nil_at(f, at.name, there))
 
 
 def _at_folds(trig: Trig, of: Sought) -> list[Trig]:
