@@ -635,3 +635,42 @@ find k = P/F
     for name in ("k_f", "k_f1", "k_hold"):
         assert "f*d" in text(found[name].formula)
         assert all(h.operator != "=" for h in found[name].holds)
+
+
+SUMS_IN_FORCES = """
+param a = 60 mm
+param b = 60 mm
+param alpha = 60 deg
+pivot A
+link AB
+AB = b @ -alpha
+pivot C
+link CD
+CD = a @ 30 deg
+contact B on CD normal 90 deg
+CB = a + b @ alpha
+pivot E
+link EG
+link DH
+slot D in EG guiding DH
+EG = 300 mm @ 45 deg
+ED = 2*a @ 45 deg
+DH = 100 mm @ EG
+force P at B along perp AB
+force F at H along alpha
+find k = P/F
+friction pins 0.12 diameter 6 mm
+friction contact B 0.08
+"""
+
+
+def test_what_is_printed_of_iterated_forces_has_all_that_they_rest_on():
+    """Long sums of the forces without friction, s1 and s2, were in what code has alone."""
+    compilation = Compilation(Source("slot.mech", SUMS_IN_FORCES))
+    given = {p.name for p in compilation.mechanism.parameters} | {"P", "F"}
+    for result in compilation.results:
+        known = given | {other.name for other in compilation.results}
+        for definition in result.where:
+            assert symbols(definition.formula) <= known, (result.name, definition.name)
+            known.add(definition.name)
+        assert symbols(result.formula) <= known

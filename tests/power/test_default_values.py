@@ -82,3 +82,29 @@ def test_a_value_is_found_once_with_the_form_that_has_it(monkeypatch):
 @pytest.mark.parametrize(("at", "value"), [({"x": 3.0}, 3.0), ({"x": -1.0}, math.nan), ({}, None)])
 def test_a_result_has_a_value_where_its_condition_holds(at, value):
     assert value_of(OWN, at) == pytest.approx(value, nan_ok=True)
+
+
+AT_REST = """
+param a = 60 mm
+param alpha = {alpha} deg
+pivot A
+link AB
+AB = 2*a @ -alpha
+pivot C
+link CD
+CD = a @ 0 deg
+contact B on CD normal 90 deg
+CB = 2*a @ 30 deg
+force P at B along -90 deg
+force F at D along 90 deg
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize(("alpha", "k"), [(60, 1 / math.sqrt(3)), (90, None)])
+def test_a_ratio_is_undetermined_where_all_loads_rest_that_move_beside(alpha, k):
+    """Under the upright crank the lever stands still: what cos alpha leaves when it is cancelled
+    holds beside that pose alone, and any P is balanced by the crank."""
+    (found,) = compile_source(Source("rest.mech", AT_REST.format(alpha=alpha))).solution.results
+    assert found.default == (k and pytest.approx(k))
+    assert found.undetermined == (k is None)

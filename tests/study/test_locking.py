@@ -1098,3 +1098,28 @@ def test_nothing_is_said_of_a_stretch_of_rounding_where_pins_meet():
     found = [s for reach in results["k_f"].locking.reaches for s in reach.stretches]
     assert [s.state for s in found] == ["locked"]
     assert found[0].high.x - found[0].low.x > 1e-3
+
+
+def test_a_brake_that_begins_to_grip_at_the_values_given_is_jammed():
+    """A shoe on a lever of 45 degrees: where mu is 1 the force of friction is infinite."""
+    shoe = """
+        param a = 50 mm
+        param mu = 1
+        pivot O
+        pivot C
+        link OG
+        link CTH
+        OG = 100 mm @ 90 deg
+        OT = 100 mm @ 90 deg
+        CT = (a, a)
+        CH = 300 mm @ 0 deg
+        contact T on OG normal 90 deg
+        friction contact T mu
+        torque P on OG
+        force N at H along -y
+        let N = 100 N
+        find P
+    """
+    compilation = Compilation(Source("shoe.mech", shoe))
+    states = {r.name: r.locking.state for r in compilation.results if r.locking}
+    assert states == {"P_f": "free", "P_hold": "jammed"}

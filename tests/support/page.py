@@ -104,6 +104,6 @@ class Page:
 def _on_paper(formula: Formula) -> Formula:
     """Return a formula in which the sign of what is zero but for rounding is zero."""
     parts = tuple(map(_on_paper, children(formula)))
-    if isinstance(formula, Call) and formula.function == "sign":
-        return Call("sense", (*parts, number(1)))
+    if isinstance(formula, Call) and formula.function in ("sign", "sense"):
+        return Call("sense", (parts[0], number(1)))
     return rebuild(formula, parts)

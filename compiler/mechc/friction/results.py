@@ -1,7 +1,7 @@
 """Results with friction: ratios and forms of loads, efficiencies, and forces at joints."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
@@ -56,7 +56,7 @@ def result_of(
         resting_on(problem, ideal, named.formula, (*sums, *named.where)),
         guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
         elsewhere=on_demand(partial(_elsewhere, problem, find, ideal, loaded, named)),
-        case=_case(problem, find, ideal, named.case or _at_any_pose(named, sums, problem)),
+        case=_case(problem, find, ideal, named.case or _at_any_pose(named, sums, problem), sums),
         inside=named.inside,
     )
 
@@ -88,14 +88,31 @@ def _as_it_is(named: Named, sums: Sequence[Definition], problem: Problem) -> Pri
 
 
 def _case(
-    problem: Problem, find: Find, ideal: Result, printed: Printed | None
+    problem: Problem,
+    find: Find,
+    ideal: Result,
+    printed: Printed | None,
+    sums: Sequence[Definition],
 ) -> PrintedCase | None:
+    """Return the case of the default pose, with those of the sums that it rests on."""
     if printed is None:
         return None
-    where = resting_on(problem, ideal, printed.formula, printed.where)
+    used = symbols(printed.formula, *(d.formula for d in printed.where))
+    own = (*_needed(sums, used), *printed.where)
+    where = resting_on(problem, ideal, printed.formula, own)
     holds = (Require(f, o, ZERO, find.span) for f, o in printed.holds)
     guards = tuple(Require(c, ">", ZERO, find.span) for c in printed.positive)
     return PrintedCase(printed.formula, where, tuple(holds), guards)
+
+
+def _needed(sums: Sequence[Definition], used: Iterable[str]) -> list[Definition]:
+    """Return the sums that names rest on, in order."""
+    names, found = set(used), list[Definition]()
+    for one in reversed(sums):
+        if one.name in names:
+            found.append(one)
+            names |= symbols(one.formula)
+    return found[::-1]
 
 
 def resting_on(

@@ -129,9 +129,11 @@ def checked(balance: Balance, numbers: DefaultNumbers, report: Report) -> tuple[
     is_branch = _check_branch(balance, numbers.values, report)
     finds = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
     solved: list[Solved] = []
-    arrows = Arrows(balance, report)
+    arrows, is_at_rest = Arrows(balance, report), _are_at_rest(balance, numbers.values)
     for item in balance.solved:
         size = numbers.of(item.result)
+        if is_at_rest and isinstance(item.result.target, LoadRatio):
+            size = Size(None, undetermined=True)
         if size.number is not None and not is_branch:
             find = finds[item.result.name]
             _remark(item, size.number, numbers.values, find, arrows, report)
@@ -250,6 +252,18 @@ def _check_branch(balance: Balance, values: Mapping[str, float], report: Report)
         if speeds and all(_is_finite(s, values) for s in speeds):
             report.add(messages.loads_stand_still(mechanism.span))
     return rank < len(rows)
+
+
+def _are_at_rest(balance: Balance, values: Mapping[str, float]) -> bool:
+    """Return whether no load does work in the only motion there is, and all of them beside it.
+
+    Joints alone balance any load there, whatever is left where what vanishes is cancelled.
+    """
+    columns = balance.equations.columns.values()
+    powers = [power for column in columns for power in column]
+    return len(powers) == len(columns) > 1 and all(
+        power and _vanishing(power, values, 1) is not None for power in powers
+    )
 
 
 def _unrounded(value: Product, values: Mapping[str, float]) -> float:

@@ -278,9 +278,14 @@ class AgainstFriction(Moving):
         An effort below zero contradicts itself, and nothing is said of it.
         """
         effort = real * self._ratios.sign
-        if effort < 0:
-            return Found(None, math.nan, driven)
-        return Found("jammed" if math.isnan(effort) else "free", effort, driven)
+        if math.isnan(effort) or self._is_endless(x):
+            return Found("jammed", math.nan, driven)
+        return Found("free" if effort >= 0 else None, effort if effort >= 0 else math.nan, driven)
+
+    def _is_endless(self, x: float) -> bool:
+        """Return whether the ratio is infinite but for rounding: a brake begins to grip."""
+        found = self.sweep.beyond_rounding(self._ratios.real, x)
+        return found is not None and math.isinf(found)
 
     def efficiency(self, x: float) -> float:
         """Return 1 as long as something moves: no power is meant to arrive."""
