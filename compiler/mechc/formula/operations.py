@@ -55,8 +55,6 @@ def _counted(formula: Sum | Product | Power | Call | Implicit) -> int:
             return sum(map(_term_operations, terms)) + len(terms) - 1
         case Product():
             return _product_operations(formula)
-        case Power(base, Number(value)) if value == -1:
-            return 1 + count_operations(base)
         case Power(base, exponent):
             return 1 + count_operations(base) + count_operations(exponent) - _negated(exponent)
         case Call(_, arguments):

@@ -146,8 +146,10 @@ def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
 
 def _fits(item: Evaluated, spell: Speller) -> bool:
     """Return whether a formula is shown with its numbers; with names for its parts, if short."""
-    if item.numbers is None or item.formula is None or not spell.parts:
-        return item.numbers is not None
+    if item.numbers is None:
+        return False
+    if item.formula is None or not spell.parts:
+        return True
     is_named = spell.parts.shown(item.formula) != item.formula
     room = LINES * spell.width
     return not is_named or len(spell.relation((item.numbers,), (), item.angle)) <= room
