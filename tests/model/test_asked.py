@@ -10,27 +10,9 @@ from mechc.formula.to_text import text
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.to_yaml import to_yaml
+from small_mechanisms import four_bar
 
-BASE = """
-param a = 40 mm
-param b = 120 mm
-param c = 80 mm
-param d = 100 mm
-param phi = 60 deg
-pivot O1 at (0 mm, 0 mm)
-pivot O2 at (d, 0 mm)
-link O1A
-link AB
-link O2B
-O1A = a @ phi
-AB = b
-O2B = c
-assembly ABO2 cw
-drive phi from 0 deg to 360 deg
-torque M on O1A
-torque T on O2B
-find k = M/T
-"""
+BASE = four_bar("find k = M/T", pivots=("O1", "O2"))
 SIDES = (0.04, 0.12, 0.08, 0.1)
 
 
@@ -239,8 +221,8 @@ def test_directions_add_up_within_a_formula(asked, shown):
     torque M on OA
     torque T on CB
     """
-    four_bar = mechc.loads(f"{loop}let c = {asked}\n")
-    assert text(four_bar.results["c"].formula) == shown
+    found = mechc.loads(f"{loop}let c = {asked}\n")
+    assert text(found.results["c"].formula) == shown
 
 
 LEVER = """\

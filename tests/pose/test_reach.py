@@ -6,32 +6,12 @@ import mpmath
 import pytest
 
 import mechc
+import small_mechanisms
 from mechc.diagnostics.pose import AssemblyRange
 from mechc.formula.evaluate import evaluate
 from mechc.pose.loops import by_groups, choosing
 from mechc.source import Span
 from mechc.units import ANGLE
-
-FOUR_BAR = """
-param a = {a} mm
-param b = {b} mm
-param c = {c} mm
-param d = {d} mm
-param phi = {phi} deg
-pivot O1 at (0 mm, 0 mm)
-pivot O2 at {place}
-link O1A
-link AB
-link O2B
-O1A = a @ {crank}
-AB = b
-O2B = c
-assembly ABO2 cw
-drive phi from {low} deg to {high} deg
-torque M on O1A
-torque T on O2B
-find k = M/T
-"""
 
 SLIDER = """
 param a = 100 mm
@@ -74,8 +54,11 @@ find k = P/M
 
 
 def four_bar(a=80, b=40, c=90, d=110, phi=150, low=0, high=360, place="(d, 0 mm)", crank="phi"):
-    names = {"a": a, "b": b, "c": c, "d": d, "phi": phi, "low": low, "high": high}
-    return FOUR_BAR.format(**names, place=place, crank=crank)
+    sides = {name: f"{side} mm" for name, side in zip("abcd", (a, b, c, d), strict=True)}
+    drive = f"from {low} deg to {high} deg"
+    pose = {"phi": f"{phi} deg", "drive": drive, "pivots": ("O1", "O2")}
+    text = small_mechanisms.four_bar("find k = M/T", **sides, **pose)
+    return text.replace("(d, 0 mm)", place).replace("a @ phi", f"a @ {crank}")
 
 
 def limits(a, b, c, d):

@@ -8,6 +8,7 @@ import mechc
 from mechc.driver import compile_source
 from mechc.formula.rounding import Rounding
 from mechc.source import Source
+from small_mechanisms import four_bar
 
 TAN = """
 param alpha = 60 deg in 10 deg .. 80 deg
@@ -21,27 +22,17 @@ force F at C along y
 find k = P/F
 """
 
-FOUR_BAR = """
-param a = 60 mm
-param b = 80 mm
-param c = 70 mm in 30 mm .. 400 mm
-param d = 100 mm
-param phi = 60 deg in 0 deg .. 360 deg
-pivot O1 at (0 mm, 0 mm)
-pivot O2 at (d, 0 mm)
-link O1A
-link AB
-link O2B
-O1A = a @ phi
-AB = b
-O2B = c
-assembly ABO2 ccw
-drive phi from 10 deg to 90 deg
-torque M on O1A
-torque T on O2B
-find k = M/T
-let cm = cos(phi_AB - phi_O2B)
-"""
+FOUR_BAR = four_bar(
+    "find k = M/T",
+    "let cm = cos(phi_AB - phi_O2B)",
+    a="60 mm",
+    b="80 mm",
+    c="70 mm in 30 mm .. 400 mm",
+    phi="60 deg in 0 deg .. 360 deg",
+    drive="from 10 deg to 90 deg",
+    assembly="ccw",
+    pivots=("O1", "O2"),
+)
 
 
 def finding(text, expect):

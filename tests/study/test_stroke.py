@@ -6,6 +6,7 @@ import re
 import pytest
 
 import mechc
+import small_mechanisms
 from mechc.algebra.product import Product
 from mechc.cli.inputs import source_of
 from mechc.cli.main import main
@@ -45,27 +46,6 @@ find k = P/R
 let gamma = asin(sin(phi + beta))
 """
 
-FOUR_BAR = """
-param a = {a} mm
-param b = {b} mm
-param c = {c} mm
-param d = {d} mm
-param phi = {phi} deg
-pivot O1 at (0 mm, 0 mm)
-pivot O2 at (d, 0 mm)
-link O1A
-link AB
-link O2B
-O1A = a @ phi
-AB = b
-O2B = c
-assembly ABO2 cw
-drive phi from {low} deg to {high} deg
-torque M on O1A
-torque T on O2B
-find k = M/T
-"""
-
 OUTPUT_STILL = DeadCentre(still=Acted("O2B"), moving=Acted("O1A"))
 DRIVE_STILL = DeadCentre(still=Acted("O1A"), moving=Acted("O2B"))
 
@@ -75,7 +55,10 @@ def stroke(text, points=5):
 
 
 def four_bar(a, b, c, d, phi, low=0, high=360):
-    return FOUR_BAR.format(a=a, b=b, c=c, d=d, phi=phi, low=low, high=high)
+    sides = {name: f"{side} mm" for name, side in zip("abcd", (a, b, c, d), strict=True)}
+    drive = f"from {low} deg to {high} deg"
+    pose = {"phi": f"{phi} deg", "drive": drive, "pivots": ("O1", "O2")}
+    return small_mechanisms.four_bar("find k = M/T", **sides, **pose)
 
 
 def test_the_least_k_of_the_claw():

@@ -40,26 +40,28 @@ def four_bar(
     phi: str = "60 deg",
     drive: str = "from 0 deg to 360 deg",
     assembly: str = "cw",
+    pivots: tuple[str, str] = ("O", "C"),
 ) -> str:
     """Return a crank OA, a coupler AB and a rocker CB of the lengths a, b, c; C is at (d, 0)."""
+    first, second = pivots
     return _text(
         f"param a = {a}",
         f"param b = {b}",
         f"param c = {c}",
         f"param d = {d}",
         f"param phi = {phi}",
-        "pivot O at (0 mm, 0 mm)",
-        "pivot C at (d, 0 mm)",
-        "link OA",
+        f"pivot {first} at (0 mm, 0 mm)",
+        f"pivot {second} at (d, 0 mm)",
+        f"link {first}A",
         "link AB",
-        "link CB",
-        "OA = a @ phi",
+        f"link {second}B",
+        f"{first}A = a @ phi",
         "AB = b",
-        "CB = c",
-        f"assembly ABC {assembly}",
+        f"{second}B = c",
+        f"assembly AB{second} {assembly}",
         *([f"drive phi {drive}"] if drive else []),
-        "torque M on OA",
-        "torque T on CB",
+        f"torque M on {first}A",
+        f"torque T on {second}B",
         *lines,
     )
 
