@@ -366,7 +366,7 @@ class PrintedUnits:
 
 EXTENT = re.compile(
     r"(?:the (?:least|greatest) )?\$([^$]*)\$ is (0|\$[^$]*\$(?: \w+)?)[,;]? "
-    r"at ((?:(?:, | and )?\$[^$=]*=[^$]*\$)+)( \w+)?"
+    r"at ((?:(?:, | and )?\$[^$=]*=[^$]*\$)+)( (?!and\b)\w+)?"
 )
 PLACE = re.compile(r"\$([^$=]*)=([^$]*)\$")
 FLAT, STEEP = 1e-3, 2e-2

@@ -262,6 +262,10 @@ class Moving:
         return share if driven else 1 / share
 
 
+HUGE = 1e9
+"""A load in SI beyond which it is looked at whether rounding made it of an infinite one."""
+
+
 class AgainstFriction(Moving):
     """A drive that has friction alone to overcome, as in a brake: without it the ratio is zero.
 
@@ -278,7 +282,7 @@ class AgainstFriction(Moving):
         An effort below zero contradicts itself, and nothing is said of it.
         """
         effort = real * self._ratios.sign
-        if math.isnan(effort) or self._is_endless(x):
+        if math.isnan(effort) or (abs(effort) > HUGE and self._is_endless(x)):
             return Found("jammed", math.nan, driven)
         return Found("free" if effort >= 0 else None, effort if effort >= 0 else math.nan, driven)
 
