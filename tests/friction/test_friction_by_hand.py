@@ -495,6 +495,23 @@ def test_a_given_efficiency_divides_what_drives_and_multiplies_what_follows(sens
     assert evaluate(found.formula, completed({}, found.where)) == pytest.approx(expected)
 
 
+@pytest.mark.parametrize(("phi", "expected"), [(0.7, math.cos(0.7) / 0.8), (2, math.cos(2) * 0.8)])
+def test_a_given_efficiency_changes_sides_with_the_ratio_and_is_printed_for_one(phi, expected):
+    ideal = Result("k", LoadRatio("P", "F"), NUMBER, Call("cos", (Symbol("phi"),)), default=0.76)
+    share = number(Fraction(4, 5))
+    found = Drives(ideal, "tightening", plan(lever())).with_constant("k_f", share)
+    assert evaluate(found.formula, completed({"phi": phi}, found.where)) == pytest.approx(expected)
+    assert found.case is not None
+    assert text(found.case.formula) == "5*cos(phi)/4"
+
+
+@pytest.mark.parametrize("ideal", [number(2), number(0)])
+def test_a_ratio_of_one_sign_or_none_is_printed_as_it_is(ideal):
+    ratio = Result("k", LoadRatio("P", "F"), NUMBER, ideal)
+    found = Drives(ratio, "tightening", plan(lever())).with_constant("k_f", number(Fraction(4, 5)))
+    assert found.case is None
+
+
 def test_what_adds_to_a_multiple_of_the_drive_slips_as_much_more():
     (found,) = scaled([single(ONE, slip=Product(3))], Product(2))
     assert found.slip == Product(6)

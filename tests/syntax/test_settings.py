@@ -53,6 +53,13 @@ def test_messages_point_at_the_setting() -> None:
     assert '"file": "-D"' in render(warning, source, "json")
 
 
+@pytest.mark.parametrize("behind", ["in 1 mm .. 3 mm", "+- 0.1 mm", "sheet"])
+def test_only_a_value_is_set(behind: str) -> None:
+    assert parse("a = 2 mm")[0] == "a"
+    with pytest.raises(MechcError):
+        parse(f"a = 2 mm {behind}")
+
+
 @pytest.mark.parametrize("setting", ["a=", "a=)", "a=1 mm\nforce P at A along x", "a b=1", "=1"])
 def test_what_is_no_value_is_refused(setting: str) -> None:
     with pytest.raises(MechcError):
