@@ -10,6 +10,7 @@ import mechc
 from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
+from mechc.formula.tree import Call, Symbol
 from mechc.frozen import replace
 from mechc.report.sentences.extents import extent_remarks
 from mechc.report.sentences.limits import limits, passed_by
@@ -190,3 +191,18 @@ def test_a_condition_that_is_made_a_sine_is_the_one_of_the_formula():
     text = mechc.load("steering_trapezium").emit("latex")
     assert r"vanishes when $\sin(\psi-\delta+67^\circ)=0$" in text
     assert r"\delta-\psi" not in text
+
+
+def test_each_place_stands_with_the_condition_that_holds_there():
+    found = good_mechanisms.compiled("watt_closed")
+    (k,) = (r for r in found.reported.results if r.extents)
+    spell = speller(found.reported.results, found.mechanism, True, "en")
+    first, second = Call("sin", (Symbol("phi"),)), Call("cos", (Symbol("psi"),))
+    places = (1.0, 2.0, 3.0)
+    vanishes = {1.0: first, 2.0: second, 3.0: first}
+    extent = replace(k.extents[0], zeros=places, least=None, vanishes=vanishes)
+    (line,) = extent_remarks(replace(k, extents=(extent,)), "k", spell.locale, spell)
+    assert "k is 0 at φ = 57.3° and φ = 171.9° (sin φ = 0), φ = 114.6° (cos ψ = 0)" in line
+    unknown = replace(extent, vanishes={1.0: first})
+    (line,) = extent_remarks(replace(k, extents=(unknown,)), "k", spell.locale, spell)
+    assert "k is 0 at φ = 57.3°, φ = 114.6° and φ = 171.9° (found" in line

@@ -10,9 +10,13 @@ from extents import along, curve, refuted
 from grown import Grown, wide, without_drive
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
+from mechc.formula.tree import Symbol
 from mechc.frozen import replace
 from mechc.report.text.derivation import render
 from mechc.source import Source
+from mechc.study.analysis import Vanishing
+from mechc.study.stroke.extent import vanishing
+from mechc.study.stroke.stroke import StrokeInterval
 from mechc.work import Allowance
 from paths import LIBRARY
 
@@ -270,3 +274,33 @@ def test_a_side_of_a_link_is_not_followed_along_its_range():
     assert sized != rigid
     (k,) = Compilation(Source("m.mech", sized)).reported.results
     assert [e.parameter for e in k.extents] == ["s"]
+
+
+class Curves:
+    """Values of factors along a stroke, as functions of the drive."""
+
+    def __init__(self, **curves):
+        self._curves = curves
+
+    def of(self, factor, result, x):
+        return self._curves[factor.name](x)
+
+
+def tied(places, *names, **curves):
+    limits = [Vanishing(Symbol(name), None, "other") for name in names]
+    part = StrokeInterval(0.0, 3.0, "", "")
+    return {x: f.name for x, f in vanishing(places, limits, None, part, Curves(**curves))}
+
+
+def test_a_place_belongs_to_the_only_factor_that_is_zero_there():
+    curves = {"a": lambda x: 5 * (x - 1), "b": lambda x: 1e-4 * (x - 2)}
+    assert tied((1.0, 2.0), "a", "b", **curves) == {1.0: "a", 2.0: "b"}
+
+
+def test_a_place_at_which_two_factors_are_zero_belongs_to_none():
+    curves = {"a": lambda x: x - 1, "b": lambda x: x * x - 1}
+    assert tied((1.0,), "a", "b", **curves) == {}
+
+
+def test_of_one_condition_nothing_is_tied():
+    assert tied((1.0,), "a", a=lambda x: x - 1) == {}

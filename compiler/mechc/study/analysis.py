@@ -113,6 +113,8 @@ class Extent:
     or undetermined somewhere; they are shown in the unit ``scale``. Zeros and poles are
     ``looked`` for, or are not; on the parts ``nil`` the result is zero throughout. One that
     ``is_monotone`` is proved to rise or fall, so that it is least and greatest at the ends.
+    Of each zero, and of each pole, there is the factor that ``vanishes`` there, by its place, where
+    only one of those does under which the result is zero, or infinite.
     """
 
     parameter: str
@@ -126,6 +128,7 @@ class Extent:
     looked: bool
     nil: tuple[Range, ...] = ()
     is_monotone: bool = False
+    vanishes: Mapping[float, Formula] = MappingProxyType({})
 
 
 class Slope(NamedTuple):

@@ -15,6 +15,9 @@ SAME_VALUE = 1e-9
 VANISHED_SUM = 1e-9
 """A sum is zero below this part of its size a radian away."""
 
+SAME_ZERO = 1e-6
+"""A factor is zero at a place where it is smaller, as a part of its largest value on the stroke."""
+
 SAME_TURN = 1e-6
 """Extrema closer than this part of the range are one: of a flat top half the digits are known."""
 

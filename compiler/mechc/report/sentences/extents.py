@@ -1,8 +1,8 @@
 """The extent of a ratio along the stroke or over a range, in sentences."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
-from ...formula.tree import Symbol
+from ...formula.tree import ZERO, Formula, Symbol
 from ...study.analysis import Analysis, Extent, Extreme
 from ...units import behind, size_of
 from ..languages.locale import Locale
@@ -71,8 +71,22 @@ def _singular(
         yield locale.extents["0 throughout"].format(result=symbol, spans=spans)
     for kind, found in (("0", extent.zeros), ("infinite", extent.poles)):
         if 0 < len(found) <= MANY:
-            places = enumeration([_at(x, extent, locale, spell) for x in found], locale)
+            places = _places(found, extent, locale, spell)
             yield locale.extents[kind].format(result=symbol, places=places)
+
+
+def _places(found: Sequence[float], extent: Extent, locale: Locale, spell: Speller) -> str:
+    """Return places, each with the condition that holds there where it is one of several."""
+    if not extent.vanishes.keys() >= {*found}:
+        return enumeration([_at(x, extent, locale, spell) for x in found], locale)
+    groups: dict[Formula, list[str]] = {}
+    for x in found:
+        groups.setdefault(extent.vanishes[x], []).append(_at(x, extent, locale, spell))
+    tied = [
+        f"{enumeration(places, locale)} ({spell.relation((factor, ZERO), ('=',), False)})"
+        for factor, places in groups.items()
+    ]
+    return ", ".join(tied)
 
 
 def _extreme(extent: Extent, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:

@@ -3,12 +3,15 @@
 from collections.abc import Iterator, Sequence
 
 from ...diagnostics import Report
+from ...formula.roots import spaced
+from ...formula.tree import Formula
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, SpeedRatio
 from ...model.values import range_of
 from ...units import ANGLE
-from ..analysis import Analysis, Extent, Extreme, least_and_greatest
+from ..analysis import Analysis, Extent, Extreme, Vanishing, least_and_greatest
 from ..ranges import scale_of
+from ..tolerances import SAME_ZERO
 from .along import Along
 from .from_balance import run
 from .rounded import is_nil
@@ -69,7 +72,43 @@ def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along
         scale=scale_of(result, along.mechanism),
         looked=not is_open,
         nil=tuple((n.low, n.high) for n in nil),
+        vanishes=dict(
+            (
+                *vanishing(zeros, result.zeros, result, part, along),
+                *vanishing(poles, result.poles, result, part, along),
+            )
+        ),
     )
+
+
+SAMPLES = 16
+"""Places on a stroke at which it is looked at how large a factor is."""
+
+
+def vanishing(
+    places: Sequence[float],
+    limits: Sequence[Vanishing],
+    result: Analysis,
+    part: StrokeInterval,
+    along: Along,
+) -> Iterator[tuple[float, Formula]]:
+    """Yield places, each with the factor that is zero there, where it is one of several."""
+    factors = [limit.factor for limit in limits] if len(limits) > 1 else []
+    sizes = [_size(factor, result, part, along) for factor in factors]
+    for x in places:
+        met = [
+            factor
+            for factor, size in zip(factors, sizes, strict=True)
+            if abs(along.of(factor, result, x)) <= SAME_ZERO * size
+        ]
+        if len(met) == 1:
+            yield x, met[0]
+
+
+def _size(factor: Formula, result: Analysis, part: StrokeInterval, along: Along) -> float:
+    """Return the largest value of a factor at places on an interval, NaN where it has none."""
+    grid = spaced(part.low, part.high, SAMPLES)
+    return max(abs(along.of(factor, result, x)) for x in grid)
 
 
 def _is_on(x: float, part: StrokeInterval) -> bool:
