@@ -1,5 +1,6 @@
 """What long functions have in common, in C and in Python: computed once, taken by each."""
 
+import mechc
 from mechc.emit.c import pose as in_c
 from mechc.emit.c.reserved import RESERVED as C_WORDS
 from mechc.emit.names import Names
@@ -49,3 +50,17 @@ def test_python_takes_what_is_common_by_its_name():
     ]
     alone = in_python.taken(None, (SUM,), (U,), ARGUMENTS, Names(PYTHON_WORDS), {})
     assert [(line.name, line.code) for line in alone.body] == [("u", "a + b_")]
+
+
+def test_numbers_of_a_description_have_their_units_in_comments():
+    """Lengths and angles of a drawing, in the SI, in the docstring and in the header."""
+    drawn = mechc.loads(
+        "mechanism drawn\npivot O at (30 mm, 0 mm)\nslider K along y\nlink KA\nlink OAJ\n"
+        "K at (0 mm, 10 mm)\nA at (20 mm, -15 mm)\nJ at (12 mm, 60 mm)\n"
+        "force P at K along -y\nforce F at J along x\nfind k = P/F",
+        "drawn.mech",
+    )
+    for target in ("python", "c"):
+        text = drawn.emit(target)
+        assert "where len_OA = 0.0180277564 m\n" in text
+        assert "where phi_KA = -0.896055385 rad\n" in text

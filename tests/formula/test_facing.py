@@ -118,3 +118,10 @@ def test_a_negative_sum_over_a_negative_sine_is_turned_round():
     page = mechc.load("stephenson_six_bar").emit("latex")
     assert r"\chi-\varphi" not in page
     assert r"\sin(-" not in page
+
+
+def test_a_size_is_that_of_the_positive_sine():
+    """|sin(a − b)| is written the way round in which a person has sines elsewhere."""
+    behind = Call("abs", (Call("sin", (total([Symbol("a"), negative(Symbol("b"))]),)),))
+    assert text(facing(behind, lambda: {"a": 0.1, "b": 0.5})) == "abs(sin(b - a))"
+    assert text(facing(behind, lambda: {"a": 0.5, "b": 0.1})) == "abs(sin(a - b))"

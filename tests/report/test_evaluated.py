@@ -126,7 +126,7 @@ def test_results_with_friction_have_their_numbers_put_in(name):
 
 
 def test_a_ratio_of_some_fifty_operations_has_its_numbers_put_in():
-    assert text(shown("double_butterfly")["k"].numbers).startswith("40*70*sin(")
+    assert text(shown("double_butterfly")["k"].numbers).startswith("-40*70*sin(")
 
 
 def test_a_negative_number_at_the_beginning_of_a_sum_has_no_bracket():
@@ -181,3 +181,25 @@ def test_a_direction_that_mirrors_another_has_no_value_where_nothing_rests_on_it
     assert r"\varphi_{AC}" in position
     assert r"\varphi_{AC}" not in values
     assert r"\varphi_{AB}" in values
+
+
+SINE = Call("sin", (Symbol("phi"),))
+AT = {"a": Quantity(0.05, "mm"), "phi": Quantity(math.radians(-100), "deg")}
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (SINE, "-sin(5*pi/9)"),
+        (product([(Symbol("a"), 1), (SINE, 1)]), "-50 mm*sin(5*pi/9)"),
+        (product([(Symbol("a"), 1), (SINE, -1)]), "-50 mm/sin(5*pi/9)"),
+        (product([(Symbol("a"), 1), (SINE, 2)]), "50 mm*sin(5*pi/9)^2"),
+        (product([(number(-2), 1), (Symbol("a"), 1), (SINE, 1)]), "2*50 mm*sin(5*pi/9)"),
+        (total([Symbol("a"), product([(Symbol("a"), 1), (SINE, 1)])]), "50 mm - 50 mm*sin(5*pi/9)"),
+        (Call("abs", (SINE,)), "abs(sin(5*pi/9))"),
+        (Call("cos", (Symbol("phi"),)), "cos(5*pi/9)"),
+    ],
+)
+def test_a_negative_angle_of_a_sine_is_a_minus_before_the_product(formula, expected):
+    found = put_in(formula, AT)
+    assert text(found) == expected

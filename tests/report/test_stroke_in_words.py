@@ -81,3 +81,10 @@ def test_what_a_ratio_of_speeds_is_throughout_takes_more_than_both_ends():
     out = to_table(loaded("crank_rocker").stroke(2), velocities=True)
     assert "Throughout" not in out
     assert "V_B/omega_O1A [mm]" in out
+
+
+def test_a_place_in_radians_is_said_in_degrees_too():
+    """The table has the unit that the description gives the drive in."""
+    table = to_table(loaded("claw_closed").stroke(2))
+    assert "phi [rad]" in table
+    assert "k has a minimum 1.37277 at phi = 1.38056 rad (79.1001 deg)" in table

@@ -124,7 +124,7 @@ def _range_words(item: Input) -> str:
 def formula_lines(function: Function) -> list[str]:
     """Return the result as a reader writes it: ``k = …`` and the intermediates it mentions."""
     pairs = ((step.name, step.formula) for step in function.where if step.name != function.name)
-    where = (line for group in grouped(pairs) for line in _group_lines(group))
+    where = (line for group in grouped(pairs) for line in _group_lines(group, function.units))
     others = [f"where {', '.join(function.others)} are results, too"] if function.others else []
     first = f"{function.name} = {text(function.formula)}"
     return [first, *where, *others, *_case_lines(function)]
@@ -141,9 +141,10 @@ def _case_lines(function: Function) -> Iterator[str]:
         yield "and elsewhere with the signs of the pose"
 
 
-def _group_lines(group: Definition | Solved) -> list[str]:
+def _group_lines(group: Definition | Solved, units: Mapping[str, str]) -> list[str]:
     if isinstance(group, Definition):
-        return [f"where {group.name} = {_value(group.formula)}"]
+        unit = units.get(group.name, "")
+        return [f"where {group.name} = {_value(group.formula)} {unit}".rstrip()]
     names = ", ".join(group.names)
     return [f"where {names} solve", *(f"    {text(zero)} = 0" for zero in group.zeros)]
 

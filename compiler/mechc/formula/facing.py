@@ -316,6 +316,8 @@ def _faced(formula: Formula, at: Evaluation) -> Formula:
             return _paired(factors, at) or whole
         case Power(base, Number(value) as exponent) if value.denominator == 1 and not value % 2:
             return Power(negative(base), exponent) if has_minus(base) else whole
+        case Call("abs", (inner,)) if turned := _turned(inner, at):
+            return Call("abs", (turned,))
         case _:
             return whole
 

@@ -4,7 +4,7 @@ Values on the way to a result are put in with the units in which they are read.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
@@ -98,10 +98,12 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     match formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
             turn = _within_a_turn(evaluate(angle, values_of(given)))
-            turn = abs(turn) if function == "cos" else turn
-            return Call(function, (in_degrees(turn, DIGITS),))
+            value = Call(function, (in_degrees(abs(turn), DIGITS),))
+            return negative(value) if turn < 0 and function != "cos" else value
         case Call("hypot", sides) if symbols(formula):
             return put_in(power(squares(sides), HALF), given)
+        case Call("abs", (inner,)):
+            return Call("abs", (_without_minus(_argument(inner, given))[1],))
         case Call(function, arguments):
             return Call(function, tuple(_argument(a, given) for a in arguments))
         case Constant() | Power(Number()):
@@ -112,7 +114,7 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
         case Sum(terms):
             return total(_term(term, given) for term in terms)
         case Product(factors) if sum(bool(symbols(f)) for f in factors) > 1:
-            return Product(tuple(_factor(factor, given) for factor in diameters_behind(factors)))
+            return _in_front([_factor(factor, given) for factor in diameters_behind(factors)])
         case Symbol(name) if given[name].unit == "deg":
             return in_degrees(given[name].value, DIGITS)
         case Symbol(name):
@@ -123,10 +125,55 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             is_raised = bool(quantity.unit) and not is_divisor
             bracketed = not is_root and (is_raised or quantity.value < 0)
             return Power(_constant(quantity, bracketed), put_in(exponent, given))
+        case Power(base, exponent):
+            return _power(put_in(base, given), put_in(exponent, given))
         case _:
             parts = children(formula)
             found = tuple(put_in(part, given) for part in parts)
             return rebuild(formula, found) if parts else formula
+
+
+def _in_front(factors: Iterable[Formula]) -> Formula:
+    """Return a product with the minuses of its sines before all of it.
+
+    >>> from ..formula.to_text import text
+    >>> from ..formula.tree import number
+    >>> sine, ten = Call("sin", (degrees(10),)), Constant("10 mm", number(1))
+    >>> text(_in_front([ten, negative(sine), ten])), text(_in_front([number(-1), negative(sine)]))
+    ('-10 mm*sin(pi/18)*10 mm', 'sin(pi/18)')
+    """
+    parts = [_without_minus(factor) for factor in factors]
+    sign = math.prod(sign for sign, _ in parts)
+    plain = [factor for _, factor in parts]
+    if sign < 0:
+        plain = _opposite(plain)
+    return Product(tuple(plain)) if len(plain) > 1 else plain[0]
+
+
+def _opposite(factors: Sequence[Formula]) -> list[Formula]:
+    """Return factors, the first of which is a number with the other sign, if it is no 1."""
+    first, *others = factors
+    if not isinstance(first, Number):
+        return [Number(Fraction(-1)), *factors]
+    return others if first.value == -1 and others else [Number(-first.value), *others]
+
+
+def _without_minus(factor: Formula) -> tuple[int, Formula]:
+    """Return the sign of a sine, or of a power of one, and it without its minus."""
+    match factor:
+        case Product((Number(value), (Call() | Power(Call())) as sine)) if value == -1:
+            return -1, sine
+        case _:
+            return 1, factor
+
+
+def _power(base: Formula, exponent: Formula) -> Formula:
+    """Return a power, the minus of a sine before it, or none where the exponent is even."""
+    sign, sine = _without_minus(base)
+    if sign > 0 or not isinstance(exponent, Number) or exponent.value.denominator != 1:
+        return Power(base, exponent)
+    found = Power(sine, exponent)
+    return negative(found) if exponent.value.numerator % 2 else found
 
 
 def _term(formula: Formula, given: Mapping[str, Quantity]) -> Formula:

@@ -5,14 +5,15 @@ from itertools import starmap
 from typing import TYPE_CHECKING
 
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula, Implicit, Symbol
+from ..formula.tree import Formula, Implicit, Number, Symbol
 from ..formula.walk import symbols
+from ..frozen import replace
 from ..model.dependence import unused
 from ..model.mechanism import Load, Mechanism, Parameter, WithFriction
 from ..model.result import FrictionResult, Result
 from ..model.statements import is_sheet
 from ..pose.pose import ClosedLoop
-from ..units import TORQUE
+from ..units import TORQUE, si_unit
 from . import together
 from .companions import Companions
 from .functions import Asked, asked, checks, functions
@@ -56,7 +57,9 @@ def program(
     coupled = _separate(elsewhere, other, names)
     otherwise = (coupled.get(r.name) for r in needed)
     companions = Companions(scope, tuple(inputs.values()))
-    functions = tuple(starmap(companions.joined, zip(made, otherwise, listed, strict=True)))
+    joined = starmap(companions.joined, zip(made, otherwise, listed, strict=True))
+    units = _units(mechanism)
+    functions = tuple(replace(function, units=_given(function, units)) for function in joined)
     pose = _pose(scope, inputs, loops)
     points = _points(mechanism, motion, inputs, definitions or {}) if motion else None
     tests = checks(scope, inputs, names) if is_sheet(mechanism) else None
@@ -73,6 +76,18 @@ def program(
         checks=tests,
         unchecked=unchecked,
     )
+
+
+def _units(mechanism: Mechanism) -> dict[str, str]:
+    """Return the units of the SI of everything that a description may give by a number."""
+    given = (*mechanism.parameters, *mechanism.literals, *mechanism.loads)
+    return {each.name: si_unit(each.dimension) for each in given}
+
+
+def _given(function: Function, units: Mapping[str, str]) -> dict[str, str]:
+    """Return the units of what the formula of a function rests on and is a number."""
+    numbers = (step.name for step in function.where if isinstance(step.formula, Number))
+    return {name: units[name] for name in numbers if units.get(name)}
 
 
 def _needed(mechanism: Mechanism, results: Sequence[Result]) -> list[Result]:

@@ -6,7 +6,8 @@ only. Parts that occur twice are steps of their own. The number of steps grows
 linearly with the mechanism.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, TypeVar
 
 from ..formula.tree import Formula
@@ -248,7 +249,8 @@ class Function:
     The steps may be those of a ``common`` program, handed out by one function for many, and
     behind them its ``own``; then ``others`` are the results that ``formula`` and ``where``
     mention. Where the value is NaN,
-    the result is that of ``otherwise``, which takes some of the same inputs.
+    the result is that of ``otherwise``, which takes some of the same inputs. ``units`` are those of
+    the SI of what ``where`` has as a number.
     """
 
     name: str
@@ -268,6 +270,7 @@ class Function:
     others: tuple[str, ...] = ()
     otherwise: "Function | None" = None
     status: Status | None = None
+    units: Mapping[str, str] = MappingProxyType({})
 
 
 @frozen

@@ -41,8 +41,8 @@ _TIED = pattern(
     r"\([^()]{,40}\)|(?<=\d) (?=[^\W\d_])|\b(?:sin|cos|tan|cot|tg|ctg)[⁰¹²³⁴-⁹]* (?=[^\s·+−=])"
 )
 _OPERATOR = pattern(r"\\operatorname\{(\w+)\}")
-_UNIT = pattern(r"(?<=\d )(?!in\b)(?:1/)?[A-Za-z][\w^*/·]*")
-"""A unit behind its number; ``in`` is the word of a range, too, and stays as it is."""
+_UNIT = pattern(r"(?<=\d )(?:1/)?[A-Za-z][\w^*/·]*")
+"""A unit behind its number."""
 
 _POINT = pattern(r"(?<=\d)\.(?=\d)")
 

@@ -206,7 +206,8 @@ def _at(x: float, shown: Written, digits: int = FIGURES) -> str:
     """Return the drive and its value; what is nearer to zero than values are found is zero."""
     x = x if abs(x) > NEARLY * abs(shown.stroke.high - shown.stroke.low) else 0.0
     unit = unit_of(shown.stroke.dimension, shown.stroke.unit)
-    return f"{shown.stroke.drive} = {shown.number(in_unit(x, unit, digits))}"
+    turn = f" ({shown.number(in_unit(x, 'deg', digits))})" if unit == "rad" else ""
+    return f"{shown.stroke.drive} = {shown.number(in_unit(x, unit, digits))}{turn}"
 
 
 def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
