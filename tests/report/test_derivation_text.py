@@ -44,6 +44,9 @@ def test_clamp_golden(unicode: bool, golden: Callable[[str, str], None]) -> None
         ("sqrt(a**2 + l_1)", "√(a² + l₁)", "sqrt(a^2 + l_1)"),
         ("a*(b**(-1)) - 3/2", "a/b − 3/2", "a/b - 3/2"),
         ("asin(a/b)", "arcsin(a/b)", "asin(a/b)"),
+        ("f*r", "f · r", "f * r"),
+        ("a*f*R**2", "af · R²", "a*f * R^2"),
+        ("a*f*n", "afn", "a*f*n"),
     ],
 )
 def test_formula_on_one_line(source: str, unicode: str, ascii_: str) -> None:

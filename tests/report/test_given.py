@@ -223,3 +223,17 @@ def test_a_derivation_has_the_angles_that_are_numbers(language, unicode, expecte
     given = " ".join(shown.partition("\n\n")[2].partition("\n\n")[0].split())
     assert all(line in given for line in expected)
     assert "P" not in given  # it acts along an axis
+
+
+def test_a_derivation_gives_what_its_formulas_have_of_a_drawing():
+    """Neither the coordinate of the pivot nor the length of the rod has a part in k."""
+    source = DRAWN.replace("drive OA from 40 deg to 80 deg\n", "")
+    source = source.replace("pivot C at (100 mm, 0 mm)", "slider B along x").replace(
+        "link CB\n", ""
+    )
+    compilation = compile_source(Source("m.mech", source))
+    shown = render(compilation.reported, compilation.mechanism)
+    given = shown.partition("Given")[2].partition("Velocities")[0]
+    assert "OA = " in given
+    assert "φ_AB = " in given
+    assert " AB = " not in given

@@ -119,6 +119,9 @@ def diameters_behind(factors: Iterable[Formula]) -> list[Formula]:
 
 _COEFFICIENTS = ("f", "mu")
 
+SIZES = "dDrR"
+"""Letters of diameters and radii: a coefficient of friction stands apart from them, ``f·r``."""
+
 _VELOCITIES = ("V", "omega")
 
 

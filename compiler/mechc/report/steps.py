@@ -5,12 +5,13 @@ Every relation is a pair of formulas; the words for each rule, in each language,
 belong to whoever prints.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 
 from ..formula.tree import Formula
+from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
-from ..model.mechanism import Require
+from ..model.mechanism import Mechanism, Require
 from ..model.result import Definition
 from ..named import NamedTuple
 from ..study.analysis import Analysis
@@ -158,6 +159,48 @@ class Derivation:
     last_steps: tuple[LastStep, ...] = ()
     ratios: tuple[NamedRatio, ...] = ()
     requires: tuple[Require, ...] = ()
+
+
+def names_met(derivation: Derivation, mechanism: Mechanism) -> frozenset[str]:
+    """Return the names in the formulas of a derivation, those of numbers among them.
+
+    So are those in formulas of the description that these rest on, and in its tables.
+    """
+    sides = (side for condition in _conditions(derivation) for side in condition)
+    formulas = [*_formulas(derivation), *sides]
+    formulas += [cell for table in mechanism.tables for row in table.rows for cell in row]
+    found = _names(formulas)
+    values = {p.name: p.value for p in mechanism.parameters if p.value}
+    values |= {let.name: let.value for let in mechanism.lets}
+    values |= {load.name: load.tie for load in mechanism.loads if load.tie}
+    while more := _names(values.pop(name) for name in found & values.keys()):
+        found |= more
+    return found
+
+
+def _names(formulas: Iterable[Formula]) -> frozenset[str]:
+    listed = tuple(formulas)
+    return symbols(*listed) | {constant.name for constant in constants(listed)}
+
+
+def _formulas(derivation: Derivation) -> Iterator[Formula]:
+    """Yield the formulas of a derivation."""
+    for step in derivation.steps:
+        for equation in (*step.relations, *step.results):
+            yield from equation
+    yield from (side for equation in derivation.balances for side in equation)
+    yield from (d.formula for step in derivation.position for d in step.definitions)
+    for explanation in derivation.explanations:
+        yield from (side for p in explanation.paragraphs for pair in p.equations for side in pair)
+        yield from (d.formula for d in explanation.where)
+    for result in derivation.results:
+        yield result.formula
+        yield from (d.formula for d in result.where)
+
+
+def _conditions(derivation: Derivation) -> Iterator[tuple[Formula, Formula]]:
+    holds = (h for result in derivation.results for h in result.holds)
+    yield from ((each.left, each.right) for each in (*derivation.requires, *holds))
 
 
 def unexplained(derivation: Derivation) -> Derivation:

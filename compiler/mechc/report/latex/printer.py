@@ -20,7 +20,7 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 
-from ...formula.layout import TRIGONOMETRIC, in_degrees
+from ...formula.layout import SIZES, TRIGONOMETRIC, in_degrees
 from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
 from ...named import NamedTuple
@@ -266,7 +266,7 @@ def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
     return (before.open and not (is_function or raised)) or (
         (before.tex[-1].isdigit() and after.tex[0].isdigit())
         or (before.tex == "d" and is_letter)
-        or (before.tex == "f" and after.tex[:1] == "d")
+        or (before.tex == "f" and after.tex[:1] in {*SIZES})
     )
 
 

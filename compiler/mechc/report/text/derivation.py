@@ -56,7 +56,7 @@ def render(
     tables = note.tables(mechanism.tables, spell)
     lines = [
         *_title(mechanism, spell),
-        *given(mechanism, spell),
+        *given(mechanism, derivation, spell),
         *(["", *tables] if tables else []),
         *_conventions(whole, mechanism, spell),
         *_position(whole.position, spell),

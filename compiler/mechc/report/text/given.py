@@ -1,35 +1,47 @@
 """What a description gives, for the terminal: quantities, angles that are numbers, the stroke."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
-from ...formula.tree import Formula
+from ...formula.tree import Constant, Formula
 from ...model.mechanism import Absolute, Arrow, Direction, Force, Mechanism, Slider, Turn
-from ...model.values import own_stroke
+from ...model.values import is_constant, own_stroke
 from ...units import in_unit, si_unit
 from ..definitions import given_loads
+from ..steps import Derivation, names_met
 from . import note
 from .printer import print_name, print_quantity
 from .speller import SHOWN, Speller
 
 
-def given(mechanism: Mechanism, spell: Speller) -> list[str]:
-    """Return the lines of what is given: quantities, lengths, angles and loads that are numbers."""
+def given(mechanism: Mechanism, derivation: Derivation, spell: Speller) -> list[str]:
+    """Return the lines of what is given: quantities, lengths, angles and loads that are numbers.
+
+    Lengths and angles of a drawing are among them as far as formulas have them.
+    """
+    met = names_met(derivation, mechanism)
     free = (p for p in mechanism.parameters if p.value is not None or p.range)
-    quantities = (*free, *mechanism.literals, *given_loads(mechanism))
-    angles = dict.fromkeys(_angles(mechanism, spell))
+    chosen = (p for p in free if p.name in met or not is_constant(p))
+    literals = (p for p in mechanism.literals if p.name in met)
+    quantities = (*chosen, *literals, *given_loads(mechanism))
+    angles = dict.fromkeys(_angles(mechanism, met, spell))
     lines = note.given(quantities, spell, angles)
     said = [line for each in _directions(mechanism, spell) for line in spell.wrapped(each, "  ")]
     heading = [spell.locale.given] if said and not lines else []
     return ["", *heading, *lines, *said, *_stroke(mechanism, spell)] if lines or said else []
 
 
-def _angles(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
-    """Yield the angles of vectors that are numbers, and those between the arms of a link."""
+def _angles(mechanism: Mechanism, met: Collection[str], spell: Speller) -> Iterator[str]:
+    """Yield the angles of vectors that are numbers, and those between the arms of a link.
+
+    That of a vector of which formulas do not have the length is none of them.
+    """
     drawn = {point.span for point in mechanism.drawn}
     for item in mechanism.geometry:
         match item:
+            case Arrow(length=Constant(name)) if name not in met:
+                continue
             case Arrow(tail, head, _, line) if item.span not in drawn and _is_oblique(line):
                 assert isinstance(line, Absolute)
                 yield _angle(f"(x, {spell.point(tail + head)})", line.angle, spell)

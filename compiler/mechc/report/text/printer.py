@@ -17,7 +17,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from ...formula.layout import TRIGONOMETRIC, decimal, letter_of
+from ...formula.layout import SIZES, TRIGONOMETRIC, decimal, letter_of
 from ...formula.names import GREEK, corner_of, split_name, words_in
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
@@ -230,10 +230,11 @@ DIFFERENTIAL = "d"
 def _is_apart(before: Formula, factor: Formula) -> bool:
     """Return whether a dot keeps letters from being one sign, ``d·f``, or stands by habit, ``f·d``.
 
-    The latter is a coefficient of friction by a diameter.
+    The latter is a coefficient of friction by a diameter or a radius.
     """
     name = before.name if isinstance(before, Symbol) else ""
-    return name == DIFFERENTIAL or (name == "f" and letter_of(factor) == "d")
+    size = letter_of(factor.base if isinstance(factor, Power) else factor)
+    return name == DIFFERENTIAL or (name == "f" and size != "" and size in SIZES)
 
 
 def _is_letter(factor: Formula) -> bool:
