@@ -242,6 +242,25 @@ def test_values_at_ends_hold_to_samples():
     assert list(along(compilation)) == []
 
 
+@pytest.mark.parametrize(
+    ("load", "expected"), [("90 deg", [(0.0, 1.0)]), ("0 deg", [])], ids=["zero", "infinite"]
+)
+def test_rounding_at_an_end_is_zero_or_infinite(load, expected):
+    """Of a lever at 90 degrees: 6e-17 and 2e16 were printed for cos 90 deg and its inverse."""
+    lever = f"""
+        param t = 30 deg in 0 deg .. 90 deg
+        pivot O
+        link OAB
+        OA = 100 mm @ t
+        OB = 100 mm @ {load}
+        force P at A along {"y" if load == "0 deg" else "perp OA"}
+        force F at {"B along -y" if load == "0 deg" else "A along -y"}
+        find k = P/F
+    """
+    (k,) = Compilation(Source("lever.mech", lever)).reported.results
+    assert [(e.least.value, e.greatest.value) for e in k.extents] == expected
+
+
 def test_values_at_both_ends_stand_in_one_sentence():
     compilation = Compilation(Source("m.mech", LEANING.format(most="60 deg")))
     said = " ".join(render(compilation.reported, compilation.mechanism).split())

@@ -111,7 +111,9 @@ def _at_ends(solution: Solution, result: Analysis, moving: Collection[str]) -> I
         is_news = name not in moving and name not in (result.proportional or {})
         if trend in ("rises", "falls") and ends is not None and is_news:
             sweep = Sweep(solution.plan, name, {})
-            least, greatest = sorted((Extreme(x, sweep.of(result, x)) for x in ends), key=_value)
+            found = ((x, sweep.beyond_rounding(result, x)) for x in ends)
+            reached = (Extreme(x, math.nan if value is None else value) for x, value in found)
+            least, greatest = sorted(reached, key=_value)
             if math.isfinite(least.value) and math.isfinite(greatest.value):
                 yield Extent(
                     parameter=name,
