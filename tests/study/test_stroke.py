@@ -778,3 +778,30 @@ find M
     (zero,) = Compilation(Source("lever.mech", source)).stroke(9).singular
     assert (zero.result, zero.value) == ("M", "0")
     assert math.isclose(zero.drive, math.pi / 2)
+
+
+WATT = """
+param phi = 10 deg in -20 deg .. 20 deg
+pivot O at (0 mm, 0 mm)
+pivot C at (160 mm, 40 mm)
+link OA
+link APB
+link CB
+OA = 80 mm @ phi
+AB = 40 mm
+CB = 80 mm
+AP = 20 mm @ AB
+assembly ABC cw
+drive phi from -20 deg to 20 deg
+torque M on OA
+force F at P along x
+find k = M/F
+"""
+
+
+def test_a_zero_of_the_fourth_order_is_one_and_where_it_is():
+    """Watt's point runs straight: rounding changed the sign of k at -0.00078 and -0.000012 deg."""
+    stroke = mechc.loads(WATT).stroke()
+    assert [(s.value, s.kind, s.drive) for s in stroke.singular] == [
+        ("0", "perpendicular load", 0.0)
+    ]

@@ -5,7 +5,7 @@ A result is zero all over a part where a loop folds, and what it leads rests.
 
 import math
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
 from ...formula.roots import spaced
@@ -89,6 +89,48 @@ def is_nothing(
     certain = [x for x in grid if _beyond(along.of(result.formula, result, x), x, result, along)]
     usual = _usual(result, along, certain)
     return not usual or max(map(abs, sides.values())) < NEGLIGIBLE * usual
+
+
+def each_zero_once(found: Iterable[Singular], run: Run) -> Iterator[Singular]:
+    """Yield singular poses, the zeros among which rounding alone is left as one.
+
+    A zero of a high order is flat: Watt's point runs straight in the fourth order, and a sign
+    changes by rounding on a thousandth of a degree. Such a zero is at 0, or at the value given,
+    where it may be.
+    """
+    results = {result.name: result for result in (*run.quotients, *run.forms)}
+    kept = list[tuple[str, tuple[float, float]]]()
+    for one in found:
+        if one.value != "0" or one.exact is not None:
+            yield one
+            continue
+        low, high = _flat_part(one.drive, results[one.result], run)
+        if any(name == one.result and a < one.drive < b for name, (a, b) in kept):
+            continue
+        kept.append((one.result, (low, high)))
+        likely = (0.0, run.along.defaults.get(run.drive.name, 0.0))
+        drive = next((x for x in likely if low < x < high), one.drive)
+        yield one._replace(drive=drive)
+
+
+FLAT = 1e-7
+"""The part of a stroke by which a simple zero is left, at the least."""
+
+
+def _flat_part(x: float, result: Result, run: Run) -> tuple[float, float]:
+    """Return the ends of what is nothing but rounding around a zero, the zero itself of most."""
+    along, least = run.along, FLAT * run.range
+
+    def is_flat(at: float) -> bool:
+        return _beyond(along.of(result.formula, result, at), at, result, along) == 0
+
+    def reach(side: int) -> float:
+        step = least
+        while step < run.range and is_flat(x + side * step):
+            step *= 2
+        return x + side * step / 2 if step > least else x
+
+    return reach(-1), reach(1)
 
 
 def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:

@@ -22,7 +22,7 @@ from ..tolerances import (
     STEADY,
 )
 from .along import Along
-from .rounded import is_nil, is_nothing
+from .rounded import each_zero_once, is_nil, is_nothing
 from .run import Run
 from .stroke import Branch, Kind, Singular, StrokeInterval
 
@@ -67,7 +67,7 @@ def singular_along(
         for zero in _zeros_of_load(load, run, stretch)
     ]
     orders = {r.name: partial(order_of, run, r) for r in (*ratios, *run.forms)}
-    return distinguished(found, branches, run.range, orders)
+    return distinguished(each_zero_once(found, run), branches, run.range, orders)
 
 
 def _zeros_of_load(load: Analysis, run: Run, stretch: StrokeInterval) -> Iterator[Singular]:
