@@ -26,12 +26,16 @@ from homogeneous import uneven
 from hunted import Hunted
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
+from mechc.emit.c.real import REALS
 from mechc.emit.latex.to_latex import TARGET as LATEX
+from mechc.emit.registry import targets
 from mechc.emit.target import Options
 from mechc.model.parts.targets import LoadRatio, SpeedRatio, WithFriction
+from mechc.report.text.derivation import render, render_brief
 from mechc.routine.evaluate import status
 from mechc.source import Source
 from mechc.syntax import ast
+from mechc.syntax.vocabulary import LANGUAGES, METHODS
 from mechc.units import UNITS
 from page import Page
 from printed_units import PrintedUnits, displaced
@@ -220,10 +224,38 @@ def bodies(found: Hunted) -> Iterator[str]:
     return free_bodies_shown.refuted(found.compilation)
 
 
+def outputs(found: Hunted) -> Iterator[str]:
+    """All files and what the terminal shows, with options drawn at random: nothing may fail."""
+    made, chance = found.compilation, Random(found.seed)
+    for target in targets().values():
+        with suppress(MechcError):  # what a target cannot say, it refuses
+            target.emit(made, _options(chance))
+    reported = made.by_equilibrium if found.seed % 2 else made.reported
+    shown = chance.choice((render, render_brief))
+    language = chance.choice(LANGUAGES)
+    shown(reported, made.mechanism, unicode=True, numbers=True, language=language, width=80)
+    return iter(())
+
+
+def _options(chance: Random) -> Options:
+    """Return options of reports and of code; both are given to every target."""
+    yes = (False, True)
+    return Options(
+        "hunted",
+        language=chance.choice(LANGUAGES),
+        numbers=chance.choice(yes),
+        brief=chance.choice(yes),
+        pictures=chance.choice(yes),
+        gradient=chance.choice(yes),
+        c_real=chance.choice(sorted(REALS)),
+        by=chance.choice(METHODS),
+    )
+
+
 REFUTERS: dict[str, Callable[[Hunted], Iterator[str]]] = {
     one.__name__.replace("_", " "): one
     for one in (
         free_bodies, limits, left_out, causes, friction, ranges, stroke, branches,
-        motion, lengths, order, names, code, page, sums, bodies,
+        motion, lengths, order, names, code, page, sums, bodies, outputs,
     )
 }  # fmt: skip
