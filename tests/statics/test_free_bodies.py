@@ -442,3 +442,30 @@ def test_a_load_that_is_another_of_no_size_is_checked(friction):
     text = TIED.format(tie="", lets="let G = F")
     checked = mechc.loads(text.replace("friction pins 0.2 diameter 40 mm", friction))
     assert {trial.result for trial in checked._compilation.verdict.trials} >= {"P/F", "P/G"}
+
+
+JACK_BESIDE_A_ROD = """
+param r = 50 mm
+param phi = 60 deg
+param f = 0.1
+pivot O at (0 mm, 0 mm)
+link OA
+link AB
+OA = r @ phi
+AB = 200 mm
+slider B along x through O
+assembly B back
+torque M on OA
+actuator F between A and B
+find k = M/F
+friction pins f diameter 20 mm journal
+"""
+
+
+def test_a_pin_passes_on_a_couple_of_friction_where_it_passes_on_no_force():
+    made = Compilation(Source("jack.mech", JACK_BESIDE_A_ROD))
+    diagram = next(d for d in made.free_bodies if d.motion)
+    assert assert_balance([diagram], made.figure) == len(diagram.bodies)
+    (at_crank,) = (a for a in named(diagram)["OA"].forces if a.kind == "pin")
+    assert math.hypot(*at_crank.force) == 0.0
+    assert abs(at_crank.moment) == pytest.approx(0.1 * 0.01 * 1.0)

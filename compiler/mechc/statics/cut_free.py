@@ -110,21 +110,29 @@ def _slotted(rod: FreeBody, bodies: Iterable[FreeBody]) -> Iterator[FreeBody]:
 
 
 def _rounded(bodies: Sequence[FreeBody]) -> Iterator[FreeBody]:
-    """Yield bodies with zeros where a force is only rounding, relative to the others."""
-    sizes = (math.hypot(*a.force) for body in bodies for a in body.forces if a.force)
-    least = VANISHED * max(sizes, default=0.0)
+    """Yield bodies with zeros where a force is only rounding, relative to the others.
+
+    So are couples of friction at pins, relative to those beside forces that are more than that.
+    """
+    acting = [a for body in bodies for a in body.forces if a.force]
+    least = VANISHED * max((math.hypot(*a.force) for a in acting if a.force), default=0.0)
+    pins = [a for a in acting if a.kind == "pin" and a.force and math.hypot(*a.force) > least]
+    couple = VANISHED * max((abs(a.moment) for a in pins), default=math.inf)
     for body in bodies:
-        yield body._replace(forces=tuple(_clean(acting, least) for acting in body.forces))
+        yield body._replace(forces=tuple(_clean(acting, least, couple) for acting in body.forces))
 
 
-def _clean(acting: Acting, least: float) -> Acting:
-    """Return an action with a rounded zero as 0; at a pin its friction is none then."""
+def _clean(acting: Acting, least: float, couple: float) -> Acting:
+    """Return an action with a rounded zero as 0, and so the couple of a pin beside no force.
+
+    A pin passes on what others rub on it, whether or not it passes on a force.
+    """
     force = acting.force
     if force is None:
         return acting
     force = Plane(*(part if abs(part) > least else 0.0 for part in force))
-    moment = acting.moment if any(force) or acting.kind != "pin" else 0.0
-    return acting._replace(force=force, moment=moment + 0.0)
+    stays = any(force) or acting.kind != "pin" or abs(acting.moment) > couple
+    return acting._replace(force=force, moment=(acting.moment if stays else 0.0) + 0.0)
 
 
 def _held(body: FreeBody, places: Sweep) -> FreeBody:
