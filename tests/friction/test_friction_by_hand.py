@@ -15,7 +15,7 @@ from mechc.formula.tree import Call, Symbol, negative, number, product, total
 from mechc.friction import pairs
 from mechc.friction.closed_form import conditions, readable
 from mechc.friction.coupled import coupled, true_sizes
-from mechc.friction.efficiency import Drives
+from mechc.friction.efficiency import Drives, _has_roots
 from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
 from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever import Bearing, on_lever
@@ -37,7 +37,7 @@ from mechc.model.parts.friction import (
     ThreadFriction,
     WheelFriction,
 )
-from mechc.model.result import Definition, FrictionResult, Result
+from mechc.model.result import Case, Definition, FrictionResult, Result
 from mechc.model.values import completed
 from mechc.power.balance import equations_of
 from mechc.power.loads import terms
@@ -522,3 +522,20 @@ def test_a_sum_over_a_cosine_is_divided_term_by_term():
     phi = at(phi=1)
     whole = cosine(phi) / add([sine(phi), Product.symbol("c") * cosine(phi)])
     assert text(readable(whole)) == "1/(tan(phi) + c)"
+
+
+ROOT = Call("sqrt", (Symbol("a"),))
+
+
+@pytest.mark.parametrize(
+    ("formula", "where", "has_roots"),
+    [
+        (ROOT, (), True),
+        (total([Symbol("a"), negative(ROOT)]), (), True),
+        (Symbol("n"), (Definition("n", ROOT),), True),
+        (Symbol("a"), (Definition("n", ROOT),), False),
+        (Symbol("n"), (Definition("n", Symbol("a")),), False),
+    ],
+)
+def test_a_ratio_is_a_root_where_one_is_in_it_or_in_what_it_rests_on(formula, where, has_roots):
+    assert _has_roots(Case(formula, where, ())) is has_roots
