@@ -1,4 +1,4 @@
-"""What the range of a parameter may be."""
+"""Ranges of parameters: their ends, and the value between them."""
 
 from contextlib import suppress
 
@@ -22,7 +22,7 @@ find k = P/F
 
 
 def said(param: str) -> list[str]:
-    """Return what is said of a lever beside which a parameter is declared."""
+    """Return the messages about a lever beside which a parameter is declared."""
     text = LEVER.format(param=param, name=param.partition(" ")[0])
     compilation = Compilation(Source("lever.mech", text))
     with suppress(MechcError):
