@@ -507,6 +507,31 @@ def test_a_geared_link_follows_the_drive_or_is_remarked(wheels, psi, stays):
     assert remarked(GEARED.format(wheels=wheels, psi=psi, load=force)) == stays
 
 
+OFF_ITS_GUIDE = """
+param phi = 40 deg
+pivot O at (0 mm, 0 mm)
+slider B along x
+link OA
+link AB
+OA = 50 mm @ phi
+AB = 80 mm @ -20 deg
+drive phi from 10 deg to 80 deg
+torque M on OA
+force F at B along -x
+find k = M/F
+"""
+
+
+def test_a_slider_that_would_leave_its_guide_is_given_one_with_a_place():
+    """With the length alone nothing else would say where B is."""
+    compilation = Compilation(Source("a.mech", OFF_ITS_GUIDE))
+    checked(compilation)
+    (hint,) = (d.hint for d in compilation.report.diagnostics if d.code == "W591")
+    assert hint == "give its length alone, and its guide a place: slider B … through …"
+    followed = OFF_ITS_GUIDE.replace("along x", "along x through O").replace("mm @ -20 deg", "mm")
+    assert remarked(followed) == []
+
+
 PLANET = """
 param q = 50 deg
 param b = 150 deg

@@ -152,7 +152,7 @@ def range_not_assembled(span: Span, name: str, low: str, high: str, why: str) ->
 
 
 @coded("W591")
-def direction_stays(span: Span, link: str, drive: str) -> Message:
+def direction_stays(span: Span, link: str, drive: str, guided: str = "") -> Message:
     """A link does not turn along the stroke as the joints make it turn.
 
     A direction that is given as an angle of its own stays where it is while the drive
@@ -165,12 +165,18 @@ def direction_stays(span: Span, link: str, drive: str) -> Message:
         param psi = 40 deg - r/R*phi         # right: QB turns as the gears do
 
     Where rods lead the link, give their lengths and leave its direction out: mechc closes
-    the loop.
+    the loop. The guide of a slider has a place then::
+
+        slider B along x                     # wrong: B would be drawn off its guide
+        AB = b @ -20 deg
+        slider B along x through O           # right
+        AB = b
     """
+    hint = f"leave its direction to a loop, or write it as a formula of {drive}"
+    if guided:
+        hint = f"give its length alone, and its guide a place: slider {guided} … through …"
     return Message(
-        span,
-        f"link {link} does not follow {drive} along the stroke as its joints demand",
-        f"leave its direction to a loop, or write it as a formula of {drive}",
+        span, f"link {link} does not follow {drive} along the stroke as its joints demand", hint
     )
 
 

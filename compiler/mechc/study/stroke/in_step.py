@@ -49,8 +49,15 @@ def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
         if bent:
             report.add(messages.link_bends(link.span, link.name, bent, drive))
         else:
-            report.add(messages.direction_stays(link.span, link.name, drive))
+            guided = _guided_anywhere(link, mechanism)
+            report.add(messages.direction_stays(link.span, link.name, drive, guided))
     return tuple(lagging.link for lagging in found)
+
+
+def _guided_anywhere(link: Link, mechanism: Mechanism) -> str:
+    """Return the point of a link whose guide is a direction without a place, '' for none."""
+    guides = (s for s in mechanism.each(Slider) if not s.through and s.point in link.points)
+    return next((s.point for s in guides), "")
 
 
 def _is_given(link: Link, mechanism: Mechanism) -> bool:
