@@ -237,3 +237,15 @@ def test_a_derivation_gives_what_its_formulas_have_of_a_drawing():
     assert "OA = " in given
     assert "φ_AB = " in given
     assert " AB = " not in given
+
+
+def test_an_angle_in_radians_is_given_in_degrees_too():
+    source = OBLIQUE.replace("@ 47 deg", "@ 0.4 rad").replace("AOC = 33 deg", "AOC = 0.5 rad")
+    compilation = compile_source(Source("m.mech", source))
+    english, ukrainian = (
+        render(compilation.reported, compilation.mechanism, language=language)
+        for language in ("en", "uk")
+    )
+    assert "∠(x, OA) = 0.4 rad (22.9183°)" in english
+    assert "∠AOC = 0.5 rad (28.6479°)" in english
+    assert "∠(x, OA) = 0,4 рад (22,9183°)" in ukrainian

@@ -203,3 +203,13 @@ def test_an_angle_is_no_fraction_before_its_unit() -> None:
         line for line in tex.splitlines() if r"$\varphi_{OA}$ &" in line and "deg" not in line
     )
     assert r"82.875^\circ" in given
+
+
+@pytest.mark.parametrize(("language", "unit"), [("en", "in"), ("uk", "дюйм"), ("ru", "дюйм")])
+def test_inches_are_in_the_letters_of_the_language(language, unit):
+    source = LEVER.replace("param a = 40 mm", "param a = 2 in in 1 in .. 3 in")
+    compilation = compile_source(Source("u.mech", source))
+    shown = render(compilation.reported, compilation.mechanism, language=language)
+    given = next(line for line in shown.splitlines() if line.strip().startswith("a = "))
+    assert given.count(unit) == 3
+    assert given.count(" in") == (3 if language == "en" else 0)

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator
 
 from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
-from ...formula.tree import Constant, Formula
+from ...formula.tree import ZERO, Constant, Formula, Number
 from ...model.mechanism import Absolute, Arrow, Direction, Force, Mechanism, Slider, Turn
 from ...model.values import is_constant, own_stroke
 from ...units import in_unit, si_unit
@@ -45,20 +45,36 @@ def _angles(mechanism: Mechanism, met: Collection[str], spell: Speller) -> Itera
             case Arrow(tail, head, _, line) if item.span not in drawn and _is_oblique(line):
                 assert isinstance(line, Absolute)
                 yield _angle(f"(x, {spell.point(tail + head)})", line.angle, spell)
-            case Turn(first, vertex, second, size) if in_degrees(size) is not None:
+            case Turn(first, vertex, second, size) if _is_number(size):
                 yield _angle(f" {spell.point(first + vertex + second)}", size, spell)
 
 
 def _angle(name: str, size: Formula, spell: Speller) -> str:
     """Return an angle with its size: ``∠(x, AB) = −47°``, ``∠ABC = 100°``."""
     sign, name = ("∠", name.lstrip()) if spell.signs.fancy else ("angle", name)
-    return f"{sign}{name} = {spell.relation((size,), (), True)}"
+    return f"{sign}{name} = {_size(size, spell)}"
+
+
+def _size(angle: Formula, spell: Speller) -> str:
+    """Return an angle that is a number; one in radians in degrees, too."""
+    if not isinstance(angle, Number):
+        return spell.relation((angle,), (), True)
+    value = evaluate(angle, {})
+    turn, degrees = (print_quantity(in_unit(value, u, SHOWN), spell.signs) for u in ("rad", "deg"))
+    return f"{spell.units(turn)} ({spell.units(degrees)})"
+
+
+def _is_number(angle: Formula) -> bool:
+    """Return whether an angle is a number of degrees or of radians."""
+    return in_degrees(angle) is not None or isinstance(angle, Number)
 
 
 def _is_oblique(line: Direction | None) -> bool:
     """Return whether a direction is a number that is none of an axis."""
-    size = in_degrees(line.angle) if isinstance(line, Absolute) else None
-    return size is not None and bool(size % 90)
+    if not isinstance(line, Absolute) or not _is_number(line.angle):
+        return False
+    size = in_degrees(line.angle)
+    return line.angle != ZERO if size is None else bool(size % 90)
 
 
 def _directions(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
@@ -77,7 +93,7 @@ def _directions(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
 
 def _spoken(line: Direction, spell: Speller) -> str:
     assert isinstance(line, Absolute)
-    angle = spell.relation((line.angle,), (), True)
+    angle = _size(line.angle, spell)
     return spell.locale.directions["absolute"].format(angle=angle).replace("$", "")
 
 
