@@ -53,7 +53,9 @@ def stuck(ratios: Ratios, stroke: Stroke, name: str, places: np.ndarray) -> Iter
     ends += [s.drive for s in stroke.singular]
     near = NEAR * (stroke.high - stroke.low)
     k, _ = ratios.along(stroke.drive, places)
-    for x, code in zip(places[k != 0], ratios.states({stroke.drive: places[k != 0]}), strict=True):
+    moving = places[k != 0]
+    states = np.broadcast_to(ratios.states({stroke.drive: moving}), moving.shape)
+    for x, code in zip(moving, states, strict=True):
         if int(code) not in STATES or any(abs(x - end) < near for end in ends):
             continue
         said = next((s.state for s in parts if s.low <= x <= s.high), "free")
