@@ -28,7 +28,7 @@ from mechc.model.parts.targets import WithFriction
 from refuters import REFUTERS
 
 SECONDS = 120
-"""What a mechanism may take, with all that is looked at."""
+"""What a mechanism may take of a processor, with all that is looked at, however busy that is."""
 
 FRESH = 10
 """Mechanisms after which a worker begins anew: formulas that are kept take memory."""
@@ -135,13 +135,13 @@ def no_longer_than(seconds: float) -> Iterator[None]:
     def stop(*_: object) -> None:
         raise OutOfTime
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    before = signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
 
 
 def summary(outcomes: Sequence[Outcome]) -> Iterator[str]:
@@ -162,6 +162,14 @@ def _counted(title: str, names: Iterable[str]) -> str:
     return f"{title}: {', '.join(numbers) or 'none'}"
 
 
+def _some_of(known: Iterable[str], names: str) -> list[str]:
+    """Return the names between commas, all of which are known."""
+    found = names.split(",")
+    if unknown := [name for name in found if name not in known]:
+        raise argparse.ArgumentTypeError(f"{unknown[0]!r}; there are {', '.join(known)}")
+    return found
+
+
 def main() -> int:
     """Hunt as the command line says; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
@@ -169,16 +177,17 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=len(KINDS), metavar="N")
     parser.add_argument("--workers", type=int, default=1, metavar="N")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="for each mechanism")
-    parser.add_argument("--kinds", default=",".join(KINDS), help="some of them, commas between")
-    parser.add_argument("--looks", default=",".join(REFUTERS), help="some of them, likewise")
+    for name, known in (("--kinds", KINDS), ("--looks", REFUTERS)):
+        parser.add_argument(
+            name, type=partial(_some_of, known), default=[*known], help="some of them, with commas"
+        )
     asked = parser.parse_args()
     os.environ["MECHC_CACHE"] = ""
     signal.signal(signal.SIGINT, signal.default_int_handler)  # one in the background ignores it
     seeds = range(asked.first, asked.first + asked.count)
-    chosen = asked.kinds.split(",")
-    kinds = [chosen[seed % len(chosen)] for seed in seeds]
+    kinds = [asked.kinds[seed % len(asked.kinds)] for seed in seeds]
     seen: list[Outcome] = []
-    look = partial(_of_pair, seconds=asked.seconds, looks=asked.looks.split(","))
+    look = partial(_of_pair, seconds=asked.seconds, looks=asked.looks)
     with suppress(KeyboardInterrupt), Pool(asked.workers, maxtasksperchild=FRESH) as workers:
         for one in workers.imap(look, zip(kinds, seeds, strict=True)):
             if one is not None:
