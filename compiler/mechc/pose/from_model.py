@@ -142,9 +142,8 @@ def _pose(read: _Read, closed: Closed) -> Pose:
     held = tuple(contacts(mechanism, directions, vectors, named.of))
     laid_out = frames(mechanism, vectors, missing, report)
     slides = lines.slides(mechanism, named)
-    requires = (*mechanism.requires, *senses(vectors, mechanism))
     return Pose(
-        mechanism=replace(mechanism, requires=requires) if vectors.ahead else mechanism,
+        mechanism=_with_senses(mechanism, vectors),
         frames=laid_out,
         guides=guides,
         lines=of_loads,
@@ -164,6 +163,13 @@ def _pose(read: _Read, closed: Closed) -> Pose:
         solved=closed.solved,
         falls=lines.falls(mechanism, named),
     )
+
+
+def _with_senses(mechanism: Mechanism, vectors: Vectors) -> Mechanism:
+    """Return a mechanism that has what keeps lengths positive that its ranges alone keep so."""
+    if not vectors.ahead:
+        return mechanism
+    return replace(mechanism, requires=(*mechanism.requires, *senses(vectors, mechanism)))
 
 
 def _thrusts(read: _Read, axis: Angle | None) -> Mapping[str, Angle]:
