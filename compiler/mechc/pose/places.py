@@ -81,7 +81,7 @@ Sweep = Mapping[str, Place]
 def placed(edges: Iterable[KnownVector]) -> dict[str, Place]:
     """Put every point in its place, part by part, along the first way that leads there.
 
-    >>> edges = Edge("O", "A", Plane(1.0, 0.0)), Edge("B", "A", Plane(0.0, 2.0))
+    >>> edges = [KnownVector("O", "A", Plane(1, 0)), KnownVector("B", "A", Plane(0, 2))]
     >>> placed(edges)["B"]
     Place(start='O', at=Plane(x=1.0, y=-2.0))
     """

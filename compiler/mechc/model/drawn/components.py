@@ -61,7 +61,7 @@ class DrawnLengths:
     def of(self, x: Fraction, y: Fraction) -> Fraction:
         """Return the length of a vector: exact where it is rational, else a decimal of it.
 
-        >>> lengths = Lengths()
+        >>> lengths = DrawnLengths()
         >>> lengths.of(Fraction(3), Fraction(4))
         Fraction(5, 1)
         >>> once, thrice = (lengths.of(Fraction(n, 10), Fraction(n, 10)) for n in (7, 21))
