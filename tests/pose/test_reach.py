@@ -7,9 +7,8 @@ import pytest
 
 import mechc
 import small_mechanisms
-from mechc.diagnostics.pose import AssemblyRange
+from mechc.diagnostics.pose import AssemblyRange, cannot_assemble
 from mechc.formula.evaluate import evaluate
-from mechc.pose.loops import by_groups, choosing
 from mechc.source import Span
 from mechc.units import ANGLE
 
@@ -72,14 +71,12 @@ def refused(monkeypatch):
 
     def run(text):
         seen = []
-        for module in (choosing, by_groups):
-            words = module.messages.cannot_assemble
 
-            def spy(at, loop, drive, stretches, *more, words=words):
-                seen.extend(stretches)
-                return words(at, loop, drive, stretches, *more)
+        def spy(at, loop, drive, stretches, *more, words=cannot_assemble):
+            seen.extend(stretches)
+            return words(at, loop, drive, stretches, *more)
 
-            monkeypatch.setattr(module.messages, "cannot_assemble", spy)
+        monkeypatch.setattr("mechc.diagnostics.pose.cannot_assemble", spy)
         with pytest.raises(mechc.MechcError) as caught:
             mechc.loads(text, "test.mech")
         (stated,) = [d for d in caught.value.diagnostics if d.code == "E309"]
@@ -260,6 +257,6 @@ def test_a_group_of_class_three_that_closes_nowhere(refused):
 
 def test_a_loop_that_closes_at_one_value_alone_is_said_to_be_held():
     stretch = AssemblyRange(math.radians(44.907), math.radians(44.907) + 1e-12, ANGLE)
-    stated = choosing.messages.cannot_assemble(Span(0, 1), "O-A-B", "phi", [stretch])
+    stated = cannot_assemble(Span(0, 1), "O-A-B", "phi", [stretch])
     assert stated.message.endswith("it closes for phi at 44.907 deg alone")
     assert stated.hint == "phi cannot move the loop: leave a length or an angle of it open"
