@@ -140,6 +140,27 @@ def toggle(**more):
     return build(points, ["OBA", "BK"], "O", guides, loads, {"P": 180, "F": 90}, **more), k
 
 
+LEVER_WITH_A_LOAD_BY_ANOTHER = """
+pivot O at (0 mm, 0 mm)
+link OAB
+A at (300 mm, 40 mm)
+B at (300 mm, 200 mm)
+force P at B along -x
+force F at A along -y
+force G at A along -x
+let G = 0.5*F
+find P
+find R_O
+"""
+
+
+def test_reactions_are_asked_for_under_each_load_alone_also_where_one_has_the_size_of_another():
+    verdict = Compilation(Source("m.mech", LEVER_WITH_A_LOAD_BY_ANOTHER)).verdict
+    asked = {trial.result for trial in verdict.trials}
+    assert verdict.agrees
+    assert {"P/F", "P/G", "R_O_x/F", "R_O_x/G", "R_O_y/F"} <= asked
+
+
 def test_both_halves_of_a_mirror_share_a_load():
     pose, k = toggle()
     assert ratio(pose) == pytest.approx(k, rel=1e-13)

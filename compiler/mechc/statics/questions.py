@@ -74,8 +74,7 @@ def _coefficients(
 ) -> Iterator[Question]:
     """Yield the question for a load under each other one alone: none has any other size here."""
     coefficients = result.coefficients or {}
-    loads = {load.name for load in mechanism.loads}
-    where = tuple(d for d in result.where if d.name not in loads)
+    where = _without_sizes(result.where, mechanism)
     known = given | coefficients.keys()
     for other, formula in coefficients.items():
         ask = partial(load_coefficient, load=load, other=other, known=known)
@@ -93,7 +92,14 @@ def _forces(result: Result, target: ForceAtJoint, mechanism: Mechanism) -> Itera
         ask = partial(
             joint_forces.joint_force, target=target, given=load, known=coefficients.keys()
         )
-        yield Question(f"{result.name}/{load}", formula, result.where, ask)
+        where = _without_sizes(result.where, mechanism)
+        yield Question(f"{result.name}/{load}", formula, where, ask)
+
+
+def _without_sizes(where: Iterable[Definition], mechanism: Mechanism) -> tuple[Definition, ...]:
+    """Return definitions without those of loads, each of which is 1 here, or 0."""
+    loads = {load.name for load in mechanism.loads}
+    return tuple(d for d in where if d.name not in loads)
 
 
 def _with_friction(result: Result, target: WithFriction, mechanism: Mechanism) -> Question:
