@@ -239,6 +239,33 @@ def test_a_derivation_gives_what_its_formulas_have_of_a_drawing():
     assert " AB = " not in given
 
 
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "φ_OA is the direction of the vector OA, counter-clockwise from x."),
+        ("uk", "φ_OA — кут від осі x до вектора OA проти годинникової стрілки."),
+        ("ru", "φ_OA — угол от оси x до вектора OA против часовой стрелки."),
+    ],
+)
+def test_a_direction_that_a_derivation_does_not_have_is_not_introduced(language, sentence):
+    """Of the rod KA nothing is said: the couple turns the lever by itself."""
+    source = """
+        pivot O at (0 mm, 0 mm)
+        slider K along y
+        link KA
+        link OA
+        K at (0 mm, 10 mm)
+        A at (20 mm, -15 mm)
+        torque P on OA
+        force F at A along 30 deg
+        find k = P/F
+    """
+    compilation = compile_source(Source("m.mech", source))
+    shown = render(compilation.reported, compilation.mechanism, language=language)
+    assert sentence in " ".join(shown.split())
+    assert "φ_KA" not in shown
+
+
 def test_an_angle_in_radians_is_given_in_degrees_too():
     source = OBLIQUE.replace("@ 47 deg", "@ 0.4 rad").replace("AOC = 33 deg", "AOC = 0.5 rad")
     compilation = compile_source(Source("m.mech", source))

@@ -47,15 +47,16 @@ def test_of_forces_along_velocities_that_act_once_nothing_is_said():
         (
             "en",
             "In the power of a force the velocity of its point counts by its projection on the "
-            "force: V_A · cos α for P.",
+            "line of action: V_A · cos α for P.",
         ),
         (
             "uk",
-            "Потужність сили визначає проєкція швидкості точки на напрям сили: V_A · cos α для P.",
+            "Потужність сили визначає проєкція швидкості точки на лінію дії сили: "
+            "V_A · cos α для P.",
         ),
         (
             "ru",
-            "Мощность силы определяется проекцией скорости точки на направление силы: "
+            "Мощность силы определяется проекцией скорости точки на линию действия силы: "
             "V_A · cos α для P.",
         ),
     ],
@@ -72,7 +73,23 @@ def test_a_projection_has_no_minus():
     speed = negative(product([(Symbol("V_A"), 1), (Call("cos", (Symbol("alpha"),)), 1)]))
     terms = tuple(replace(t, speed=speed) if t.load == "P" else t for t in derivation.terms)
     found = power_remarks(replace(derivation, terms=terms), mechanism, locale("en"), spell)
-    assert found.endswith("force: V_A · cos α for P.")
+    assert found.endswith("line of action: V_A · cos α for P.")
+
+
+def test_a_projection_is_written_as_in_the_equation():
+    """In the equation the sine is turned round: V_A · sin(φ_OA − 30°) stood above it."""
+    drawn = Compilation(
+        Source(
+            "m.mech",
+            "pivot O at (0 mm, 0 mm)\nlink OA\nA at (20 mm, -15 mm)\n"
+            "torque P on OA\nforce F at A along 30 deg\nfind k = P/F",
+        )
+    )
+    spell = speller(drawn.results, drawn.mechanism, True)
+    found = power_remarks(drawn.derivation, drawn.mechanism, locale("en"), spell)
+    (balance,) = drawn.derivation.balances
+    assert "F · V_A · sin(30° − φ_OA)" in spell.relation((balance.left,), (), False)
+    assert found.endswith("line of action: V_A · sin(30° − φ_OA) for F.")
 
 
 MIRROR = "mirror across y sharing O"

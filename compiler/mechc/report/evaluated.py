@@ -1,7 +1,7 @@
 """The values of a report's formulas at the default pose, with the numbers put in."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 
 from ..formula.evaluate import evaluate
@@ -162,14 +162,17 @@ def has_atan2(whole: Outline) -> bool:
     return any(is_call(part, "atan2") for part in found)
 
 
-def named_directions(whole: Outline, mechanism: Mechanism) -> list[str]:
+def named_directions(
+    whole: Outline, mechanism: Mechanism, met: Collection[str] | None = None
+) -> list[str]:
     """Return the names of directions of vectors that a report has, such as ``phi_AB``, in order.
 
-    They are those of mechc; what the description calls so is what its text says.
+    They are those of mechc; what the description calls so is what its text says. Of those of a
+    drawing the report has all, or those that are ``met`` in its formulas.
     """
     found = [d.name for d in _definitions(whole)]
     drawn = [p.name for p in mechanism.parameters if is_constant(p)]
-    found += drawn
+    found += (name for name in drawn if met is None or name in met)
     own = own_names(mechanism) - {*drawn}
     return [n for n in dict.fromkeys(found) if direction_of(n) and n not in own]
 

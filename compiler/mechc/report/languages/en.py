@@ -233,7 +233,7 @@ LOCALE = Locale(
     "zero in every possible motion.",
     powers={
         "projections": "In the power of a force the velocity of its point counts by its "
-        "projection on the force: {speeds}.",
+        "projection on the line of action: {speeds}.",
         "projection": "{speed} for {load}",
         "halves": "The factor {number} of {loads}: such a load acts in both mirrored halves.",
         "parts": "The factor {number} of {loads}: such a load acts in each of the "

@@ -1,11 +1,12 @@
 """What is said of the power equation: its factors, and the projections of velocities in it."""
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
 from ...algebra.angle import Rational
 from ...algebra.from_formula import to_product
 from ...formula.layout import has_minus
-from ...formula.tree import Formula, Symbol, is_call, negative, number
+from ...formula.tree import Formula, Product, Sum, Symbol, is_call, negative, number, product
 from ...formula.walk import walk
 from ...model.mechanism import Force, Mechanism
 from ..languages.locale import Locale
@@ -22,21 +23,27 @@ def power_remarks(
     if count > 1:
         return locale.several.format(count=count)
     terms = derivation.terms if count else ()
+    powers = [power for balance in derivation.balances for power in _addends(balance.left)]
     said = (
         *_factors(terms, mechanism, locale, spell),
-        *_projections(terms, mechanism, locale, spell),
+        *_projections(terms, powers, mechanism, locale, spell),
     )
     return " ".join(said)
 
 
 def _projections(
-    terms: Sequence[PowerTerm], mechanism: Mechanism, locale: Locale, spell: Speller
+    terms: Sequence[PowerTerm],
+    powers: Sequence[Formula],
+    mechanism: Mechanism,
+    locale: Locale,
+    spell: Speller,
 ) -> Iterator[str]:
-    """Yield which projections of velocities forces work along, where these are not across."""
+    """Yield which projections of velocities forces work along, as the equation has them."""
     forces = {load.name for load in mechanism.loads if isinstance(load, Force)}
     found = [
         locale.powers["projection"].format(
-            speed=_spelled(_size(term.speed), spell), load=_spelled(Symbol(term.load), spell)
+            speed=_spelled(_size(_written(term, powers)), spell),
+            load=_spelled(Symbol(term.load), spell),
         )
         for term in terms
         if term.load in forces and _is_projected(term.speed)
@@ -47,6 +54,21 @@ def _projections(
 
 def _is_projected(speed: Formula) -> bool:
     return any(is_call(part, "sin", "cos") for part in walk(speed))
+
+
+def _addends(formula: Formula) -> tuple[Formula, ...]:
+    return formula.terms if isinstance(formula, Sum) else (formula,)
+
+
+def _written(term: PowerTerm, powers: Sequence[Formula]) -> Formula:
+    """Return the speed along a load as the power equation has it: its sines may be turned there."""
+    load = Symbol(term.load)
+    own = (power.factors for power in powers if isinstance(power, Product))
+    factors = next((found for found in own if load in found), None)
+    if factors is None:
+        return term.speed
+    once = number(Fraction(1) / Fraction(to_product(term.times).coefficient))
+    return product([(once, 1), *((factor, 1) for factor in factors if factor != load)])
 
 
 def _size(speed: Formula) -> Formula:

@@ -1,6 +1,6 @@
 """The derivation for the terminal: numbered steps, the rule in words, what it gives."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Sized
 from itertools import chain
 
 from ...formula.layout import is_angle
@@ -26,7 +26,7 @@ from ..sentences.wording import (
     position_sentences,
     sentences,
 )
-from ..steps import Derivation, LastStep
+from ..steps import Derivation, LastStep, names_met
 from . import note
 from .given import given
 from .speller import DEEP, LINES, WIDTH, Speller, speller
@@ -54,11 +54,12 @@ def render(
     whole = outline(derivation, mechanism, stated_above(mechanism))
     spell = spell.naming(_formulas(whole, derivation), _names(derivation, mechanism))
     tables = note.tables(mechanism.tables, spell)
+    met = names_met(derivation, mechanism)
     lines = [
         *_title(mechanism, spell),
-        *given(mechanism, derivation, spell),
+        *given(mechanism, met, spell),
         *(["", *tables] if tables else []),
-        *_conventions(whole, mechanism, spell),
+        *_conventions(whole, mechanism, met, spell),
         *_position(whole.position, spell),
     ]
     lines += [*_velocities(derivation, spell), *_power(derivation, mechanism, spell)]
@@ -160,10 +161,12 @@ def _title(mechanism: Mechanism, spell: Speller) -> list[str]:
     return [line for text in said for line in spell.wrapped(spell.text(text), "")]
 
 
-def _conventions(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+def _conventions(
+    whole: Outline, mechanism: Mechanism, met: Collection[str], spell: Speller
+) -> Iterator[str]:
     if hides_units(whole, mechanism):
         yield from spell.wrapped(spell.locale.plain_numbers, "  ")
-    if named := directions_named(named_directions(whole, mechanism), spell.locale, spell):
+    if named := directions_named(named_directions(whole, mechanism, met), spell.locale, spell):
         yield from spell.wrapped(named, "  ")
     if has_atan2(whole):
         yield from spell.wrapped(direction_function(spell.locale, spell), "  ")

@@ -9,18 +9,16 @@ from ...model.mechanism import Absolute, Arrow, Direction, Force, Mechanism, Sli
 from ...model.values import is_constant, own_stroke
 from ...units import in_unit, si_unit
 from ..definitions import given_loads
-from ..steps import Derivation, names_met
 from . import note
 from .printer import print_name, print_quantity
 from .speller import SHOWN, Speller
 
 
-def given(mechanism: Mechanism, derivation: Derivation, spell: Speller) -> list[str]:
+def given(mechanism: Mechanism, met: Collection[str], spell: Speller) -> list[str]:
     """Return the lines of what is given: quantities, lengths, angles and loads that are numbers.
 
-    Lengths and angles of a drawing are among them as far as formulas have them.
+    Lengths and angles of a drawing are among them as far as they are ``met`` in formulas.
     """
-    met = names_met(derivation, mechanism)
     free = (p for p in mechanism.parameters if p.value is not None or p.range)
     chosen = (p for p in free if p.name in met or not is_constant(p))
     literals = (p for p in mechanism.literals if p.name in met)
