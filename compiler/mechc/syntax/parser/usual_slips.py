@@ -42,6 +42,8 @@ LINKED = "a link is named by its points, written together: OA"
 
 STATED = {
     ("TORQUE", "at"): "a couple acts on a link: torque M on OA",
+    ("FORCE", "="): "the size of a load stands behind its name: force T = 0.2*N at A along x",
+    ("TORQUE", "="): "the size of a load stands behind its name: torque T = 0.2*M on OA",
     ("FORCE", "on"): "a force acts at a point: force F at A along x",
     ("SLIDER", "at"): "a guide has a direction, slider K along 90 deg, and its point a place in a "
     "line of its own: K at (0 mm, 80 mm)",
