@@ -3,14 +3,12 @@
 import math
 import re
 
-from hypothesis import given
+from hypothesis import example, given
 
 from formula_strategies import VALUES, formulas
 from latex_reader import read
 from mechc.formula.evaluate import evaluate
-from mechc.formula.tree import (
-    Formula,
-)
+from mechc.formula.tree import Formula, Symbol, degrees, number, power, quotient
 from mechc.report.latex.notation import notation
 from mechc.report.latex.printer import latex
 from mechc.report.text.printer import print_formula
@@ -29,6 +27,8 @@ def test_latex_reads_back_as_the_same_value(given_formula: Formula) -> None:
     same(given_formula, read(latex(given_formula, notation("en"))))
 
 
+@example(power(degrees(3), number(-1)))
+@example(quotient(Symbol("a"), degrees(3)))
 @given(formulas)
 def test_text_reads_back_as_the_same_value(given_formula: Formula) -> None:
     shown = re.sub(r"([0-9.]+(?:/[0-9]+)?) deg", r"deg(\1)", print_formula(given_formula, ASCII))

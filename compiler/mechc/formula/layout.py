@@ -264,19 +264,22 @@ LONGEST = 12
 def decimal(value: Fraction) -> str | None:
     """Return a decimal that is exact in six digits behind the point, else None.
 
-    A fraction longer than anybody reads is rounded to twelve digits.
+    One by tens is exact in twelve, and a fraction longer than anybody reads is rounded to twelve.
 
     >>> decimal(Fraction(45, 2)), decimal(Fraction(10)), decimal(Fraction(1, 3))
     ('22.5', '10', None)
     >>> decimal(Fraction(243549291, 250000000))
     '0.974197164'
+    >>> decimal(Fraction(1567, 2000000)), decimal(Fraction(1, 128))
+    ('0.0007835', None)
     """
     if is_long(value):
         return f"{float(value):.12g}"
-    if 10**6 % value.denominator:
+    places = 6 if value.denominator % 10 else 12
+    if 10**places % value.denominator:
         return None
-    digits = str(value.numerator * (10**6 // value.denominator)).lstrip("-").rjust(7, "0")
-    whole, decimals = digits[:-6], digits[-6:].rstrip("0")
+    size = str(abs(value.numerator) * (10**places // value.denominator)).rjust(places + 1, "0")
+    whole, decimals = size[:-places], size[-places:].rstrip("0")
     return f"{'-' if value < 0 else ''}{whole}{'.' if decimals else ''}{decimals}"
 
 

@@ -256,8 +256,8 @@ class Typesetter(Look[Piece]):
         """Return the factors above and below a line, or side by side when nothing is below."""
         if not below:
             return self.row_of(above, Around.FACTOR, angle)
-        alone = Around.SUM if self.built else Around.FACTOR
-        top, bottom = self.row_of(above, alone, angle), self.row_of(below, alone, angle)
+        top = self.row_of(above, Around.SUM if self.built else Around.FACTOR, angle)
+        bottom = self.row_of(below, Around.SUM if self.built else Around.BASE, angle)
         return self.over(top, bottom, len(below) > 1)
 
     def _led(self, factors: Row, angle: bool) -> Piece:
