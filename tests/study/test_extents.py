@@ -270,6 +270,21 @@ def test_values_at_both_ends_stand_in_one_sentence():
     )
 
 
+def test_where_there_is_no_rest_nothing_is_said_of_its_values():
+    lever = """
+        param t = 30 deg in 0 deg .. 60 deg
+        pivot O
+        link OA
+        OA = 100 mm @ t
+        force P at A along perp OA
+        force F at A along -y
+        find k = P/F
+    """
+    compilation = Compilation(Source("lever.mech", lever))
+    said = " ".join(render(compilation.reported, compilation.mechanism).split())
+    assert "- k is 1 at t = 0° and 0.5 at t = 60°." in said
+
+
 def test_a_telescope_without_a_drive_is_followed_along_its_range():
     """The boom is in line with the load's path at s = √(c² + r²): there k is zero."""
     text = (LIBRARY / "oscillating_cylinder.mech").read_text()

@@ -346,6 +346,7 @@ LOCALE = Locale(
         "0": "{result} is 0 at {places}",
         "infinite": "{result} is infinite at {places}",
         "ends": "With the rest at the values given, {result} is {pairs}.",
+        "ends alone": "{result} is {pairs}.",
         "pair": "{low} at {first} and {high} at {last}",
         "neither": "{result} is neither 0 nor infinite",
         "least": "the least {result} is {value}, at {place}",

@@ -360,6 +360,7 @@ LOCALE = Locale(
         "0": "{result} обращается в нуль при {places}",
         "infinite": "{result} стремится к бесконечности при {places}",
         "ends": "При приведённых значениях остальных величин {result} равно {pairs}.",
+        "ends alone": "{result} равно {pairs}.",
         "pair": "{low} при {first} и {high} при {last}",
         "neither": "{result} не обращается в нуль и не стремится к бесконечности",
         "least": "наименьшее значение {result} равно {value} при {place}",

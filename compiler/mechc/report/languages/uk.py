@@ -360,6 +360,7 @@ LOCALE = Locale(
         "0": "{result} дорівнює нулю при {places}",
         "infinite": "{result} прямує до нескінченності при {places}",
         "ends": "За наведених значень решти величин {result} дорівнює {pairs}.",
+        "ends alone": "{result} дорівнює {pairs}.",
         "pair": "{low} при {first} і {high} при {last}",
         "neither": "{result} не дорівнює нулю і не прямує до нескінченності",
         "least": "найменше значення {result} дорівнює {value} при {place}",

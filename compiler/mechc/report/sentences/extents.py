@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...formula.tree import ZERO, Formula, Symbol
 from ...study.analysis import Analysis, Extent, Extreme
 from ...units import behind, size_of
+from ..dimensions import names_in
 from ..languages.locale import Locale
 from .limits import states_both
 from .locking import rounded_value, span
@@ -45,7 +46,15 @@ def _ends(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iter
         if extent.is_monotone
     ]
     if pairs:
-        yield locale.extents["ends"].format(result=symbol, pairs="; ".join(pairs))
+        ends = locale.extents["ends alone" if _rests_on_one(result) else "ends"]
+        yield ends.format(result=symbol, pairs="; ".join(pairs))
+
+
+def _rests_on_one(result: Analysis) -> bool:
+    """Return whether a result rests on one name alone, so that there is no rest at its values."""
+    formulas = (result.formula, *(d.formula for d in result.where))
+    names = frozenset[str]().union(*map(names_in, formulas))
+    return len(names - {d.name for d in result.where}) == 1
 
 
 def _at_ends(extent: Extent, locale: Locale, spell: Speller) -> Mapping[str, str]:
