@@ -33,7 +33,7 @@ def _in(dice: Random, ends: str) -> str:
 
 
 def _load(dice: Random, point: str) -> list[str]:
-    """Return the loads and what is asked for; the load may be spread, a weight or a spring."""
+    """Return a load at a point, the couple that drives, and what is asked for."""
     driving = ["torque M on OA", "find k = M/F"]
     return [f"force F at {point} along {dice.choice(AXES)}", *driving]
 
@@ -75,7 +75,7 @@ def _geared_slider(dice: Random) -> list[str]:
         f"OA = a @ phi\nQB = a @ {dice.choice(('180 deg - phi', '-phi', '90 deg - phi'))}",
         f"BC = {dice.choice(('a', 'b', '2*a'))}",
         f"slider C along {dice.choice('xy')} through {dice.choice('OQ')}",
-        f"gear O {dice.choice(('r, Q r', 'r, Q r'))}",
+        "gear O r, Q r",
         f"assembly C {dice.choice(('forward', 'back'))}",
         *_friction(dice, "friction gear O 0.03", "friction slider C 0.1"),
         *_load(dice, "C"),

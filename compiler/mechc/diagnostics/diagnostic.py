@@ -155,8 +155,8 @@ class Report:
         if all((known.code, known.span) != at for known in self.diagnostics):
             self.add(diagnostic)
 
-    def taken(self, code: str, span: Span) -> Diagnostic | None:
-        """Return the diagnostic of a code at a place, for one to stand instead; None for none."""
+    def withdraw(self, code: str, span: Span) -> Diagnostic | None:
+        """Take back the diagnostic of a code at a place and return it; None where there is none."""
         found = next((d for d in self.diagnostics if (d.code, d.span) == (code, span)), None)
         if found:
             self.diagnostics.remove(found)

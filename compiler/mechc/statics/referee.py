@@ -220,7 +220,7 @@ def _nothing_checked(pose: Pose, report: Report) -> Diagnostic:
     """
     if broken := broken_at_default(pose):
         why = "no pose was found that meets the conditions of use"
-        if noted := report.taken("W221", broken.span):
+        if noted := report.withdraw("W221", broken.span):
             why = f"{why}; {noted.message}"
         return messages.not_checked(broken.span, "what is asked for", why)
     return messages.not_checked(pose.mechanism.span, "what is asked for", "no pose was found")

@@ -155,7 +155,7 @@ ToleranceDoubt = Literal["value", "range", "angle"]
 _TOLERANCES: dict[ToleranceDoubt, str] = {
     "value": "as large as its value: it may come to zero",
     "range": "wider than its range",
-    "angle": "ten degrees or more, as a range is",
+    "angle": "ten degrees or more, expected less",
 }
 
 

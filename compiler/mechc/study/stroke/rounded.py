@@ -92,7 +92,7 @@ def is_nothing(
 
 
 def each_zero_once(found: Iterable[Singular], run: Run) -> Iterator[Singular]:
-    """Yield singular poses, the zeros among which rounding alone is left as one.
+    """Yield singular poses; zeros between which nothing but rounding is left are one.
 
     A zero of a high order is flat: Watt's point runs straight in the fourth order, and a sign
     changes by rounding on a thousandth of a degree. Such a zero is at 0, or at the value given,
@@ -118,7 +118,10 @@ FLAT = 1e-7
 
 
 def _flat_part(x: float, result: Result, run: Run) -> tuple[float, float]:
-    """Return the ends of what is nothing but rounding around a zero, the zero itself of most."""
+    """Return the ends of the part around a zero on which values are nothing but rounding.
+
+    Of most zeros there is no such part: both ends are the zero.
+    """
     along, least = run.along, FLAT * run.range
 
     def is_flat(at: float) -> bool:
