@@ -10,7 +10,18 @@ from mechc.formula.facing import ahead, condition, facing, factors_as_in
 from mechc.formula.layout import has_minus, in_degrees
 from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
-from mechc.formula.tree import Call, Sum, Symbol, degrees, negative, number, product, total
+from mechc.formula.tree import (
+    Call,
+    Sum,
+    Symbol,
+    degrees,
+    negative,
+    number,
+    power,
+    product,
+    quotient,
+    total,
+)
 
 NAMES = ("a", "b", "c")
 TURNS = {23: -90, -40: 90}
@@ -125,3 +136,14 @@ def test_a_size_is_that_of_the_positive_sine():
     behind = Call("abs", (Call("sin", (total([Symbol("a"), negative(Symbol("b"))]),)),))
     assert text(facing(behind, lambda: {"a": 0.1, "b": 0.5})) == "abs(sin(b - a))"
     assert text(facing(behind, lambda: {"a": 0.5, "b": 0.1})) == "abs(sin(a - b))"
+
+
+@pytest.mark.parametrize("at", [{"a": 0.1, "b": 0.5}, {"a": 0.5, "b": 0.1}])
+def test_a_size_stands_as_the_sines_beside_it(at):
+    """A root that has sin(a − b) twice was divided by |sin(b − a)|."""
+    sine = Call("sin", (total([Symbol("a"), negative(Symbol("b"))]),))
+    root = Call("sqrt", (total([Symbol("c"), power(sine, number(3)), power(sine, number(2))]),))
+    opposite = Call("sin", (total([Symbol("b"), negative(Symbol("a"))]),))
+    for one in (sine, opposite):
+        shown = text(facing(quotient(root, Call("abs", (one,))), lambda: at))
+        assert len({side for side in ("sin(a - b)", "sin(b - a)") if side in shown}) == 1

@@ -6,7 +6,7 @@ delta − psi + 23° is made of its sine.
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from .evaluate import Evaluation
 from .layout import has_minus, in_degrees
@@ -19,6 +19,7 @@ from .tree import (
     Product,
     Sum,
     degrees,
+    is_call,
     negative,
     number,
     product,
@@ -87,7 +88,29 @@ def _positive(formula: Formula, values: Values) -> Formula:
         return formula
     at = Evaluation(values())
     behind = any(_is_behind(d, at) for d in differences)
-    return _without_minus(_faced(formula, at) if behind else formula)
+    return _sizes_as_beside(_without_minus(_faced(formula, at) if behind else formula))
+
+
+def _sizes_as_beside(formula: Formula) -> Formula:
+    """Return a formula whose |sin(a − b)| have the way round in which sines beside them stand."""
+    beside = [found for node in _outside_sizes(formula) if (found := _difference(node))]
+    known = {frozenset(difference.terms): difference for difference in beside}
+
+    def turned(whole: Formula) -> Formula | None:
+        match whole:
+            case Call("abs", (inner,)) if found := _turned_as(inner, known):
+                return Call("abs", (without_sign(found),))
+        return None
+
+    return rewritten(formula, turned) if known else formula
+
+
+def _outside_sizes(formula: Formula) -> Iterator[Formula]:
+    """Yield the parts of a formula, and it, that stand in no absolute value."""
+    if not is_call(formula, "abs"):
+        yield formula
+        for part in children(formula):
+            yield from _outside_sizes(part)
 
 
 def _without_minus(formula: Formula) -> Formula:
