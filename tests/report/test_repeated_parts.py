@@ -28,6 +28,14 @@ def test_a_sum_is_named_where_it_stands_twice_and_never_as_a_whole():
     assert [text(side) for side in parts.sides((LONG, number(0)))] == ["Z_1", "0"]
 
 
+def test_sums_are_numbered_in_the_order_in_which_a_page_has_them():
+    """The longer one was the first, wherever it stands."""
+    longer = total([LONG, product([(B, 1), (C, 1), (D, 1)])])
+    page = [quotient(A, LONG), quotient(LONG, longer), quotient(longer, LONG)]
+    parts = Repeated(page[1:] * 2, MadeNames(), lambda part: True, page)
+    assert [text(parts.shown(one)) for one in page] == ["a/Z_1", "Z_1/Z_2", "Z_2/Z_1"]
+
+
 def test_the_opposite_of_a_sum_has_its_name_with_a_minus():
     opposite = total(product([(number(-1), 1), (term, 1)]) for term in LONG.terms)
     parts = Repeated([quotient(A, LONG), quotient(B, LONG)], MadeNames(), lambda part: True)

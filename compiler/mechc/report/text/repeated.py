@@ -36,15 +36,25 @@ class Repeated:
     """The names of the long sums that stand inside of several formulas of a page."""
 
     def __init__(
-        self, formulas: Iterable[Formula], made: MadeNames, is_long: Callable[[Formula], bool]
+        self,
+        formulas: Iterable[Formula],
+        made: MadeNames,
+        is_long: Callable[[Formula], bool],
+        page: Iterable[Formula] = (),
     ) -> None:
-        """Take the ``formulas`` of the page, and which sums of them it is worth naming."""
-        self._made = made
+        """Take ``formulas`` of a page, and which sums of them it is worth naming.
+
+        They are named in the order in which the whole of the ``page`` has them.
+        """
+        self._made = MadeNames()
         self._stated: set[str] = set()
         left = list(formulas)
         while found := _largest(left, is_long):
-            made.of_sum(found)
+            self._made.of_sum(found)
             left = [*map(self.shown, left), self._inside(found)]
+        for part in _as_met(self.sums, page):
+            made.of_sum(part)
+        self._made = made
 
     @property
     def sums(self) -> NamedSums:
@@ -83,6 +93,14 @@ class Repeated:
         if isinstance(formula, Power) and has_minus(parts[0]) and formula.exponent == MINUS:
             return negative(Power(negative(parts[0]), formula.exponent))
         return rebuild(formula, parts) if parts != children(formula) else formula
+
+
+def _as_met(sums: Iterable[Formula], formulas: Iterable[Formula]) -> list[Formula]:
+    """Return sums in the order in which formulas have them first."""
+    places: dict[Formula, int] = {}
+    for place, part in enumerate(part for formula in formulas for part in _inner_sums(formula)):
+        places.setdefault(part, place)
+    return sorted(sums, key=lambda part: places.get(part, len(places)))
 
 
 def _largest(formulas: Iterable[Formula], is_long: Callable[[Formula], bool]) -> Formula | None:

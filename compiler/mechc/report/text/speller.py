@@ -157,8 +157,9 @@ class Speller(NamedTuple):
 
     def naming(self, formulas: Iterable[Formula], made: MadeNames) -> "Speller":
         """Return the speller of a page, which has names for what its formulas have repeatedly."""
-        many = (f for f in formulas if self._width(f) > LINES * WIDTH)
-        repeated = Repeated(many, made, self._is_long)
+        page = tuple(formulas)
+        many = (f for f in page if self._width(f) > LINES * WIDTH)
+        repeated = Repeated(many, made, self._is_long, page)
         return self._replace(parts=repeated) if repeated.sums else self
 
     def _is_long(self, part: Formula) -> bool:
