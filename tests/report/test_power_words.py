@@ -5,7 +5,7 @@ import pytest
 from mechc.driver import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
-from mechc.formula.tree import Call, Symbol, negative, number, product
+from mechc.formula.tree import number
 from mechc.frozen import replace
 from mechc.report.languages.registry import locale
 from mechc.report.sentences.powers import power_remarks
@@ -67,13 +67,13 @@ def test_the_cosine_is_of_the_angle_between_a_force_and_a_velocity(language, sen
 
 def test_a_projection_has_no_minus():
     """That is in the equation: the load works against the motion."""
-    compilation = lever("y")
-    derivation, mechanism = compilation.derivation, compilation.mechanism
-    spell = speller(compilation.results, mechanism, True)
-    speed = negative(product([(Symbol("V_A"), 1), (Call("cos", (Symbol("alpha"),)), 1)]))
-    terms = tuple(replace(t, speed=speed) if t.load == "P" else t for t in derivation.terms)
-    found = power_remarks(replace(derivation, terms=terms), mechanism, locale("en"), spell)
-    assert found.endswith("line of action: V_A · cos α for P.")
+    source = LEVER.replace("F at B along y", "F at B along alpha + 40 deg")
+    against = Compilation(Source("m.mech", source.format(way="-y", times="", whole="")))
+    spell = speller(against.results, against.mechanism, True)
+    (balance,) = against.derivation.balances
+    assert "− F · V_B · sin(α + 40°)" in spell.relation((balance.left,), (), False)
+    found = power_remarks(against.derivation, against.mechanism, locale("en"), spell)
+    assert found.endswith("line of action: V_A · cos α for P and V_B · sin(α + 40°) for F.")
 
 
 def test_a_projection_is_written_as_in_the_equation():
