@@ -8,6 +8,7 @@ from itertools import zip_longest
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from ..formula.facing import led
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Implicit, Symbol, System
 from ..formula.walk import constants, symbols
@@ -145,11 +146,18 @@ class Shown:
     ) -> list[Definition]:
         """Return the definitions that formulas rest on and that are new, and note them."""
         needed = self._needed(formulas, where)
-        new = [d for d in needed if self._known.get(d.name) != d.formula]
+        new = [d for d in needed if not self._is_known(d)]
         systems = {d.formula.system for d in new if isinstance(d.formula, Implicit)}
         fresh = [d for d in needed if d in new or _system(d) in systems]
         self._known |= dict(fresh)
         return fresh
+
+    def _is_known(self, definition: Definition) -> bool:
+        """Return whether a name stands for a formula already, which may lead by another term."""
+        known, formula = self._known.get(definition.name), definition.formula
+        return known == formula or (
+            known is not None and not isinstance(formula, Implicit) and known == led(formula)
+        )
 
     def said_once(
         self, results: Iterable[Analysis], positive: Collection[str]
