@@ -276,3 +276,9 @@ def test_an_angle_in_radians_is_given_in_degrees_too():
     assert "∠(x, OA) = 0.4 rad (22.9183°)" in english
     assert "∠AOC = 0.5 rad (28.6479°)" in english
     assert "∠(x, OA) = 0,4 рад (22,9183°)" in ukrainian
+
+
+def test_an_angle_of_a_drawing_is_given_once():
+    text = mechc.loads(DRAWN.replace("drive OA from 40 deg to 80 deg\n", "")).emit("latex")
+    (row,) = (line for line in text.splitlines() if line.startswith(r"$\varphi_{OA}$"))
+    assert row.count(r"^\circ") == 1

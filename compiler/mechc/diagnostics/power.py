@@ -235,8 +235,14 @@ def drive_is_back_driven(at: Span, result: str, drive: str, is_force: bool) -> M
 
 
 @coded("W503")
-def result_zero(at: Span, result: str) -> Message:
-    """A result is zero at the default pose: the output stands still, or the load is across."""
+def result_zero(at: Span, result: str, idle: str = "") -> Message:
+    """A result is zero at the default pose: the output stands still, or the load is across.
+
+    That of a load which does no work in any motion is zero in every pose.
+    """
+    if idle:
+        hint = f"if that was not meant, check the point and the direction of {idle}"
+        return Message(at, f"{result} is zero in every pose: {idle} does no work", hint)
     hint = "if that was not meant, check points and directions of the loads, or move the pose"
     return Message(at, f"{result} is zero at the default pose", hint)
 

@@ -67,10 +67,13 @@ def widened(low: float, high: float, most: int, degrees: bool = False) -> tuple[
 
     >>> widened(0.03, 0.19, 5), widened(2, 2, 5)
     ((0.0, 0.2), (1.8, 2.2))
+    >>> widened(0.0, 7e-64, 5)
+    (0.0, 8e-64)
     """
     if high - low <= ONE_VALUE * max(abs(low), abs(high)):
         beside = abs(high) / 10 or 1.0
         return low - beside, high + beside
     step = scale(low, high, most, degrees).step
     ends = math.floor(low / step + WHOLE) * step, math.ceil(high / step - WHOLE) * step
-    return round(ends[0], 12), round(ends[1], 12)
+    digits = 12 - min(0, math.floor(math.log10(step)))
+    return round(ends[0], digits), round(ends[1], digits)

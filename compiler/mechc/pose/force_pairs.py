@@ -46,13 +46,15 @@ def thrust_line(thrust: ForcePair, pairing: Pairing) -> Angle:
         return Angle()
     if _lacks_length(thrust, vector, pairing):
         return Angle()
-    if len(vector) == 1:
-        return _along(thrust, vector[0], pairing)
-    if pairing.vectors.is_open(vector):
+    if len(vector) > 1 and pairing.vectors.is_open(vector):
         pairs = f"{thrust.first}{thrust.second}"
         pairing.report.add(messages.no_direction_of_its_own(thrust.span, pairs))
         return Angle()
-    return pairing.vectors.straighten(thrust.first, thrust.second)
+    if len(vector) > 1:
+        pairing.vectors.straighten(thrust.first, thrust.second)
+        vector = pairing.vectors.path(thrust.first, thrust.second) or vector
+    (arm,) = vector
+    return _along(thrust, arm, pairing)
 
 
 def _lacks_length(thrust: ForcePair, vector: Vector, pairing: Pairing) -> bool:

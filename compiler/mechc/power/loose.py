@@ -145,12 +145,14 @@ def warn_of_idle_loads(balance: Balance, results: Sequence[Result], report: Repo
     for result in results:
         shown += [result.formula, *(d.formula for d in result.where)]
     seen = {name for formula in shown for name in symbols(formula)}
-    seen |= {load for result in results for load in _overcome(result)}
+    overcome = {load for result in results for load in _overcome(result)}
     spans = {load.name: load.span for load in mechanism.loads}
+    held = held_drives(mechanism)
     for name in balance.equations.idle_loads:
-        if name not in seen:
+        if name in seen - overcome and not held:
+            _warn_of_zero_ratios(name, mechanism, report)
+        elif name not in seen | overcome:
             rest = next(at_rest(k, mechanism) for k in mechanism.loads if k.name == name)
-            held = held_drives(mechanism)
             report.add(messages.load_does_no_work(spans[name], name, held, rest))
 
 
@@ -159,3 +161,10 @@ def _overcome(result: Result) -> Iterator[str]:
     match result.target:
         case WithFriction(of=LoadRatio(below=load)) if result.default:
             yield load
+
+
+def _warn_of_zero_ratios(load: str, mechanism: Mechanism, report: Report) -> None:
+    """Warn of each ratio to a load that does no work, and is asked for by reactions alone."""
+    for find in mechanism.finds:
+        if isinstance(find.target, LoadRatio) and find.target.below == load:
+            report.add(messages.result_zero(find.span, find.name, load))

@@ -60,11 +60,13 @@ class Known(NamedTuple):
 def following(mechanism: Mechanism, shown: Set[Formula]) -> Mapping[str, Formula]:
     """Return the values of parameters that follow from given ones, those that are shown left out.
 
-    What moves with the drive has none.
+    What moves with the drive has none, and an angle of a drawing is a value itself.
     """
     given = {n: v for n, v in defaults(mechanism).items() if n != mechanism.drive_name}
     values = complete(mechanism, given)
-    wanted = (n for n in dependent(mechanism) if n in values and Symbol(n) not in shown)
+    constants = {p.name for p in mechanism.parameters if is_constant(p)}
+    follow = (n for n in dependent(mechanism) if n not in constants)
+    wanted = (n for n in follow if n in values and Symbol(n) not in shown)
     return {n: number(Fraction(f"{values[n]:.{FIGURES}g}")) for n in wanted}
 
 
