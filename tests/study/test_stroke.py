@@ -291,6 +291,51 @@ find k = P/F
     assert dead.exact is not None
 
 
+ROUND_AND_ROUND = """
+param a = 100 mm
+param phi = 30 deg
+pivot O
+link OA
+OA = a @ phi
+drive phi from 0 deg to 350 deg
+torque M on OA
+force F at A along perp OA
+let F = 1 N
+find M, R_O
+"""
+
+
+def test_a_direction_that_goes_on_at_the_other_end_of_its_values_has_no_extremum_there():
+    stroke = mechc.loads(ROUND_AND_ROUND).stroke(36)
+    assert [one for one in stroke.extrema if one.result == "R_O_direction"] == []
+
+
+CROSSED_FLAT = """
+param a = 60 mm
+param b = 100 mm
+param phi = 120 deg
+drive phi from 80 deg to 180 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (0 mm, -b)
+link OA
+link AB
+link QB
+OA = a @ phi
+AB = b
+QB = a
+assembly ABQ cw
+force F at B along y
+torque M on OA
+find k = M/F
+"""
+
+
+def test_where_two_factors_vanish_at_once_nothing_is_said_to_stand_still():
+    stroke = mechc.loads(CROSSED_FLAT).stroke(9)  # B moves along x where all lies flat
+    (zero,) = (pose for pose in stroke.singular if pose.value == "0")
+    assert (math.degrees(zero.drive), zero.kind) == (pytest.approx(90), "other")
+
+
 def test_a_load_across_its_velocity_is_no_dead_centre():
     text = """
 param a = 1 m

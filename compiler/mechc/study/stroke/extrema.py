@@ -6,7 +6,7 @@ from itertools import product
 from typing import Literal
 
 from ...formula.roots import lowest, roots
-from ...model.mechanism import LoadRatio, SpeedRatio
+from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT
 from .along import Along
@@ -95,19 +95,29 @@ def _own_poles(run: Run, result: Analysis, stretch: StrokeInterval) -> list[floa
 def extrema(
     result: Analysis, drive: str, along: Along, grid: Sequence[float]
 ) -> Iterator[Extremum]:
-    """Yield the extrema between values that lie close together."""
+    """Yield the extrema between values that lie close together.
+
+    A direction that passes half a turn goes on at the other end of its values.
+    """
     values = [*map(along.function(result.formula, result), grid)]
     least = CONSTANT * _usual(values)
     for i in range(1, len(grid) - 1):
         before, here, after = values[i - 1 : i + 2]
         turns = before > here <= after or before < here >= after
-        if turns and max(abs(before - here), abs(after - here)) > least:
+        change = max(abs(before - here), abs(after - here))
+        if turns and change > least and not (is_direction(result) and change > math.pi):
             sense = 1 if here <= after else -1
             near = _turning(result, drive, along, sense, (grid[i - 1], grid[i + 1]))
             value = along.of(result.formula, result, near)
             if not sense * value <= sense * here:
                 near, value = grid[i], here
             yield Extremum(result.name, KINDS[sense], near, value)
+
+
+def is_direction(result: Analysis) -> bool:
+    """Return whether a result is the direction of a force."""
+    target = result.target.of if isinstance(result.target, WithFriction) else result.target
+    return isinstance(target, Reaction) and target.part == "direction"
 
 
 def turns_between(

@@ -99,7 +99,10 @@ def singular_poses(
         for root in roots_at(result, vanishing, along, stretch, grid):
             exact = _exact(vanishing, drive, along, root)
             known.append(root.x)
-            yield Singular(result.name, value, vanishing.cause, *root, exact)
+            cause = (
+                "other" if _is_met(vanishing, result, along, stretch, root.x) else vanishing.cause
+            )
+            yield Singular(result.name, value, cause, *root, exact)
     size = along.function(result.formula, result)
     for root in _other_zeros(size, grid, known):
         yield Singular(result.name, "0", "other", *root, None)
@@ -111,6 +114,14 @@ def singular_poses(
         higher = max(abs(jump.before), abs(jump.after))
         if not is_nothing({jump.x: higher}, result, along, places):
             yield _jumping(result.name, jump, along, grid[-1] - grid[0])
+
+
+def _is_met(
+    vanishing: Vanishing, result: Analysis, along: Along, stretch: StrokeInterval, x: float
+) -> bool:
+    """Return whether another factor vanishes at the same value: what stands still is open there."""
+    others = (along.function(other, result) for other in vanishing.but)
+    return any(order_at(other, x, stretch.high - stretch.low) == "0" for other in others)
 
 
 def _other_zeros(size: Function, grid: Sequence[float], known: Sequence[float]) -> Iterator[Root]:
