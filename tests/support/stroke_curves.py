@@ -17,6 +17,9 @@ from mechc.routine.steps import Function, Pose
 from mechc.study.stroke.run import SAMPLES
 from mechc.study.stroke.stroke import Stroke
 
+SAME_FIGURES = 1e-6
+"""A turn by a smaller part of a value shows in none of the six figures that are printed."""
+
 PLACES = 2001
 
 NIL = 1e-14
@@ -147,7 +150,8 @@ def extrema(seen: Curve) -> Iterator[str]:
         five, place = seen.k[i - 2 : i + 3], seen.places[i]
         steps = np.sign(np.diff(five))
         turns = abs(steps.sum()) == 0 and steps[0] == steps[1] == -steps[2] == -steps[3] != 0
-        if not turns or abs(five[2] - five[0]) < 1e-9 * seen.size:
+        least = max(1e-9 * seen.size, SAME_FIGURES * abs(five[2]))
+        if not turns or abs(five[2] - five[0]) < least:
             continue
         if seen.is_near(place, seen.poles, 3.0) or seen.is_near(place, seen.branches, 4.0):
             continue
