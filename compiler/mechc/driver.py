@@ -18,7 +18,7 @@ from .stage import Stage, within
 from .syntax import ast
 from .syntax.settings import Setting, Settings, parse
 from .units import in_unit, si_unit
-from .work import Allowance
+from .work import LIMIT, Allowance
 
 if TYPE_CHECKING:
     from .drawing.drawing import Drawing
@@ -45,6 +45,9 @@ VIEWS: Mapping[str, str] = {
 
 OF_WHAT_IS_FOUND = ("derivation", "routine")
 """The stages that no message comes from."""
+
+OF_A_ROW = LIMIT // 100
+"""Steps that each row of a stroke may take: with friction in all joints it takes some thousands."""
 
 EXACT = 15
 """Digits of a value that is handed on to a used mechanism."""
@@ -225,7 +228,7 @@ class Compilation(Pipeline):
         from .study.stroke.from_balance import run
 
         motion = self.motion
-        with within(Allowance(), self.report):
+        with within(Allowance(LIMIT + points * OF_A_ROW), self.report):
             return run(self.solution, self.results, points, self.report, motion, paths, watch)
 
     def along(self, formulas: Settings) -> "Compilation":

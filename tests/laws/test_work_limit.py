@@ -32,6 +32,19 @@ find k = P/F
 """
 
 
+DRIVEN = """
+param a = 100 mm
+param phi = 30 deg
+pivot O
+link OA
+OA = a @ phi
+drive phi from 20 deg to 80 deg
+torque M on OA
+force F at A along -x
+find k = M/F
+"""
+
+
 def test_work_is_counted_inside_of_the_allowance_only():
     spend(10**12)
     with at_most(Allowance(10)):
@@ -110,6 +123,16 @@ def test_what_is_made_for_what_is_emitted_is_counted(monkeypatch):
     with pytest.raises(MechcError) as error:
         emit(compilation, registry.load("json"), Options("rod"))
     assert [d.code for d in error.value.diagnostics] == ["E817"]
+
+
+def test_a_stroke_may_take_the_more_work_the_more_rows_are_asked_for(monkeypatch):
+    monkeypatch.setattr(driver, "LIMIT", 0)
+    monkeypatch.setattr(driver, "OF_A_ROW", 100)
+    made = complete(Compilation(Source("rod.mech", DRIVEN)))
+    with pytest.raises(MechcError) as caught:
+        made.stroke(2)
+    assert [d.code for d in caught.value.diagnostics] == ["E817"]
+    assert len(made.stroke(200).rows) == 200
 
 
 def test_a_study_of_ranges_ends_with_the_message():
