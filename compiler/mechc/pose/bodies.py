@@ -120,19 +120,26 @@ def frames(
     mechanism: Mechanism, vectors: Vectors, missing: Missing, report: Report
 ) -> Mapping[str, Frame]:
     """Return the frame of every link, slide and telescope; E301 where a vector is missing."""
-    found = {link.name: _of_link(link, vectors, missing, report) for link in mechanism.links}
+    found = {k.name: _of_link(k, mechanism, vectors, missing, report) for k in mechanism.links}
     found |= {slide.name: _of_slide(slide, vectors) for slide in mechanism.slides}
     return found | {t.name: _of_telescope(t, vectors) for t in mechanism.cylinders}
 
 
-def _of_link(link: Link, vectors: Vectors, missing: Missing, report: Report) -> Frame:
+def _of_link(
+    link: Link, mechanism: Mechanism, vectors: Vectors, missing: Missing, report: Report
+) -> Frame:
+    """Return the vectors from a link's first point; a rod of which nothing is given lacks a length.
+
+    With a drive that is enough for a loop to close.
+    """
     base = link.points[0]
     frame: dict[str, Vector] = {base: ()}
     for point in link.points[1:]:
         vector = vectors.path(base, point, link.points) or vectors.path(base, point)
         if vector is None and missing.add(base, point):
-            what = f"link {link.name}"
-            report.add(messages.missing_direction(link.span, f"{base}{point}", what))
+            what, arm = f"link {link.name}", f"{base}{point}"
+            rod = arm if mechanism.drive and len(link.points) == 2 else ""
+            report.add(messages.missing_direction(link.span, arm, what, rod=rod))
         elif vector == ():
             report.add(messages.points_coincide(link.span, f"{base}{point}"))
         frame[point] = vector or ()
