@@ -16,8 +16,11 @@ def on_which_link(span: Span, point: str, links: Sequence[str]) -> Message:
         find R_B           # wrong where B joins AB and BC
         find R_B on AB     # right: the force on AB, by all that meets it at B
     """
-    hint = " or ".join(f"'find R_{point} on {link}'" for link in links[:3])
     message = f"point {point} is not held by the ground, so R_{point} needs a link"
+    if len(links) == 1:
+        alone = f"only link {links[0]} goes through {point}: is 'pivot {point}' missing?"
+        return Message(span, message, alone)
+    hint = " or ".join(f"'find R_{point} on {link}'" for link in links[:3])
     return Message(span, message, f"write {hint}" if hint else f"join a link to {point}")
 
 
