@@ -270,7 +270,7 @@ class Written:
 
 
 class Plain:
-    name, formula, derivatives = "k", None, None
+    name, formula, derivatives, target = "k", None, None, None
 
 
 def test_extrema_lie_between_the_places_where_a_result_turns():
@@ -282,6 +282,13 @@ def test_extrema_lie_between_the_places_where_a_result_turns():
     (top,) = extrema(Plain, "x", Written(lambda v: math.sin(v)), [i / 5 for i in range(15)])
     assert (top.kind, top.drive) == ("maximum", pytest.approx(math.pi / 2, abs=1e-6))
     assert not list(extrema(Plain, "x", Written(lambda v: v), places))
+
+
+def test_beside_a_jump_a_result_is_least_at_the_jump_and_not_where_it_was_looked_at():
+    places = [i / 7 for i in range(15)]
+    (low,) = extrema(Plain, "x", Written(lambda v: -v if v < 1.03 else 5.0 + v), places)
+    assert (low.kind, low.drive) == ("minimum", pytest.approx(1.03, abs=1e-6))
+    assert low.value == pytest.approx(-1.03)
 
 
 def test_an_extremum_beside_a_pole_turns_before_it():

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from typing import Literal
 
-from ...formula.roots import lowest, roots
+from ...formula.roots import Function, lowest, roots
 from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT
@@ -17,6 +17,9 @@ from .singular import order_of, roots_at
 from .stroke import Branch, Extremum, Singular, StrokeInterval
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
+
+BESIDE_JUMP = 1e-9
+"""How far from where a result seems to turn both sides of a jump are seen, as a part of a cell."""
 
 
 def extrema_along(
@@ -149,4 +152,10 @@ def _turning(
         if found:
             return found[0].x
     size = along.function(result.formula, result)
-    return lowest(lambda x: sense * size(x), *within)
+    return _least(lambda x: sense * size(x), *within)
+
+
+def _least(size: Function, low: float, high: float) -> float:
+    """Return where a function is least; at a jump that is on one of its sides alone."""
+    x, beside = lowest(size, low, high), BESIDE_JUMP * (high - low)
+    return min((x, x - beside, x + beside), key=size)
