@@ -19,6 +19,7 @@ from mechc.formula.tree import Symbol, System, negative, number, power, product,
 from mechc.source import Source
 from mechc.study import from_solution
 from mechc.work import LIMIT, Allowance, WorkLimitError, at_most, spend, within_part
+from small_mechanisms import slider_crank
 from sources import in_thirds
 
 ROD = """
@@ -29,19 +30,6 @@ AC = 100 mm @ 70 deg
 force P at A along x
 force F at C along 225 deg
 find k = P/F
-"""
-
-
-DRIVEN = """
-param a = 100 mm
-param phi = 30 deg
-pivot O
-link OA
-OA = a @ phi
-drive phi from 20 deg to 80 deg
-torque M on OA
-force F at A along -x
-find k = M/F
 """
 
 
@@ -128,7 +116,7 @@ def test_what_is_made_for_what_is_emitted_is_counted(monkeypatch):
 def test_a_stroke_may_take_the_more_work_the_more_rows_are_asked_for(monkeypatch):
     monkeypatch.setattr(driver, "LIMIT", 0)
     monkeypatch.setattr(driver, "OF_A_ROW", 100)
-    made = complete(Compilation(Source("rod.mech", DRIVEN)))
+    made = complete(Compilation(Source("rod.mech", slider_crank("find k = M/F"))))
     with pytest.raises(MechcError) as caught:
         made.stroke(2)
     assert [d.code for d in caught.value.diagnostics] == ["E817"]

@@ -9,7 +9,7 @@ from ..friction.solution import Solution
 from ..frozen import replace
 from ..model.mechanism import Drive, LoadRatio, SpeedRatio
 from ..model.values import range_of
-from .analysis import Analysis, Extent, Extreme, least_and_greatest
+from .analysis import Analysis, Extent, Extreme, Trend, least_and_greatest
 from .ranges import extends, scale_of, turns, unit_of, varying
 from .stroke import extent
 from .sweep import Sweep
@@ -76,27 +76,12 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
     is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
     if not is_ratio or not bounded or result.default is None:
         return
-    mechanism = solution.plan.graph.pose.mechanism
-    for name, trend in (result.trends or {}).items():
-        ends = range_of(name, mechanism)
-        if trend == "turns" and ends is not None:
-            sweep = Sweep(solution.plan, name, {})
-            extremes = _extremes(sweep, result, spaced(*ends, CELLS))
-            if extremes:
-                low, high = least_and_greatest(extremes)
-                unit = unit_of(name, mechanism)
-                scale = scale_of(result, mechanism)
-                yield Extent(
-                    parameter=name,
-                    unit=unit,
-                    range=ends,
-                    zeros=(),
-                    poles=(),
-                    least=low,
-                    greatest=high,
-                    scale=scale,
-                    looked=False,
-                )
+    for one in _of_trends(solution, result, ["turns"]):
+        sweep = Sweep(solution.plan, one.parameter, {})
+        extremes = _extremes(sweep, result, spaced(*one.range, CELLS))
+        if extremes:
+            low, high = least_and_greatest(extremes)
+            yield replace(one, least=low, greatest=high)
 
 
 def _at_ends(solution: Solution, result: Analysis, moving: Collection[str]) -> Iterator[Extent]:
@@ -104,33 +89,37 @@ def _at_ends(solution: Solution, result: Analysis, moving: Collection[str]) -> I
 
     That is what it comes to at the ends. Nothing of what is ``moving`` along a stroke.
     """
+    if not isinstance(result.target, LoadRatio | SpeedRatio):
+        return
+    known = {*moving, *(result.proportional or {})}
+    for one in _of_trends(solution, result, ["rises", "falls"]):
+        if one.parameter in known:
+            continue
+        sweep = Sweep(solution.plan, one.parameter, {})
+        reached = [(x, sweep.beyond_rounding(result, x)) for x in one.range]
+        ends = [Extreme(x, y) for x, y in reached if y is not None and math.isfinite(y)]
+        if len(ends) == len(reached):
+            low, high = sorted(ends, key=lambda end: end.value)
+            yield replace(one, least=low, greatest=high, is_monotone=True)
+
+
+def _of_trends(solution: Solution, result: Analysis, trends: Collection[Trend]) -> Iterator[Extent]:
+    """Yield the extent, values left out, over each range in which a result has such a trend."""
     mechanism = solution.plan.graph.pose.mechanism
-    is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
-    for name, trend in (result.trends or {}).items() if is_ratio else ():
+    for name, trend in (result.trends or {}).items():
         ends = range_of(name, mechanism)
-        is_news = name not in moving and name not in (result.proportional or {})
-        if trend in ("rises", "falls") and ends is not None and is_news:
-            sweep = Sweep(solution.plan, name, {})
-            found = ((x, sweep.beyond_rounding(result, x)) for x in ends)
-            reached = (Extreme(x, math.nan if value is None else value) for x, value in found)
-            least, greatest = sorted(reached, key=_value)
-            if math.isfinite(least.value) and math.isfinite(greatest.value):
-                yield Extent(
-                    parameter=name,
-                    unit=unit_of(name, mechanism),
-                    range=ends,
-                    zeros=(),
-                    poles=(),
-                    least=least,
-                    greatest=greatest,
-                    scale=scale_of(result, mechanism),
-                    looked=False,
-                    is_monotone=True,
-                )
-
-
-def _value(extreme: Extreme) -> float:
-    return extreme.value
+        if trend in trends and ends is not None:
+            yield Extent(
+                parameter=name,
+                unit=unit_of(name, mechanism),
+                range=ends,
+                zeros=(),
+                poles=(),
+                least=None,
+                greatest=None,
+                scale=scale_of(result, mechanism),
+                looked=False,
+            )
 
 
 def _extremes(sweep: Sweep, result: Analysis, grid: Sequence[float]) -> list[Extreme]:

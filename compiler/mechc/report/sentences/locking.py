@@ -19,7 +19,7 @@ from ...study.intervals import (
 from ...units import behind, size_of
 from ..languages.locale import Locale
 from .order import enumeration, positive_first
-from .speller import LoadWords, Speller
+from .speller import LoadWords, Speller, spelled
 
 Along = LockingIntervals | EfficiencyRange | Extent
 """What is stated along a parameter."""
@@ -58,8 +58,8 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
 
 def _locking(result: Analysis, locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield where nothing moves: no self-locking is said of a load that is said to drive."""
-    drive = spell.relation((Symbol(locking.drive),), (), False)
-    load = spell.relation((Symbol(locking.load),), (), False) if locking.load else locale.all_loads
+    drive = spelled(Symbol(locking.drive), spell)
+    load = spelled(Symbol(locking.load), spell) if locking.load else locale.all_loads
     loads = [locking.load] if locking.load else []
     of_drive, of_load = (LoadWords(n, spell.couples) for n in ([locking.drive], loads))
     is_by_other = drives_from_below(result.target, result.name, result.driven)
@@ -172,7 +172,7 @@ def _efficiency_range(
 ) -> str:
     least, greatest = (_share(v, locale, spell) for v in (efficiency.least, efficiency.greatest))
     said = (locale.steady if least == greatest else locale.efficiency_range).format(
-        result=spell.relation((Symbol(result.name),), (), False),
+        result=spelled(Symbol(result.name), spell),
         condition=span(efficiency.range, efficiency, locale, spell),
         least=least,
         greatest=greatest,
@@ -221,7 +221,7 @@ def _apart(ends: Sequence[float], reach: Along, spell: Speller) -> int:
 
 
 def _share(value: float, locale: Locale, spell: Speller) -> str:
-    shown = spell.relation((number(Fraction(f"{value:.3f}")),), (), False)
+    shown = spelled(number(Fraction(f"{value:.3f}")), spell)
     return shown if value else locale.still.format(least=shown)
 
 
@@ -230,4 +230,4 @@ def _unit(reach: Along, locale: Locale) -> str:
 
 
 def _name(reach: LockingIntervals, spell: Speller) -> str:
-    return spell.relation((Symbol(reach.parameter),), (), False)
+    return spelled(Symbol(reach.parameter), spell)

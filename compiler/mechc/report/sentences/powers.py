@@ -12,7 +12,7 @@ from ...model.mechanism import Force, Mechanism
 from ..languages.locale import Locale
 from ..steps import Derivation, PowerTerm
 from .order import enumeration
-from .speller import Speller
+from .speller import Speller, spelled
 
 
 def power_remarks(
@@ -42,8 +42,8 @@ def _projections(
     forces = {load.name for load in mechanism.loads if isinstance(load, Force)}
     found = [
         locale.powers["projection"].format(
-            speed=_spelled(_size(_written(term, powers)), spell),
-            load=_spelled(Symbol(term.load), spell),
+            speed=spelled(_size(_written(term, powers)), spell),
+            load=spelled(Symbol(term.load), spell),
         )
         for term in terms
         if term.load in forces and _is_projected(term.speed)
@@ -85,13 +85,9 @@ def _factors(
         load = loads[term.load]
         times = to_product(term.times).coefficient
         if load.times == 1 and times > 1:
-            groups.setdefault(times, []).append(_spelled(Symbol(term.load), spell))
+            groups.setdefault(times, []).append(spelled(Symbol(term.load), spell))
     for times, names in groups.items():
         is_mirrored = mechanism.mirror is not None and times == mechanism.mirror.number
         template = locale.powers["halves" if is_mirrored else "parts"]
-        shown = _spelled(number(times), spell)
+        shown = spelled(number(times), spell)
         yield template.format(number=shown, loads=enumeration(names, locale))
-
-
-def _spelled(formula: Formula, spell: Speller) -> str:
-    return spell.relation((formula,), (), False)

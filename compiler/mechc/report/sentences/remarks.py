@@ -28,7 +28,7 @@ from . import extents
 from .limits import limits
 from .locking import friction_remarks
 from .order import enumeration, joined
-from .speller import LoadWords, Speller, force_words
+from .speller import LoadWords, Speller, force_words, spelled
 
 if TYPE_CHECKING:
     from ..steps import Paragraph
@@ -64,7 +64,7 @@ def subject(results: Iterable[Analysis], locale: Locale) -> str:
 def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
     """Return the heading of a result by its kind; ``""`` for a user-defined formula."""
     said = kind(result, locale, spell)
-    return f"{said} ({_spelled(asked(result), spell)})" if says_what_drives(result) else said
+    return f"{said} ({spelled(asked(result), spell)})" if says_what_drives(result) else said
 
 
 def says_what_drives(result: Analysis) -> bool:
@@ -116,7 +116,7 @@ def _way(result: Analysis, target: WithFriction) -> tuple[str, str]:
 
 def _said_of(way: str, drive: str, locale: Locale, spell: Speller) -> str:
     of_drive = LoadWords([drive], spell.couples)
-    return locale.with_friction[way].format(drive=_spelled(Symbol(drive), spell), of_drive=of_drive)
+    return locale.with_friction[way].format(drive=spelled(Symbol(drive), spell), of_drive=of_drive)
 
 
 def headings(firsts: Iterable[Analysis], locale: Locale, spell: Speller) -> list[str]:
@@ -202,9 +202,9 @@ def is_nameless(result: Analysis) -> bool:
 
 def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]:
     """Return the remarks on a result: limits, proportions, symmetries, trends, locking."""
-    symbol = _spelled(asked(result), spell)
+    symbol = spelled(asked(result), spell)
     if result.same_as:
-        other = _spelled(Symbol(result.same_as), spell)
+        other = spelled(Symbol(result.same_as), spell)
         senses = _senses(result, symbol, locale, spell)
         same = locale.same_as.format(result=symbol, other=other)
         return (*(senses if isinstance(result.target, SpeedRatio) else ()), same)
@@ -220,7 +220,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     said += _proportions(result, locale, spell)
     said += _independent(result, symbol, locale, spell)
     for first, second in filter(lambda pair: _is_news(pair, result), result.swaps):
-        one, other = (_spelled(Symbol(n), spell) for n in (first, second))
+        one, other = (spelled(Symbol(n), spell) for n in (first, second))
         said.append(locale.swaps.format(result=symbol, first=one, second=other))
     said += _trends(result, symbol, locale, spell)
     said += extents.extent_remarks(result, symbol, locale, spell)
@@ -229,7 +229,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
 
 def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> str:
     """Return the sentence on a result that is the inverse of a ratio, of which all was said."""
-    other = _spelled(Symbol(result.inverse_of), spell)
+    other = spelled(Symbol(result.inverse_of), spell)
     trends = ((n, trend) for n, trend in (result.trends or {}).items() if _is_news([n], result))
     moves = (trend in ("rises", "falls") for _, trend in trends)
     kinds = {"limits": bool(result.zeros or result.poles), "trends": any(moves)}
@@ -251,7 +251,7 @@ def _as_other(
     trends = (result.trends or {}).items()
     moved = [n for n, trend in trends if trend in ("rises", "falls") and _is_news([n], result)]
     extremes = any(extent.least and not extent.is_monotone for extent in result.extents)
-    names = {"result": symbol, "other": _spelled(Symbol(other.name), spell)}
+    names = {"result": symbol, "other": spelled(Symbol(other.name), spell)}
     names["names"] = _symbols(moved, locale, spell) if moved else ""
     sense = "opposite " if other.is_negative else ""
     kinds = {
@@ -272,7 +272,7 @@ def _is_news(names: Iterable[str], result: Analysis) -> bool:
 
 def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     if result.holds_as:
-        return [locale.holds_as.format(result=_spelled(Symbol(result.holds_as), spell))]
+        return [locale.holds_as.format(result=spelled(Symbol(result.holds_as), spell))]
     held = own_conditions(result)
     return [locale.holds.format(conditions=conditions(held, spell))] if held else []
 
@@ -299,18 +299,14 @@ def _senses(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> li
 
 def _against(template: str, symbol: str, drive: str, load: str, spell: Speller) -> str:
     of_drive, of_load = (LoadWords([name], spell.couples) for name in (drive, load))
-    shown = (_spelled(Symbol(name), spell) for name in (drive, load))
+    shown = (spelled(Symbol(name), spell) for name in (drive, load))
     names = dict(zip(("drive", "load"), shown, strict=True))
     return template.format(result=symbol, of_drive=of_drive, of_load=of_load, **names)
 
 
-def _spelled(formula: Formula, spell: Speller) -> str:
-    return spell.relation((formula,), (), False)
-
-
 def _infinite(symbol: str, found: Break, locale: Locale, spell: Speller) -> str:
     condition = spell.relation((found.factor, ZERO), ("=",), False)
-    name = _spelled(Symbol(found.name), spell)
+    name = spelled(Symbol(found.name), spell)
     return locale.infinite.format(result=symbol, condition=condition, name=name)
 
 
@@ -321,19 +317,19 @@ def _proportions(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     inverse = all(e < 0 for e in powers.values())
     template = locale.inverse if inverse else locale.proportional
     simple = product((Symbol(n), -e if inverse else e) for n, e in sorted(powers.items()))
-    shown, factor = _spelled(asked(result), spell), _spelled(simple, spell)
+    shown, factor = spelled(asked(result), spell), spelled(simple, spell)
     return [template.format(result=shown, factor=factor)]
 
 
 def _independent(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
     if not result.independent:
         return []
-    names = joined((_spelled(Symbol(n), spell) for n in result.independent), locale.negation)
+    names = joined((spelled(Symbol(n), spell) for n in result.independent), locale.negation)
     return [locale.independent.format(result=symbol, names=names)]
 
 
 def _symbols(names: Iterable[str], locale: Locale, spell: Speller) -> str:
-    return enumeration([_spelled(Symbol(n), spell) for n in names], locale)
+    return enumeration([spelled(Symbol(n), spell) for n in names], locale)
 
 
 def _trends(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:

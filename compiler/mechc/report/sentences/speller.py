@@ -50,6 +50,11 @@ class Speller(Protocol):
         ...
 
 
+def spelled(formula: Formula, spell: Speller) -> str:
+    """Return a formula by itself, as it stands inside a sentence."""
+    return spell.relation((formula,), (), False)
+
+
 class LoadWords:
     """Forms of words on one force, on one couple, or on several loads, as templates ask for them.
 

@@ -108,7 +108,7 @@ def extrema(
         before, here, after = values[i - 1 : i + 2]
         turns = before > here <= after or before < here >= after
         change = max(abs(before - here), abs(after - here))
-        if turns and change > least and not (is_direction(result) and change > math.pi):
+        if turns and change > least and not (_is_direction(result) and change > math.pi):
             sense = 1 if here <= after else -1
             near = _turning(result, drive, along, sense, (grid[i - 1], grid[i + 1]))
             value = along.of(result.formula, result, near)
@@ -117,10 +117,13 @@ def extrema(
             yield Extremum(result.name, KINDS[sense], near, value)
 
 
-def is_direction(result: Analysis) -> bool:
+def _is_direction(result: Analysis) -> bool:
     """Return whether a result is the direction of a force."""
-    target = result.target.of if isinstance(result.target, WithFriction) else result.target
-    return isinstance(target, Reaction) and target.part == "direction"
+    match result.target:
+        case Reaction(part="direction") | WithFriction(Reaction(part="direction")):
+            return True
+        case _:
+            return False
 
 
 def turns_between(
