@@ -13,7 +13,7 @@ from mechc.figure.from_balance import _Maker
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
 from mechc.figure.velocities import Velocities, rates
-from mechc.figure.ways import Linear, Way, Ways, along
+from mechc.figure.ways import Linear, Way, Ways, open_way
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import Constant, Symbol, degrees, negative, number, product, total
 from mechc.frozen import replace
@@ -75,7 +75,7 @@ def test_open_lengths_close_their_loop():
 
 
 def test_a_length_that_no_loop_fixes_is_a_usual_one():
-    assert choose([along("O", "A", X)], ["OA"], 0.7) != {}
+    assert choose([open_way("O", "A", X)], ["OA"], 0.7) != {}
     assert choose([Way("O", "A", Linear(parts={"s": X}))], ["s"], 0.7) == {"s": 0.7}
 
 

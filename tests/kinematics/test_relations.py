@@ -5,9 +5,9 @@ import math
 import pytest
 
 from mechc.frozen import replace
-from mechc.kinematics.contacts import relations, spinning
+from mechc.kinematics.contacts import relations, slipping, spinning
 from mechc.kinematics.graph import Kind, Rule
-from mechc.kinematics.meshes import mesh_of, slipping
+from mechc.kinematics.meshes import mesh_of
 from small_poses import (
     RACK,
     SCREW,
@@ -88,6 +88,19 @@ def test_a_rack_or_nut_that_is_released_slips_by_what_its_relation_was(joint):
     pose = driven_slider(joint)
     relation, _ = only(pose)
     assert slipping(graph(pose), pose, joint) == relation.form
+
+
+def test_wheels_on_an_arm_slip_by_their_turns_as_seen_from_it():
+    pair = replace(wheels(), second_link="", arm="QB")
+    pose = on_pivots(pair)
+    relation, of = only(pose)
+    assert form(relation.form) == {of("OA"): R, of("QB"): pytest.approx(-R - C)}
+    assert slipping(graph(pose), pose, pair) == relation.form
+
+
+def test_what_is_no_mesh_has_no_speed_at_which_it_slips():
+    with pytest.raises(AssertionError):
+        slipping(graph(lever()), lever(), lever().mechanism.joint("pivot O"))
 
 
 def test_a_mesh_is_found_by_its_id():

@@ -1,7 +1,6 @@
 """Free bodies: how a mechanism is cut, what acts on each, and the sums that may be written."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
@@ -11,15 +10,9 @@ from ..algebra.trigonometry import cosine, sine
 from ..formula.tree import Call
 from ..frozen import frozen
 from ..model.mechanism import (
-    Contact,
     Link,
     Mechanism,
-    Meshing,
-    Pivot,
-    Rope,
     Slide,
-    Slider,
-    Slot,
 )
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector, components, reverse
@@ -85,17 +78,8 @@ def bent(pose: Pose) -> Iterator[str]:
     """Yield the links that something acts on between their pins, or turns."""
     for load in pose.mechanism.loads:
         yield from load.links
-    yield from (contact.body for contact in pose.contacts)
     for joint in pose.mechanism.joints:
-        match joint:
-            case Meshing():
-                yield from joint.bodies
-            case Slot(guided=guided):
-                yield guided
-            case Pivot() | Slider() | Contact() | Rope():
-                pass
-            case _:
-                assert_never(joint)
+        yield from joint.bodies
 
 
 def balances(body: FreeBody) -> Iterator[Balance]:

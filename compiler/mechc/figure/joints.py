@@ -1,7 +1,8 @@
-"""What is drawn of each joint, in one half or its twin."""
+"""What is drawn of each joint, in one half or its twin, and where to draw it."""
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import assert_never
 
 from ..frozen import replace
@@ -11,6 +12,7 @@ from ..pose.pose import PointContact
 from . import figure as drawn
 from .figure import Part
 from .half import Half
+from .ways import Linear, Way, Ways, open_way
 from .wheels import Circle, pitch_point, rope_runs, runs
 
 DOWN, UP, LEFT, RIGHT = Plane(0.0, -1.0), Plane(0.0, 1.0), Plane(-1.0, 0.0), Plane(1.0, 0.0)
@@ -19,6 +21,9 @@ GROUNDS = (DOWN, UP, LEFT, RIGHT, *(direction(math.radians(45 + 90 * i)) for i i
 
 APART = math.radians(50)
 """The angle between the ground of a pivot and the bars that leave it, where there is room."""
+
+BESIDE = 0.25
+"""How far from a slide a pin is drawn that touches it, in usual lengths."""
 
 PULLEY = 0.07
 """The radius at which a pulley is drawn, in usual lengths."""
@@ -43,6 +48,78 @@ def lost_places(mechanism: model.Mechanism) -> Iterator[str]:
     for slider in mechanism.each(model.Slider):
         if slider.through is None:
             yield f"{slider.point}_0"
+
+
+# --------------------------------------------------------------------- where it is drawn
+
+
+def loose_ways(ways: Ways) -> Iterator[Way]:
+    """Yield where to draw what touches, meshes or slides, where nothing else says it."""
+    mechanism, slides = ways.pose.mechanism, ways.pose.slides
+    for contact in ways.pose.contacts:
+        if contact.kind == "contact" and not contact.reach:
+            yield open_way(contact.tail, contact.point, _beside(contact, ways))
+    for joint in mechanism.joints:
+        yield from _loose(joint, ways)
+    for slide in mechanism.slides:
+        first, *others = slide.points
+        line = ways.unit(slides[slide.name])
+        yield from (open_way(first, p, line.times(i)) for i, p in enumerate(others, 1))
+
+
+def _loose(joint: model.Joint, ways: Ways) -> Iterator[Way]:
+    match joint:
+        case model.WheelPair(first=first, second=second):
+            yield Way(first, second, Linear(_away(joint, ways).times(_apart(joint, ways))))
+        case model.Rack(point, pivot):
+            yield Way(pivot, point, Linear(ways.right(joint)))
+        case model.Screw():
+            yield _beside_screw(joint, ways)
+        case model.Rope(route):
+            lines = zip(pairwise(route), ways.pose.falls[joint.id], strict=True)
+            yield from (open_way(tail, head, ways.unit(line)) for (tail, head), line in lines)
+        case model.Pivot() | model.Slider() | model.Slot() | model.Contact():
+            pass
+        case _:
+            assert_never(joint)
+
+
+def _beside_screw(screw: model.Screw, ways: Ways) -> Way:
+    """Return where to draw a nut: nuts on one screw stand in a row."""
+    mechanism = ways.pose.mechanism
+    link = mechanism.link(screw.link)
+    number = mechanism.each(model.Screw).index(screw) + 1
+    return open_way(link.points[0], screw.point, ways.guide(screw.point).times(number))
+
+
+def _beside(contact: PointContact, ways: Ways) -> Plane:
+    """Return where a pin touches a slide, from its first point: on the side it is pushed to."""
+    frame = ways.pose.frames[contact.body]
+    row = 0 if any(frame.values()) else len(frame) - 1
+    middle = ways.unit(ways.pose.slides[contact.body]).times(row / 2)
+    return middle.plus(ways.unit(contact.normal).times(BESIDE))
+
+
+def _away(mesh: model.WheelPair, ways: Ways) -> Plane:
+    """Return in which direction wheels stand in a row: away from a rack, if there is one."""
+    racks = ways.pose.mechanism.each(model.Rack)
+    driven = [ways.right(r).unit() for r in racks if r.pivot in (mesh.first, mesh.second)]
+    right = (driven[0] if driven else None) or Plane(-1.0, 0.0)
+    on_first = any(r.pivot == mesh.first for r in racks) or not driven
+    return right.times(-1 if on_first else 1)
+
+
+def _apart(mesh: model.WheelPair, ways: Ways) -> float:
+    """Return how far apart two wheels are drawn: gears touch, a belt needs room."""
+    radii = ways.pose.radii
+    first = radii[mesh.first_radius].evaluate(ways.values)
+    second = radii[mesh.second_radius].evaluate(ways.values)
+    if mesh.kind == "belt":
+        return 2 * (first + second)
+    return abs(first - second) if mesh.same else first + second
+
+
+# --------------------------------------------------------------------------- what is drawn
 
 
 def drawn_joint(joint: model.Joint, half: Half) -> Part:

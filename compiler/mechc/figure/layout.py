@@ -9,6 +9,7 @@ from ..model.mechanism import Force, Mechanism, Pivot, Slider
 from ..named import NamedTuple
 from ..pose.places import NOWHERE, KnownVector, Plane, between, placed
 from .figure import MirrorLine
+from .joints import loose_ways
 from .lengths import choose
 from .tolerances import SAME_PLACE
 from .ways import Ways, usual
@@ -126,7 +127,7 @@ def points_of(mechanism: Mechanism) -> Iterable[str]:
 
 def _connected(edges: list[KnownVector], ways: Ways, size: float) -> list[KnownVector]:
     """Return the edges with loose ones, as long as they connect what is not connected yet."""
-    for tail, head, vector in ways.loose():
+    for tail, head, vector in loose_ways(ways):
         if between(placed(edges), tail, head) is None:
             edges.append(KnownVector(tail, head, vector.at(dict.fromkeys(vector.parts, size))))
     return edges

@@ -1,25 +1,19 @@
 """The vectors that a drawing is put together from, linear in the lengths left open.
 
 What is open is a length that the description does not give, or how far a pin is along its
-guide. Firm ways must hold; loose ones only say where to draw what nothing else connects.
+guide. These must hold; where to draw what nothing else connects, :mod:`.joints` says.
 """
 
 import math
 from collections.abc import Iterator, Mapping
-from itertools import pairwise
-from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..formula.walk import symbols
 from ..frozen import frozen
-from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
+from ..model.mechanism import Rack, Slider
 from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane, direction
 from ..pose.pose import PointContact, Pose, Vector, evaluate_vector
-
-BESIDE = 0.25
-"""How far from a slide a pin is drawn that touches it, in usual lengths."""
-
 
 HALFWAY = 0.5
 """How far along its groove a pin is drawn that may be anywhere, in usual lengths."""
@@ -54,7 +48,7 @@ class Way(NamedTuple):
     vector: Linear
 
 
-def along(tail: str, head: str, line: Plane) -> Way:
+def open_way(tail: str, head: str, line: Plane) -> Way:
     """Return a way of open length along a line, forward or back."""
     return Way(tail, head, Linear(NOWHERE, {f"{tail} to {head}": line}))
 
@@ -76,42 +70,8 @@ class Ways:
         yield from self._touching()
         for slider in self.pose.mechanism.each(Slider):
             if slider.through:
-                yield along(slider.through, slider.point, self.guide(slider.point))
+                yield open_way(slider.through, slider.point, self.guide(slider.point))
         yield from self._on_the_mirror()
-
-    def loose(self) -> Iterator[Way]:
-        """Yield where to draw what touches, meshes or slides, where nothing else says it."""
-        mechanism, slides = self.pose.mechanism, self.pose.slides
-        for contact in self.pose.contacts:
-            if contact.kind == "contact" and not contact.reach:
-                yield along(contact.tail, contact.point, self._beside(contact))
-        for joint in mechanism.joints:
-            match joint:
-                case WheelPair(first=first, second=second):
-                    step = self._away(joint).times(self._apart(joint))
-                    yield Way(first, second, Linear(step))
-                case Rack(point, pivot):
-                    yield Way(pivot, point, Linear(self.right(joint)))
-                case Screw():
-                    yield self._beside_screw(joint)
-                case Rope(route):
-                    ways = zip(pairwise(route), self.pose.falls[joint.id], strict=True)
-                    yield from (along(tail, head, self.unit(way)) for (tail, head), way in ways)
-                case Pivot() | Slider() | Slot() | Contact():
-                    pass
-                case _:
-                    assert_never(joint)
-        for slide in mechanism.slides:
-            first, *others = slide.points
-            line = self.unit(slides[slide.name])
-            yield from (along(first, p, line.times(i)) for i, p in enumerate(others, 1))
-
-    def _beside_screw(self, screw: Screw) -> Way:
-        """Return where to draw a nut: nuts on one screw stand in a row."""
-        mechanism = self.pose.mechanism
-        link = mechanism.link(screw.link)
-        number = mechanism.each(Screw).index(screw) + 1
-        return along(link.points[0], screw.point, self.guide(screw.point).times(number))
 
     def unit(self, angle: Angle) -> Plane:
         """Return the unit vector at an angle."""
@@ -137,37 +97,13 @@ class Ways:
             if contact.reach:
                 yield self._way(contact.tail, contact.point, contact.reach)
             elif contact.kind == "slot":
-                yield along(contact.tail, contact.point, self.face(contact).times(HALFWAY))
+                yield open_way(contact.tail, contact.point, self.face(contact).times(HALFWAY))
 
     def _on_the_mirror(self) -> Iterator[Way]:
         mirror, axis = self.pose.mechanism.mirror, self.pose.axis
         if mirror is not None and axis is not None:
             first, others = mirror.sharing[:1], mirror.sharing[1:]
-            yield from (along(first[0], point, self.unit(axis)) for point in others)
-
-    def _beside(self, contact: PointContact) -> Plane:
-        """Return where a pin touches a slide, from its first point: on the side it is pushed to."""
-        frame = self.pose.frames[contact.body]
-        row = 0 if any(frame.values()) else len(frame) - 1
-        middle = self.unit(self.pose.slides[contact.body]).times(row / 2)
-        return middle.plus(self.unit(contact.normal).times(BESIDE))
-
-    def _away(self, mesh: WheelPair) -> Plane:
-        """Return in which direction wheels stand in a row: away from a rack, if there is one."""
-        racks = self.pose.mechanism.each(Rack)
-        driven = [self.right(r).unit() for r in racks if r.pivot in (mesh.first, mesh.second)]
-        right = (driven[0] if driven else None) or Plane(-1.0, 0.0)
-        on_first = any(r.pivot == mesh.first for r in racks) or not driven
-        return right.times(-1 if on_first else 1)
-
-    def _apart(self, mesh: WheelPair) -> float:
-        """Return how far apart two wheels are drawn: gears touch, a belt needs room."""
-        radii = self.pose.radii
-        first = radii[mesh.first_radius].evaluate(self.values)
-        second = radii[mesh.second_radius].evaluate(self.values)
-        if mesh.kind == "belt":
-            return 2 * (first + second)
-        return abs(first - second) if mesh.same else first + second
+            yield from (open_way(first[0], point, self.unit(axis)) for point in others)
 
     def _way(self, tail: str, head: str, vector: Vector) -> Way:
         base, parts = NOWHERE, dict[str, Plane]()

@@ -20,11 +20,11 @@ from ..kinematics.release import Measure
 from ..model.mechanism import (
     CollarFriction,
     FaceFriction,
-    Feed,
     GuideFriction,
     JointFriction,
     PinFriction,
     PivotFriction,
+    Rack,
     Rope,
     RopeFriction,
     Screw,
@@ -194,15 +194,13 @@ def _sliding(contact: PointContact) -> Measure:
 
 def _rim(joint: JointRef, pose: Pose) -> Measure:
     """Return the speed of the first wheel's rim, or of a rack."""
-    match meshes.mesh_of(pose, joint.of):
-        case WheelPair(first_link=link, first_radius=radius, arm=arm):
-            return lambda graph: scaled(meshes.turning(graph, link, arm), pose.radii[radius])
-        case Feed(point=point):
-            return lambda graph: projection(graph.velocities[point], pose.moved_along(point))
-        case Rope():
-            raise AssertionError("a rope has no rim")
-        case other:
-            assert_never(other)
+    mesh = meshes.mesh_of(pose, joint.of)
+    if isinstance(mesh, WheelPair):
+        link, radius, arm = mesh.first_link, mesh.first_radius, mesh.arm
+        return lambda graph: scaled(meshes.turning(graph, link, arm), pose.radii[radius])
+    assert isinstance(mesh, Rack), "only wheels and racks have rims"
+    point = mesh.point
+    return lambda graph: projection(graph.velocities[point], pose.moved_along(point))
 
 
 def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> Measure:

@@ -1,19 +1,8 @@
 """A joint by what holds there, and what hangs on it: to be released, or to state its force."""
 
-from collections.abc import Iterator
-from typing import Literal, assert_never
+from typing import Literal
 
-from ..model.mechanism import (
-    Contact,
-    Link,
-    Mechanism,
-    Meshing,
-    Pivot,
-    Rope,
-    Slider,
-    Slot,
-    WheelPair,
-)
+from ..model.mechanism import Link, Mechanism, WheelPair
 from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose
 
@@ -42,26 +31,15 @@ def held_end(mechanism: Mechanism, link: Link) -> str:
     At an end where a load acts on the rod itself the pin gives not all of the force along it.
     """
     loaded = {end for load in mechanism.loads for end in load.ends}
+    held = {point for joint in mechanism.joints for point in joint.held}
 
     def is_held(point: str) -> bool:
         if (link.name, point) in loaded:
             return False
         others = sum(point in k.points for k in mechanism.links) > 1
-        return others or bool(mechanism.slides_at(point)) or point in _held(mechanism)
+        return others or bool(mechanism.slides_at(point)) or point in held
 
     return next((p for p in reversed(link.points) if is_held(p)), link.points[-1])
-
-
-def _held(mechanism: Mechanism) -> Iterator[str]:
-    """Yield the points that a joint holds by itself, without a link."""
-    for joint in mechanism.joints:
-        match joint:
-            case Pivot(point) | Slider(point) | Slot(point) | Contact(point):
-                yield point
-            case Meshing() | Rope():
-                pass
-            case _:
-                assert_never(joint)
 
 
 def unclear(mechanism: Mechanism) -> frozenset[str]:

@@ -2,14 +2,13 @@
 
 from collections.abc import Mapping
 from itertools import pairwise
-from typing import assert_never
 
 from ..algebra.from_formula import to_product
-from ..algebra.product import ONE, Product
+from ..algebra.product import Product
 from ..formula.tree import PI
 from ..model.mechanism import Feed, Mesh, Meshing, Rope, WheelPair
 from ..pose.pose import Pose
-from .forms import combined, projection, scaled, spin, subtract
+from .forms import projection, scaled, spin, subtract
 from .graph import Form, Graph, Velocity
 
 
@@ -53,25 +52,3 @@ def growths(rope: Rope, pose: Pose, velocities: Mapping[str, Velocity]) -> list[
         subtract(projection(velocities[head], way), projection(velocities[tail], way))
         for (tail, head), way in ends
     ]
-
-
-def slipping(graph: Graph, pose: Pose, mesh: Mesh | Rope) -> Form:
-    """Return the speed at which rims, a rack and its wheel, or nut and thread, part.
-
-    A rope parts as all of its falls grow.
-    """
-    match mesh:
-        case WheelPair():
-            first, second = rims(mesh, pose)
-            return combined(
-                [
-                    (first, turning(graph, mesh.first_link, mesh.arm)),
-                    (second, turning(graph, mesh.second_link, mesh.arm)),
-                ]
-            )
-        case Feed():
-            return travel(mesh, pose, graph.velocities, spin(graph, mesh.link))
-        case Rope():
-            return combined((ONE, growth) for growth in growths(mesh, pose, graph.velocities))
-        case _:
-            assert_never(mesh)

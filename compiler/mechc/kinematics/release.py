@@ -30,8 +30,8 @@ from ..model.mechanism import (
 )
 from ..pose.pose import Pose
 from ..source import Source, Span
-from . import meshes
 from .carriers import graph_of
+from .contacts import slipping
 from .forms import QUARTER, combined, leaving, projection, speed_of_load, spin, subtract
 from .graph import Form, Graph, Relation, Rule
 from .joint_refs import JointRef, contact_at
@@ -246,8 +246,8 @@ def _without_mesh(pose: Pose, joint: JointRef) -> Released:
     """Return the linkage in which rims, a rack or a thread slip, or a rope stretches."""
     joints = tuple(j for j in pose.mechanism.joints if j.id != joint.of)
     free = replace(pose, mechanism=replace(pose.mechanism, joints=joints))
-    mesh = meshes.mesh_of(pose, joint.of)
-    return Released(free, lambda graph: meshes.slipping(graph, pose, mesh))
+    mesh = pose.mechanism.joint(joint.of)
+    return Released(free, lambda graph: slipping(graph, pose, mesh))
 
 
 def _without_contact(pose: Pose, point: str) -> Released:

@@ -1,18 +1,9 @@
 """Whether it matters for the forces where a link stands, or how far a slider has moved."""
 
 from collections.abc import Iterator
-from typing import assert_never
 
-from .mechanism import (
-    Contact,
-    Link,
-    Mechanism,
-    Meshing,
-    Pivot,
-    Rope,
-    Slider,
-    Slot,
-)
+from .mechanism import Link, Mechanism
+from .parts.holding import OnLine
 
 
 def direction_matters(link: Link, mechanism: Mechanism) -> bool:
@@ -26,17 +17,9 @@ def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
     for body in mechanism.bodies:
         yield from body.points if body is not link else ()
     for joint in mechanism.joints:
-        match joint:
-            case Slider(point):
-                yield point
-            case Slot(point, _, tail, head) | Contact(point, _, tail, head):
-                yield from (point, tail, head)
-            case Rope():
-                yield from joint.points
-            case Pivot() | Meshing():
-                pass
-            case _:
-                assert_never(joint)
+        yield from joint.points
+        if isinstance(joint, OnLine):
+            yield from (joint.tail, joint.head)
     for load in mechanism.loads:
         yield from load.points
 

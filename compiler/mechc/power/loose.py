@@ -1,7 +1,6 @@
 """Remarks on what moves or acts and is part of no result: loose bodies, loads without work."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import assert_never
 
 from ..diagnostics import Report, syntax
 from ..diagnostics import power as messages
@@ -13,12 +12,8 @@ from ..model.mechanism import (
     Link,
     LoadRatio,
     Mechanism,
-    Pivot,
-    Rope,
     Slider,
-    Slot,
     SpeedRatio,
-    WheelPair,
     WithFriction,
 )
 from ..model.result import Result
@@ -82,31 +77,16 @@ def _parts(mechanism: Mechanism) -> Iterable[tuple[str, set[str]]]:
     for body in mechanism.links:
         yield f"link {body.name}", {*body.points, f"link {body.name}"} - mechanism.fixed
     for slide in mechanism.slides:
-        yield f"slide {slide.name}", set(slide.points)
+        yield f"slide {slide.name}", {*slide.points, f"link {slide.name}"}
     for joint in mechanism.joints:
-        match joint:
-            case Pivot():
-                pass
-            case Slider(point):
-                yield "" if point in carried else f"slider {point}", {point}
-            case Slot(guided=guided) if guided:
-                yield "", {f"link {name}" for name in joint.bodies}
-            case Slot(point, link, tail, head) | Contact(point, link, tail, head):
-                yield "", {point, tail, head, f"link {link}"} - mechanism.fixed
-            case WheelPair():
-                yield "", {f"link {name}" for name in joint.bodies}
-            case Feed(point=point, link=link):
-                yield "", {point, f"link {link}"}
-            case Rope():
-                yield "", {*joint.points} - mechanism.fixed
-            case _:
-                assert_never(joint)
+        is_part = isinstance(joint, Slider) and joint.point not in carried
+        name = f"slider {joint.points[0]}" if is_part else ""
+        yield name, {*joint.points, *(f"link {body}" for body in joint.bodies)} - mechanism.fixed
 
 
 def _joined(point: str, link: str, mechanism: Mechanism) -> bool:
     """Return whether anything but a load holds a link at a point."""
-    holding = (j for j in mechanism.joints if isinstance(j, Pivot | Slider | Slot | Contact))
-    at = {joint.point for joint in holding}
+    at = {held for joint in mechanism.joints for held in joint.held}
     others = (b for b in mechanism.rigid_bodies if b.name != link)
     at |= {p for body in others for p in body.points}
     return point in at | mechanism.shared
@@ -114,7 +94,7 @@ def _joined(point: str, link: str, mechanism: Mechanism) -> bool:
 
 def _held_otherwise(link: str, mechanism: Mechanism) -> bool:
     """Return whether a slot or a face of the link itself, or a wheel, holds it."""
-    holding = (j for j in mechanism.joints if isinstance(j, Slot | Contact | WheelPair))
+    holding = (joint for joint in mechanism.joints if not isinstance(joint, Feed))
     return any(link in joint.bodies for joint in holding)
 
 

@@ -22,11 +22,9 @@ from .assembly import (
 from .diagram import Acting, Kind
 from .free_bodies import Unknown
 from .surfaces import Pair
+from .transfers import Bearing
 
 AXES = {"x": Plane(1.0, 0.0), "y": Plane(0.0, 1.0)}
-
-Bearing = tuple[str, str]
-"""A pin or slide, and what holds it there against teeth, a belt or a thread."""
 
 
 class Members:

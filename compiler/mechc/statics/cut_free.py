@@ -8,12 +8,13 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..frozen import frozen, replace
-from .acts import Acts, Bearing
+from .acts import Acts
 from .assembly import Assembly
 from .diagram import Acting, FreeBody, Plane
 from .free_bodies import System
 from .surfaces import Pair
 from .tolerances import VANISHED
+from .transfers import Bearing
 
 Sweep = Mapping[str, Plane]
 """Where points are drawn."""

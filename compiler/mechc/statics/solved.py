@@ -1,12 +1,7 @@
 """Equilibrium solved for all forces at once, without friction or with it."""
 
 import math
-from collections.abc import Iterator
-from typing import assert_never
 
-from ..model.mechanism import Contact, Mechanism, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
-from ..model.parts.repeated import primed
-from .acts import Bearing
 from .balanced import Tie, gather, ties, untied, with_loads
 from .cases import Case
 from .cut_free import Solution
@@ -14,6 +9,7 @@ from .free_bodies import equilibrium
 from .friction import friction_forces
 from .solve import Factors, factor
 from .tolerances import INCONSISTENT
+from .transfers import Bearing, bearings
 from .unfold import Unfolding
 from .verdict import OPEN, SEVERAL, UNBALANCED
 
@@ -97,34 +93,4 @@ def _open(factors: Factors) -> frozenset[int]:
 def _besides(unfolding: Unfolding) -> tuple[frozenset[Bearing], frozenset[str]]:
     """Return the other bearings, of wheels, racks and screws, and the points that copies share."""
     copies = unfolding.pose.mechanism.copies
-    return _bearings(unfolding), frozenset(copies.sharing if copies else ())
-
-
-def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:
-    """Return the bearings of wheels, racks and screws, in both halves."""
-    half = list(_of_one_half(unfolding.pose.mechanism))
-    points = [(primed(point), by) for point, by in half]
-    return frozenset(
-        bearing
-        for point, by in (*half, *points)
-        for bearing in ((point, by), (point, primed(by) if by != "ground" else by))
-    )
-
-
-def _of_one_half(mechanism: Mechanism) -> Iterator[Bearing]:
-    for joint in mechanism.joints:
-        match joint:
-            case WheelPair():
-                for centre in joint.points:
-                    yield centre, "ground"
-                    yield from ((centre, link) for link in mechanism.turning_at(centre))
-            case Rack(point, pivot, link):
-                yield from ((pivot, link), (pivot, "ground"), (point, "ground"))
-                yield from ((slide.name, "ground") for slide in mechanism.slides_at(point))
-            case Screw(link=link):
-                for pivot in mechanism.fixed.intersection(mechanism.link(link).points):
-                    yield from ((pivot, link), (pivot, "ground"))
-            case Pivot() | Slider() | Slot() | Contact() | Rope():
-                pass
-            case _:
-                assert_never(joint)
+    return bearings(unfolding.pose.mechanism), frozenset(copies.sharing if copies else ())

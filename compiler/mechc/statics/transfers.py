@@ -1,4 +1,4 @@
-"""The forces that wheels, racks and screws pass on, from their mechanics."""
+"""The forces that wheels, racks and screws pass on, from their mechanics, and their bearings."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -6,10 +6,13 @@ from itertools import pairwise
 from typing import assert_never
 
 from ..formula.evaluate import evaluate
-from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
+from ..model.mechanism import Contact, Mechanism, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..model.parts.repeated import primed
 from .assembly import GROUND, Action, Couple, PointForce, Transfer, Wrench, direction
 from .halves import Halves
+
+Bearing = tuple[str, str]
+"""A pin or slide, and what holds it there against teeth, a belt or a thread."""
 
 
 def transfers(halves: Halves) -> Iterator[Transfer]:
@@ -98,3 +101,36 @@ def both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:
         )
         label = transfer.label and primed(transfer.label)
         yield Transfer(transfer.kind, primed(transfer.name), actions, bearings, label)
+
+
+# ------------------------------------------------------------------------------ bearings
+
+
+def bearings(mechanism: Mechanism) -> frozenset[Bearing]:
+    """Return the bearings of wheels, racks and screws, in both halves."""
+    half = list(_bearings_of_half(mechanism))
+    points = [(primed(point), by) for point, by in half]
+    return frozenset(
+        bearing
+        for point, by in (*half, *points)
+        for bearing in ((point, by), (point, primed(by) if by != "ground" else by))
+    )
+
+
+def _bearings_of_half(mechanism: Mechanism) -> Iterator[Bearing]:
+    for joint in mechanism.joints:
+        match joint:
+            case WheelPair():
+                for centre in joint.points:
+                    yield centre, "ground"
+                    yield from ((centre, link) for link in mechanism.turning_at(centre))
+            case Rack(point, pivot, link):
+                yield from ((pivot, link), (pivot, "ground"), (point, "ground"))
+                yield from ((slide.name, "ground") for slide in mechanism.slides_at(point))
+            case Screw(link=link):
+                for pivot in mechanism.fixed.intersection(mechanism.link(link).points):
+                    yield from ((pivot, link), (pivot, "ground"))
+            case Pivot() | Slider() | Slot() | Contact() | Rope():
+                pass
+            case _:
+                assert_never(joint)

@@ -8,13 +8,11 @@ formulas of the drive, so is that one.
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import assert_never
 
 from ...diagnostics import Report
 from ...diagnostics import drawn as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import (
-    PI,
     ZERO,
     Call,
     Formula,
@@ -40,25 +38,13 @@ from ..mechanism import (
     Mesh,
     Offset,
     Slider,
-    WheelPair,
 )
-from ..parts.holding import Size
+from ..parts.holding import Size, Tied
 from ..standing import direction_matters, place_matters
 from ..tolerances import VANISHED
 from ..values import Values
 from .rigidity import Independent, Row, direction, fixed
 from .sketch import Sketch
-
-
-class Term(NamedTuple):
-    """A motion that wheels tie, of a body or of its ``point`` along a guide, and its factor.
-
-    Of all that one pair of wheels ties, motions times factors add up to zero.
-    """
-
-    body: str
-    point: str
-    factor: Formula
 
 
 def with_named_sizes(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
@@ -85,19 +71,14 @@ def _with_named_size(joint: Joint, sketch: Sketch) -> Joint:
 # -------------------------------------------------------------------- what wheels tie
 
 
-def _tie(mesh: Mesh, mechanism: Mechanism) -> tuple[Term, ...]:
-    """Return the motions that a pair of wheels ties."""
-    match mesh:
-        case WheelPair(first_link=first, second_link=second):
-            ahead = mesh.first_radius
-            back = negative(mesh.second_radius) if mesh.same else mesh.second_radius
-            arm = negative(total([ahead, back]))
-            return Term(first, "", ahead), Term(second, "", back), Term(mesh.arm, "", arm)
-        case Feed(point=point, link=link, way=way):
-            lead = product([(way, 1), (number(2), -1), (PI, -1)]) if mesh.is_per_turn else way
-            return Term(link, "", lead), Term(_guided(point, mechanism), point, number(-1))
-        case _:
-            assert_never(mesh)
+def _ties(mechanism: Mechanism) -> Iterator[tuple[Mesh, tuple[Tied, ...]]]:
+    """Yield what wheels tie, each way of a point with the body that it stands for."""
+    for mesh in mechanism.meshes:
+        yield mesh, tuple(_named(term, mechanism) for term in mesh.tied)
+
+
+def _named(term: Tied, mechanism: Mechanism) -> Tied:
+    return term._replace(body=_guided(term.point, mechanism)) if term.point else term
 
 
 def _guided(point: str, mechanism: Mechanism) -> str:
@@ -105,7 +86,7 @@ def _guided(point: str, mechanism: Mechanism) -> str:
     return next((slide.name for slide in mechanism.slides_at(point)), point)
 
 
-def _matters(term: Term, mechanism: Mechanism) -> bool:
+def _matters(term: Tied, mechanism: Mechanism) -> bool:
     if term.point:
         return place_matters(term.point, mechanism)
     links = (link for link in mechanism.links if link.name == term.body)
@@ -113,8 +94,8 @@ def _matters(term: Term, mechanism: Mechanism) -> bool:
 
 
 def _led(
-    tie: tuple[Term, ...], motions: Mapping[str, Formula], values: Values
-) -> tuple[Term, Formula] | None:
+    tie: tuple[Tied, ...], motions: Mapping[str, Formula], values: Values
+) -> tuple[Tied, Formula] | None:
     """Return the one motion of a tie that is not known, and what it is."""
     unknown = [term for term in tie if term.body not in motions]
     if len(unknown) != 1 or _is_nil(unknown[0].factor, values):
@@ -150,7 +131,7 @@ class Train(NamedTuple):
         if not any(self._free(held)):
             return
         motions = {"": ZERO, **dict(self._given())}
-        ties = [_tie(mesh, self.mechanism) for mesh in self.mechanism.meshes]
+        ties = [tie for _, tie in _ties(self.mechanism)]
         while one := next(filter(None, (_led(tie, motions, self.values) for tie in ties)), None):
             led, motion = one
             motions[led.body] = motion
@@ -164,10 +145,10 @@ class Train(NamedTuple):
             if _matters(term, self.mechanism):
                 report.add(messages.wheels_alone_lead(mesh.span, term.body, mesh.id))
 
-    def _free(self, held: Independent) -> Iterator[tuple[Mesh, Term]]:
+    def _free(self, held: Independent) -> Iterator[tuple[Mesh, Tied]]:
         """Yield the terms of motions that wheels tie and nothing else holds."""
-        for mesh in self.mechanism.meshes:
-            for term in _tie(mesh, self.mechanism):
+        for mesh, tie in _ties(self.mechanism):
+            for term in tie:
                 row = self._row(term)
                 if row is not None and held.lacks(row):
                     yield mesh, term
@@ -221,12 +202,12 @@ class Train(NamedTuple):
                     return total([self.sketch.start(tail, head), degrees(90 * quarter)])
         return None
 
-    def _arm(self, term: Term) -> tuple[str, str] | None:
+    def _arm(self, term: Tied) -> tuple[str, str] | None:
         """Return a drawn arm of a link; None of the ground."""
         links = (link for link in self.mechanism.links if link.name == term.body)
         return next((arm for link in links for arm in self.sketch.arms(link.points)), None)
 
-    def _row(self, term: Term) -> Row | None:
+    def _row(self, term: Tied) -> Row | None:
         """Return the row of a motion; None where nothing drawn takes part in it."""
         if not term.point:
             arm = self._arm(term)
@@ -236,7 +217,7 @@ class Train(NamedTuple):
             return None
         return fixed(term.point, evaluate(guide, self.values) - math.pi / 2)
 
-    def _placed(self, term: Term, motion: Formula) -> Geometry:
+    def _placed(self, term: Tied, motion: Formula) -> Geometry:
         """Return where a link or a slider is after a motion from its drawn place."""
         if term.point:
             return self._moved(term.point, motion)

@@ -264,7 +264,7 @@ def _transmission(
         scope.report.add(messages.no_transmission(point.span, word, what, point.text, there))
     elif len(here) > 1:
         scope.report.add(messages.several_transmissions(point.span, word, point.text))
-    elif isinstance(here[0], WheelPair | Rack):
+    elif not isinstance(here[0], Screw):
         yield WheelFriction(here[0].id, here[0].kind, point.text, f, statement.span)
     elif isinstance(statement, ast.ScrewFriction):
         yield from _in_thread(statement, here[0], f, scope)

@@ -25,7 +25,6 @@ from ...formula.walk import symbols
 from ..mechanism import (
     Absolute,
     Arrow,
-    Contact,
     Feed,
     Force,
     ForcePair,
@@ -38,10 +37,10 @@ from ..mechanism import (
     Pivot,
     Rope,
     Slider,
-    Slot,
     Telescope,
     WheelPair,
 )
+from ..parts.holding import OnLink
 
 FAR = 10**6
 """So many links separate what hangs on no pivot."""
@@ -146,13 +145,14 @@ class Carriers:
             match joint:
                 case Pivot() | Slider():
                     pass
-                case Slot(point, link) | Contact(point, link):
-                    yield ("point", point), ("body", link), type(joint).__name__
                 case WheelPair(kind):
                     first, *others = joint.bodies
                     yield from ((("body", first), ("body", other), kind) for other in others)
-                case Feed(point=point, link=link):
-                    yield ("point", point), ("body", link), type(joint).__name__.lower()
+                case Feed():
+                    yield ("point", joint.point), ("body", joint.link), joint.kind
+                case OnLink():
+                    word = type(joint).__name__
+                    yield from ((("point", p), ("body", joint.link), word) for p in joint.points)
                 case Rope(route):
                     yield from ((("point", a), ("point", b), "rope") for a, b in pairwise(route))
                 case _:

@@ -1,9 +1,10 @@
 """What kinds of joints have in common: what they hold, what they pass on, what sizes they have."""
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Literal, Self
 
-from ...formula.tree import Formula
+from ...formula.tree import PI, Formula, number, product
 from ...named import NamedTuple
 from ...source import Span
 
@@ -18,6 +19,22 @@ class OnePoint:
     def points(self) -> tuple[str, ...]:
         """Return the points that it holds."""
         return (self.point,)
+
+    @property
+    def held(self) -> tuple[str, ...]:
+        """Return the points that it holds by itself, without a link."""
+        return (self.point,)
+
+
+class HoldsNothing:
+    """A joint that passes something on and holds no point by itself."""
+
+    __slots__ = ()
+
+    @property
+    def held(self) -> tuple[str, ...]:
+        """Return the points that it holds by itself: none."""
+        return ()
 
 
 class OnGround:
@@ -69,6 +86,14 @@ class Unsized:
         return self
 
 
+class OnLine(OnePoint, OnLink, Unsized):
+    """A joint of a point with the line from ``tail`` to ``head`` of a link."""
+
+    __slots__ = ()
+    tail: str
+    head: str
+
+
 # --------------------------------------------------------------------------- motion
 
 
@@ -76,7 +101,15 @@ MeshKind = Literal["gear", "belt", "rack", "screw"]
 """The words of the language for what passes a motion on, and of the relation that it asks for."""
 
 
-class Meshing:
+class Tied(NamedTuple):
+    """A motion with its factor: of a body, or of the guided ``point`` where it names no body."""
+
+    body: str
+    point: str
+    factor: Formula
+
+
+class Meshing(HoldsNothing):
     """A joint that passes a motion on and holds nothing: rims, teeth, a thread.
 
     It passes a force on to the ``bodies`` that it names. A pass to which all of these are
@@ -86,9 +119,14 @@ class Meshing:
     __slots__ = ()
 
     @property
+    @abstractmethod
     def kind(self) -> MeshKind:
         """Return the word of the language for it."""
-        raise NotImplementedError
+
+    @property
+    @abstractmethod
+    def tied(self) -> tuple[Tied, ...]:
+        """Return the motions that it ties: times their factors they add up to zero."""
 
     @property
     def presses_aside(self) -> bool:
@@ -112,14 +150,25 @@ class Feed(OnLink, Meshing):
     span: Span
 
     @property
+    @abstractmethod
     def id(self) -> str:
         """Return the joint's name among all joints."""
-        raise NotImplementedError
 
     @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds: the one that it moves, and where that is seen from."""
+        return (self.point, self.base) if self.base else (self.point,)
+
+    @property
+    def tied(self) -> tuple[Tied, Tied]:
+        """Return the turn of the link times the lead, and the way of the point."""
+        lead = product([(self.way, 1), (number(2), -1), (PI, -1)]) if self.is_per_turn else self.way
+        return Tied(self.link, "", lead), Tied("", self.point, number(-1))
+
+    @property
+    @abstractmethod
     def way(self) -> Formula:
         """Return how far the point moves in a radian, or in a turn where it ``is_per_turn``."""
-        raise NotImplementedError
 
     @property
     def is_per_turn(self) -> bool:

@@ -9,10 +9,10 @@ share are no joints of their own: the links' points say them.
 from collections.abc import Iterable, Sequence
 from typing import Literal
 
-from ...formula.tree import Formula
+from ...formula.tree import Formula, negative, total
 from ...frozen import frozen, replace
 from ...source import Span
-from .holding import Feed, Meshing, OnePoint, OnGround, OnLink, Size, Unsized
+from .holding import Feed, HoldsNothing, Meshing, OnePoint, OnGround, OnLine, Size, Tied, Unsized
 
 # ---------------------------------------------------------------------- directions
 
@@ -131,7 +131,7 @@ class Slider(OnePoint, OnGround, Unsized):
 
 
 @frozen
-class Slot(OnePoint, OnLink, Unsized):
+class Slot(OnLine):
     """Pin ``point`` slides along the line from ``tail`` to ``head`` of a link.
 
     (V_B − V of the link's point under B) · normal of the line = 0. A ``guided`` link is fast
@@ -157,7 +157,7 @@ class Slot(OnePoint, OnLink, Unsized):
 
 
 @frozen
-class Contact(OnePoint, OnLink, Unsized):
+class Contact(OnLine):
     """``point`` of its own link touches ``link`` (its line ``tail``–``head``).
 
     ``normal`` is the direction in which the link pushes the point; it can only push.
@@ -221,6 +221,15 @@ class WheelPair(Meshing):
         return tuple(name for name in (*self.wheels, self.arm) if name)
 
     @property
+    def tied(self) -> tuple[Tied, ...]:
+        """Return the turns of both wheels, and of the arm, times their radii."""
+        ahead = self.first_radius
+        back = negative(self.second_radius) if self.same else self.second_radius
+        arm = negative(total([ahead, back]))
+        wheels = Tied(self.first_link, "", ahead), Tied(self.second_link, "", back)
+        return (*wheels, Tied(self.arm, "", arm))
+
+    @property
     def sizes(self) -> tuple[Size, Size]:
         """Return the radii of both wheels."""
         first = Size("r", self.first, self.first_radius)
@@ -267,11 +276,6 @@ class Rack(Feed):
         return self.radius
 
     @property
-    def points(self) -> tuple[str, ...]:
-        """Return the points that it holds."""
-        return (self.point, self.pivot)
-
-    @property
     def base(self) -> str:
         """Return the pivot of the gear: the rack moves along as it does, too."""
         return self.pivot
@@ -288,7 +292,7 @@ class Rack(Feed):
 
 
 @frozen
-class Screw(OnePoint, Feed):
+class Screw(Feed):
     """Turning ``link`` moves slider ``point`` along its guide by ``pitch`` per turn.
 
     V = ω · pitch/2π, right-handed for a positive pitch.
@@ -331,7 +335,7 @@ class Screw(OnePoint, Feed):
 
 
 @frozen
-class Rope(Unsized):
+class Rope(HoldsNothing, Unsized):
     """A rope from its first point over pulleys on the axles between to its last one.
 
     ``ways`` are the directions of its falls. Its length stays the same, whatever the radii of

@@ -1,7 +1,6 @@
 """Guides and slots as vectors of open length, for loops that close through them."""
 
 from collections.abc import Iterator
-from typing import assert_never
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
@@ -9,12 +8,8 @@ from ...frozen import replace
 from ...model.entries import points_of
 from ...model.mechanism import (
     Arrow,
-    Contact,
     ForcePair,
     Mechanism,
-    Meshing,
-    Pivot,
-    Rope,
     Slider,
     Slot,
 )
@@ -53,10 +48,8 @@ def guide_lines(mechanism: Mechanism, directions: Directions) -> Iterator[GuideL
                 angle, start = directions.resolve(along, f"theta_{pin}"), through
             case Slot(pin, _, start, head, span):
                 angle = directions.of(start, head)
-            case Pivot() | Contact() | Meshing() | Rope():
-                continue
             case _:
-                assert_never(joint)
+                continue  # no other joint leads a pin along a line of its own
         if start and angle is not None:
             name, in_slot = _length(start, pin, mechanism), isinstance(joint, Slot)
             yield GuideLine(start, pin, angle, name, span, in_slot)
