@@ -6,9 +6,9 @@ from mechc.diagnostics import Report
 from mechc.frozen import replace
 from mechc.source import Source, Span
 from mechc.syntax import ast, from_dsl, from_yaml
+from mechc.syntax.examples import WRITTEN
 from mechc.syntax.notation import read
 from mechc.syntax.parser.grammar import statement_words
-from mechc.syntax.parser.written import WRITTEN
 from notations import CONSTRUCTS, WHOLE_MECH, WHOLE_YAML
 
 

@@ -11,68 +11,8 @@ from typing import Any, get_args
 
 from ..patterns import pattern
 from . import ast, text
+from .examples import ALL_PINS, LINES, ONE_PIN
 from .vocabulary import LANGUAGES, NAME
-
-BETWEEN = "between {first}[ on {first_link}] and {second}[ on {second_link}]"
-WHEELS = "{first} {first_radius}[ on {first_link}], {second} {second_radius}[ on {second_link}]"
-
-# A part in [ ] is left out where its field is empty; | is where a paragraph aligns.
-LINES: dict[type[ast.Statement], str] = {
-    ast.Version: "mechc {number}",
-    ast.Heading: "mechanism {name}[ {title}]",
-    ast.SheetHeading: "sheet {name}[ {title}]",
-    ast.SourceNote: "source {text}",
-    ast.Param: "param {name}[: {dimension}][|= {value}][ +- {tolerance}]"
-    "[ in {low} .. {high}][ as {label}][ about {about}]",
-    ast.Drive: "drive {name}[ from {low} to {high}][ speed {speed}]",
-    ast.Pivot: "pivot {point}[ at {at}]",
-    ast.Slider: "slider {point} along {along}[ through {through}]",
-    ast.Link: "link {points}[ {label}]",
-    ast.Slide: "slide {points} along {along}",
-    ast.Slot: "slot {point} in {line}[ about {about} radius {radius}][ guiding {guided}]",
-    ast.Telescope: "telescope {points}",
-    ast.Gear: f"gear {WHEELS}[ {{inner}}]",
-    ast.Rack: "rack {point} on {pivot} {radius}",
-    ast.Contact: "contact {point} on {line} normal {normal}",
-    ast.Belt: f"belt {WHEELS}[ {{crossed}}]",
-    ast.Screw: "screw {point} pitch {pitch} on {link}",
-    ast.Drawn: "{point}|at {at}",
-    ast.Vector: "{points}|= {value}",
-    ast.Turn: "angle {points}|= {angle}",
-    ast.Assembly: "assembly {points} {mode}",
-    ast.Mirror: "mirror across {across}[ sharing {sharing}]",
-    ast.Copies: "copies {number}[ sharing {sharing}]",
-    ast.Force: "force {name}[ = {tie}] at {point}[ on {link}] along {along}[ times {times}]",
-    ast.Torque: "torque {name}[ = {tie}] on {link}[ times {times}]",
-    ast.Actuator: f"actuator {{name}} {BETWEEN}[ times {{times}}]",
-    ast.Spring: f"spring {{rate}} {BETWEEN} free {{free}}[ times {{times}}]",
-    ast.Weight: "weight {name} mass {mass} at {point}[ on {link}][ times {times}]",
-    ast.Distributed: "load {name}[ intensity {intensity}][ to {end}] on {line} along {along}"
-    "[ times {times}]",
-    ast.Gravity: "gravity along {along}",
-    ast.GuideFriction: "friction slider {point} {coefficient}[ guide {length} overhang {overhang}]"
-    "[ {law}]",
-    ast.RollerFriction: "friction roller {point} {coefficient} axle {axle} wheel {wheel}",
-    ast.ContactFriction: "friction contact {point} {coefficient}",
-    ast.GearFriction: "friction gear {point} {coefficient}",
-    ast.BeltFriction: "friction belt {point} {coefficient}",
-    ast.RackFriction: "friction rack {point} {coefficient}",
-    ast.ScrewFriction: "friction screw {point} {coefficient} thread {thread}",
-    ast.CollarFriction: "friction collar {point} {coefficient}[ mean {mean}]"
-    "[ outer {outer} inner {inner}][ {law}][ thrust {thrust}][ faces {faces}][ on {link}]",
-    ast.RopeFriction: "friction rope {point} {coefficient} wrap {wrap}[ drum {drum} on {link}]",
-    ast.Motion: "motion {sense}",
-    ast.Efficiency: "efficiency {value}",
-    ast.Table: "table {name}[ {source}] = {rows}",
-    ast.Sizes: "list {name}[ {source}] = {sizes}",
-    ast.Use: "use {used} as {prefix}[ ({given})][ at {at}][ turned {turned}]"
-    "[ joining {joining}][ without {without}]",
-    ast.Translate: "translate {text}" + "".join(f"[ {code} {{{code}}}]" for code in LANGUAGES),
-    ast.Let: "let {name}|= {value}[ in {unit}][ as {label}]",
-}
-
-ALL_PINS = "friction pins {coefficient} diameter {diameter}[ {law}]"
-ONE_PIN = "friction pin {point} {coefficient} diameter {diameter}[ {law}][ on {link}]"
 
 QUOTED = frozenset({"title", "text", "label", "about", "source", *LANGUAGES})
 

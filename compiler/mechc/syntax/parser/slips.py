@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from ...diagnostics import near_miss
 from ...units import UNITS
+from ..examples import WRITTEN
 from ..vocabulary import (
     CHOICE,
     DIAMETER,
@@ -28,7 +29,7 @@ from .usual_slips import (
     SCALARS,
     STATED,
 )
-from .written import WRITTEN, example, whole_example, words_behind
+from .written import example, whole_example, words_behind
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
 

@@ -1,13 +1,14 @@
 """What the LALR parser builds at each rule: one entry per name in the grammar.
 
 Most statements have their fields in the order in which the words stand in the line, so
-the node's class is the entry; the others have a small function. Their span, comments and
+the node's class is the entry, of what passes motion on by the name of the class; the others
+have a small function. Their span, comments and
 remark come from the reader of the line.
 """
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
+from typing import Any, get_args
 
 from .. import ast
 from ..vocabulary import GROUND
@@ -77,6 +78,7 @@ def grouped(left: Token, inside: ast.Expr, right: Token) -> ast.Expr:
 
 
 IN_ORDER: Mapping[str, type[ast.Statement]] = {
+    **{kind.__name__.lower(): kind for kind in get_args(ast.Transmission)},
     "source_note": ast.SourceNote,
     "drive": ast.Drive,
     "pivot": ast.Pivot,
@@ -84,9 +86,6 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "slide": ast.Slide,
     "arc_slot": ast.Slot,
     "telescope": ast.Telescope,
-    "rack": ast.Rack,
-    "contact": ast.Contact,
-    "screw": ast.Screw,
     "drawn": ast.Drawn,
     "geometry": ast.Vector,
     "turn": ast.Turn,

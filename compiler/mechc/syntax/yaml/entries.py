@@ -6,7 +6,7 @@ from typing import Any
 from ...diagnostics import Diagnostic, syntax, syntax_yaml
 from ...frozen import fields
 from ...source import Source, Span
-from .. import ast
+from .. import ast, examples
 from ..fault import Fault
 from ..vocabulary import points_of
 from . import slips
@@ -59,7 +59,7 @@ def table(value: Node, where: str, section: Section) -> Mapping:
         return value
     keys = [key.name for entry in section.entries for key in entry.keys]
     expected = f"a mapping with keys of {', '.join(keys)}"
-    if section.name in slips.WRITTEN:
+    if section.name in examples.SECTIONS:
         expected = "a mapping"
     hint = slips.written(section.name, where)
     raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected, hint))

@@ -8,6 +8,7 @@ from ...diagnostics import Diagnostic, syntax
 from ...named import NamedTuple
 from ...patterns import pattern
 from ...source import Source, Span
+from ..examples import SECTIONS
 from ..vocabulary import POINTS
 
 GLUED: Final = pattern(
@@ -70,41 +71,6 @@ SAID: Final[Mapping[str, str]] = {
 }
 
 
-WRITTEN: Final[Mapping[str, str]] = {
-    "params": "{a: 40 mm, alpha: {value: 10 deg, range: 2 deg .. 40 deg}}",
-    "drive": "{phi: 10 deg .. 80 deg}",
-    "pivots": "[O], or {O: [0 mm, 0 mm]}",
-    "sliders": "{K: 90 deg}",
-    "slides": "{WXY: x}",
-    "mirror": "{across: y, sharing: [K]}",
-    "copies": "{n: 3, sharing: [K]}",
-    "slots": "{B: OC}",
-    "gears": "[{O1: 20 mm, O2: 30 mm}]",
-    "belts": "[{O1: 20 mm, O2: 30 mm}]",
-    "racks": "[{A: O, radius: 20 mm}]",
-    "screws": "{A: {pitch: 5 mm, link: OB}}",
-    "contacts": "{A: {with: WX, normal: 80 deg}}",
-    "points": "{A: [20 mm, 35 mm]}",
-    "geometry": "{OA: a @ alpha}",
-    "assembly": "{ABC: ccw}",
-    "forces": "{P: {at: A, along: x}}",
-    "torques": "{M: {link: OA}}",
-    "weights": "{W: {mass: 2 kg, at: G}}",
-    "actuators": "{P: {between: [A, B]}}",
-    "springs": "[{between: [A, B], rate: 5 N/mm, free: 40 mm}]",
-    "friction": "{pins: {f: 0.1, diameter: 10 mm}}",
-    "let": "{p: 4*P/(pi*d^2)}",
-    "tables": "{m: {rows: [[1, 0.388], [0.9, 0.400]]}}",
-    "lists": "{bores: [32 mm, 40 mm]}",
-    "use": "{cyl: {name: cylinder, with: {P: 2 kN}}}",
-    "require": "[0 deg < alpha < 90 deg]",
-    "expect": "[k = 0.353 at alpha = 10 deg]",
-    "report": "[scheme, k, plot k over alpha]",
-    "translate": "[{text: handle, uk: рукоятка}]",
-}
-"""How the value of a section is written, by the section's key."""
-
-
 COMPONENTS = "components are a list: [20 mm, 35 mm]"
 
 
@@ -116,7 +82,7 @@ def written(section: str, key: str = "") -> str:
     """
     if section == "friction" and POINTS.fullmatch(key):
         return f"it is written: {key}: {{guide: 0.1}}, at a pin {key}: {{f: 0.1, diameter: 10 mm}}"
-    return f"it is written: {section}: {WRITTEN[section]}" if section in WRITTEN else ""
+    return f"it is written: {section}: {SECTIONS[section]}" if section in SECTIONS else ""
 
 
 class Slip(NamedTuple):
