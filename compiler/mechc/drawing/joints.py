@@ -28,7 +28,7 @@ from .bodies import ROLLER, faces_of, wedge
 from .drawing import AXIS, BODY, SYMBOL, Arc, Polyline, Shape
 from .paper import Paper
 from .sheet import Layer, Sheet
-from .symbols import line, off
+from .symbols import BLOCK, PIN, line, off
 from .tolerances import ON_AXIS
 
 STUB = 14.0
@@ -36,6 +36,9 @@ STUB = 14.0
 
 ROOM = 16.0
 """How far apart points of a slide are at least between which its guide has room."""
+
+LENGTHWISE = 0.5
+"""The cosine between a direction and a guide above which it is along the guide."""
 
 Layered = Iterator[tuple[Layer, Shape]]
 
@@ -71,6 +74,26 @@ def joint(paper: Paper, part: Part) -> Layered:
             yield from _in(Layer.PINS, _pulleys(paper, part))
         case _:
             pass
+
+
+def reach(paper: Paper, point: str, direction: Plane) -> float:
+    """Return how far, in mm, what is drawn of the joints at a point reaches in a direction."""
+    return max((_reach(paper, p, point, direction) for p in paper.figure.parts), default=0.0)
+
+
+def _reach(paper: Paper, part: Part, point: str, direction: Plane) -> float:
+    match part:
+        case Slider() if part.point == point:
+            return BLOCK if _is_along(part.along, direction) else PIN + 1.0
+        case Rack(line=shown) | Screw(axis=shown) if part.point == point:
+            is_along = _is_along(part.along, direction)
+            return math.dist(*paper.ends(shown)) / 2 if is_along else 0.0
+        case _:
+            return 0.0
+
+
+def _is_along(line: Plane, direction: Plane) -> bool:
+    return abs(line.dot(direction)) > LENGTHWISE
 
 
 def _in(layer: Layer, shapes: Iterator[Shape]) -> Layered:

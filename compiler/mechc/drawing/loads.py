@@ -5,9 +5,6 @@ import math
 from ..figure.figure import (
     Actuator,
     Force,
-    Rack,
-    Screw,
-    Slider,
     SpreadLoad,
     Spring,
     Telescope,
@@ -15,6 +12,7 @@ from ..figure.figure import (
 )
 from ..pose.places import Plane
 from .drawing import FORCE, SYMBOL, VELOCITY, Arc
+from .joints import reach
 from .labels import Along, Beside
 from .lettering import name, times
 from .occupied import LineSegment, Occupied
@@ -22,7 +20,6 @@ from .paper import Paper
 from .sheet import Layer, Sheet
 from .symbols import (
     ARROW,
-    BLOCK,
     GAP,
     PIN,
     arrow,
@@ -45,9 +42,6 @@ BESIDE = 2.2
 
 NEAR = 0.9
 """How far an arrow keeps off a thin line beside it: half the width of its head, and some air."""
-
-LENGTHWISE = 0.5
-"""The cosine between a force and a guide above which it is drawn along it."""
 
 DIRECTIONS = 12
 """In how many directions from its middle the arrow of a couple is tried."""
@@ -113,7 +107,8 @@ def _free_arrow(occupied: Occupied, avoided: Occupied, paper: Paper, force: Forc
     It leaves its point or comes to it, whichever meets fewer lines; where velocities lie on
     both, it is beside the point.
     """
-    at, gap = paper.at(force.point), GAP + _reach(paper, force)
+    at = paper.at(force.point)
+    gap = GAP + max(PIN + 0.4 * force.weight, reach(paper, force.point, force.along))
 
     def arrow_from(start: float, across: float = 0.0) -> LineSegment:
         ends = start, start + ARROW
@@ -142,22 +137,6 @@ def _draw_spread(sheet: Sheet, paper: Paper, load: SpreadLoad) -> None:
             sheet.draw(Layer.LOADS, arrow(tails[-1], tip))
     sheet.draw(Layer.LOADS, [line(tails[0], tails[-1], FORCE)])
     sheet.name(Beside(tails[0], tails[-1], times(load.times, load.name), FORCE))
-
-
-def _reach(paper: Paper, force: Force) -> float:
-    """Return how far what is drawn at a force's point reaches along the force."""
-    reach = PIN + 0.4 * force.weight
-    for part in paper.figure.parts:
-        match part:
-            case Slider() if part.point == force.point:
-                along = abs(part.along.dot(force.along)) > LENGTHWISE
-                reach = max(reach, BLOCK if along else PIN + 1.0)
-            case Rack(line=line) | Screw(axis=line) if part.point == force.point:
-                if abs(part.along.dot(force.along)) > LENGTHWISE:
-                    reach = max(reach, math.dist(*paper.ends(line)) / 2)
-            case _:
-                pass
-    return reach
 
 
 def _draw_torque(sheet: Sheet, paper: Paper, torque: Torque) -> None:
