@@ -28,5 +28,37 @@ def test_a_force_has_one_end_a_pair_two_and_a_couple_acts_on_its_link(load, ends
     assert load.links == links
 
 
+TWINS = replace(PAIR, joins_twins=True)
+
+
+@pytest.mark.parametrize(
+    ("load", "pushes", "host"),
+    [
+        (FORCE_ON_PIN, (("", "B", 1),), ""),
+        (FORCE_ON_LINK, (("OAB", "B", 1),), "OAB"),
+        (COUPLE, (), "OAB"),
+        (PAIR, (("", "C", 1), ("OAB", "A", -1)), ""),
+        (TWINS, (("OAB", "A", 1),), ""),
+    ],
+)
+def test_a_pair_pushes_its_ends_apart_and_across_the_mirror_the_twin_has_the_other_force(
+    load, pushes, host
+):
+    assert load.pushes == pushes
+    assert load.host == host
+
+
+@pytest.mark.parametrize(
+    ("load", "kind", "name"),
+    [
+        (FORCE_ON_LINK, "load", "V_B"),
+        (COUPLE, "spin", "omega_OAB"),
+        (PAIR, "distance", "V_AC"),
+    ],
+)
+def test_a_load_says_against_which_speed_it_works(load, kind, name):
+    assert (load.against.kind, load.against.name) == (kind, name)
+
+
 def test_a_couple_alone_is_no_force():
     assert [k.dimension for k in (FORCE_ON_PIN, COUPLE, PAIR)] == [FORCE, TORQUE, FORCE]

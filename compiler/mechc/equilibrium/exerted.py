@@ -13,8 +13,6 @@ from ..formula.tree import PI
 from ..formula.walk import symbols
 from ..model.mechanism import (
     Contact,
-    Force,
-    ForcePair,
     Joint,
     Link,
     Load,
@@ -24,7 +22,6 @@ from ..model.mechanism import (
     Screw,
     Slider,
     Slot,
-    Torque,
     WheelPair,
 )
 from ..named import NamedTuple
@@ -279,21 +276,13 @@ def _rope(rope: Rope, cut: Cutting) -> Exerted:
 
 
 def _load(load: Load, owner: str, size: Product, cut: Cutting) -> Iterator[ActOnBody]:
-    match load:
-        case Torque(_, link):
+    if not load.pushes:
+        for link in load.links:
             yield from _couple(owner, link, size)
-        case Force(name, point, link=link):
-            act = Act(owner, size, cut.pose.lines[name])
-            yield from _loaded(act, link, point, cut.points(link) or (point,), cut)
-        case ForcePair(name, first, second, first_link=one, second_link=other):
-            act = Act(owner, size, cut.pose.lines[name])
-            if load.joins_twins:
-                yield from _loaded(act, one, first, (first,), cut)
-            else:
-                yield from _loaded(act._replace(size=-size), one, first, (first, second), cut)
-                yield from _loaded(act, other, second, (first, second), cut)
-        case _:
-            assert_never(load)
+    by = cut.points(load.host) or tuple(push.point for push in load.pushes)
+    for link, point, sense in load.pushes:
+        act = Act(owner, size if sense > 0 else -size, cut.pose.lines[load.name])
+        yield from _loaded(act, link, point, by, cut)
 
 
 def _loaded(

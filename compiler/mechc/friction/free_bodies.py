@@ -5,7 +5,7 @@ One half of a mirror, one branch of copies: a load on what they share counts for
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 from fractions import Fraction
-from typing import Literal, assert_never
+from typing import Literal
 
 from ..algebra.angle import Angle
 from ..algebra.product import ONE, ZERO, Product
@@ -13,7 +13,7 @@ from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
 from ..frozen import frozen
 from ..kinematics.joint_refs import JointRef
-from ..model.mechanism import Force, ForcePair, Link, Load, Mechanism, PinFriction, Torque
+from ..model.mechanism import Link, Load, Mechanism, PinFriction, Torque
 from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.loads import occurrences
@@ -145,18 +145,11 @@ class Bodies:
 
     def _acting(self, load: Load) -> Iterator[tuple[str, str, Angle | None]]:
         """Yield where a load acts, on which link if that is said, and along which line."""
-        match load:
-            case Force(name, point, link=link):
-                yield point, link, self.pose.lines[name]
-            case Torque(link=link):
-                yield "", link, None
-            case ForcePair(name, first) if load.joins_twins:
-                yield first, load.first_link, self.pose.lines[name]
-            case ForcePair(name, first, second):
-                yield second, load.second_link, self.pose.lines[name]
-                yield first, load.first_link, self.pose.lines[name] + HALF_TURN
-            case _:
-                assert_never(load)
+        if not load.pushes:
+            yield from (("", link, None) for link in load.links)
+        for link, point, sense in load.pushes:
+            line = self.pose.lines[load.name]
+            yield point, link, line if sense > 0 else line + HALF_TURN
 
     def _part(self, load: Load) -> Fraction:
         """Return how much of a load one half or branch takes."""

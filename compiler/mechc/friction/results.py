@@ -1,12 +1,12 @@
 """Results with friction: ratios and forms of loads, efficiencies, and forces at joints."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from ..formula.tree import ZERO, Formula
-from ..formula.walk import symbols
+from ..formula.walk import reached, symbols
 from ..frozen import on_demand, replace
 from ..model.boxes import allowed_box
 from ..model.mechanism import (
@@ -98,21 +98,12 @@ def _case(
     if printed is None:
         return None
     used = symbols(printed.formula, *(d.formula for d in printed.where))
-    own = (*_needed(sums, used), *printed.where)
+    rests_on = reached(used, {d.name: d.formula for d in sums})
+    own = (*(d for d in sums if d.name in rests_on), *printed.where)
     where = resting_on(problem, ideal, printed.formula, own)
     holds = (Require(f, o, ZERO, find.span) for f, o in printed.holds)
     guards = tuple(Require(c, ">", ZERO, find.span) for c in printed.positive)
     return PrintedCase(printed.formula, where, tuple(holds), guards)
-
-
-def _needed(sums: Sequence[Definition], used: Iterable[str]) -> list[Definition]:
-    """Return the sums that names rest on, in order."""
-    names, found = set(used), list[Definition]()
-    for one in reversed(sums):
-        if one.name in names:
-            found.append(one)
-            names |= symbols(one.formula)
-    return found[::-1]
 
 
 def resting_on(

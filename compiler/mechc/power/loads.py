@@ -1,7 +1,6 @@
 """Loads as terms of the power equations."""
 
 from fractions import Fraction
-from typing import assert_never
 
 from ..algebra.angle import rational
 from ..algebra.from_formula import to_product
@@ -10,7 +9,7 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
 from ..kinematics.forms import speed_of_load
 from ..kinematics.plan import Plan
-from ..model.mechanism import Force, ForcePair, Load, Mechanism, Torque
+from ..model.mechanism import Force, Load, Mechanism, Torque
 from .balance import Term
 
 
@@ -70,20 +69,7 @@ def owners(mechanism: Mechanism) -> dict[str, tuple[str, Product]]:
 
 def occurrences(mechanism: Mechanism, load: Load) -> Fraction:
     """Return how often a load acts: once on what is shared, else on each half or branch."""
-    return mechanism.repeats(_points(mechanism, load))
-
-
-def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
-    links = {k.name: k.points for k in mechanism.links}
-    match load:
-        case Force(point=point, link=link):
-            return links[link] if link else (point,)
-        case ForcePair(first=first, second=second):
-            return (first, second)
-        case Torque(link=link):
-            return links[link]
-        case _:
-            assert_never(load)
+    return mechanism.repeats(mechanism.link(load.host).points if load.host else load.points)
 
 
 def at_rest(load: Load, mechanism: Mechanism) -> str:

@@ -1,7 +1,6 @@
 """Why a ratio of loads is zero or infinite: what stands still, or moves across its load."""
 
 from collections.abc import Sequence
-from typing import assert_never
 
 from ..algebra.factors import Factor
 from ..algebra.orders import Root, order
@@ -9,7 +8,8 @@ from ..algebra.product import Product
 from ..algebra.sums import canonical
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
-from ..model.mechanism import Force, ForcePair, Load, Torque
+from ..model.mechanism import Force
+from ..model.parts.loads import SpeedAgainst
 from ..power.balance import Balance, Solved, Term
 from .analysis import Acted, Cause, DeadCentre
 
@@ -23,7 +23,7 @@ def cause(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, si
         return "perpendicular load"
     loads = {t.load.name: t.load for t in balance.terms}
     still, moving = _still_and_moving(item, side)
-    return DeadCentre(_acted(loads[still]), _acted(loads[moving]))
+    return DeadCentre(*(_acted(loads[name].against) for name in (still, moving)))
 
 
 def _is_theirs(
@@ -62,17 +62,9 @@ def across_of(item: Solved, balance: Balance, side: int) -> Product | None:
     return canonical(across / terms[moving].power[0]) if across else across
 
 
-def _acted(load: Load) -> Acted:
-    """Return the point, link or pair that a load acts on."""
-    match load:
-        case Force():
-            return Acted(load.point)
-        case Torque():
-            return Acted(load.link)
-        case ForcePair():
-            return Acted(f"{load.first}{load.second}", is_distance=True)
-        case _:
-            assert_never(load)
+def _acted(speed: SpeedAgainst) -> Acted:
+    """Return the point, link or pair that a load acts on, by the speed against which it works."""
+    return Acted(speed.of, is_distance=speed.kind == "distance")
 
 
 def _vanishes(ratio: Product, factor: Factor, at: Sequence[Root]) -> bool:

@@ -3,10 +3,13 @@
 A ``tie`` is a formula in parameters and one other load.
 """
 
+from abc import abstractmethod
 from fractions import Fraction
+from typing import Literal
 
 from ...formula.tree import Formula, number, product, total
 from ...frozen import frozen
+from ...named import NamedTuple
 from ...source import Span
 from ...units import FORCE, TORQUE, Dimension
 from .linkage import Direction
@@ -45,15 +48,47 @@ LoadEnds = tuple[tuple[str, str], ...]
 """Where a load acts: by its link and point, '' for the link where it acts on the pin itself."""
 
 
+class Push(NamedTuple):
+    """A force of a load on a point, on its ``link`` or the pin there ('').
+
+    It is along the load's line where its ``sense`` is 1, against it where that is −1.
+    """
+
+    link: str
+    point: str
+    sense: Literal[1, -1] = 1
+
+
+class SpeedAgainst(NamedTuple):
+    """The speed against which a load works, and what it is ``of``.
+
+    That of a ``load`` is the part of a point's velocity along it, that of a ``distance`` the
+    rate at which two points part, a ``spin`` that of a link.
+    """
+
+    kind: Literal["load", "distance", "spin"]
+    of: str
+
+    @property
+    def name(self) -> str:
+        """Return its name: ``V_A``, ``V_AB``, ``omega_AB``."""
+        return f"omega_{self.of}" if self.kind == "spin" else f"V_{self.of}"
+
+
 class AtPoints:
     """A load that acts at points of links, or on the pins there."""
 
     __slots__ = ()
 
     @property
+    @abstractmethod
+    def pushes(self) -> tuple[Push, ...]:
+        """Return the forces that it acts with in one half or branch."""
+
+    @property
+    @abstractmethod
     def ends(self) -> LoadEnds:
         """Return the link and the point of each of its forces."""
-        raise NotImplementedError
 
     @property
     def points(self) -> tuple[str, ...]:
@@ -95,6 +130,21 @@ class Force(AtPoints):
         """Return the link and the point that it acts on."""
         return ((self.link, self.point),)
 
+    @property
+    def pushes(self) -> tuple[Push]:
+        """Return the force itself."""
+        return (Push(self.link, self.point),)
+
+    @property
+    def host(self) -> str:
+        """Return the link with which it is repeated, '' where that is by its points."""
+        return self.link
+
+    @property
+    def against(self) -> SpeedAgainst:
+        """Return the speed against which it works."""
+        return SpeedAgainst("load", self.point)
+
 
 @frozen
 class Torque:
@@ -110,6 +160,21 @@ class Torque:
     def ends(self) -> LoadEnds:
         """Return the link and the point of each of its forces: it acts at no point."""
         return ()
+
+    @property
+    def pushes(self) -> tuple[Push, ...]:
+        """Return the forces that it acts with: none."""
+        return ()
+
+    @property
+    def host(self) -> str:
+        """Return the link with which it is repeated."""
+        return self.link
+
+    @property
+    def against(self) -> SpeedAgainst:
+        """Return the speed against which it works."""
+        return SpeedAgainst("spin", self.link)
 
     @property
     def points(self) -> tuple[str, ...]:
@@ -153,6 +218,23 @@ class ForcePair(AtPoints):
     def ends(self) -> LoadEnds:
         """Return the link and the point of each of its two forces."""
         return (self.first_link, self.first), (self.second_link, self.second)
+
+    @property
+    def pushes(self) -> tuple[Push, ...]:
+        """Return both forces; across the mirror the twin's is the other one."""
+        if self.joins_twins:
+            return (Push(self.first_link, self.first),)
+        return Push(self.second_link, self.second), Push(self.first_link, self.first, -1)
+
+    @property
+    def host(self) -> str:
+        """Return that it is repeated by its points."""
+        return ""
+
+    @property
+    def against(self) -> SpeedAgainst:
+        """Return the speed against which it works."""
+        return SpeedAgainst("distance", f"{self.first}{self.second}")
 
 
 Load = Force | Torque | ForcePair

@@ -10,7 +10,7 @@ from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import ZERO, Call, Formula, Symbol, product, quotient, total
 from ...friction.solution import Solution, SolvedWithFriction
 from ...frozen import replace
-from ...model.mechanism import Axial, Force, ForcePair, Load, Normal, Reaction, Torque
+from ...model.mechanism import Axial, Load, Normal, Reaction
 from ...model.result import Definition
 from ...pose.pose import Pose, Vector
 from ...power.balance import Release, Solved, Term
@@ -209,13 +209,8 @@ class _Writer:
 
 def _speed(load: Load) -> Symbol:
     """Return the symbol of the speed with which a load does its work."""
-    match load:
-        case Force(name, point):
-            return Symbol(f"V_{point}_{name}")
-        case ForcePair(_, first, second):
-            return Symbol(f"V_{first}{second}")
-        case Torque(_, link):
-            return Symbol(f"omega_{link}")
+    speed = load.against
+    return Symbol(f"{speed.name}_{load.name}" if speed.kind == "load" else speed.name)
 
 
 def _force(release: Release, way: int) -> Formula:

@@ -5,7 +5,6 @@ of points that it shifts, else its own rate, written ``s'``.
 """
 
 from collections.abc import Iterable, Iterator
-from typing import assert_never
 
 from ...algebra.angle import rational
 from ...algebra.product import Product
@@ -13,7 +12,7 @@ from ...algebra.sums import add, canonical
 from ...formula.tree import Symbol
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import Arrow, Force, ForcePair, Torque
+from ...model.mechanism import Arrow, ForcePair
 from ...model.parts.repeated import primed
 from ...named import NamedTuple
 from ...power.balance import Balance, Term
@@ -70,19 +69,12 @@ def _with_load(speed: Velocity, load: str) -> Velocity:
 
 def _of_load(term: Term) -> Velocity:
     """Return the speed against which a load works."""
-    match term.load:
-        case Force(point=point):
-            about = SpeedOf(f"V_{point}", "load", point, term.load.name)
-            return Velocity((about,), VELOCITY, term.speed[0])
-        case Torque(link=link):
-            return _spin(link, term.speed[0])
-        case ForcePair(first=first, second=second) as pair:
-            # Across the mirror the term has the first point's half of the rate.
-            halves = 2 if pair.joins_twins else 1
-            about = SpeedOf(f"V_{first}{second}", "distance", f"{first}{second}")
-            return Velocity((about,), VELOCITY, term.speed[0].scaled(halves))
-        case _:
-            assert_never(term.load)
+    load, speed = term.load, term.load.against
+    about = SpeedOf(speed.name, speed.kind, speed.of, load.name if speed.kind == "load" else "")
+    # Across the mirror the term has the first point's half of the rate.
+    halves = 2 if isinstance(load, ForcePair) and load.joins_twins else 1
+    dimension = FREQUENCY if speed.kind == "spin" else VELOCITY
+    return Velocity((about,), dimension, term.speed[0].scaled(halves))
 
 
 def _spin(link: str, spin: Product) -> Velocity:
