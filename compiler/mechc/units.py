@@ -310,6 +310,8 @@ UNITS |= {"J": UNITS["N*m"], "Hz": UNITS["1/s"]}
 SPELLINGS = {"\u00b5m": "um", "\u03bcm": "um", "inch": "in", '"': "in", "°": "deg"}
 """Other spellings of simple units, by the one of this table that languages know."""
 
+DEGREES = ("deg", "°")
+
 GLUED = ("°", '"')
 """Signs of units that stand at their number without a space."""
 
@@ -337,5 +339,19 @@ def in_unit(value: float, unit: str, digits: int) -> str:
 
     >>> in_unit(0.1, "mm", 6), in_unit(math.pi / 15, "°", 6), in_unit(0.5, "", 6)
     ('100 mm', '12°', '0.5')
+    >>> in_unit(2e-7, "deg", 4)
+    '0.00001146 deg'
     """
-    return f"{value / size_of(unit):.{digits}g}{behind(unit)}"
+    figures = f"{value / size_of(unit):.{digits}g}"
+    return (small_angle(figures) if unit in DEGREES else figures) + behind(unit)
+
+
+def small_angle(figures: str) -> str:
+    """Return the figures of an angle in degrees, without a power of ten where it is small.
+
+    >>> small_angle("-2e-05"), small_angle("2.5e-16"), small_angle("30")
+    ('-0.00002', '2.5e-16', '30')
+    """
+    mantissa, is_small, exponent = figures.partition("e-0")
+    places = len(mantissa.partition(".")[2]) + int(exponent or 0)
+    return f"{float(figures):.{places}f}" if is_small else figures

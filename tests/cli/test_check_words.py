@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable
 from itertools import takewhile
+from pathlib import Path
 
 import pytest
 
@@ -49,6 +50,47 @@ def test_check_has_the_texts_of_quantities_as_they_are_translated(run: Run) -> N
         for options in ([], ["-v"]):
             out = run("check", "--lang", language, *options, "karpenko_fig9_packet_clamp")
             assert f"  p = delta*k*F  # {text}\n" in out
+
+
+WITH_DECIMALS = """\
+mechanism decimals "Numbers of every kind"
+param a = 12.5 mm
+param alpha = 10.5 deg
+pivot O at (0.5 mm, 0 mm)
+slider K along 33.5 deg
+link OB
+link BK
+OB = 1.25*a @ 90 deg + alpha
+BK = a @ 90.5 deg - alpha
+force P at B along 14.5 deg
+force F at K along -90 deg
+find k = P/F
+let q = max(0.75*P, 1.5*F)
+let s = 1000.5*a^2/1 mm
+require alpha < 80.5 deg
+drive alpha from 0.5 deg to 60 deg
+expect k = 0.281489 +- 0.01 at alpha = 10.5 deg
+"""
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+@pytest.mark.parametrize("options", [[], ["-v"]])
+def test_all_numbers_of_a_language_have_its_comma(
+    options: list[str], language: str, tmp_path: Path, run: Run
+) -> None:
+    description = tmp_path / "decimals.mech"
+    description.write_text(WITH_DECIMALS)
+    lines = run("check", "--lang", language, *options, str(description)).splitlines()[1:]
+    assert not [line for line in lines if re.search(r"\d\.\d| mm| deg", line)]
+    assert "  q = max(0,75*P; 1,5*F)" in lines
+
+
+def test_powers_of_ten_are_written_as_by_hand(tmp_path: Path, run: Run) -> None:
+    description = tmp_path / "decimals.mech"
+    description.write_text(WITH_DECIMALS.replace("1000.5*a^2/1 mm", "1e12*a in mm"))
+    assert "= 1.25*10^13 mm at the default pose" in run("check", str(description))
+    assert "s = 10¹² · 12.5 mm = 1.25·10¹³ mm" in run("derive", str(description))
+    assert "1.25*10^13" in run("stroke", str(description))
 
 
 def test_every_language_of_reports_can_be_asked_for() -> None:

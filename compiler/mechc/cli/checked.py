@@ -8,7 +8,7 @@ from ..diagnostics import Diagnostic, Severity
 from ..driver import Compilation
 from ..formula.evaluate import evaluate
 from ..formula.to_text import text, text_in_degrees
-from ..formula.tree import Constant, Number
+from ..formula.tree import Constant, Formula, Number
 from ..frozen import replace
 from ..model.mechanism import (
     GRAVITY,
@@ -35,6 +35,7 @@ from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
 from ..report.text import note, overview
+from ..report.text.printer import tens
 from ..report.text.signs import WRITTEN
 from ..report.text.speller import Speller, speller
 from ..report.text.verdict import agreement, said, trials, untried
@@ -43,7 +44,6 @@ from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
 from ..study.expectations import Finding
 from ..study.ranges import scale_of
-from ..units import in_unit
 
 if TYPE_CHECKING:
     from ..calculation.calculation import Calculation
@@ -120,7 +120,7 @@ def _is_ratio(result: Analysis) -> bool:
 def _speller(mechanism: Mechanism, results: Iterable[Result], language: str, width: int) -> Speller:
     """Return the speller of sentences; formulas are written as in descriptions."""
     spell = speller(results, mechanism, False, language, width)
-    return spell._replace(signs=replace(spell.signs, functions={}, choices=WRITTEN, between=", "))
+    return spell._replace(signs=replace(spell.signs, functions={}, choices=WRITTEN))
 
 
 def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
@@ -163,7 +163,7 @@ def _entries(compilation: Compilation, spell: Speller) -> Iterator[_Entry]:
         literals = [*earlier.new_literals(formulas, mechanism)]
         shown = in_short(result, results)
         written = own.get(result.name)
-        formula = _in_language(written, spell) if written else text_in_degrees(shown.formula)
+        formula = _in_language(written, spell) if written else _described(shown.formula, spell)
         yield _Entry(shown, formula, scale_of(result, mechanism), where, literals, read_up)
 
 
@@ -180,7 +180,13 @@ def _in_language(line: NoteLine, spell: Speller) -> str:
             said = f"next {inner} in {line.of}"
         case "":
             said = inner
+    said = spell.as_described(said)
     return f"{said}  # {spell.text(line.label)}" if line.label else said
+
+
+def _described(formula: Formula, spell: Speller) -> str:
+    """Return a formula in the notation of descriptions, constant angles in degrees."""
+    return spell.as_described(text_in_degrees(formula))
 
 
 def _is_given(result: Analysis) -> bool:
@@ -209,7 +215,7 @@ def _of_result(
         yield f"    = {words['default'].format(value=value)}"
     elif result.undetermined:
         yield f"    {words['default'].format(value=f'{spell.locale.undetermined} (0/0)')}"
-    yield from _of_conditions(result, before, words)
+    yield from _of_conditions(result, before, spell)
     if result.independent:
         yield f"    {words['independent'].format(names=', '.join(result.independent))}"
 
@@ -217,7 +223,7 @@ def _of_result(
 def _of_literals(literals: Iterable[Parameter], spell: Speller) -> Iterator[str]:
     for literal in literals:
         assert literal.value
-        value = spell.units(in_unit(evaluate(literal.value, {}), literal.unit, 6))
+        value = spell.measured(evaluate(literal.value, {}), literal.unit, 6)
         yield _where(f"{literal.name} = {value}", spell)
 
 
@@ -231,17 +237,16 @@ def _of_iterated(
         yield f"    {found.format(names=', '.join(names), equation='n = |r + D*n|')}"
 
 
-def _of_conditions(
-    result: Analysis, before: Analysis | None, words: Mapping[str, str]
-) -> Iterator[str]:
+def _of_conditions(result: Analysis, before: Analysis | None, spell: Speller) -> Iterator[str]:
     held = own_conditions(result)
     if held and not (before and reaction(before) and held == own_conditions(before)):
-        holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)
-        yield f"    {words['holds'].format(conditions=', '.join(holds))}"
+        each = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)
+        holds = ", ".join(map(spell.as_described, each))
+        yield f"    {spell.locale.checked['holds'].format(conditions=holds)}"
 
 
 def _measured(value: float, unit: str, spell: Speller) -> str:
-    return spell.units(in_unit(value, unit, 9))
+    return spell.measured(value, unit, 9)
 
 
 def _where(formula: str, spell: Speller) -> str:
@@ -251,15 +256,16 @@ def _where(formula: str, spell: Speller) -> str:
 def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -> Iterator[str]:
     if isinstance(group, Solved):
         yield f"    {spell.locale.checked['solve'].format(names=', '.join(group.names))}"
-        both = (map(text_in_degrees, without_minus(zero)) for zero in group.zeros)
+        both = ([_described(side, spell) for side in without_minus(zero)] for zero in group.zeros)
         yield from (f"      {' = '.join(sides)}" for sides in both)
         return
     if group.name in known.units and isinstance(group.formula, Number | Constant):
-        value = f"{evaluate(group.formula, {}):.9g} {spell.unit(known.units[group.name])}"
+        figures = tens(f"{evaluate(group.formula, {}):.9g}", spell.signs)
+        value = f"{spell.decimals(figures)} {spell.unit(known.units[group.name])}"
         yield _where(f"{group.name} = {value}", spell)
         return
     g = spell.units(f", g = {float(GRAVITY.value)} m/s^2") if group.name in known.usual else ""
-    yield _where(f"{group.name} = {text_in_degrees(group.formula)}{g}", spell)
+    yield _where(f"{group.name} = {_described(group.formula, spell)}{g}", spell)
 
 
 def _of_findings(compilation: Compilation, spell: Speller) -> Iterator[str]:
@@ -272,7 +278,7 @@ def _of_findings(compilation: Compilation, spell: Speller) -> Iterator[str]:
 
 def _of_finding(finding: Finding, unit: str, source: Source, spell: Speller) -> str:
     written = " ".join(source.written(finding.expect.span).split()).removeprefix("expect ")
-    words = spell.locale.checked
+    words, written = spell.locale.checked, spell.as_described(written)
     if finding.outcome == "proved":
         return words["proved"].format(formula=written)
     return words["agrees"].format(formula=written, value=_measured(finding.found, unit, spell))

@@ -122,8 +122,8 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
         case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
             quantity = given[name]
             is_root, is_divisor = exponent == HALF, exponent == Number(Fraction(-1))
-            is_raised = bool(quantity.unit) and not is_divisor
-            bracketed = not is_root and (is_raised or quantity.value < 0)
+            is_long = bool(quantity.unit) or "e" in quantity.text(DIGITS)
+            bracketed = not is_root and ((is_long and not is_divisor) or quantity.value < 0)
             return Power(_constant(quantity, bracketed), put_in(exponent, given))
         case Power(base, exponent):
             return _power(put_in(base, given), put_in(exponent, given))

@@ -83,6 +83,22 @@ def plain(tex: str, tall: bool = False) -> Box:
     return Box(tex, EM_PER_GLYPH * len(glyphs) + EM_PER_CAPITAL * capitals, tall)
 
 
+def scientific(figures: str, style: Notation) -> str:
+    r"""Return a number with the language's decimal sign, a power of ten as one.
+
+    >>> from .notation import notation
+    >>> scientific("1.5e+06", notation("en")), scientific("-1e-07", notation("en"))
+    ('1.5\\cdot 10^{6}', '-10^{-7}')
+    """
+    mantissa, _, exponent = figures.partition("e")
+    digits = mantissa.replace(".", style.decimal)
+    if not exponent:
+        return digits
+    sign = digits.removesuffix("1")
+    lead = sign if sign in ("", "-") else rf"{digits}\cdot "
+    return rf"{lead}10^{{{int(exponent)}}}"
+
+
 def row(boxes: Iterable[Box]) -> Box:
     """Return boxes side by side."""
     parts = tuple(boxes)
@@ -129,10 +145,7 @@ class _Latex(Typesetter[Box]):
         inner = text.removeprefix("(").removesuffix(")")
         digits, unit = split_quantity(inner.removeprefix("-"))
         digits = "-" + digits if inner.startswith("-") else digits
-        mantissa, _, exponent = digits.lower().partition("e")
-        number = mantissa.replace(".", self.style.decimal)
-        number += rf"\cdot 10^{{{int(exponent)}}}" if exponent else ""
-        tex = number + unit_symbol(unit, self.style)
+        tex = scientific(digits.lower(), self.style) + unit_symbol(unit, self.style)
         return plain(f"({tex})" if inner != text else tex)._replace(open=bool(unit))
 
     def parentheses(self, inner: Box) -> Box:

@@ -16,12 +16,12 @@ from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Constant, Formula, Number, Sum, negative, total
 from ...model.mechanism import Absolute, Along, Direction
-from ...units import ANGLE, LENGTH, UNITS, Dimension, si_unit, size_of
+from ...units import ANGLE, DEGREES, LENGTH, UNITS, Dimension, si_unit, size_of, small_angle
 from ...units import in_unit as text_in_unit
 from ..languages.locale import Locale
 from ..put_in import in_degrees as rounded
 from .notation import Notation, points
-from .printer import latex
+from .printer import latex, scientific
 from .unit_symbols import Words, unit_symbol
 
 _DIGITS = 6
@@ -32,7 +32,9 @@ def quantity(
 ) -> str:
     """Return a constant, given in SI, in a unit (the SI unit when none was written)."""
     chosen = unit or usual_unit(dimension)
-    return decimal(_in_unit(value, chosen), style) + unit_symbol(chosen, locale)
+    size = _in_unit(value, chosen)
+    figures = _degrees(size, style) if chosen in DEGREES else decimal(size, style)
+    return figures + unit_symbol(chosen, locale)
 
 
 def length_of(formula: Formula, locale: Locale, style: Notation, unit: str = "") -> str:
@@ -72,7 +74,7 @@ def in_unit(value: float, unit: str, words: Words, style: Notation) -> str:
     """Return a computed value, given in SI, in a unit; degrees as :func:`rounded` has them."""
     if unit == "deg":
         turn = in_degrees(rounded(value, _DIGITS))
-        return decimal(turn or 0, style, _DIGITS + 1) + unit_symbol(unit, words)
+        return _degrees(turn or 0, style, _DIGITS + 1) + unit_symbol(unit, words)
     return decimal(value / size_of(unit), style) + unit_symbol(unit, words)
 
 
@@ -102,9 +104,12 @@ def decimal(value: Fraction | float, style: Notation, figures: int = _DIGITS) ->
     >>> decimal(2.5e-16, notation("uk"))
     '2{,}5\\cdot 10^{-16}'
     """
-    mantissa, _, exponent = f"{float(value):.{figures}g}".partition("e")
-    digits = mantissa.replace(".", style.decimal)
-    return rf"{digits}\cdot 10^{{{int(exponent)}}}" if exponent else digits
+    return scientific(f"{float(value):.{figures}g}", style)
+
+
+def _degrees(value: Fraction | float, style: Notation, figures: int = _DIGITS) -> str:
+    """Return a number of degrees; that of a small angle has no power of ten."""
+    return scientific(small_angle(f"{float(value):.{figures}g}"), style)
 
 
 def math(tex: str) -> str:

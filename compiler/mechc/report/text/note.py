@@ -17,7 +17,7 @@ from ..checks import NoteCheck
 from ..note import NoteLine, note
 from ..put_in import Quantity
 from ..sentences.noted import label
-from .printer import print_formula, print_name, print_quantity
+from .printer import print_formula, print_name, print_quantity, tens
 from .signs import Signs
 from .speller import SHOWN, Speller
 
@@ -200,5 +200,6 @@ def _check(check: NoteCheck, signs: Signs, words: Words) -> Row:
     said += f": {operator.join(_value(side, signs) for side in check.values)}"
     if check.reserve is not None:
         least = f", {words['least of all']}" if check.decides else ""
-        said += f", {words['reserve'].lower()} {check.reserve:.3g}{least}"
+        reserve = tens(f"{check.reserve:.3g}", signs)
+        said += f", {words['reserve'].lower()} {reserve}{least}"
     return Row(f"{said}, {words['fails']}" if check.fails else said, check.label)

@@ -22,7 +22,7 @@ from ...model.mechanism import (
 from ...model.values import is_constant, range_of
 from ...pose.pose import Pose
 from ...source import Source
-from ...units import USUAL_UNITS, in_unit, si_unit
+from ...units import USUAL_UNITS, si_unit
 from .speller import Speller
 
 Words = Mapping[str, str]
@@ -34,9 +34,9 @@ def overview(
 ) -> Iterator[str]:
     """Yield the points, parameters, vectors and what loops give; ``pose`` is None without one."""
     words = spell.locale.checked
-    yield from _headed(words["points"], _points(mechanism, source, words))
+    yield from _headed(words["points"], _points(mechanism, source, spell))
     yield from _headed(words["parameters"], _parameters(mechanism, pose, spell))
-    yield from _headed(words["vectors"], _vectors(mechanism, source, words))
+    yield from _headed(words["vectors"], _vectors(mechanism, source, spell))
     yield from _headed(words["follows"], _definitions(pose, words) if pose else ())
 
 
@@ -48,9 +48,10 @@ def _headed(heading: str, rows: Iterable[tuple[str, str]]) -> Iterator[str]:
     yield from (f"    {first:<{width}}  {second}".rstrip() for first, second in found)
 
 
-def _points(mechanism: Mechanism, source: Source, words: Words) -> Iterator[tuple[str, str]]:
+def _points(mechanism: Mechanism, source: Source, spell: Speller) -> Iterator[tuple[str, str]]:
+    words = spell.locale.checked
     places = {
-        g.head: words["at"].format(place=_written(g, source))
+        g.head: words["at"].format(place=_written(g, source, spell))
         for g in mechanism.geometry
         if isinstance(g, Offset) and not g.tail
     }
@@ -84,7 +85,7 @@ def _value(parameter: Parameter, spell: Speller) -> str:
         unit = f" ({spell.unit(usual)})" if usual else ""
         return spell.locale.checked["open"].format(unit=unit)
     if parameter.dependent and not is_constant(parameter):
-        return f"= {text(parameter.value)}"
+        return f"= {spell.as_described(text(parameter.value))}"
     return f"= {_measured(evaluate(parameter.value, {}), parameter, spell)}"
 
 
@@ -103,11 +104,12 @@ def _stroke(parameter: Parameter, mechanism: Mechanism, spell: Speller) -> str:
 
 
 def _measured(value: float, parameter: Parameter, spell: Speller) -> str:
-    return spell.units(in_unit(value, parameter.unit or si_unit(parameter.dimension), 9))
+    return spell.measured(value, parameter.unit or si_unit(parameter.dimension), 9)
 
 
-def _vectors(mechanism: Mechanism, source: Source, words: Words) -> Iterator[tuple[str, str]]:
+def _vectors(mechanism: Mechanism, source: Source, spell: Speller) -> Iterator[tuple[str, str]]:
     """Yield the entries of the geometry as they are written, and what each leaves open."""
+    words = spell.locale.checked
     for entry in mechanism.geometry:
         if isinstance(entry, Offset) and not entry.tail:
             continue
@@ -116,11 +118,11 @@ def _vectors(mechanism: Mechanism, source: Source, words: Words) -> Iterator[tup
             missing = words["directionless"]
         elif isinstance(entry, Arrow) and entry.length is None:
             missing = words["lengthless"]
-        yield _written(entry, source), missing
+        yield _written(entry, source, spell), missing
 
 
-def _written(entry: Geometry, source: Source) -> str:
-    return " ".join(source.written(entry.span).split())
+def _written(entry: Geometry, source: Source, spell: Speller) -> str:
+    return spell.as_described(" ".join(source.written(entry.span).split()))
 
 
 def _definitions(pose: Pose, words: Words) -> Iterator[tuple[str, str]]:

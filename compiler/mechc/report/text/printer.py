@@ -35,8 +35,17 @@ _RECIPROCAL = pattern(r" 1/(\w+)(?:\^(\d+))?$")
 _WORD = pattern(r"[\w.°₀-₉]+")
 """An argument that needs no parentheses: a letter with its indices, a multiple, a number."""
 
-_MEASURED = pattern(r"[−-]?\d[\d.,e+−-]* \S+")
+_MEASURED = pattern(r"[−-]?\d[\d.,·*^⁰¹²³⁴-⁹⁻+−-]* \S+")
 """A number and its unit: ``5 kN``."""
+
+_NUMBERED = pattern(r"(?<=[A-Z])_(?=\d)")
+"""What stands between a point and its number: ``W_0``."""
+
+_EXPONENT = pattern(r"((?<![\d.])1|(?<=\d))e([+−-]?)0*(\d+)")
+"""What stands behind the figures of a large or a small number: ``1.5e+06``."""
+
+_TENS = pattern(r"(\d[·*])?10[\^⁰¹²³⁴-⁹⁻]")
+"""A power of ten, behind its figures if there are any."""
 
 _INVERSE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
@@ -66,6 +75,8 @@ def print_name(name: str, signs: Signs) -> str:
     >>> from .signs import UNICODE
     >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B", "turn_ABC")]
     ['α₁', 'ω_O₁B', 'O₁B', '∠ABC']
+    >>> [print_name(name, UNICODE) for name in ("y_Q_0", "V_W_0", "l_1_2", "d_max_2")]
+    ['y_Q₀', 'V_W₀', 'l₁,₂', 'd_max₂']
     """
     corner = "" if name in signs.own else corner_of(name)
     if not signs.fancy:
@@ -77,11 +88,18 @@ def print_name(name: str, signs: Signs) -> str:
     head, primes, indices = split_name(_called(name, signs.texts))
     words = {**GREEK, **{w: signs.texts[w] for w in words_in(name) if w in signs.texts}}
     letter = words.get(head, head) + primes
-    if indices and indices[0].isdigit():
-        letter += indices[0].translate(_LOWERED)
-        indices = indices[1:]
     words = words if name in signs.own else {**words, **signs.subscripts}
-    return "_".join((letter, *(words.get(i) or print_point(i, signs) for i in indices)))
+    return letter + "".join(
+        _between(before, index) + (words.get(index) or print_point(index, signs))
+        for before, index in pairwise(("", *indices))
+    )
+
+
+def _between(before: str, index: str) -> str:
+    """Return what stands before an index: nothing before a number, which is lowered."""
+    if not index.isdigit():
+        return "_"
+    return "," if before.isdigit() else ""
 
 
 def _called(name: str, texts: Mapping[str, str]) -> str:
@@ -105,8 +123,10 @@ def print_quantity(quantity: str, signs: Signs) -> str:
     ('−14.8 N·m', '12 mm³')
     >>> print_quantity("25 1/m", UNICODE), print_quantity("25 1/m^2", UNICODE)
     ('25 m⁻¹', '25 m⁻²')
+    >>> print_quantity("1.5e-05 m^2", UNICODE)
+    '1.5·10⁻⁵ m²'
     """
-    written = quantity.replace(" deg", signs.degree).replace("-", signs.minus)
+    written = tens(quantity, signs).replace(" deg", signs.degree).replace("-", signs.minus)
     if not signs.fancy:
         return written
     written = _RECIPROCAL.sub(lambda m: f" {m[1]}{f'-{m[2] or 1}'.translate(_RAISED)}", written)
@@ -114,9 +134,31 @@ def print_quantity(quantity: str, signs: Signs) -> str:
     return raised.replace("*", "·")
 
 
+def tens(said: str, signs: Signs) -> str:
+    """Return numbers with powers of ten as they are written by hand.
+
+    >>> from .signs import ASCII, UNICODE
+    >>> tens("1.5e+06 N", UNICODE), tens("1.5e-06 N", ASCII), tens("-1e+12", UNICODE)
+    ('1.5·10⁶ N', '1.5*10^-6 N', '-10¹²')
+    """
+    return _EXPONENT.sub(lambda found: _ten(found[1], found[2], found[3], signs), said)
+
+
+def _ten(one: str, sign: str, exponent: str, signs: Signs) -> str:
+    """Return a power of ten behind its figures, or alone where these are ``one``."""
+    power = ("" if sign in ("", "+") else "-") + exponent
+    ten = f"10{power.translate(_RAISED)}" if signs.fancy else f"10^{power}"
+    return ten if one else f"{'·' if signs.fancy else '*'}{ten}"
+
+
 def print_point(name: str, signs: Signs) -> str:
-    """Return a point, a link or an index, its numbers lowered."""
-    return name.translate(_LOWERED) if signs.fancy else name
+    """Return a point, a link or an index, its numbers lowered.
+
+    >>> from .signs import UNICODE
+    >>> print_point("W_0W", UNICODE)
+    'W₀W'
+    """
+    return _NUMBERED.sub("", name).translate(_LOWERED) if signs.fancy else name
 
 
 class _Terminal(Typesetter[str]):
@@ -166,9 +208,12 @@ class _Terminal(Typesetter[str]):
         return line
 
     def over(self, above: str, below: str, several: bool) -> str:
-        """Return a quotient on one line: ``F / (5 kN)``, as ``F / 5 kN`` can be read as kN, too."""
+        """Return a quotient on one line: ``F / (5 kN)``, as ``F / 5 kN`` can be read as kN, too.
+
+        So is what has a power of ten: ``1 / (2·10⁶)``.
+        """
         sign = " / " if " " in above + below else "/"
-        is_enclosed = several or _MEASURED.fullmatch(below)
+        is_enclosed = several or _MEASURED.fullmatch(below) or _TENS.match(below)
         return f"{above}{sign}({below})" if is_enclosed else f"{above}{sign}{below}"
 
     def beside(self, first: str, second: str) -> str:

@@ -38,10 +38,11 @@ DEEP = " " * 8
 """What stands before a formula."""
 
 _TIED = pattern(
-    r"\([^()]{,40}\)|(?<=\d) (?=[^\W\d_])|\b(?:sin|cos|tan|cot|tg|ctg)[⁰¹²³⁴-⁹]* (?=[^\s·+−=])"
+    r"\([^()]{,40}\)|(?<=[\d⁰¹²³⁴-⁹]) (?=[^\W\d_])"
+    r"|\b(?:sin|cos|tan|cot|tg|ctg)[⁰¹²³⁴-⁹]* (?=[^\s·+−=])"
 )
 _OPERATOR = pattern(r"\\operatorname\{(\w+)\}")
-_UNIT = pattern(r"(?<=\d )(?:1/)?[A-Za-z][\w^*/·]*")
+_UNIT = pattern(r"(?<=[\d⁰¹²³⁴-⁹] )(?:1/)?[A-Za-z][\w^*/·]*")
 """A unit behind its number."""
 
 _POINT = pattern(r"(?<=\d)\.(?=\d)")
@@ -88,7 +89,12 @@ class Speller(NamedTuple):
 
     def number(self, value: float) -> str:
         """Return a number that was computed."""
-        return self.decimals(f"{value:.{SHOWN}g}".replace("-", self.signs.minus))
+        figures = printer.tens(f"{value:.{SHOWN}g}", self.signs)
+        return self.decimals(figures.replace("-", self.signs.minus))
+
+    def measured(self, value: float, unit: str, digits: int) -> str:
+        """Return a value in SI in a unit, as a description has it but for powers of ten."""
+        return self.units(printer.tens(in_unit(value, unit, digits), self.signs))
 
     def quantity(self, quantity: Quantity) -> str:
         """Return a value in its unit, an angle in degrees."""
@@ -118,6 +124,11 @@ class Speller(NamedTuple):
         """Return numbers with the decimal sign of the language."""
         sign = self.locale.decimal.strip("{}")
         return said if sign == "." else _POINT.sub(sign, said)
+
+    def as_described(self, said: str) -> str:
+        """Return what is in the notation of descriptions with numbers and units of the language."""
+        is_plain = self.locale.decimal == "."
+        return said if is_plain else self.units(_with_semicolons(said))
 
     def unit(self, unit: str) -> str:
         """Return a unit in the letters of the language."""
@@ -173,8 +184,21 @@ class Speller(NamedTuple):
         """Return the line on a length that is given by a number."""
         assert literal.value
         name = self.relation((Symbol(literal.name),), (), False)
-        value = in_unit(evaluate(literal.value, {}), literal.unit, 10)
-        return f"{DEEP}{name} = {self.units(value.replace('-', self.signs.minus))}"
+        value = self.measured(evaluate(literal.value, {}), literal.unit, 10)
+        return f"{DEEP}{name} = {value.replace('-', self.signs.minus)}"
+
+
+def _with_semicolons(said: str) -> str:
+    """Return a formula with semicolons between arguments, as its decimals have commas.
+
+    >>> _with_semicolons("k = 0.5*max(a, (b)) at a = 1, b = 2")
+    'k = 0.5*max(a; (b)) at a = 1, b = 2'
+    """
+    depth, shown = 0, ""
+    for letter in said:
+        depth += (letter == "(") - (letter == ")")
+        shown += ";" if letter == "," and depth else letter
+    return shown
 
 
 def speller(

@@ -29,6 +29,8 @@ from ..columns import legend, repeated
 from ..languages.letters import letters
 from ..languages.registry import locale
 from ..sentences.limits import dead_centre
+from .printer import tens
+from .signs import ASCII
 
 ENDS = {
     (False, False): "",
@@ -59,7 +61,7 @@ class Written(NamedTuple):
 
     def number(self, figures: str) -> str:
         """Return a number, with its unit or without, in the letters of the language."""
-        return lettered(figures, self.letters)
+        return lettered(tens(figures, ASCII), self.letters)
 
     def head(self, name: str, unit: str) -> str:
         """Return the head of a column with its unit in the letters of the language."""

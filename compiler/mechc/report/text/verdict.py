@@ -4,6 +4,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ...statics.verdict import Trial, Untried, Verdict
 from ..languages.checked import EN
+from .printer import tens
+from .signs import ASCII
 
 Words = Mapping[str, str]
 """What ``mechc check`` says in a language."""
@@ -59,14 +61,19 @@ def _rows(trials: Sequence[Trial], words: Words) -> list[tuple[str, ...]]:
     seen: dict[str, int] = {}
     for trial in trials:
         seen[trial.result] = number = seen.get(trial.result, 0) + 1
-        both = f"{trial.power:.12g}", f"{trial.statics:.12g}"
-        rows.append((trial.result, str(number), *both, *_figures(trial, words)))
+        both = _figures(trial.power, 12), _figures(trial.statics, 12)
+        rows.append((trial.result, str(number), *both, *_errors(trial, words)))
     return rows
 
 
-def _figures(trial: Trial, words: Words) -> tuple[str, str]:
+def _errors(trial: Trial, words: Words) -> tuple[str, str]:
     verdict = "" if trial.agrees else f"  {words['differs']}"
-    return f"{trial.error:.2g}", f"{trial.condition:.2g}{verdict}"
+    return _figures(trial.error, 2), f"{_figures(trial.condition, 2)}{verdict}"
+
+
+def _figures(value: float, digits: int) -> str:
+    """Return a number to so many digits, as a description has it but for powers of ten."""
+    return tens(f"{value:.{digits}g}", ASCII)
 
 
 def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
@@ -83,7 +90,7 @@ def _summary(verdict: Verdict, words: Words) -> str:
         return words["nothing"]
     opinion = words["agree" if verdict.agrees else "disagree"]
     return opinion.format(
-        error=f"{verdict.worst:.2g}", count=number, trials=_counted(number, words)
+        error=_figures(verdict.worst, 2), count=number, trials=_counted(number, words)
     )
 
 
