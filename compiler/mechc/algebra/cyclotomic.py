@@ -12,6 +12,7 @@ form of a sum unique; putting it back where that takes fewer terms makes it shor
 """
 
 from collections import Counter
+from collections.abc import Iterable
 from functools import lru_cache
 
 Gaussian = tuple[int, int]
@@ -74,21 +75,32 @@ def unique(terms: Directions, parts: int) -> Directions:
 
 
 def short(terms: Directions, parts: int) -> Directions:
-    """Return a form of a sum in its unique form that has few terms."""
+    """Return a form of a sum in its unique form that has few sines and cosines.
+
+    With parts of 15° twice sin 15° is -i·exp(i·15°) + exp(i·75°), one sine and not three:
+
+    >>> short({1: (1, -1), 3: (0, 1)}, 6)
+    {1: (0, -1), 5: (1, 0)}
+    """
     for prime, _ in reversed(stars(parts)):
         terms = _shortened(terms, parts, prime)
     return terms
 
 
 def _shortened(terms: Directions, parts: int, prime: int) -> Directions:
-    """Subtract from each star the coefficient that occurs in it most often."""
+    """Subtract from each star the real part that occurs in it most often, the imaginary one too."""
     span = parts // prime
     result: Directions = {}
     for first in sorted({direction % span for direction in terms}):
         star = [divmod(first + 4 * span * step, parts) for step in range(prime)]
         values = [rotated(terms.get(to, (0, 0)), -turns) for turns, to in star]
-        counts = Counter(values)
-        common = max(counts, key=lambda v: (counts[v], v == (0, 0), v))
+        common = _most_often(re for re, _ in values), _most_often(im for _, im in values)
         for (turns, to), (re, im) in zip(star, values, strict=True):
             accumulate(result, to, rotated((re - common[0], im - common[1]), turns))
     return result
+
+
+def _most_often(parts: Iterable[int]) -> int:
+    """Return the number that occurs most often, of several 0 or else the greatest."""
+    counts = Counter(parts)
+    return max(counts, key=lambda part: (counts[part], part == 0, part))
