@@ -124,3 +124,32 @@ def test_the_diameter_of_a_drum_has_a_name():
     )
     assert text(drum.results["M_f"].formula) == "W*d_O*(exp(pi*f_O) - 1)/2"
     assert drum.results["M_f"].default == pytest.approx(184.325683, rel=1e-8)
+
+
+BLOCK = """
+param mu = 0.25 in 0.1 .. 0.4
+pivot D at (0 mm, 400 mm)
+pivot G at (100 mm, 400 mm)
+slider K along y
+slider H along x
+rope G, K along -y, D along y, H along x
+friction rope K mu wrap 180 deg
+friction rope D mu wrap -90 deg
+force W at K along -y
+force P at H along x
+find k = P/W
+"""
+
+
+def formulas(description):
+    return {r.name: text(r.formula) for r in compile_source(Source("r.mech", description)).results}
+
+
+def test_coefficients_of_two_wraps_are_not_multiplied_out_to_first_order():
+    first, second = "(exp(pi*mu) - 1)/(2*(1 + exp(pi*mu)))", "(exp(pi*mu/2) - 1)/(1 + exp(pi*mu/2))"
+    assert formulas(BLOCK)["k_f1"] == f"1/2 + {first} + {second}"
+
+
+def test_a_power_of_an_exponential_is_one():
+    straight = BLOCK.replace("-90", "180").replace("along x", "along -y")
+    assert formulas(straight)["k_f"] == "exp(2*pi*mu)/(1 + exp(pi*mu))"

@@ -203,3 +203,18 @@ AT = {"a": Quantity(0.05, "mm"), "phi": Quantity(math.radians(-100), "deg")}
 def test_a_negative_angle_of_a_sine_is_a_minus_before_the_product(formula, expected):
     found = put_in(formula, AT)
     assert text(found) == expected
+
+
+def test_minuses_of_numbers_stand_before_the_product():
+    force, arm = Symbol("F"), Symbol("a")
+    given = {"F": Quantity(-5.0, "N"), "a": Quantity(0.02, "mm")}
+    sine = Call("sin", (Symbol("alpha"),))
+    given["alpha"] = Quantity(math.radians(30), "deg")
+    turning = product([(force, 1), (sine, 1)])
+    assert text(put_in(turning, given)) == "-5 N*sin(pi/6)"
+    assert text(put_in(product([(force, 1), (force, 1), (arm, -1)]), given)) == "5 N*5 N/20 mm"
+    assert text(put_in(total([turning, product([(number(-1), 1), (turning, 1)])]), given)) == (
+        "-5 N*sin(pi/6) + 5 N*sin(pi/6)"
+    )
+    over = product([(sine, 1), (force, -1)])
+    assert text(put_in(over, given)) == "-sin(pi/6)/5 N"

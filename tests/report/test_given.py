@@ -4,8 +4,9 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled, loaded
-from mechc.driver import compile_source
+from mechc.driver import Compilation, compile_source
 from mechc.report.languages.registry import locale
+from mechc.report.roles import with_roles
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from small_mechanisms import drawn_four_bar
@@ -282,3 +283,35 @@ def test_an_angle_of_a_drawing_is_given_once():
     text = mechc.loads(DRAWN.replace("drive OA from 40 deg to 80 deg\n", "")).emit("latex")
     (row,) = (line for line in text.splitlines() if line.startswith(r"$\varphi_{OA}$"))
     assert row.count(r"^\circ") == 1
+
+
+def test_quantities_without_a_text_are_called_by_what_they_are():
+    """The coefficient, the diameter, the rate and the free length; not what has a text."""
+    source = Source(
+        "spring.mech",
+        """
+        mechanism spring
+        param c = 5 N/mm
+        param l0 = 80 mm # of the spring at rest
+        param f = 0.1
+        pivot O at (0 mm, 0 mm)
+        pivot Q at (0 mm, 100 mm)
+        link OA
+        A at (80 mm, 30 mm)
+        force P at A along y
+        spring c between Q and A free l0
+        friction pins f diameter 12 mm
+        find P
+        """,
+    )
+    words = locale("en").roles
+    mechanism = Compilation(source).mechanism
+    shown = with_roles((*mechanism.parameters, *mechanism.literals), mechanism, words)
+    labels = {p.name: p.label or p.about for p in shown}
+    found = {name: labels[name] for name in ("c", "l0", "f", "d")}
+    assert found == {
+        "c": "rate of the spring",
+        "l0": "of the spring at rest",
+        "f": "coefficient of friction",
+        "d": "diameter of the pin",
+    }

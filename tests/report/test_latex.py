@@ -138,7 +138,7 @@ def test_a_direction_is_in_degrees_and_a_radius_has_its_unit() -> None:
     text = mechc.loads(LEVER_ON_A_ROD).emit("latex")
     assert r"10^\circ" in text
     assert r"the radius of its friction circle is $\frac{f_Cd_C}{2}$" in text
-    assert r"$d_C$ & $10\,\text{mm}$" in text
+    assert r"$d_C$ & diameter of the pin & $10\,\text{mm}$" in text
 
 
 def test_signed_speeds_are_not_called_magnitudes() -> None:

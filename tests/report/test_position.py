@@ -343,3 +343,36 @@ def test_angles_of_a_triangle_are_introduced():
     page = emit(compilation, TARGET, Options("m"))[0].text
     assert r"$\mu_B=\angle CBO$" in page
     assert r"$\gamma_C=\angle BCO$" in page
+
+
+SWING = """\
+mechanism swing "Lever pushed by a cylinder"
+param phi = 40 deg
+pivot O at (0 mm, 0 mm)
+pivot C at (-300 mm, -80 mm)
+link OAB
+telescope CA
+OA = 150 mm @ phi
+OB = 400 mm @ phi
+drive phi from 10 deg to 80 deg
+{load}
+force W at B along -y
+find {found}
+"""
+
+
+@pytest.mark.parametrize(
+    ("load", "found", "kind"),
+    [
+        ("actuator P between C and A", "k = P/W", "cylinder"),
+        ("spring 5 N/mm between C and A free 300 mm\nforce P at B along x", "P", "telescope"),
+    ],
+)
+def test_a_telescope_has_its_direction_from_the_places_of_its_ends(load, found, kind):
+    source = Source("swing.mech", SWING.format(load=load, found=found))
+    (step,) = Compilation(source).derivation.position
+    assert (step.kind, step.part) == (kind, "CA")
+    assert [d.name for d in step.definitions] == ["phi_CA"]
+    spell = speller((), compiled("four_bar").pose.mechanism, False, "en")
+    (said,) = position_sentences([step], locale("en"), spell)
+    assert said.endswith("CA: the places of its ends give its direction.")

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from ..formula.operations import count_operations
-from ..formula.tree import Call, Formula, negative, number, product, total
+from ..formula.tree import Call, Formula, number, product, total
 from .angle import Rational, rational
 from .factors import Factor, Length, Place, Trig
 from .modular import Point
@@ -242,10 +242,10 @@ def _written(value: Product) -> Formula:
 
 
 def _exponential(formula: Formula, exponent: int) -> tuple[Formula, int]:
-    """Return a power as it is written: e^(−x) rather than 1/e^x."""
+    """Return a power as it is written: e^(−x) rather than 1/e^x, e^(2x) rather than (e^x)²."""
     match formula:
-        case Call("exp", (argument,)) if exponent < 0:
-            return Call("exp", (negative(argument),)), -exponent
+        case Call("exp", (argument,)) if exponent != 1:
+            return Call("exp", (product([(number(exponent), 1), (argument, 1)]),)), 1
         case _:
             return formula, exponent
 

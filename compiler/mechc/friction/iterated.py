@@ -155,10 +155,23 @@ def _powers(loaded: Sequence[LoadedPair], positive: Callable[[Product], Product]
 def _with(ideal: Formula, parts: Sequence[Power], sense: int) -> Formula:
     """Return the driving load with the powers of friction added."""
     sizes = [even(p.size) for p in parts]
-    alone = readable(add(s for s in sizes if not _has_root(s)))
+    apart: dict[Product, list[Product]] = {}
+    for part, size in zip(parts, sizes, strict=True):
+        if not _has_root(size):
+            apart.setdefault(part.pair.factor, []).append(size)
+    alone = _added([size for together in apart.values() for size in together], [*apart.values()])
     others = _gathered(s for s in sizes if _has_root(s))
     added = total([alone, *(size.formula() for size in others)])
     return total([ideal, added if sense > 0 else negative(added)])
+
+
+def _added(sizes: Sequence[Product], apart: Sequence[Sequence[Product]]) -> Formula:
+    """Return a sum over one line, or those of each coefficient of friction apart where shorter.
+
+    Coefficients of ropes, 2(e^(μθ) - 1)/(e^(μθ) + 1), would be multiplied out over one line.
+    """
+    ways = (readable(add(sizes)), total(readable(add(together)) for together in apart))
+    return min(ways, key=count_operations)
 
 
 def _has_root(value: Product) -> bool:

@@ -67,10 +67,13 @@ class Rule(StrEnum):
     """The same from the projections of the velocity on two lines."""
 
 
-PositionKind = Literal[LoopKind, "inclination", "length", "congruent", "sum", "angle"]
+PositionKind = Literal[
+    LoopKind, "inclination", "length", "congruent", "sum", "angle", "cylinder", "telescope"
+]
 """How a loop is solved, or gives one ``length`` or the ``inclination`` of a link alone, that it is
 a triangle ``congruent`` to an earlier one, that a vector is the ``sum`` of others, or that an
-``angle`` of a link is given by a formula."""
+``angle`` of a link is given by a formula. A ``telescope`` between points that have places is a
+``cylinder`` where an actuator works in it."""
 
 
 class SentenceKind(StrEnum):

@@ -134,13 +134,16 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
 
 
 def _in_front(factors: Iterable[Formula]) -> Formula:
-    """Return a product with the minuses of its sines before all of it.
+    """Return a product with the minuses of its sines and of its numbers before all of it.
 
     >>> from ..formula.to_text import text
     >>> from ..formula.tree import number
     >>> sine, ten = Call("sin", (degrees(10),)), Constant("10 mm", number(1))
     >>> text(_in_front([ten, negative(sine), ten])), text(_in_front([number(-1), negative(sine)]))
     ('-10 mm*sin(pi/18)*10 mm', 'sin(pi/18)')
+    >>> load = Constant("(-5 N)", number(-5))
+    >>> text(_in_front([load, sine])), text(_in_front([number(-1), sine, Power(load, number(-1))]))
+    ('-5 N*sin(pi/18)', 'sin(pi/18)/5 N')
     """
     parts = [_without_minus(factor) for factor in factors]
     sign = math.prod(sign for sign, _ in parts)
@@ -159,10 +162,17 @@ def _opposite(factors: Sequence[Formula]) -> list[Formula]:
 
 
 def _without_minus(factor: Formula) -> tuple[int, Formula]:
-    """Return the sign of a sine, or of a power of one, and it without its minus."""
+    """Return the sign of a sine, a number put in, or a power of one, and it without its minus."""
     match factor:
         case Product((Number(value), (Call() | Power(Call())) as sine)) if value == -1:
             return -1, sine
+        case Constant(name, value) if name.startswith("(-"):
+            return -1, Constant(name.removeprefix("(-").removesuffix(")"), negative(value))
+        case Power(
+            Constant() as base, Number(Fraction(numerator=n, denominator=1)) as exponent
+        ) if n % 2:
+            sign, size = _without_minus(base)
+            return sign, Power(size, exponent)
         case _:
             return 1, factor
 

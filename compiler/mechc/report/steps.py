@@ -28,7 +28,7 @@ class PositionStep:
     the triangle that this one is congruent to. ``corners`` are the angles of a triangle among them,
     each with its corner, ``inclined`` the inclination to a guide with the vector inclined.
     Where a loop closes along a guide in two ways, ``pin`` is the point there and ``is_ahead`` says
-    whether it has the place farther along the guide.
+    whether it has the place farther along the guide. ``part`` is the vector that is found alone.
     """
 
     kind: PositionKind
@@ -40,6 +40,7 @@ class PositionStep:
     inclined: tuple[str, str] | None = None
     pin: str = ""
     is_ahead: bool | None = None
+    part: str = ""
 
 
 class Equation(NamedTuple):

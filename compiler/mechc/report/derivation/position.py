@@ -1,13 +1,14 @@
 """Position: what follows from each loop and sum of vectors, in the order in which it follows."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import groupby
+from itertools import chain, groupby
 
 from ...formula.facing import led
-from ...formula.names import corner_of, split_points
+from ...formula.names import VECTOR_POINTS, corner_of, split_points
 from ...formula.tree import HALF, ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.walk import reached, symbols, walk
 from ...frozen import replace
+from ...model.mechanism import ForcePair, Mechanism
 from ...model.result import Definition
 from ...pose.pose import Pose, SolvedLoop
 from ..kinds import PositionKind
@@ -32,6 +33,9 @@ def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]
 
 Formulas = Mapping[str, Formula]
 
+BETWEEN_ENDS = ("aligned", "vector")
+"""The kinds of loops that give the vector between two points."""
+
 
 def _order(pose: Pose, formulas: Formulas) -> dict[str, tuple[int, int]]:
     """Return where each name comes: those that vectors have put in with what their loop gives."""
@@ -53,7 +57,8 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
             shown = (Definition(d.name, led(d.formula)) for d in put_in)
             given = (Definition(n, formulas[n]) for n in names)
             found = (*given, *shown) if loop.kind == "mirrored" else (*shown, *given)
-            yield _introduced(loop, _kind(loop, found), found)
+            step = _introduced(loop, _kind(loop, found), found)
+            yield _between_ends(step, pose.mechanism) if loop.kind in BETWEEN_ENDS else step
 
 
 def _introduced(
@@ -67,6 +72,20 @@ def _introduced(
         inclined = next(((name, _vector(name)) for name in named), None)
     step = PositionStep(kind, loop.points, loop.is_clockwise, found, loop.like, corners, inclined)
     return replace(step, pin=loop.pin, is_ahead=loop.is_ahead)
+
+
+def _between_ends(step: PositionStep, mechanism: Mechanism) -> PositionStep:
+    """Return a step with the vector that it finds alone; one of a telescope says so."""
+    parts = {_vector(definition.name) for definition in step.definitions}
+    part = min(parts) if len(parts) == 1 else ""
+    ends = frozenset("".join(point) for point in split_points(part))
+    if len(ends) != VECTOR_POINTS:
+        return step
+    if not any(ends == frozenset(t.points) for t in mechanism.telescopes):
+        return replace(step, part=part)
+    pairs = [load for load in mechanism.loads if isinstance(load, ForcePair) and not load.spring]
+    is_driven = any(ends == {pair.first, pair.second} for pair in pairs)
+    return replace(step, kind="cylinder" if is_driven else "telescope", part=part)
 
 
 def _corners(
@@ -164,13 +183,15 @@ def _of_sums(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator
     """Yield the vectors put together of given ones that velocities mention by their names."""
     elsewhere = {n for loop in pose.solved for n in loop.names}
     elsewhere |= {p.name for p in pose.mechanism.parameters}
-    needed = reached([*_in_steps(derivation), *_in_conditions(derivation)], formulas)
+    mentioned = (_in_steps(derivation), _in_balances(derivation), _in_conditions(derivation))
+    needed = reached(chain.from_iterable(mentioned), formulas)
     named = [n for n in formulas if n in needed and n not in elsewhere]
     for vector, names in groupby(named, _vector):
         found = tuple(Definition(n, formulas[n]) for n in names)
         points = tuple("".join(point) for point in split_points(vector))
         is_corner = all(corner_of(definition.name) for definition in found)
-        yield PositionStep("angle" if is_corner else "sum", points, None, found)
+        step = PositionStep("angle" if is_corner else "sum", points, None, found)
+        yield step if is_corner else _between_ends(step, pose.mechanism)
 
 
 def _vector(name: str) -> str:
@@ -189,6 +210,12 @@ def _in_steps(derivation: Derivation) -> Iterator[str]:
             yield from symbols(equation.right) | symbols(equation.left)
 
 
+def _in_balances(derivation: Derivation) -> Iterator[str]:
+    """Yield the names in the power equations."""
+    for balance in derivation.balances:
+        yield from symbols(balance.left)
+
+
 def _in_conditions(derivation: Derivation) -> Iterator[str]:
     """Yield the names in the conditions of use."""
     for condition in derivation.requires:
@@ -198,8 +225,7 @@ def _in_conditions(derivation: Derivation) -> Iterator[str]:
 def _mentioned(derivation: Derivation) -> Iterator[str]:
     """Yield the names in everything that a derivation prints."""
     yield from _in_steps(derivation)
-    for balance in derivation.balances:
-        yield from symbols(balance.left)
+    yield from _in_balances(derivation)
     for explanation in derivation.explanations:
         for paragraph in explanation.paragraphs:
             for equation in paragraph.equations:

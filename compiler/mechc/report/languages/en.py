@@ -99,6 +99,15 @@ LOCALE = Locale(
         "tightening": "with friction the motion is along the arrow of {loads}",
         "releasing": "with friction the motion is against the arrow of {loads}",
     },
+    roles={
+        "coefficient": "coefficient of friction",
+        "pin": "diameter of the pin",
+        "pins": "diameter of the pins",
+        "wrap": "angle of wrap",
+        "thread": "mean diameter of the thread",
+        "rate": "rate of the spring",
+        "free length": "free length of the spring",
+    },
     geometry="Geometry",
     vector="Vector",
     length="Length or coordinates",
@@ -113,8 +122,10 @@ LOCALE = Locale(
         "link.",
         "slot": "Loop {loop}: its projections across the line of the slot and along it give the "
         "direction of that line and the place on it.",
-        "aligned": "Loop {loop}: the line of the slot has the direction of the vector between its"
-        " ends, the place on it is the length of that vector.",
+        "aligned": "Loop {loop}: the slot has the direction of the vector {part}, whose length is "
+        "the distance along it.",
+        "cylinder": "The cylinder {part}: the places of its ends give {found}.",
+        "telescope": "The telescopic link {part}: the places of its ends give {found}.",
         "equal": "Loop {loop}: lengths in it are equal, so that its directions follow at once.",
         "mirrored": "Loop {loop}: its unknown sides are as long as the known ones, so that they "
         "have the directions of these, mirrored in the line {side}.",
@@ -122,7 +133,7 @@ LOCALE = Locale(
         "at {pins} are equal.",
         "lengths": "Loop {loop}: its projections give two lengths.",
         "length": "Loop {loop}: its projection gives a length.",
-        "sum": "The vector {loop} is a sum of vectors: its projections give direction and length.",
+        "sum": "The vector {loop} is a sum of vectors: its projections give {found}.",
         "angle": "The angle {loop} of a link from what is given.",
         "vector": "The vector between points of {loop} that have their places.",
         "system": "The loops through {all} close together; their equations are solved by "
@@ -130,6 +141,9 @@ LOCALE = Locale(
     },
     introduced={
         "corners": "Here {corners}.",
+        "both": "its direction and length",
+        "bearing": "its direction",
+        "length": "its length",
         "inclination": "{symbol} is the inclination of {part} to the guide.",
         "direction": "{symbol} is the direction of the vector {vector}, counter-clockwise from "
         "{x}.",

@@ -64,6 +64,9 @@ class Locale(NamedTuple):
     copies: str
     joints: Mapping[str, str]
     given_friction: Mapping[str, str]
+    roles: Mapping[str, str]
+    """What quantities without a text of their own are."""
+
     geometry: str
     vector: str
     length: str

@@ -102,15 +102,24 @@ def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[
     turn = locale.turns["cw" if step.is_clockwise else "ccw"]
     loop, like = (spell("".join(points)) for points in (step.points, step.like))
     side = spell("".join((step.points[0], step.points[-1]))) if step.points else ""
+    part = spell(step.part) if step.part else loop
     pins = dict.fromkeys(points[1] for points in (step.points, step.like) if points)
     return template.format(
         loop=loop,
         like=like,
         side=side,
+        part=part,
+        found=locale.introduced[_found(step)],
         turn=turn,
         pins=enumeration(map(spell, pins), locale),
         all=enumeration(map(spell, step.points), locale),
     )
+
+
+def _found(step: PositionStep) -> str:
+    """Return the key of what is found of a vector: its direction, its length, or both."""
+    is_length = [definition.name.startswith("len_") for definition in step.definitions]
+    return "both" if len({*is_length}) > 1 else "length" if any(is_length) else "bearing"
 
 
 def direction_function(locale: Locale, spell: Speller) -> str:

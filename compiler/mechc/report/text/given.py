@@ -9,6 +9,7 @@ from ...model.mechanism import Absolute, Arrow, Direction, Force, Mechanism, Sli
 from ...model.values import is_constant, own_stroke
 from ...units import in_unit, si_unit
 from ..definitions import given_loads
+from ..roles import with_roles
 from . import note
 from .printer import print_name, print_quantity
 from .speller import SHOWN, Speller
@@ -24,7 +25,7 @@ def given(mechanism: Mechanism, met: Collection[str], spell: Speller) -> list[st
     literals = (p for p in mechanism.literals if p.name in met)
     quantities = (*chosen, *literals, *given_loads(mechanism))
     angles = dict.fromkeys(_angles(mechanism, met, spell))
-    lines = note.given(quantities, spell, angles)
+    lines = note.given(with_roles(quantities, mechanism, spell.locale.roles), spell, angles)
     said = [line for each in _directions(mechanism, spell) for line in spell.wrapped(each, "  ")]
     heading = [spell.locale.given] if said and not lines else []
     return ["", *heading, *lines, *said, *_stroke(mechanism, spell)] if lines or said else []

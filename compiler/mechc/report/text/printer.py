@@ -96,7 +96,7 @@ def print_name(name: str, signs: Signs) -> str:
 
 
 def _between(before: str, index: str) -> str:
-    """Return what stands before an index: nothing before a number, which is lowered."""
+    """Return the sign before an index: none before a number, which is lowered."""
     if not index.isdigit():
         return "_"
     return "," if before.isdigit() else ""

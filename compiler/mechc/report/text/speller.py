@@ -126,7 +126,7 @@ class Speller(NamedTuple):
         return said if sign == "." else _POINT.sub(sign, said)
 
     def as_described(self, said: str) -> str:
-        """Return what is in the notation of descriptions with numbers and units of the language."""
+        """Return text in the notation of descriptions with the commas and units of the language."""
         is_plain = self.locale.decimal == "."
         return said if is_plain else self.units(_with_semicolons(said))
 

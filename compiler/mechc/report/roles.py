@@ -1,0 +1,95 @@
+"""What quantities without a text are, by what the description does with them.
+
+>>> from ..formula.tree import HALF, product
+>>> from ..source import Span
+>>> f, d = Symbol("f"), Symbol("d")
+>>> circle = product([(f, 1), (d, 1), (HALF, 1)])
+>>> of_friction(PinFriction("O", "", circle, Span(0, 0)), frozenset({"d"}))
+[('f', 'coefficient'), ('d', 'pin')]
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Set
+from typing import assert_never
+
+from ..formula.tree import Formula, Product, Sum, Symbol
+from ..formula.walk import symbols
+from ..frozen import replace
+from ..model.mechanism import ForcePair, Mechanism, Parameter
+from ..model.parts.friction import (
+    CollarFriction,
+    FaceFriction,
+    GuideFriction,
+    JointFriction,
+    PinFriction,
+    PivotFriction,
+    RopeFriction,
+    ThreadFriction,
+    WheelFriction,
+)
+from ..units import LENGTH
+
+Role = tuple[str, str]
+"""A quantity, and what it is: a key of the words of a language."""
+
+
+def with_roles(
+    parameters: Iterable[Parameter], mechanism: Mechanism, words: Mapping[str, str]
+) -> Iterator[Parameter]:
+    """Yield quantities with what they are for a text, where they have none of their own."""
+    roles = dict(_roles(mechanism))
+    for parameter in parameters:
+        role = "" if parameter.label or parameter.about else roles.get(parameter.name, "")
+        yield replace(parameter, label=words[role]) if role else parameter
+
+
+def _roles(mechanism: Mechanism) -> Iterator[Role]:
+    known = (*mechanism.parameters, *mechanism.literals)
+    lengths = frozenset(p.name for p in known if p.dimension == LENGTH)
+    met = Counter(r for f in mechanism.friction.joints for r in of_friction(f, lengths))
+    for (name, role), times in met.items():
+        yield name, "pins" if role == "pin" and times > 1 else role
+    for load in mechanism.loads:
+        if isinstance(load, ForcePair) and load.spring and load.tie is not None:
+            yield from _of_spring(load.tie)
+
+
+def of_friction(friction: JointFriction, lengths: Set[str]) -> list[Role]:
+    """Return the quantities of a friction with their roles."""
+    match friction:
+        case PinFriction(radius=radius):
+            names = [name for part in _factors(radius) for name in _names(part)]
+            return [(name, "pin" if name in lengths else "coefficient") for name in names]
+        case GuideFriction() | FaceFriction() | CollarFriction() | PivotFriction():
+            return _named(friction.factor, "coefficient")
+        case RopeFriction(coefficient=coefficient, wrap=wrap):
+            return [*_named(coefficient, "coefficient"), *_named(wrap, "wrap")]
+        case ThreadFriction(factor=factor, thread=thread):
+            return [*_named(factor, "coefficient"), *_named(thread, "thread")]
+        case WheelFriction():
+            return []
+        case _:
+            assert_never(friction)
+
+
+def _of_spring(tie: Formula) -> Iterator[Role]:
+    """Yield what is in the force of a spring: its rate, times its free length less what it has."""
+    for part in _factors(tie):
+        match part:
+            case Sum((Symbol(free), *_)):
+                yield free, "free length"
+            case Symbol(rate):
+                yield rate, "rate"
+
+
+def _names(part: Formula) -> Iterable[str]:
+    """Return the name of a quantity, also of a number that has one; of a formula its symbols."""
+    return (part.name,) if isinstance(part, Symbol) else symbols(part)
+
+
+def _factors(formula: Formula) -> tuple[Formula, ...]:
+    return formula.factors if isinstance(formula, Product) else (formula,)
+
+
+def _named(formula: Formula, role: str) -> list[Role]:
+    return [(formula.name, role)] if isinstance(formula, Symbol) else []
