@@ -211,6 +211,34 @@ def test_turns_that_pi_brings_to_radians(lines: str, codes: set[str]) -> None:
     assert found & {"W267", "W268"} == codes
 
 
+JACK = """
+param p = 4 mm
+pivot S{place}
+link SE
+SE = 10 mm @ 0 deg
+slider A along x
+screw A pitch p on SE
+torque T on SE{times}
+force N at A along x
+mirror across x sharing A
+find m = T/N
+"""
+
+
+@pytest.mark.parametrize(
+    ("place", "times", "warned"),
+    [
+        ("", "", True),
+        ("", " times 1/2", False),
+        (" at (0 mm, 50 mm)", "", False),  # one of two screws, each on its side
+    ],
+)
+def test_a_screw_along_the_mirror_line_is_in_both_halves(place, times, warned) -> None:
+    compilation = Compilation(Source("jack.mech", JACK.format(place=place, times=times)))
+    assert compilation.mechanism
+    assert ("W208" in {d.code for d in compilation.report.diagnostics}) == warned
+
+
 @pytest.mark.parametrize(("speed", "doubted"), [("10 rad/s", False), ("0 rad/s", True)])
 def test_a_drive_of_no_speed_is_doubted(speed: str, doubted: bool) -> None:
     crank = slider_crank("find k = M/F", drive=f"from 0 deg to 90 deg speed {speed}")

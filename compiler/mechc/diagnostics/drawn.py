@@ -145,6 +145,41 @@ def fall_drawn_backwards(at: Span, tail: str, head: str) -> Message:
     return Message(at, message, "turn the direction round, or correct the places")
 
 
+@coded("W351")
+def fall_drawn_across(at: Span, tail: str, head: str, apart: float) -> Message:
+    """A fall of a rope is drawn across its direction.
+
+    It touches pulleys and does not run through their axles, but that turns it by some degrees
+    only where they are small against its length. The direction is what counts::
+
+        D at (0 m, 2 m)
+        K at (0.1 m, 1 m)
+        rope D, K along x, B along y     # warned of: from D to K it is drawn downwards
+        rope D, K along -y, B along y    # right
+    """
+    message = f"the fall from {tail} to {head} is drawn {math.degrees(apart):.3g} deg from"
+    return Message(at, f"{message} its direction", "correct the direction, or the places")
+
+
+@coded("W352")
+def fall_off_its_drum(at: Span, end: str, point: str, off: float, radius: float) -> Message:
+    """A fall of a rope or band, from the end where it is fast, does not touch the drum.
+
+    The distance of its line from the drum's axle is the radius: the force in the fall has that
+    arm, in friction and on the link at its other end::
+
+        pivot O at (0 mm, 0 mm)
+        C at (-300 mm, -100 mm)
+        rope C, O along x, A along -y                        # passes O at 100 mm
+        friction rope O 0.3 wrap 270 deg drum 400 mm on OG   # warned of
+        friction rope O 0.3 wrap 270 deg drum 200 mm on OG   # right
+    """
+    sizes = (f"{size * 1000:.6g} mm" for size in (off, radius))
+    message = "the fall from {0} passes {1} at {2}, and the drum has the radius {3}"
+    hint = "correct the diameter, the direction of the fall, or the places"
+    return Message(at, message.format(end, point, *sizes), hint)
+
+
 @coded("W320")
 def drawn_elsewhere(at: Span, point: str, place: str, gap: str) -> Message:
     """With the lengths and directions given, a point is not where it is drawn.

@@ -25,7 +25,12 @@ from .linkage import held
 from .linkage.geometry import read_geometry
 from .linkage.joints import declare_points, read_drawn, read_pivots, read_sliders, warn_idle
 from .linkage.motion import check_drives, checked, read_assemblies, read_drives
-from .linkage.symmetry import check_shared_vectors, read_copies, read_mirror
+from .linkage.symmetry import (
+    check_shared_vectors,
+    check_turning_on_the_line,
+    read_copies,
+    read_mirror,
+)
 from .linkage.transmissions import read_arcs, read_joints, read_slides, read_telescopes
 from .linkage.wheels import check_belts
 from .lower import with_arcs, with_loaded_points
@@ -142,6 +147,7 @@ def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanis
     check_shared_vectors(mirror, mechanism.geometry, scope)
     copies = read_copies(file, scope)
     loaded = replace(mechanism, loads=tuple(loads), mirror=mirror, copies=copies)
+    check_turning_on_the_line(loaded, scope)
     return with_loaded_points(loaded)
 
 

@@ -228,3 +228,45 @@ def drum_of_another(span: Span, point: str, link: str) -> Message:
     """
     message = f"link {link} has no point {point}, so the drum cannot be fast in it"
     return Message(span, message, f"name the link that turns about {point} behind 'on'")
+
+
+@coded("W208")
+def screw_in_each_part(span: Span, point: str, link: str, load: str, number: int) -> Message:
+    """A screw along the mirror line, or the axis of copies, is in each half, or branch.
+
+    So is all that does not go through shared points only. Then there are several of them, and
+    the torque on each is a part of what one screw takes that is alone on the line::
+
+        mirror across x sharing A
+        screw A pitch p on SE
+        torque T on SE              # warned of: 2T·ω, T is the torque on one of two screws
+        torque T on SE times 1/2    # right for one screw: T·ω
+
+    A screw that has its place in its own half, ``pivot S at (0 mm, 50 mm)``, is one of two.
+    """
+    load = load or "T"
+    return Message(
+        span,
+        f"the screw that moves the shared {point} is described {number} times, as {link} is: "
+        f"{load} is the torque on each",
+        f"of one screw it counts once: 'torque {load} on {link} times 1/{number}'",
+    )
+
+
+@coded("W209")
+def wheel_on_the_line(span: Span, kind: str, pivot: str, link: str) -> Message:
+    """A wheel on the mirror line is in both halves, and the two turn oppositely about one pivot.
+
+    One wheel there turns one way: what it drives on one side goes with it, on the other side
+    against it, and that is no mirror image::
+
+        pivot S
+        gear S r, O r
+        mirror across y sharing S    # warned of: two wheels at S, one for each half
+    """
+    return Message(
+        span,
+        f"the {kind} has a wheel at {pivot}, on the mirror line, and both halves have one: the two "
+        "turn oppositely",
+        f"of one wheel at {pivot}, fast in {link}, describe both halves, without the mirror",
+    )

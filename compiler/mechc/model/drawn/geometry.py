@@ -36,7 +36,7 @@ from ..mechanism import (
 from ..values import Chain, defaults, dependent
 from .closing import closing
 from .driving import fault_of, is_outside, with_driven
-from .ropes import turned_falls, wraps_otherwise
+from .ropes import falls_off_drums, turned_falls, wraps_otherwise
 from .sketch import Sketch
 
 
@@ -191,12 +191,13 @@ def _touching(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
 
 
 def _faults(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield E321, E322, E327, E345, W349 and W350."""
+    """Yield E321, E322, E327, E345 and W349 to W352."""
     yield from _without_place(mechanism, sketch)
     yield from _coinciding(mechanism, sketch)
     yield from _off_line(mechanism, sketch)
     yield from turned_falls(mechanism, sketch)
     yield from wraps_otherwise(mechanism, sketch)
+    yield from falls_off_drums(mechanism, sketch)
 
 
 def _without_place(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:

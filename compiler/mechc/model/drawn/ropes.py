@@ -15,20 +15,28 @@ from .sketch import Sketch
 BACKWARDS = -0.5
 """The cosine of the angle to the drawn fall below which a rope is said to run the wrong way."""
 
+ACROSS = 0.5
+"""The cosine below which it is said to run across: pulleys would fill seven eighths of the way."""
+
+OFF = 0.01
+"""The part of its radius by which a drum may be off a fall, as it is drawn."""
+
 ROOM = math.radians(15)
 """How far a wrap may be from the turn of the drawn falls: pulleys have a size, points have none."""
 
 
 def turned_falls(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield the falls of ropes whose direction is against the way from point to point."""
+    """Yield the falls whose direction is against the way from point to point, or across it."""
     for rope in mechanism.ropes:
         for (tail, head), along in zip(pairwise(rope.route), rope.ways, strict=True):
             turned = sketch.turned(along)
             if turned is not None and sketch.has_all((tail, head)):
                 x, y = sketch.way(tail, head)
-                ahead = x * math.cos(turned) + y * math.sin(turned)
-                if ahead < BACKWARDS * math.hypot(x, y):
+                ahead = math.cos(math.atan2(y, x) - turned)
+                if ahead < BACKWARDS:
                     yield messages.fall_drawn_backwards(along.span, tail, head)
+                elif ahead < ACROSS and math.hypot(x, y) > sketch.rounding:
+                    yield messages.fall_drawn_across(along.span, tail, head, math.acos(ahead))
 
 
 def wraps_otherwise(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
@@ -37,6 +45,21 @@ def wraps_otherwise(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic
     for friction in mechanism.friction.joints:
         if isinstance(friction, RopeFriction) and sketch.has_all(ropes[friction.joint].route):
             yield from _wrapped_otherwise(friction, ropes[friction.joint], sketch)
+
+
+def falls_off_drums(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the falls between a drum and an end of its rope that do not touch the drum."""
+    ropes = {rope.id: rope for rope in mechanism.ropes}
+    for friction in mechanism.friction.joints:
+        if not isinstance(friction, RopeFriction) or friction.reach is None:
+            continue
+        rope, reach = ropes[friction.joint], friction.reach
+        if sketch.has_all(rope.route) and symbols(reach) <= sketch.values.keys():
+            radius = abs(evaluate(reach, sketch.values))
+            for end, off in _standing_off(friction, rope, sketch):
+                if abs(abs(off) - radius) > max(OFF * radius, sketch.rounding):
+                    found = (end, friction.point, abs(off), radius)
+                    yield messages.fall_off_its_drum(friction.span, *found)
 
 
 def _wrapped_otherwise(friction: RopeFriction, rope: Rope, sketch: Sketch) -> Iterator[Diagnostic]:
@@ -62,8 +85,19 @@ def _is_negative(friction: RopeFriction) -> bool:
 def _senses(friction: RopeFriction, rope: Rope, sketch: Sketch) -> Iterator[int]:
     """Yield on which side of the falls to the rope's ends the axle is drawn, 1 for the left.
 
-    A rope that has the axle on its left goes counter-clockwise around it. A fall that runs from
-    point to point goes through the axle, and that to another pulley stands off from its point.
+    A rope that has the axle on its left goes counter-clockwise around it.
+    """
+    for _, side in _standing_off(friction, rope, sketch):
+        yield int(math.copysign(1, side)) if abs(side) > sketch.rounding else 0
+
+
+def _standing_off(
+    friction: RopeFriction, rope: Rope, sketch: Sketch
+) -> Iterator[tuple[str, float]]:
+    """Yield the ends of a rope next to a pulley, and how far its axle is to the left of the fall.
+
+    A fall that runs from point to point goes through the axle, and one to another pulley stands
+    off from its point.
     """
     for at, place in (
         (friction.place - 1, friction.place - 1),
@@ -72,8 +106,7 @@ def _senses(friction: RopeFriction, rope: Rope, sketch: Sketch) -> Iterator[int]
         turned, is_end = sketch.turned(rope.ways[at]), place in (0, len(rope.route) - 1)
         if turned is not None and is_end:
             x, y = sketch.way(rope.route[place], friction.point)
-            side = math.cos(turned) * y - math.sin(turned) * x
-            yield int(math.copysign(1, side)) if abs(side) > sketch.rounding else 0
+            yield rope.route[place], math.cos(turned) * y - math.sin(turned) * x
 
 
 def _turn(friction: RopeFriction, rope: Rope, sketch: Sketch) -> float:

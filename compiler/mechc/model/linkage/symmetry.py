@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from ...diagnostics.model import doubts
 from ...diagnostics.model import joints as messages
 from ...diagnostics.model import loads as load_words
+from ...diagnostics.model import wheels as wheel_words
 from ...source import Span
 from ...syntax import ast
 from ...units import NUMBER
@@ -20,9 +21,14 @@ from ..mechanism import (
     ForcePair,
     Geometry,
     Load,
+    Mechanism,
     Mirror,
+    Offset,
+    Rack,
+    Screw,
     Slide,
     Slider,
+    WheelPair,
 )
 from ..names.scope import Scope
 from ..parts.repeated import primed
@@ -99,6 +105,37 @@ def check_shared_vectors(mirror: Mirror | None, geometry: Sequence[Geometry], sc
         if on_the_line and not parallel(entry.direction, mirror.across, scope):
             what = f"the vector {entry.tail}{entry.head} between shared points"
             scope.report.add(load_words.off_the_mirror(entry.span, what, mirror.span))
+
+
+def check_turning_on_the_line(mechanism: Mechanism, scope: Scope) -> None:
+    """Warn of screws and wheels on the line of symmetry: each part has one, though one is seen."""
+    for joint in mechanism.joints if mechanism.symmetries else ():
+        match joint:
+            case Screw():
+                _check_screw(joint, mechanism, scope)
+            case Rack(pivot=pivot, link=link) if mechanism.is_on_the_line([pivot]):
+                scope.report.add(wheel_words.wheel_on_the_line(joint.span, "rack", pivot, link))
+            case WheelPair(kind=kind):
+                wheels = zip(joint.points, joint.wheels, strict=True)
+                twice = (each for each in wheels if each[1] and mechanism.is_on_the_line(each[:1]))
+                for pivot, link in twice:
+                    scope.report.add(wheel_words.wheel_on_the_line(joint.span, kind, pivot, link))
+            case _:
+                pass
+
+
+def _check_screw(screw: Screw, mechanism: Mechanism, scope: Scope) -> None:
+    """Warn of a screw that is described for each part, and has no place of its own in one."""
+    points = next(k.points for k in mechanism.links if k.name == screw.link)
+    placed = {place.head for place in mechanism.geometry if isinstance(place, Offset)}
+    own = mechanism.fixed & (placed | {d.point for d in mechanism.drawn}) & {*points}
+    number = mechanism.repeats(points) / mechanism.repeats([screw.point])
+    torques = [load for load in mechanism.loads if screw.link in load.links]
+    if number == 1 or own - mechanism.shared or any(load.times != 1 for load in torques):
+        return
+    name = next((load.name for load in torques), "")
+    found = (screw.point, screw.link, name, int(number))
+    scope.report.add(wheel_words.screw_in_each_part(screw.span, *found))
 
 
 def _symmetric(load: Force, across: Direction, shared: Sequence[str], scope: Scope) -> bool:
