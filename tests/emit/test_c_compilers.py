@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechc.driver import Compilation
+from mechc.driver import Compilation, emit
 from mechc.emit.c.to_c import TARGET
 from mechc.emit.target import Emitted, Options
 from mechc.routine.evaluate import evaluate
@@ -19,6 +19,7 @@ from mechc.source import Source
 from mechc.units import ANGLE
 from routine_samples import LIBRARY, SAMPLES, solved
 from run_targets import built, poses
+from small_mechanisms import follower
 
 STRICT = ["-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-c"]
 COMPILERS = {
@@ -53,6 +54,13 @@ def compile_files(files: Sequence[Emitted], compiler: str, level: str, folder: P
 @pytest.mark.parametrize(("compiler", "level"), [("gcc", "-O2"), ("clang", "-Os")])
 def test_systems_compile_without_a_warning(compiler, level, tmp_path):
     compile_all([*ITERATED, "clamp"], compiler, level, tmp_path)
+
+
+def test_forces_that_nothing_makes_compile_without_a_warning(tmp_path):
+    """They are 0 whatever the load, which their statuses take, and whatever slopes are taken by."""
+    text = follower("friction pin C 0.1 diameter 10 mm", "find R_C on QC")
+    files = emit(Compilation(Source("press.mech", text)), TARGET, Options("press", gradient=True))
+    compile_files(files, "gcc", "-O1", tmp_path)
 
 
 @pytest.mark.slow

@@ -21,7 +21,13 @@ from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever import Bearing, on_lever
 from mechc.friction.linear import LinearSolver
 from mechc.friction.naming import Endings, Meanings, OwnNames, renamed
-from mechc.friction.normal_forces import Idle, loaded_pairs, scaled, without_standing
+from mechc.friction.normal_forces import (
+    Idle,
+    loaded_pairs,
+    scaled,
+    without_standing,
+    without_unloaded,
+)
 from mechc.friction.pairs import Component, FrictionPair, LoadedPair
 from mechc.friction.sequential import SequentialSolver
 from mechc.friction.signs import AtAnyPose, bare, is_root
@@ -327,6 +333,21 @@ def test_a_pair_that_may_slip_alone_is_idle():
     alone = replace(pose.mechanism, loads=pose.mechanism.loads[:1])
     with pytest.raises(Idle):
         loaded(replace(pose, mechanism=alone), "M")
+
+
+def test_pairs_that_only_friction_in_one_another_presses_are_left_out():
+    """Of O, loaded, and E, pressed by friction in O, with A and B that press one another alone."""
+    (whole,) = loaded(with_friction(slider_crank(), pin("O")), "M", F=ONE)
+
+    def loaded_by(name, ideal, *by):
+        component = Component(ideal, dict.fromkeys(by, ONE))
+        return replace(whole, pair=whole.pair._replace(name=name), components=(component,))
+
+    parts = [loaded_by("O", ONE, "O", "A"), loaded_by("E", ZERO, "O", "B")]
+    parts += [loaded_by("A", ZERO, "B"), loaded_by("B", ZERO, "A", "B")]
+    found = without_unloaded(parts)
+    assert {p.pair.name: [*p.components[0].by] for p in found} == {"O": ["O"], "E": ["O"]}
+    assert without_unloaded(parts[:2]) == parts[:2]
 
 
 def test_a_slip_that_is_rounding_at_any_pose_is_zero():

@@ -17,6 +17,7 @@ from mechc.report.sentences.speller import LoadWords
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from paths import LIBRARY
+from small_mechanisms import follower
 
 
 def docstring(code: str, name: str) -> str:
@@ -250,6 +251,18 @@ def test_a_force_with_friction_is_stated_once_under_a_heading_of_its_own():
     assert "This holds while" not in stated
     assert stated.count("This holds under the same conditions as k_f.") == 1
     assert "R_A_on_AB_f = √(R_A_on_AB_x_f² + R_A_on_AB_y_f²)" in stated
+
+
+def test_joints_that_nothing_presses_have_no_friction_and_no_equations():
+    text = follower("friction pin C 0.1 diameter 10 mm", "find R_C on QC")
+    compilation = compile_source(Source("press.mech", text))
+    shown = render(compilation.derivation, compilation.mechanism)
+    stated = " ".join(shown.split())
+    assert "Nothing presses the joints that have friction, so friction changes nothing." in stated
+    assert "Newton" not in shown
+    (held,) = (r for r in compilation.results if r.name == "k_f")
+    (ideal,) = (r for r in compilation.results if r.name == "k")
+    assert held.formula == ideal.formula
 
 
 def test_what_is_long_multiplied_out_keeps_the_names_of_its_parts():

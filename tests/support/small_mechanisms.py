@@ -31,6 +31,21 @@ def slider_crank(
     )
 
 
+def follower(*lines: str) -> str:
+    """Return a slider-crank whose pin A moves a rod AC and a rocker QC, which bear no load."""
+    return slider_crank(
+        "link AC",
+        "AC = 90 mm",
+        "pivot Q at (60 mm, 80 mm)",
+        "link QC",
+        "QC = 70 mm",
+        "assembly ACQ cw",
+        "find k = M / F",
+        *lines,
+        drive="from 40 deg to 80 deg",
+    )
+
+
 def four_bar(
     *lines: str,
     a: str = "40 mm",

@@ -202,9 +202,13 @@ def exact(
         Part(p.pair.factor.formula(), sizes.of(p.pair), positive(p.slip).formula(), sense)
         for p in loaded
     ]
-    steps = (Step("iterated"),)
-    whole = _sum(ideal, parts)
+    steps, whole = (step_of(loaded),), _sum(ideal, parts)
     return Named(whole, sizes.definitions, sizes.positive, steps=steps, inside=sizes.inside)
+
+
+def step_of(loaded: Sequence[LoadedPair]) -> Step:
+    """Return the step by which coupled equations are solved: of no pairs there are none."""
+    return Step("iterated" if loaded else "unloaded")
 
 
 def exact_case(
@@ -228,7 +232,7 @@ def exact_case(
     is_long = count_operations(ideal.formula) > SHORT
     without, known = (Symbol(ideal.name), (_called_so(ideal),)) if is_long else (ideal.formula, ())
     where = (*known, *signs.definitions, *sizes.definitions)
-    steps = (Step("iterated"),)
+    steps = (step_of(loaded),)
     return Printed(_sum(without, parts), where, conditions(signs), steps, sizes.positive)
 
 

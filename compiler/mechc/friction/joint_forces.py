@@ -16,13 +16,12 @@ from ..power.definitions import bound_sums
 from ..power.joint_forces import component, joint_of, line_of, size_of_two
 from ..power.reactions import Reactions
 from .closed_form import Named, Printed, conditions
-from .iterated import named_factor
+from .iterated import named_factor, step_of
 from .naming import Sizes
 from .normal_forces import load_of, term_of
 from .pairs import FrictionPair, LoadedPair, radii
 from .senses import sense_of
 from .signs_at_a_pose import AtOnePose
-from .solution import Step
 
 
 class ForceWithFriction:
@@ -57,7 +56,7 @@ class ForceWithFriction:
             lambda slip: signs.of("", slip).formula(),
         )
         where = (*signs.definitions, *self._sizes.definitions)
-        steps = (Step("iterated"),)
+        steps = (step_of(self._loaded),)
         return Printed(formula, where, conditions(signs), steps, self._sizes.positive)
 
     def sums(self) -> Iterator[Definition]:

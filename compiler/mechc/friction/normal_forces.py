@@ -6,7 +6,7 @@ friction is its factor times the size of a pressing force is not linear.
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import partial
 from random import Random
 
@@ -54,7 +54,7 @@ class Idle(Exception):
 def loaded_pairs(
     plan: Plan, equations: Equations, driving: str, pairs: Sequence[FrictionPair], given: Given
 ) -> tuple[LoadedPair, ...]:
-    """Return how every pair is pressed and slips where one load drives.
+    """Return how every pair that is pressed is, and slips, where one load drives.
 
     Raises :class:`Undetermined` at a pair whose pressing force equilibrium leaves open,
     :class:`LoadedByAnother` where a load has a part in it that is not given, and :class:`Idle`
@@ -80,7 +80,36 @@ def loaded_pairs(
             raise Undetermined(pair)
         components = (_component(r, pair, pairs, names, given) for r in transmitted.releases)
         loaded.append(LoadedPair(pair, slip, tuple(components), transmitted.plans, times))
-    return tuple(loaded)
+    return tuple(without_unloaded(loaded))
+
+
+def without_unloaded(loaded: Sequence[LoadedPair]) -> Sequence[LoadedPair]:
+    """Return the pairs without those that nothing presses but friction in one another.
+
+    All forces balance with none in them. Beside a dead centre of theirs friction would be followed
+    to forces without end, and a jam be said of links that pass on nothing.
+    """
+    idle = {p.pair.name for p in loaded if not any(c.ideal for c in p.components)}
+    while idle and (by_others := [p for p in loaded if _is_loaded_beyond(p, idle)]):
+        idle -= {p.pair.name for p in by_others}
+    if not idle:
+        return loaded
+    return [_without_frictions(p, idle) for p in loaded if p.pair.name not in idle]
+
+
+def _is_loaded_beyond(loaded: LoadedPair, idle: Set[str]) -> bool:
+    """Return whether one of some pairs is pressed by friction in others than these."""
+    return loaded.pair.name in idle and any(c.by.keys() - idle for c in loaded.components)
+
+
+def _without_frictions(loaded: LoadedPair, idle: Set[str]) -> LoadedPair:
+    """Return a loaded pair without what friction adds that there is none of."""
+
+    def left(component: Component) -> Mapping[str, Product]:
+        return {name: part for name, part in component.by.items() if name not in idle}
+
+    parts = (Component(c.ideal, on_demand(partial(left, c))) for c in loaded.components)
+    return replace(loaded, components=tuple(parts))
 
 
 def _with_others(pairs: Sequence[FrictionPair], loose: Plan) -> list[Term]:

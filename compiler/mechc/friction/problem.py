@@ -147,6 +147,8 @@ class Problem:
         return lambda: [make() for make in spoken_of][-1]
 
     def _sizes_of(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Sizes:
+        if not loaded:
+            return Sizes({}, (), sense, ())
         if id(loaded) not in self._coupled:
             self._coupled[id(loaded)] = coupled(loaded, self.taken)
         found = true_sizes(self._coupled[id(loaded)], sense)

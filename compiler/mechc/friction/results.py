@@ -30,14 +30,14 @@ from .assumptions import asks_for_loads
 from .closed_form import Named, Printed, closed_form, printed_form, signed_part
 from .efficiency import Drives
 from .free_bodies import EquationsCoupled
-from .iterated import exact, exact_case, first_order, first_order_case
+from .iterated import exact, exact_case, first_order, first_order_case, step_of
 from .naming import Sizes
 from .normal_forces import scaled
 from .pairs import LoadedPair
 from .problem import Case, Loaded, Problem, case_of_force, case_of_loads, without_friction
 from .sequential import SequentialSolver
 from .signs import AtAnyPose
-from .solution import SolvedWithFriction, Step
+from .solution import SolvedWithFriction
 
 if TYPE_CHECKING:
     from .closed_forces import Asked, Way
@@ -195,11 +195,12 @@ def _to_first_order(
 def _exactly(problem: Problem, find: Find, case: Case, loaded: Loaded, sense: Sense) -> Named:
     """Return the load in closed form, where there is one that stands at the default pose.
 
-    Elsewhere, and where there is none, it is found by iteration.
+    Elsewhere, and where there is none, it is found by iteration. Where nothing presses a joint that
+    has friction, it is the load without friction.
     """
     ideal, sign = case.ideal, SIGNS[sense]
     endings, added = problem.endings.of(ideal.name, sense), scaled(loaded, case.factor)
-    closed = in_closed_form(problem, case, loaded, sign, endings)
+    closed = in_closed_form(problem, case, loaded, sign, endings) if loaded else None
     problem.remark_on_pins(case, exact=closed is not None)
     sizes = problem.sizes(loaded, sign, endings)
     stands = partial(_stands, problem, find, ideal, loaded)
@@ -267,7 +268,7 @@ def force_with_friction(
     if loaded is None:
         return None
     endings = problem.endings.of_force(ideal.name, sense)
-    if not asks_for_loads(problem.mechanism):
+    if loaded and not asks_for_loads(problem.mechanism):
         closed = in_closed_form(problem, case, loaded, SIGNS[sense], endings)
         problem.remark_on_pins(case, exact=closed is not None)
     sizes = problem.sizes(loaded, SIGNS[sense], endings)()
@@ -287,7 +288,7 @@ def force_with_friction(
     known = resting_on(problem, ideal, drive.ideal, bound_sums(problem.plan, [without]))
     where = tuple(dict.fromkeys((*found.sums(), *known, *result.where)))
     is_idle = problem.is_idle(drive.ideal, known)
-    steps = in_steps.steps if in_steps else (Step("iterated"),)
+    steps = in_steps.steps if in_steps else (step_of(loaded),)
     return SolvedWithFriction(replace(result, where=where, drive=drive, is_idle=is_idle), steps)
 
 
@@ -301,7 +302,7 @@ def _in_steps(
     endings: Sequence[str],
 ) -> Printed | None:
     """Return a force as it follows from bodies that are solved one after another, if it does."""
-    for way in ways(problem, case, loaded, SIGNS[sense]):
+    for way in ways(problem, case, loaded, SIGNS[sense]) if loaded else ():
         by = partial(closed_forces.closed_force, asked, transmitted, way)
         printed = problem.default.printed(by, endings)
         if printed is not None:

@@ -25,6 +25,7 @@ StepKind = Literal[
     "efficiency",
     "first order",
     "iterated",
+    "unloaded",
     "pressing",
     "added",
     "rod part",

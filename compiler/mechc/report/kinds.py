@@ -195,6 +195,8 @@ class SentenceKind(StrEnum):
     """What each friction that is iterated adds to the drive."""
     ITERATED_AGAIN = "iterated again"
     """The same for another result."""
+    UNLOADED = "unloaded"
+    """No joint that has friction is pressed."""
     EQUILIBRIUM = "equilibrium"
     """Free bodies are in equilibrium."""
     EQUAL_PARTS = "equal parts"

@@ -358,6 +358,16 @@ def programs(routine: Routine) -> list[Program]:
     ]
 
 
+def inputs_of(routine: Routine) -> tuple[Input, ...]:
+    """Return the inputs of a routine: of its programs, each once, and of statuses besides.
+
+    A force that nothing makes is 0 whatever the loads are; whether the drive moves is not.
+    """
+    statuses = (f.status for f in every(routine.functions) if f.status)
+    parts = (*programs(routine), *statuses)
+    return tuple({item.name: item for part in parts for item in part.inputs}.values())
+
+
 def closed_dimensions(pose: Pose, mechanism: Mechanism) -> dict[str, Dimension]:
     """Return the dimension of each output: a parameter's own, else a length or an angle."""
     own = {p.name: p.dimension for p in mechanism.parameters}

@@ -7,7 +7,7 @@ from ...formula.walk import walk
 from ...named import NamedTuple
 from ...routine.functions import operations
 from ...routine.gradient import gradients
-from ...routine.steps import Function, Input, Pose, formulas_of, names_of
+from ...routine.steps import Function, Input, Pose, formulas_of, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..printer import Printer
@@ -95,7 +95,10 @@ def _arrays(number: str, inputs: Iterable[str], outputs: Iterable[str]) -> list[
 def _body(program: Pose, printer: Printer, outputs: Mapping[str, str], inner: Names) -> list[str]:
     """Return the statements of a program, and those that hand its outputs on."""
     statements, _ = lines(program.steps, frozenset(program.outputs), {}, printer, inner)
-    return [*statements, *(f"*{slot} = {printer.names[n]};" for n, slot in outputs.items())]
+    used = mentioned(program.steps, ()) | set(program.outputs)
+    unused = (printer.names[i.name] for i in program.inputs if i.name not in used)
+    given = (f"*{slot} = {printer.names[n]};" for n, slot in outputs.items())
+    return [*statements, *given, *(f"(void){name};" for name in unused)]
 
 
 def _formulas(program: Pose) -> list[Formula]:

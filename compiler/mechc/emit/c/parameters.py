@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ...named import NamedTuple
-from ...routine.steps import Function, Input, Routine, programs
+from ...routine.steps import Function, Input, Routine, inputs_of
 from .. import describe
 from ..names import Names
 from .pose import PoseContext
@@ -76,7 +76,7 @@ def parameters_context(
     ``singles`` are the functions of results and their statuses at file scope, ``checks`` is that
     of a sheet's conditions.
     """
-    inputs = {i.name: i for part in programs(routine) for i in part.inputs}
+    inputs = inputs_of(routine)
     if not inputs:
         return None
     listed = [*_of_results(routine.functions, singles), *_of_poses(routine, poses)]
@@ -90,7 +90,7 @@ def parameters_context(
     return ParametersContext(
         struct,
         defaults,
-        [_field(item, arguments[item.name]) for item in inputs.values()],
+        [_field(item, arguments[item.name]) for item in inputs],
         [f for each, one, many in named for f in _taking(each, one, many, own, arguments)],
     )
 

@@ -11,7 +11,7 @@ from ...formula import arcs, newton
 from ...formula.choices import SIGNS
 from ...named import NamedTuple
 from ...patterns import pattern
-from ...routine.steps import Common, Program, Routine, every, programs
+from ...routine.steps import Common, Program, Routine, every, inputs_of, programs
 from .. import describe
 from ..names import Names, file_stem, mangle, transliterate
 from ..render import Line, render
@@ -229,7 +229,7 @@ def _file_scope(
     numbers = [program.number for program in written if isinstance(program, Common)]
     return FileScope(
         symbols=linked,
-        arguments=mangle((i.name for program in written for i in program.inputs), free),
+        arguments=mangle((i.name for i in inputs_of(routine)), free),
         solvers={s: space.claim(f"{routine.name}_solution_{i}") for i, s in enumerate(found, 1)},
         commons={number: space.claim(f"{routine.name}_values_{number}") for number in numbers},
     )

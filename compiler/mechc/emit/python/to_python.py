@@ -22,6 +22,7 @@ from ...routine.steps import (
     Solver,
     every,
     formulas_of,
+    inputs_of,
     programs,
     sides_of,
 )
@@ -120,7 +121,7 @@ def _stem(options: Options) -> str:
 def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
     routine, space = compiled.routine, Names(RESERVED)
     names, parts = function_names(routine, space), programs(routine)
-    inputs = {i.name: i for part in parts for i in part.inputs}.values()
+    inputs = inputs_of(routine)
     arguments = mangle((i.name for i in inputs), _free(routine, names))
     solvers = solver_names(step for part in parts for step in part.steps)
     poses = pose_contexts(compiled, space, arguments, solvers)

@@ -161,7 +161,7 @@ def _opening(
 ) -> Iterator[Paragraph]:
     """Yield which way friction acts, how, and what forces are measured by."""
     kind = steps[0].kind
-    if kind == "efficiency":
+    if kind in ("efficiency", "unloaded"):
         return
     drive = driving(target)
     if drive is not None and kind != "first order":
@@ -282,6 +282,8 @@ def _of_step(
             raise AssertionError("what earlier steps have said counts there")
         case "iterated":
             yield Paragraph(SentenceKind.ITERATED, formulas=_ITERATED)
+        case "unloaded":
+            yield Paragraph(SentenceKind.UNLOADED)
         case "pressing":
             pressing = {"force": Symbol("n")}
             yield Paragraph(SentenceKind.PRESSING, tuple(equations), formulas=pressing)

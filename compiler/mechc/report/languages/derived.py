@@ -103,6 +103,7 @@ ENGLISH = {
     "force on {point}:",
     "across": "Forces on {point} across its guide:",
     "balance": "The force on {link} at {point} balances all other forces on it:",
+    "unloaded": "Nothing presses the joints that have friction, so friction changes nothing.",
     "iterated again": "The forces {sizes} follow likewise.",
     "iterated": "Here each friction force depends on the others. With {sizes} the forces at the "
     "joints, {parts} their components without friction and {changes} the changes that all "
@@ -214,6 +215,8 @@ UKRAINIAN = {
     "across": "Рівняння рівноваги повзуна {point} у проєкції на перпендикуляр до напрямної:",
     "balance": "Сила, що діє на ланку {link} у точці {point}, зрівноважує всі інші сили, "
     "прикладені до неї:",
+    "unloaded": "У кінематичних парах, для яких задано тертя, сил тиску немає, тож тертя нічого "
+    "не змінює.",
     "iterated again": "Сили {sizes} знаходимо так само.",
     "iterated": "Тут кожна сила тертя залежить від інших. Якщо {sizes} — сили тиску в "
     "шарнірах, {parts} — їхні складові без тертя, а {changes} — те, що змінюють у них усі "
@@ -331,6 +334,8 @@ RUSSIAN = {
     "across": "Уравнение равновесия ползуна {point} в проекции на перпендикуляр к направляющей:",
     "balance": "Сила, действующая на звено {link} в точке {point}, уравновешивает все остальные "
     "силы, приложенные к нему:",
+    "unloaded": "В кинематических парах, для которых задано трение, сил давления нет, поэтому "
+    "трение ничего не меняет.",
     "iterated again": "Силы {sizes} находим так же.",
     "iterated": "Здесь каждая сила трения зависит от остальных. Если {sizes} — силы давления "
     "в шарнирах, {parts} — их составляющие без трения, а {changes} — то, что меняют в них все "
