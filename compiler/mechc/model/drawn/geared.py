@@ -26,6 +26,7 @@ from ...formula.tree import (
 from ...formula.walk import symbols
 from ...frozen import replace
 from ...named import NamedTuple
+from ..entries import direction_matters, place_matters
 from ..mechanism import (
     Absolute,
     Along,
@@ -40,7 +41,6 @@ from ..mechanism import (
     Slider,
 )
 from ..parts.holding import Size, Tied
-from ..standing import direction_matters, place_matters
 from ..tolerances import VANISHED
 from ..values import Values
 from .rigidity import Independent, Row, direction, fixed

@@ -12,9 +12,8 @@ from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.entries import points_of
+from ...model.entries import direction_matters, points_of
 from ...model.mechanism import Arrow, Link, Mechanism, Slider
-from ...model.standing import direction_matters
 from ...named import NamedTuple
 from ...pose.pose import Pose, Vector, evaluate_vector
 from ..tolerances import DIFFERENCE, SAME_RATE
