@@ -88,18 +88,19 @@ def _separate(ring: Ring, terms: Terms) -> tuple[Terms, Terms]:
         return one, terms
     contents = {m: gcd(*(x for v in g.values() for x in v)) for m, g in groups.items()}
     base = {
-        k: _scaled(v, contents[m]) for m, g in [next(iter(groups.items()))] for k, v in g.items()
+        k: _divided(v, contents[m]) for m, g in [next(iter(groups.items()))] for k, v in g.items()
     }
     lengths: Terms = {}
     for monomial, group in groups.items():
-        ratio = _ratio({k: _scaled(v, contents[monomial]) for k, v in group.items()}, base)
+        ratio = _ratio({k: _divided(v, contents[monomial]) for k, v in group.items()}, base)
         if not ratio:
             return one, terms
         lengths[monomial] = (ratio * contents[monomial], 0)
     return lengths, base
 
 
-def _scaled(value: tuple[int, int], by: int) -> tuple[int, int]:
+def _divided(value: tuple[int, int], by: int) -> tuple[int, int]:
+    """Return a complex integer without a factor that both of its parts have."""
     return value[0] // by, value[1] // by
 
 

@@ -222,14 +222,10 @@ def side(system: System) -> int:
 def numeric(system: System) -> "Equations":
     """Return residuals and Jacobian as a function of floats."""
     rows = derivative.jacobian(system.equations, system.unknowns)
-    names = (*system.unknowns, *(name for name, _ in system.anchor))
-    code = straight_line([*system.equations, *(entry for row in rows for entry in row)], names)
-    size = len(system.unknowns)
-    ends = range(size, size * size + 1, size)
+    read = _on_floats(system.equations, rows, [*system.unknowns, *(n for n, _ in system.anchor)])
 
     def at(unknowns: Sequence[float], outer: Sequence[float]) -> "tuple[list[float], Matrix]":
-        found = code.at((*unknowns, *outer))
-        return found[:size], [found[end : end + size] for end in ends]
+        return read((*unknowns, *outer))
 
     return at
 
@@ -237,23 +233,33 @@ def numeric(system: System) -> "Equations":
 @lru_cache(maxsize=SYSTEMS)
 def numeric_along(system: System) -> "Along":
     """Return residuals and their slopes, by the unknowns and by a share of the way, on floats."""
-    names = changes(system)
-    slopes = derivative.along(
-        system.equations, {outer: Symbol(name) for outer, name in names.items()}
-    )
-    rows = derivative.jacobian(system.equations, system.unknowns)
-    entries = [e for row, last in zip(rows, slopes, strict=True) for e in (*row, last)]
-    outer = [name for name, _ in system.anchor]
-    code = straight_line([*system.equations, *entries], [*system.unknowns, *outer, *names.values()])
-    places = [outer.index(name) for name in names]
-    size = len(system.unknowns)
-    ends = range(size, size + size * (size + 1), size + 1)
+    steps = changes(system)
+    outer_names = [name for name, _ in system.anchor]
+    by_unknowns = derivative.jacobian(system.equations, system.unknowns)
+    by_way = derivative.along(system.equations, {n: Symbol(step) for n, step in steps.items()})
+    rows = [(*row, last) for row, last in zip(by_unknowns, by_way, strict=True)]
+    read = _on_floats(system.equations, rows, [*system.unknowns, *outer_names, *steps.values()])
+    changing = [outer_names.index(name) for name in steps]
 
     def at(
         unknowns: Sequence[float], outer: Sequence[float], by: Sequence[float]
     ) -> "tuple[list[float], Matrix]":
-        found = code.at((*unknowns, *outer, *(by[place] for place in places)))
-        return found[:size], [found[end : end + size + 1] for end in ends]
+        return read((*unknowns, *outer, *(by[place] for place in changing)))
+
+    return at
+
+
+def _on_floats(
+    equations: Sequence[Formula], rows: Sequence[Sequence[Formula]], names: Sequence[str]
+) -> "Callable[[Sequence[float]], tuple[list[float], Matrix]]":
+    """Return the values of equations, and of a row of slopes for each, by the values of names."""
+    code = straight_line([*equations, *(entry for row in rows for entry in row)], names)
+    size, width = len(equations), len(rows[0])
+    starts = range(size, size * (width + 1), width)
+
+    def at(values: Sequence[float]) -> "tuple[list[float], Matrix]":
+        found = code.at(values)
+        return found[:size], [found[start : start + width] for start in starts]
 
     return at
 

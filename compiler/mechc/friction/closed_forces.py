@@ -313,11 +313,11 @@ class OfFrictions:
         return (self._solver.pressing(),)
 
     def along(self, line: Vector) -> Product:
-        """Return a component."""
+        """Return the component along a line, of frictions by the values that were found."""
         return add(self._terms(line, self._solver.friction))
 
     def shown(self, line: Vector) -> Formula:
-        """Return a component, a term for each load and each friction."""
+        """Return the component along a line, a term for each load and each friction by its name."""
         return total(
             canonical(term).formula() for term in self._terms(line, self._solver.friction_by_name)
         )

@@ -220,17 +220,25 @@ def _last(stops: Sequence[Stop], needed: int) -> int | None:
 
 def _commons(stops: Sequence[Stop], ways: Iterable[Way], needs: Needs, first: int) -> list[Common]:
     """Return the computation of each stop, which hands on the names that are mentioned beyond."""
-    asked = [set[str]() for _ in stops]
-    for way in ways:
-        if way.start is not None:
-            asked[way.start] |= mentioned(way.steps, way.output.ends)
-    for stop, names in zip(reversed(stops), reversed(asked), strict=True):
-        if stop.before is not None:
-            asked[stop.before] |= names | mentioned(stop.steps, ())
     made = list[Common]()
-    for stop, names in zip(stops, asked, strict=True):
+    for stop, beyond in zip(stops, _mentioned_beyond(stops, ways), strict=True):
         known = {name for step in needs.steps(stop.needs) for name in names_of(step)}
         before = made[stop.before] if stop.before is not None else None
-        outputs = tuple(sorted(names & known))
+        outputs = tuple(sorted(beyond & known))
         made.append(Common(first + len(made), stop.at.asked.inputs, stop.steps, outputs, before))
     return made
+
+
+def _mentioned_beyond(stops: Sequence[Stop], ways: Iterable[Way]) -> list[set[str]]:
+    """Return the names that each stop is asked for: by ways from it, and by stops that rest on it.
+
+    A stop comes after those that it rests on, so that the last one is asked by ways only.
+    """
+    beyond = [set[str]() for _ in stops]
+    for way in ways:
+        if way.start is not None:
+            beyond[way.start] |= mentioned(way.steps, way.output.ends)
+    for stop, names in zip(reversed(stops), reversed(beyond), strict=True):
+        if stop.before is not None:
+            beyond[stop.before] |= names | mentioned(stop.steps, ())
+    return beyond

@@ -123,6 +123,7 @@ class _Units:
 
 
 def _parameter(parameter: Parameter, line: Declared | None) -> Parameter:
+    """Return a parameter with its label, or the remark of its line, and its formula as written."""
     if line is None:
         return parameter
     shown = written.let_value(line.value) if parameter.dependent and line.value else None

@@ -319,6 +319,10 @@ _WORD_BELOW = pattern(r"\\(mathrm|text)\{[^{}]*\}\}$")
 
 
 def _is_bare(argument: Formula, angle: bool) -> bool:
+    """Return whether a function's argument needs no brackets: a name, a multiple of one, a number.
+
+    One that is an ``angle`` may be written in degrees.
+    """
     match argument:
         case Symbol(name):
             return not name.startswith("-")
