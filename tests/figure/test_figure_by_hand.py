@@ -13,7 +13,7 @@ from mechc.figure.from_balance import _Maker
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
 from mechc.figure.velocities import Velocities, rates
-from mechc.figure.ways import Linear, Way, Ways, open_way
+from mechc.figure.ways import DrawnVector, Linear, Ways, open_way
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import Constant, Symbol, degrees, negative, number, product, total
 from mechc.frozen import replace
@@ -67,24 +67,24 @@ def near(plane):
 def test_open_lengths_close_their_loop():
     """From O 3 ahead and 4 up, back by s along x and t along y."""
     ways = [
-        Way("O", "A", Linear(Plane(3.0, 4.0))),
-        Way("A", "B", Linear(parts={"s": X.times(-1)})),
-        Way("B", "O", Linear(parts={"t": Y.times(-1)})),
+        DrawnVector("O", "A", Linear(Plane(3.0, 4.0))),
+        DrawnVector("A", "B", Linear(parts={"s": X.times(-1)})),
+        DrawnVector("B", "O", Linear(parts={"t": Y.times(-1)})),
     ]
     assert choose(ways, ["s", "t"], 1.0) == pytest.approx({"s": 3.0, "t": 4.0})
 
 
 def test_a_length_that_no_loop_fixes_is_a_usual_one():
     assert choose([open_way("O", "A", X)], ["OA"], 0.7) != {}
-    assert choose([Way("O", "A", Linear(parts={"s": X}))], ["s"], 0.7) == {"s": 0.7}
+    assert choose([DrawnVector("O", "A", Linear(parts={"s": X}))], ["s"], 0.7) == {"s": 0.7}
 
 
 def test_no_rod_is_turned_round_where_loops_allow_it():
     """s − t = 2 with both near 1: the nearest are 2 and 0, which is shorter than drawn."""
     ways = [
-        Way("O", "A", Linear(parts={"s": X})),
-        Way("A", "B", Linear(parts={"t": X.times(-1)})),
-        Way("O", "B", Linear(Plane(2.0, 0.0))),
+        DrawnVector("O", "A", Linear(parts={"s": X})),
+        DrawnVector("A", "B", Linear(parts={"t": X.times(-1)})),
+        DrawnVector("O", "B", Linear(Plane(2.0, 0.0))),
     ]
     found = choose(ways, ["s", "t"], 1.0)
     assert found["s"] - found["t"] == pytest.approx(2.0)

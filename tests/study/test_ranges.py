@@ -9,10 +9,10 @@ import pytest
 from mechc.study.ranges import last, spans
 from mechc.study.tolerances import EXACT, NEARLY
 
-Measure = Callable[[float], float]
+SignedMeasure = Callable[[float], float]
 
 
-def measures(end: float) -> dict[str, Measure]:
+def measures(end: float) -> dict[str, SignedMeasure]:
     """Functions that are positive before an end and negative beyond, or infinite there."""
     return {
         "straight": lambda x: 3 * (end - x),

@@ -12,7 +12,7 @@ from ..pose.pose import PointContact
 from . import figure as drawn
 from .figure import Part
 from .half import Half
-from .ways import Linear, Way, Ways, open_way
+from .ways import DrawnVector, Linear, Ways, open_way
 from .wheels import Circle, pitch_point, rope_runs, runs
 
 DOWN, UP, LEFT, RIGHT = Plane(0.0, -1.0), Plane(0.0, 1.0), Plane(-1.0, 0.0), Plane(1.0, 0.0)
@@ -53,7 +53,7 @@ def lost_places(mechanism: model.Mechanism) -> Iterator[str]:
 # --------------------------------------------------------------------- where it is drawn
 
 
-def loose_ways(ways: Ways) -> Iterator[Way]:
+def loose_ways(ways: Ways) -> Iterator[DrawnVector]:
     """Yield where to draw what touches, meshes or slides, where nothing else says it."""
     mechanism, slides = ways.pose.mechanism, ways.pose.slides
     for contact in ways.pose.contacts:
@@ -67,12 +67,12 @@ def loose_ways(ways: Ways) -> Iterator[Way]:
         yield from (open_way(first, p, line.times(i)) for i, p in enumerate(others, 1))
 
 
-def _loose(joint: model.Joint, ways: Ways) -> Iterator[Way]:
+def _loose(joint: model.Joint, ways: Ways) -> Iterator[DrawnVector]:
     match joint:
         case model.WheelPair(first=first, second=second):
-            yield Way(first, second, Linear(_away(joint, ways).times(_apart(joint, ways))))
+            yield DrawnVector(first, second, Linear(_away(joint, ways).times(_apart(joint, ways))))
         case model.Rack(point, pivot):
-            yield Way(pivot, point, Linear(ways.right(joint)))
+            yield DrawnVector(pivot, point, Linear(ways.right(joint)))
         case model.Screw():
             yield _beside_screw(joint, ways)
         case model.Rope(route):
@@ -84,7 +84,7 @@ def _loose(joint: model.Joint, ways: Ways) -> Iterator[Way]:
             assert_never(joint)
 
 
-def _beside_screw(screw: model.Screw, ways: Ways) -> Way:
+def _beside_screw(screw: model.Screw, ways: Ways) -> DrawnVector:
     """Return where to draw a nut: nuts on one screw stand in a row."""
     mechanism = ways.pose.mechanism
     link = mechanism.link(screw.link)

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..named import NamedTuple
 from .tolerances import DEPENDENT, SAME_LENGTH
-from .ways import Linear, Way
+from .ways import DrawnVector, Linear
 
 SHORTEST = 0.2
 """No rod is to be drawn shorter than this part of a usual length, where loops allow it."""
@@ -31,7 +31,7 @@ class Row(NamedTuple):
         return self.value - sum(f * lengths[name] for name, f in self.factors.items())
 
 
-def choose(ways: Sequence[Way], rods: Iterable[str], usual: float) -> Lengths:
+def choose(ways: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> Lengths:
     """Return all open lengths of the ways; those of ``rods`` are to be positive."""
     rows = _independent(_equations(ways))
     names = dict.fromkeys(name for way in ways for name in way.vector.parts)
@@ -45,7 +45,7 @@ def choose(ways: Sequence[Way], rods: Iterable[str], usual: float) -> Lengths:
     return lengths
 
 
-def _equations(ways: Sequence[Way]) -> Iterator[Row]:
+def _equations(ways: Sequence[DrawnVector]) -> Iterator[Row]:
     """Yield the equations that close each loop, along x and y."""
     at = _laid_out(ways)
     for tail, head, vector in ways:
@@ -54,7 +54,7 @@ def _equations(ways: Sequence[Way]) -> Iterator[Row]:
         yield Row({name: part.y for name, part in gap.parts.items()}, -gap.base.y)
 
 
-def _laid_out(ways: Sequence[Way]) -> dict[str, Linear]:
+def _laid_out(ways: Sequence[DrawnVector]) -> dict[str, Linear]:
     """Return where every point is, along the first way that leads there."""
     neighbours: dict[str, list[tuple[str, Linear]]] = {}
     for tail, head, vector in ways:

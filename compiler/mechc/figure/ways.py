@@ -40,7 +40,7 @@ class Linear(NamedTuple):
         return vector
 
 
-class Way(NamedTuple):
+class DrawnVector(NamedTuple):
     """A vector from one point to another."""
 
     tail: str
@@ -48,9 +48,9 @@ class Way(NamedTuple):
     vector: Linear
 
 
-def open_way(tail: str, head: str, line: Plane) -> Way:
+def open_way(tail: str, head: str, line: Plane) -> DrawnVector:
     """Return a way of open length along a line, forward or back."""
-    return Way(tail, head, Linear(NOWHERE, {f"{tail} to {head}": line}))
+    return DrawnVector(tail, head, Linear(NOWHERE, {f"{tail} to {head}": line}))
 
 
 @frozen
@@ -60,7 +60,7 @@ class Ways:
     pose: Pose
     values: Mapping[str, float]
 
-    def firm(self) -> Iterator[Way]:
+    def firm(self) -> Iterator[DrawnVector]:
         """Yield the vectors that bodies, the description, slots, guides and the mirror give."""
         for frame in self.pose.frames.values():
             base, *others = frame
@@ -92,20 +92,20 @@ class Ways:
         radius = self.pose.radii[rack.radius].evaluate(self.values)
         return self.guide(rack.point).turned().times(-radius)
 
-    def _touching(self) -> Iterator[Way]:
+    def _touching(self) -> Iterator[DrawnVector]:
         for contact in self.pose.contacts:
             if contact.reach:
                 yield self._way(contact.tail, contact.point, contact.reach)
             elif contact.kind == "slot":
                 yield open_way(contact.tail, contact.point, self.face(contact).times(HALFWAY))
 
-    def _on_the_mirror(self) -> Iterator[Way]:
+    def _on_the_mirror(self) -> Iterator[DrawnVector]:
         mirror, axis = self.pose.mechanism.mirror, self.pose.axis
         if mirror is not None and axis is not None:
             first, others = mirror.sharing[:1], mirror.sharing[1:]
             yield from (open_way(first[0], point, self.unit(axis)) for point in others)
 
-    def _way(self, tail: str, head: str, vector: Vector) -> Way:
+    def _way(self, tail: str, head: str, vector: Vector) -> DrawnVector:
         base, parts = NOWHERE, dict[str, Plane]()
         for arm in vector:
             names = sorted(symbols(arm.length.formula()) & self.pose.placeholders.keys())
@@ -115,10 +115,10 @@ class Ways:
             for name in names:
                 one = Plane(*evaluate_vector((arm,), {**closed, name: 1.0}))
                 parts[name] = parts.get(name, NOWHERE).plus(one.minus(fixed))
-        return Way(tail, head, Linear(base, parts))
+        return DrawnVector(tail, head, Linear(base, parts))
 
 
-def usual(ways: list[Way]) -> float:
+def usual(ways: list[DrawnVector]) -> float:
     """Return the length of a usual vector: the mean of those given, 1 m where none is."""
     sizes = [math.hypot(*way.vector.base) for way in ways]
     known = [size for size in sizes if size > 0]

@@ -18,7 +18,7 @@ from typing import TypeGuard, TypeVar
 
 from .tree import ZERO, Call, Formula, is_call, negative, number, product, quotient, total
 
-Part = TypeVar("Part")
+T = TypeVar("T")
 
 NEAR = Fraction(1, 10**9)
 """How far from a row, in parts of it, a value may lie that is meant: half of 63 mm, 31.5 mm."""
@@ -132,7 +132,7 @@ def is_looked_up(formula: Formula) -> bool:
     return isinstance(formula, Call) and formula.function in LOOKED_UP
 
 
-def chosen(parts: Sequence[Part], value: Callable[[Part], float]) -> Part | None:
+def chosen(parts: Sequence[T], value: Callable[[T], float]) -> T | None:
     """Return the part that ``choose`` chooses, so that no other need have a value."""
     for condition, part in zip(parts[::2], parts[1::2], strict=False):
         holds = value(condition)

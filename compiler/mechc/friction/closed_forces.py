@@ -44,7 +44,7 @@ class NamedDrive(NamedTuple):
     where: tuple[Definition, ...]
 
 
-class Asked(NamedTuple):
+class AskedForce(NamedTuple):
     """The force that is asked for, under its name, and the driving load where that has a name."""
 
     name: str
@@ -80,10 +80,12 @@ class Components(Protocol):
         ...
 
 
-Way = Callable[[Signs], SequentialSolver | LinearSolver]
+MakeSolver = Callable[[Signs], SequentialSolver | LinearSolver]
 
 
-def closed_force(asked: Asked, transmitted: Transmitted, way: Way, signs: AtOnePose) -> Printed:
+def closed_force(
+    asked: AskedForce, transmitted: Transmitted, way: MakeSolver, signs: AtOnePose
+) -> Printed:
     """Return a force at a joint as one way of solving gives it, for the signs of one pose.
 
     Raises :class:`EquationsCoupled` where it does not.
@@ -106,7 +108,7 @@ def _rests_on(formula: Formula, drive: NamedDrive) -> bool:
     return not symbols(formula).isdisjoint(d.name for d in drive.where)
 
 
-def _formula(asked: Asked, found: Components) -> Formula:
+def _formula(asked: AskedForce, found: Components) -> Formula:
     """Return the force, or the part of it that is asked for."""
 
     def along(line: Vector) -> Formula:
@@ -129,7 +131,7 @@ def _written(value: Product) -> Formula:
     return negative(turned) if isinstance(turned, Sum) else found
 
 
-def _equations(asked: Asked, found: Components) -> tuple[tuple[Formula, Formula], ...]:
+def _equations(asked: AskedForce, found: Components) -> tuple[tuple[Formula, Formula], ...]:
     """Return the equation of the step: a component in the names of what it is made of."""
     if isinstance(asked.target, Reaction) and asked.target.part in ("size", "direction"):
         return ()
@@ -143,7 +145,7 @@ def _equations(asked: Asked, found: Components) -> tuple[tuple[Formula, Formula]
 class OfBodies:
     """A force at a joint as the sum of forces on a body that the chain has solved."""
 
-    def __init__(self, solver: SequentialSolver, asked: Asked) -> None:
+    def __init__(self, solver: SequentialSolver, asked: AskedForce) -> None:
         self._solver, self._asked, self._bodies = solver, asked, solver.bodies
         joint = joint_of(asked.target, asked.pose)
         if solver.bodies.mechanism.is_on_the_line(members(asked.pose, joint)):

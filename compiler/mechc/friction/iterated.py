@@ -51,14 +51,14 @@ def first_order_case(
     if count_operations(formula) > LINE:
         return _in_names(ideal, parts, sense, signs)
     labels = radii(part.pair for part in parts)
-    added: list[Part] = []
+    added: list[Added] = []
     forces: dict[Formula, Formula] = {}
     slips: dict[Formula, Formula] = {}
     for part in parts:
         factor = named_factor(part.pair, labels, signs).formula()
         force = _called(f"r_{part.pair.name}", part.force, forces, signs)
         slip = _slip_called(part.pair, part.slip, partial(_called, named=slips, signs=signs))
-        added.append(Part(factor, force, slip, sense * part.times))
+        added.append(Added(factor, force, slip, sense * part.times))
     equations = [*forces.items(), *slips.items()]
     step = Step(
         "first order",
@@ -82,7 +82,7 @@ def _in_names(ideal: Result, parts: Sequence["Power"], sense: int, signs: AtOneP
         factor = named_factor(part.pair, labels, signs).formula()
         force = called(f"r_{part.pair.name}", part.force)
         slip = _slip_called(part.pair, part.slip, called)
-        added.append(Part(factor, force, slip, sense * part.times))
+        added.append(Added(factor, force, slip, sense * part.times))
     where = (_called_so(ideal), *signs.definitions)
     return Printed(
         _sum(Symbol(ideal.name), added), where, conditions(signs), (Step("first order"),)
@@ -199,7 +199,7 @@ def exact(
     """
     sense = Fraction(sizes.sense)
     parts = [
-        Part(p.pair.factor.formula(), sizes.of(p.pair), positive(p.slip).formula(), sense)
+        Added(p.pair.factor.formula(), sizes.of(p.pair), positive(p.slip).formula(), sense)
         for p in loaded
     ]
     steps, whole = (step_of(loaded),), _sum(ideal, parts)
@@ -228,7 +228,7 @@ def exact_case(
         if size := positive(p.slip_of_one):
             slip = _slip_called(p.pair, size, called)
             factor = named_factor(p.pair, labels, signs).formula()
-            parts.append(Part(factor, sizes.of(p.pair), slip, sizes.sense * p.times))
+            parts.append(Added(factor, sizes.of(p.pair), slip, sizes.sense * p.times))
     is_long = count_operations(ideal.formula) > SHORT
     without, known = (Symbol(ideal.name), (_called_so(ideal),)) if is_long else (ideal.formula, ())
     where = (*known, *signs.definitions, *sizes.definitions)
@@ -240,7 +240,7 @@ SHORT = 8
 """Operations of a formula without friction that is as short to read as its name."""
 
 
-class Part(NamedTuple):
+class Added(NamedTuple):
     """What a friction adds to the driving load: ``times`` factor · force · slip."""
 
     factor: Formula
@@ -249,7 +249,7 @@ class Part(NamedTuple):
     times: Fraction
 
 
-def _sum(ideal: Formula, parts: Iterable[Part]) -> Formula:
+def _sum(ideal: Formula, parts: Iterable[Added]) -> Formula:
     """Return the driving load with the powers of friction, forces with one factor put together."""
     together: dict[tuple[Fraction, Formula, Formula], Counter[Formula]] = {}
     for part in parts:

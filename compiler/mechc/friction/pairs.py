@@ -16,7 +16,7 @@ from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, s
 from ..kinematics.graph import Form, Graph
 from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan, Speeds
-from ..kinematics.release import Measure
+from ..kinematics.release import SpeedReading
 from ..model.mechanism import (
     CollarFriction,
     FaceFriction,
@@ -56,7 +56,7 @@ class FrictionPair(NamedTuple):
     name: str
     joint: JointRef
     factor: Product
-    slip: Measure
+    slip: SpeedReading
     number: Fraction = Fraction(1)
     besides: tuple[tuple[str, Product], ...] = ()
     thrust: Formula | None = None
@@ -179,12 +179,12 @@ def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:
         yield FrictionPair(name, joint, to_product(pin.radius), slip)
 
 
-def _turning(link: str, carrier: str) -> Measure:
+def _turning(link: str, carrier: str) -> SpeedReading:
     """Return the rotation of a link relative to what carries its pin."""
     return lambda graph: meshes.turning(graph, link, carrier)
 
 
-def _sliding(contact: PointContact) -> Measure:
+def _sliding(contact: PointContact) -> SpeedReading:
     def slip(graph: Graph) -> Form:
         there = next((t for t in graph.pose.contacts if t.point == contact.point), contact)
         return leaving(graph, there, contact.normal + QUARTER)
@@ -192,7 +192,7 @@ def _sliding(contact: PointContact) -> Measure:
     return slip
 
 
-def _rim(joint: JointRef, pose: Pose) -> Measure:
+def _rim(joint: JointRef, pose: Pose) -> SpeedReading:
     """Return the speed of the first wheel's rim, or of a rack."""
     mesh = meshes.mesh_of(pose, joint.of)
     if isinstance(mesh, WheelPair):
@@ -203,7 +203,7 @@ def _rim(joint: JointRef, pose: Pose) -> Measure:
     return lambda graph: projection(graph.velocities[point], pose.moved_along(point))
 
 
-def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> Measure:
+def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> SpeedReading:
     """Return v·p/(πd) + ω·d/2: what the axial force times μ does work with.
 
     With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
@@ -238,18 +238,18 @@ def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
             yield f"{joint.point}_screw", _slope(screw, to_product(given.thread), pose)
 
 
-def _on_collar(joint: JointRef, radius: Product, pose: Pose) -> Measure:
+def _on_collar(joint: JointRef, radius: Product, pose: Pose) -> SpeedReading:
     """Return the speed at which a collar slides at its mean radius."""
     screw = meshes.mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a collar is on a screw"
     return _at_radius(screw.link, radius)
 
 
-def _at_radius(link: str, radius: Product) -> Measure:
+def _at_radius(link: str, radius: Product) -> SpeedReading:
     return lambda graph: scaled(spin(graph, link), radius)
 
 
-def _along_rope(given: RopeFriction, pose: Pose) -> Measure:
+def _along_rope(given: RopeFriction, pose: Pose) -> SpeedReading:
     """Return how fast a drum overtakes the rope around it, or the rope runs back.
 
     Friction in the rope adds half of itself behind the pulley and takes half in front of it:

@@ -40,7 +40,7 @@ from .signs import AtAnyPose
 from .solution import SolvedWithFriction
 
 if TYPE_CHECKING:
-    from .closed_forces import Asked, Way
+    from .closed_forces import AskedForce, MakeSolver
 
 
 def result_of(
@@ -246,7 +246,7 @@ def in_closed_form(
     return None
 
 
-def ways(problem: Problem, case: Case, loaded: Loaded, sense: int) -> "Iterator[Way]":
+def ways(problem: Problem, case: Case, loaded: Loaded, sense: int) -> "Iterator[MakeSolver]":
     """Yield the ways in which the driving load may be found in closed form."""
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, False), signs, sense)
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, True), signs, sense)
@@ -275,7 +275,7 @@ def force_with_friction(
     found = joint_forces.ForceWithFriction(force, problem.plan, problem.driving, loaded, sizes)
     if found.transmitted is None:
         return None
-    asked = closed_forces.Asked(
+    asked = closed_forces.AskedForce(
         find.name, force, problem.plan.graph.pose, problem.driving, problem.drive(sense)
     )
     in_steps = _in_steps(problem, asked, found.transmitted, case, loaded, sense, endings)
@@ -294,7 +294,7 @@ def force_with_friction(
 
 def _in_steps(
     problem: Problem,
-    asked: "Asked",
+    asked: "AskedForce",
     transmitted: Transmitted,
     case: Case,
     loaded: Loaded,

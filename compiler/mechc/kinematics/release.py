@@ -38,7 +38,7 @@ from .joint_refs import JointRef, contact_at
 from .plan import Plan, Speeds
 from .planning import plan_of
 
-Measure = Callable[[Graph], Form]
+SpeedReading = Callable[[Graph], Form]
 """A speed that is read off a graph, as a linear form in its unknowns."""
 
 
@@ -47,8 +47,8 @@ class Released:
     """A pose with a joint released, the speed at which it parts, and what still holds there."""
 
     pose: Pose
-    parting: Measure
-    holding: tuple[Measure, ...] = ()
+    parting: SpeedReading
+    holding: tuple[SpeedReading, ...] = ()
 
 
 @frozen
@@ -88,7 +88,7 @@ def released_linkage(
     return ReleasedLinkage(plan, plan.value(released.parting(graph)))
 
 
-def work_of(shares: Sequence[Share]) -> Measure:
+def work_of(shares: Sequence[Share]) -> SpeedReading:
     """Return the speed with which a free load does its work, with all that are tied to it."""
     if len(shares) == 1:
         ((_, load),) = shares
@@ -96,7 +96,7 @@ def work_of(shares: Sequence[Share]) -> Measure:
     return lambda graph: combined((part, speed_of_load(graph, load)) for part, load in shares)
 
 
-def _held_still(graph: Graph, measures: Iterable[Measure], span: Span) -> Graph:
+def _held_still(graph: Graph, measures: Iterable[SpeedReading], span: Span) -> Graph:
     forms = (measure(graph) for measure in measures)
     more = (Relation(Rule.HELD, "", (), Angle(), form, span) for form in forms if form)
     return replace(graph, relations=(*graph.relations, *more))

@@ -69,12 +69,12 @@ from .parts.repeated import Copies as Copies
 from .parts.repeated import Mirror as Mirror
 from .parts.repeated import Subassembly as Subassembly
 from .parts.targets import Axial as Axial
+from .parts.targets import ComponentPart as ComponentPart
 from .parts.targets import Efficiency as Efficiency
 from .parts.targets import ForceAtJoint as ForceAtJoint
 from .parts.targets import LoadForm as LoadForm
 from .parts.targets import LoadRatio as LoadRatio
 from .parts.targets import Normal as Normal
-from .parts.targets import Part as Part
 from .parts.targets import Reaction as Reaction
 from .parts.targets import Sense as Sense
 from .parts.targets import Speed as Speed

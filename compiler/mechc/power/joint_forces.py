@@ -17,7 +17,7 @@ from ..formula.walk import walk
 from ..kinematics.forms import QUARTER
 from ..kinematics.joint_refs import JointRef, held_end
 from ..kinematics.plan import Plan
-from ..model.mechanism import Axial, ForceAtJoint, Mechanism, Normal, Part, Reaction
+from ..model.mechanism import Axial, ComponentPart, ForceAtJoint, Mechanism, Normal, Reaction
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
 from .balance import Release
@@ -164,7 +164,7 @@ def _form(amounts: Amounts) -> Formula:
     return total(product([(a.formula(), 1), (Symbol(n), 1)]) for n, a in amounts.items())
 
 
-def _whole(part: Part, transmitted: Transmitted, mechanism: Mechanism) -> Found:
+def _whole(part: ComponentPart, transmitted: Transmitted, mechanism: Mechanism) -> Found:
     """Return the size of a force, or its direction."""
     x, y = (_kept(transmitted.along(axis)) for axis in (Angle(), QUARTER))
     loads = dict.fromkeys((*x, *y))

@@ -13,7 +13,7 @@ from ..frozen import replace
 from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.parts.targets import SIGNS
 from ..model.result import DrivingLoad, FrictionResult
-from .functions import Asked, steps_to
+from .functions import AskedResult, steps_to
 from .scope import Scope, rename
 from .steps import (
     Function,
@@ -40,7 +40,7 @@ class Companions:
         self._steps_to = cache(partial(steps_to, names=self._taken))
         """Steps to the loads that drive, the same for many forces at joints."""
 
-    def joined(self, function: Function, other: Function | None, asked: Asked) -> Function:
+    def joined(self, function: Function, other: Function | None, asked: AskedResult) -> Function:
         """Return a function with the one for elsewhere and with its status, if it has them."""
         if other:
             title = f"{function.title}, whichever way its joints are pressed"
@@ -51,7 +51,7 @@ class Companions:
         status = self._status(function, asked) if self._pairs else None
         return replace(function, status=status) if status else function
 
-    def _status(self, function: Function, asked: Asked) -> Status | None:
+    def _status(self, function: Function, asked: AskedResult) -> Status | None:
         match asked.result.target:
             case WithFriction(LoadRatio() | LoadForm() as of, sense, "exact"):
                 ideal = next(r for r in self._scope.results.values() if r.target == of)
@@ -68,7 +68,7 @@ class Companions:
             case _:
                 return None
 
-    def _of_a_force(self, function: Function, asked: Asked, sense: Sense) -> Status:
+    def _of_a_force(self, function: Function, asked: AskedResult, sense: Sense) -> Status:
         """Return the status of a force at a joint: it does not state whether the drive moves."""
         result = asked.result
         assert isinstance(result, FrictionResult), "a force with friction"

@@ -16,7 +16,7 @@ from ..pose.pose import ClosedLoop
 from ..units import TORQUE, si_unit
 from . import together
 from .companions import Companions
-from .functions import Asked, asked, checks, functions
+from .functions import AskedResult, asked, checks, functions
 from .lengths import with_roots
 from .scope import Scope
 from .sharing import share
@@ -103,7 +103,9 @@ def _needed(mechanism: Mechanism, results: Sequence[Result]) -> list[Result]:
     return [r for r in results if r.name not in aside or r.target in ideal]
 
 
-def _functions(listed: Sequence[Asked], scope: Scope, names: Sequence[str]) -> Iterator[Function]:
+def _functions(
+    listed: Sequence[AskedResult], scope: Scope, names: Sequence[str]
+) -> Iterator[Function]:
     """Yield the function of each result; many long ones share their steps."""
     long = [one for one in listed if len(one.result.where) > LONG]
     found = together.together(long, scope, names) if long else {}
@@ -112,12 +114,14 @@ def _functions(listed: Sequence[Asked], scope: Scope, names: Sequence[str]) -> I
     return (found[one.result.name] for one in listed)
 
 
-def _separate(listed: Iterable[Asked], scope: Scope, names: Sequence[str]) -> dict[str, Function]:
+def _separate(
+    listed: Iterable[AskedResult], scope: Scope, names: Sequence[str]
+) -> dict[str, Function]:
     """Return by name functions that compute all themselves; those with one system are one work.
 
     What drives, an efficiency and forces at joints follow from the same coupled equations.
     """
-    groups: dict[frozenset[str], list[Asked]] = {}
+    groups: dict[frozenset[str], list[AskedResult]] = {}
     for one in listed:
         groups.setdefault(_unknowns(one.result) or frozenset({one.result.name}), []).append(one)
     return {f.name: f for group in groups.values() for f in functions(group, scope, names)}

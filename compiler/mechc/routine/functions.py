@@ -44,7 +44,7 @@ from .steps import (
 from .unit_vectors import in_unit_vectors
 
 
-class Asked(NamedTuple):
+class AskedResult(NamedTuple):
     """A result with the inputs that it depends on, and the conditions that they decide."""
 
     result: Result
@@ -72,13 +72,13 @@ class Asked(NamedTuple):
 
 def asked(
     result: Result, scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
-) -> Asked:
+) -> AskedResult:
     """Return the inputs, conditions and loops of a function for a result.
 
     Raises ``LookupError`` for a name that nothing explains.
     """
     unseen = tuple(unseen_loops(result, scope, loops))
-    alone = Asked(result, (), result.guards, unseen)
+    alone = AskedResult(result, (), result.guards, unseen)
     used = _known(result, scope.free(result.name, alone.needed), inputs)
     rested = {name for name, _ in scope.definitions(result.name, alone.needed).formulas}
     decided = [
@@ -86,7 +86,7 @@ def asked(
         for r in scope.mechanism.requires
         if r.concerns({result.name, *rested}) and _decided(r, result.name, scope, used)
     ]
-    return Asked(result, used, (*decided, *result.guards), unseen)
+    return AskedResult(result, used, (*decided, *result.guards), unseen)
 
 
 def _known(result: Result, used: frozenset[str], inputs: Mapping[str, Input]) -> tuple[Input, ...]:
@@ -113,7 +113,7 @@ def _guard(require: Require, names: Mapping[str, str], balance: str) -> Guard:
 class Output(NamedTuple):
     """A result in the terms of steps that compute several."""
 
-    asked: Asked
+    asked: AskedResult
     formula: Formula
     guards: tuple[Guard, ...]
     value: Formula
@@ -132,7 +132,7 @@ class Computation(NamedTuple):
     definitions: tuple[tuple[str, Formula], ...]
 
 
-def computation(group: Sequence[Asked], scope: Scope, names: Iterable[str]) -> Computation:
+def computation(group: Sequence[AskedResult], scope: Scope, names: Iterable[str]) -> Computation:
     """Return the steps of several results: what these rest on is worked out once for all."""
     known = scope.together({one.result.name: one.needed for one in group})
     called = [known.names[one.result.name] for one in group]
@@ -148,7 +148,9 @@ def computation(group: Sequence[Asked], scope: Scope, names: Iterable[str]) -> C
     return Computation(steps, tuple(outputs), known.formulas)
 
 
-def functions(group: Sequence[Asked], scope: Scope, names: Iterable[str]) -> Iterator[Function]:
+def functions(
+    group: Sequence[AskedResult], scope: Scope, names: Iterable[str]
+) -> Iterator[Function]:
     """Yield functions that compute all that they need themselves, their steps found together."""
     steps, outputs, _ = computation(group, scope, names)
     return (_by_itself(output, scope, steps) for output in outputs)
@@ -206,7 +208,7 @@ def steps_to(
 
 
 def written(
-    asked: Asked,
+    asked: AskedResult,
     steps: tuple[Statement, ...],
     output: Formula,
     guards: tuple[Guard, ...],

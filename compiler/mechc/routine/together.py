@@ -20,7 +20,7 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.result import FrictionResult
 from ..named import NamedTuple
-from .functions import Asked, Output, Read, computation, operations, written
+from .functions import AskedResult, Output, Read, computation, operations, written
 from .scope import Scope
 from .steps import (
     Common,
@@ -38,12 +38,14 @@ from .steps import (
 MANY = 8
 """How many times over the same definitions are needed before they are computed together."""
 
-Groups = dict[tuple[str, ...], list[Asked]]
+Groups = dict[tuple[str, ...], list[AskedResult]]
 
 
-def together(listed: Iterable[Asked], scope: Scope, names: Sequence[str]) -> dict[str, Function]:
+def together(
+    listed: Iterable[AskedResult], scope: Scope, names: Sequence[str]
+) -> dict[str, Function]:
     """Return by name those functions that are computed together."""
-    groups, left = Groups(), list[Asked]()
+    groups, left = Groups(), list[AskedResult]()
     for one in listed:
         if not isinstance(one.result, FrictionResult):
             groups.setdefault(tuple(i.name for i in one.inputs), []).append(one)
@@ -61,14 +63,14 @@ def together(listed: Iterable[Asked], scope: Scope, names: Sequence[str]) -> dic
     return made
 
 
-def _repeats(group: Sequence[Asked]) -> bool:
+def _repeats(group: Sequence[AskedResult]) -> bool:
     """Return whether the same definitions are needed many times over."""
     needed = [{d.name for d in one.result.where} for one in group]
     return sum(map(len, needed)) > MANY * len(set[str]().union(*needed))
 
 
 def _sharing(
-    number: int, group: Sequence[Asked], scope: Scope, names: Sequence[str]
+    number: int, group: Sequence[AskedResult], scope: Scope, names: Sequence[str]
 ) -> Iterator[Function]:
     program = GroupProgram(group, scope, names)
     used = names_in(list(program.ends))
@@ -82,7 +84,7 @@ def _sharing(
 class GroupProgram:
     """One program that computes many results: its steps, and what each result makes of them."""
 
-    def __init__(self, group: Sequence[Asked], scope: Scope, names: Sequence[str]) -> None:
+    def __init__(self, group: Sequence[AskedResult], scope: Scope, names: Sequence[str]) -> None:
         self.steps, self.outputs, definitions = computation(group, scope, names)
         self._defined, self._results = dict(definitions), frozenset(scope.results)
 
@@ -135,7 +137,7 @@ class Stop(NamedTuple):
     before: int | None
 
 
-class Way(NamedTuple):
+class FromStop(NamedTuple):
     """How a result is computed: from which stop on, by which steps of its own, of all it needs."""
 
     output: Output
@@ -193,12 +195,12 @@ class Needs:
         return needs >> len(self._all)
 
 
-def _ways(program: GroupProgram, needs: Needs) -> tuple[list[Stop], list[Way]]:
+def _ways(program: GroupProgram, needs: Needs) -> tuple[list[Stop], list[FromStop]]:
     """Return where results hand on what they compute, and how each is computed.
 
     What another one rests on needs less than that, and comes first.
     """
-    stops, ways = list[Stop](), list[Way]()
+    stops, ways = list[Stop](), list[FromStop]()
     found = ((needs.of(one.ends), one) for one in program.outputs)
     for needed, one in sorted(found, key=lambda pair: pair[0].bit_count()):
         if needs.inputs(needed & ~needs.named(i.name for i in one.asked.inputs)):
@@ -208,7 +210,7 @@ def _ways(program: GroupProgram, needs: Needs) -> tuple[list[Stop], list[Way]]:
         if len(steps) > STRETCH:
             stops.append(Stop(one, needed, steps, start))
             start, steps = len(stops) - 1, ()
-        ways.append(Way(one, needed, start, steps))
+        ways.append(FromStop(one, needed, start, steps))
     return stops, ways
 
 
@@ -218,7 +220,9 @@ def _last(stops: Sequence[Stop], needed: int) -> int | None:
     return next(fitting, None)
 
 
-def _commons(stops: Sequence[Stop], ways: Iterable[Way], needs: Needs, first: int) -> list[Common]:
+def _commons(
+    stops: Sequence[Stop], ways: Iterable[FromStop], needs: Needs, first: int
+) -> list[Common]:
     """Return the computation of each stop, which hands on the names that are mentioned beyond."""
     made = list[Common]()
     for stop, beyond in zip(stops, _mentioned_beyond(stops, ways), strict=True):
@@ -229,7 +233,7 @@ def _commons(stops: Sequence[Stop], ways: Iterable[Way], needs: Needs, first: in
     return made
 
 
-def _mentioned_beyond(stops: Sequence[Stop], ways: Iterable[Way]) -> list[set[str]]:
+def _mentioned_beyond(stops: Sequence[Stop], ways: Iterable[FromStop]) -> list[set[str]]:
     """Return the names that each stop is asked for: by ways from it, and by stops that rest on it.
 
     A stop comes after those that it rests on, so that the last one is asked by ways only.

@@ -40,7 +40,7 @@ class DrivingSystem(NamedTuple):
     unit: float
 
 
-class Part(NamedTuple):
+class RightSide(NamedTuple):
     """A part of the right-hand side, and the unknowns that balance it."""
 
     right: Row
@@ -55,7 +55,7 @@ class Responses(NamedTuple):
     """
 
     question: DrivingSystem
-    loads: Part
+    loads: RightSide
     pairs: tuple[Pair, ...]
     thrusts: Mapping[str, float]
     slips: tuple[float, ...]
@@ -70,14 +70,14 @@ class FrictionForces(NamedTuple):
     """
 
     question: DrivingSystem
-    loads: Part
+    loads: RightSide
     pairs: tuple[Pair, ...]
     senses: tuple[float, ...]
-    against: tuple[Part, ...]
+    against: tuple[RightSide, ...]
     frictions: tuple[float, ...]
 
     @property
-    def parts(self) -> list[tuple[Part, float]]:
+    def parts(self) -> list[tuple[RightSide, float]]:
         """Return the parts under which all balances, each so many times over."""
         return [(self.loads, 1.0), *zip(self.against, self.frictions, strict=True)]
 
@@ -86,10 +86,10 @@ class Loaded(NamedTuple):
     """All that :class:`FrictionForces` has but its sizes, and what they follow from."""
 
     question: DrivingSystem
-    loads: Part
+    loads: RightSide
     pairs: tuple[Pair, ...]
     senses: tuple[float, ...]
-    against: tuple[Part, ...]
+    against: tuple[RightSide, ...]
     surfaces: list[SurfacePair]
 
     def under(self, frictions: Iterable[float]) -> FrictionForces:
@@ -176,7 +176,7 @@ def _responses(unfolding: Unfolding, driving: str, given: Mapping[str, float]) -
     adjoint = question.factors.adjoint(question.drive)
     slips = tuple(map(partial(_slip, question, adjoint), frictions, each))
     thrusts = {p.name: _size(p.thrust, unfolding, tied, given) for p in pairs if p.thrust}
-    return Responses(question, Part(right, ideal), pairs, thrusts, slips, each)
+    return Responses(question, RightSide(right, ideal), pairs, thrusts, slips, each)
 
 
 def _right_side(
@@ -208,7 +208,7 @@ def _weights(
 
 
 def _answer(
-    question: DrivingSystem, weights: Weights, parts: Sequence[tuple[Part, float]]
+    question: DrivingSystem, weights: Weights, parts: Sequence[tuple[RightSide, float]]
 ) -> Answer:
     """Return a combination of unknowns under several loads, each so many times over."""
     value = influence = 0.0
@@ -269,10 +269,10 @@ def _against(question: DrivingSystem, pair: Pair, sense: float) -> dict[int, flo
     return {i: -v * sense for i, v in question.columns[pair.name].items()}
 
 
-def _part_against(question: DrivingSystem, pair: Pair, sense: float, response: Found) -> Part:
+def _part_against(question: DrivingSystem, pair: Pair, sense: float, response: Found) -> RightSide:
     """Return a friction of 1 against a slip, none where nothing slips; a response to one of 1."""
     found = [sense * x if sense else 0.0 for x in response]
-    return Part(_against(question, pair, sense), found)
+    return RightSide(_against(question, pair, sense), found)
 
 
 def _loaded_surfaces(

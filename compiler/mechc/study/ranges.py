@@ -88,7 +88,7 @@ def scale_of(result: Result, mechanism: Mechanism) -> str:
     return usual_units(mechanism).of(result.dimension)
 
 
-Measure = Callable[[float], float]
+SignedMeasure = Callable[[float], float]
 """Gives a value that is positive where something holds and negative beyond, or the other way."""
 
 
@@ -97,7 +97,7 @@ def last(
     good: float,
     bad: float,
     width: float = EXACT,
-    measure: Measure | None = None,
+    measure: SignedMeasure | None = None,
 ) -> float:
     """Return the last value at which something holds that no longer does at another.
 
@@ -124,7 +124,9 @@ NEARER = (8, 16, 24, 32, 40)
 """How often a stretch is halved to values beside a zero at its end."""
 
 
-def _beside_zero(measure: Measure, good: float, bad: float, least: float) -> Collection[float]:
+def _beside_zero(
+    measure: SignedMeasure, good: float, bad: float, least: float
+) -> Collection[float]:
     """Return values on either side of where a measure is zero, nearer and nearer to it.
 
     It may be zero at the end itself, but for rounding.
@@ -161,7 +163,7 @@ def _between(
 
 
 def spans(
-    grid: Sequence[float], holds: Callable[[float], bool], measure: Measure | None = None
+    grid: Sequence[float], holds: Callable[[float], bool], measure: SignedMeasure | None = None
 ) -> Iterator[Range]:
     """Yield the stretches on which something holds, and a measure, if there is one, is positive."""
     first = 0

@@ -13,7 +13,7 @@ from functools import partial
 from itertools import chain, pairwise
 
 from ..formula.roots import lowest, spaced
-from .ranges import Measure, last
+from .ranges import SignedMeasure, last
 from .states import Moving
 from .tolerances import JUMP_WIDTH, NEARLY, SAME_EFFICIENCY, SAME_VALUE, TOUCHED
 
@@ -223,7 +223,7 @@ def before_dead_centre(moving: Moving, a: float, b: float) -> float:
     driven = moving.driven(a)
     if driven is None:
         return last(lambda _: False, a, b)
-    measures: tuple[Measure, ...] = (moving.without, partial(_inverse, moving))
+    measures: tuple[SignedMeasure, ...] = (moving.without, partial(_inverse, moving))
     straightest = min(measures, key=lambda measure: _bend(measure, a, b))
     return last(lambda x: moving.driven(x) == driven, a, b, measure=straightest)
 
@@ -234,7 +234,7 @@ def _inverse(moving: Moving, x: float) -> float:
     return 1 / ratio if ratio else math.inf
 
 
-def _bend(measure: Measure, a: float, b: float) -> float:
+def _bend(measure: SignedMeasure, a: float, b: float) -> float:
     """Return by which part of its values a measure is off the straight line between two."""
     first, here, final = (measure(x) for x in (a, (a + b) / 2, b))
     return abs(first + final - 2 * here) / (abs(first) + abs(final))

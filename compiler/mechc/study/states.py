@@ -41,7 +41,7 @@ class Found(NamedTuple):
     driven: bool | None
 
 
-Way = tuple[Set[str], Callable[[Values], Status]]
+HowItEnds = tuple[Set[str], Callable[[Values], Status]]
 """The names that a system rests on, and how the way to its solution ends at their values."""
 
 NOWHERE = Found(None, math.nan, None)
@@ -136,7 +136,7 @@ class Ratios:
         """Take both, and the sense of the motion."""
         self.ideal, self.real = ideal, real
         self.sign = SIGNS[sense]
-        self._ways: dict[int, list[Way]] = {}
+        self._ways: dict[int, list[HowItEnds]] = {}
 
     def ideal_along(self, sweep: Sweep) -> IdealAlong:
         """Return the ratio without friction along the parameter of a sweep."""
@@ -162,7 +162,7 @@ class Ratios:
         parts = (part for d in self.real.where for part in walk(d.formula))
         return parts_of(self.real, filter(is_sign, parts))
 
-    def ways(self, result: Result) -> list[Way]:
+    def ways(self, result: Result) -> list[HowItEnds]:
         """Return the ways to the solutions of a result's systems."""
         if id(result) not in self._ways:
             unknowns = {id(unknown.system): unknown for unknown in solutions(result)}

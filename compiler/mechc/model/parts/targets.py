@@ -47,7 +47,7 @@ class SpeedRatio:
     below: Speed
 
 
-Part = Literal["x", "y", "size", "direction"]
+ComponentPart = Literal["x", "y", "size", "direction"]
 
 
 @frozen
@@ -60,7 +60,7 @@ class Reaction:
 
     point: str
     link: str
-    part: Part
+    part: ComponentPart
 
 
 @frozen

@@ -27,7 +27,7 @@ from ..statements import every, only
 from .reactions import read_reaction
 
 
-class Part(NamedTuple):
+class Operand(NamedTuple):
     """A load (by its name) or a velocity in a target, and what it measures."""
 
     quantity: str | Speed
@@ -35,7 +35,7 @@ class Part(NamedTuple):
     name: str
 
 
-class Asked(NamedTuple):
+class AskedTarget(NamedTuple):
     """A target, what it measures, and the name it gets where the user gave none."""
 
     target: Target
@@ -123,7 +123,7 @@ def _reactions(statement: ast.Find, symbol: ast.Symbol, form: Form, scope: Scope
             yield Find(name + suffix, target, symbol.span)
 
 
-def _entered(statement: ast.Find, asked: Asked, scope: Scope) -> str | None:
+def _entered(statement: ast.Find, asked: AskedTarget, scope: Scope) -> str | None:
     """Enter the name of a find; a load asked for may go by its own."""
     if statement.name and statement.name.text != asked.name:
         entered = scope.declare(statement.name, "result", asked.dimension)
@@ -134,7 +134,7 @@ def _entered(statement: ast.Find, asked: Asked, scope: Scope) -> str | None:
     return asked.name if scope.enter(asked.name, entry) else None
 
 
-def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> Asked | None:
+def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> AskedTarget | None:
     """Read what is asked for; None where an error in it was reported."""
     match target:
         case ast.Symbol() as symbol:
@@ -149,7 +149,7 @@ def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> A
     return asked
 
 
-def _single(symbol: ast.Symbol, scope: Scope) -> Asked | None:
+def _single(symbol: ast.Symbol, scope: Scope) -> AskedTarget | None:
     form = form_of_pose(symbol.name) if symbol.name not in scope.entries else None
     if form and (form.prefix not in COORDINATES or form.points[0] in scope.points.places):
         is_speed = form.prefix in ("V", "omega")
@@ -158,10 +158,10 @@ def _single(symbol: ast.Symbol, scope: Scope) -> Asked | None:
         scope.report.add(messages.not_findable(symbol.span, hint))
         return None
     part = _load(symbol, scope, alone=True)
-    return Asked(LoadForm(symbol.name), part.dimension, symbol.name) if part else None
+    return AskedTarget(LoadForm(symbol.name), part.dimension, symbol.name) if part else None
 
 
-def _ratio(above: ast.Symbol, below: ast.Symbol, scope: Scope) -> Asked | None:
+def _ratio(above: ast.Symbol, below: ast.Symbol, scope: Scope) -> AskedTarget | None:
     first, second = _part(above, scope), _part(below, scope)
     if first is None or second is None:
         return None
@@ -177,15 +177,15 @@ def _ratio(above: ast.Symbol, below: ast.Symbol, scope: Scope) -> Asked | None:
             scope.report.add(messages.not_findable(above.span.to(below.span), hint))
             return None
     dimension = first.dimension.joined(second.dimension.scaled(-1))
-    return Asked(target, dimension, f"{first.name}_over_{second.name}")
+    return AskedTarget(target, dimension, f"{first.name}_over_{second.name}")
 
 
-def _part(symbol: ast.Symbol, scope: Scope) -> Part | None:
+def _part(symbol: ast.Symbol, scope: Scope) -> Operand | None:
     form = form_of(symbol.name)
     return _velocity(symbol, form, scope) if form else _load(symbol, scope)
 
 
-def _load(symbol: ast.Symbol, scope: Scope, alone: bool = False) -> Part | None:
+def _load(symbol: ast.Symbol, scope: Scope, alone: bool = False) -> Operand | None:
     entry = scope.entries.get(symbol.name)
     if entry is None and symbol.name in scope.lets:
         scope.report.add(messages.let_asked_for(symbol.span, symbol.name, alone))
@@ -198,17 +198,17 @@ def _load(symbol: ast.Symbol, scope: Scope, alone: bool = False) -> Part | None:
     if entry.kind != "load" or entry.dimension is None:
         scope.report.add(messages.not_findable(symbol.span, f"'{symbol.name}' is a {entry.kind}"))
         return None
-    return Part(symbol.name, entry.dimension, symbol.name)
+    return Operand(symbol.name, entry.dimension, symbol.name)
 
 
-def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Part | None:
+def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Operand | None:
     """Read ``V_D``, ``V_D_x`` or ``omega_OB``."""
     points = ast.Name("".join(form.points), symbol.span)
     identifier = symbol.name.replace(PRIME, "p")
     match form.prefix:
         case "omega":
             link = scope.points.link(points)
-            return Part(Speed("link", link.name), FREQUENCY, identifier) if link else None
+            return Operand(Speed("link", link.name), FREQUENCY, identifier) if link else None
         case "V":
             return _point_velocity(points, form, identifier, scope)
         case _:
@@ -216,10 +216,10 @@ def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Part | None:
             return None
 
 
-def _point_velocity(point: ast.Name, form: Form, identifier: str, scope: Scope) -> Part | None:
+def _point_velocity(point: ast.Name, form: Form, identifier: str, scope: Scope) -> Operand | None:
     if not scope.points.acting(point):
         return None
     if point.text in scope.points.fixed:
         scope.report.add(messages.still_point(point.span, point.text))
         return None
-    return Part(Speed("point", point.text, form.axis), VELOCITY, identifier)
+    return Operand(Speed("point", point.text, form.axis), VELOCITY, identifier)

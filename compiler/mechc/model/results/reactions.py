@@ -8,11 +8,11 @@ from ...syntax import ast
 from ...units import ANGLE, FORCE, Dimension
 from ..mechanism import (
     Axial,
+    ComponentPart,
     Force,
     Link,
     Mechanism,
     Normal,
-    Part,
     Reaction,
     Slider,
     Target,
@@ -24,7 +24,7 @@ from ..parts.friction import PinFriction, RopeFriction
 Ending = tuple[str, Target, Dimension]
 """The end of a result's name, what it is and what it measures."""
 
-PARTS: tuple[tuple[str, Part, Dimension], ...] = (
+PARTS: tuple[tuple[str, ComponentPart, Dimension], ...] = (
     ("_x", "x", FORCE),
     ("_y", "y", FORCE),
     ("", "size", FORCE),

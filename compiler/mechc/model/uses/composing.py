@@ -25,7 +25,7 @@ from . import part_names
 from .brought import brought_in, without_given
 from .composed import DOTTED, Composed, Used
 from .joining import part_of
-from .joint_points import Part, Whole, points_of_parts, structural
+from .joint_points import UsedPart, Whole, points_of_parts, structural
 from .part_names import Names, spelled_out
 from .renamed import renamed
 
@@ -63,7 +63,7 @@ class _Composing:
         self._taken = {name.text: name.span for s in self._own for name in declared(s)}
         self._translated = {line.text for line in every(file, ast.Translate)}
         self._joined = structural(file)
-        self._parts: dict[str, Part] = {}
+        self._parts: dict[str, UsedPart] = {}
         self._solved = Solved()
         self._mechanisms: list[tuple[str, Source]] = []
         self._prefixes: list[str] = []

@@ -30,7 +30,7 @@ from .at_joints import AtJoints
 from .brought import given_to, labelled, labels, parameter, translated, with_origin
 from .composed import Used
 from .framed import Frame, between, literal, negative, number, plus, same
-from .joint_points import Joining, Part, Whole, is_a_part, joints, move_alike
+from .joint_points import Joining, UsedPart, Whole, is_a_part, joints, move_alike
 from .part_names import declared_points, numbered, of_a_part, renamed, symbols_in
 
 BEHIND = (ast.Version, ast.Heading, ast.SourceNote, ast.Find, ast.Expect, ast.Motion, ast.Gravity)
@@ -42,7 +42,7 @@ FOUND = frozenset({"V", "omega", "R", "N"})
 
 def part_of(
     use: ast.Use, used: Used, whole: Whole, met: frozenset[str], report: Report
-) -> Part | None:
+) -> UsedPart | None:
     """Return a used mechanism as a part of the whole; None where something is wrong, reported.
 
     ``met`` are its points at which it is joined, here or by parts below.
@@ -56,7 +56,7 @@ def part_of(
     if not is_a_part(joining, report) or not move_alike(joining, report):
         return None
     points = numbered(there, joined, use.prefix.text, here)
-    part = Part(points, used, use.prefix.span)
+    part = UsedPart(points, used, use.prefix.span)
     return part._replace(statements=tuple(_statements(joining, points, report)))
 
 

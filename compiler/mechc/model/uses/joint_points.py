@@ -16,7 +16,7 @@ WHOLE = (ast.Mirror, ast.Copies, ast.Efficiency)
 """What cannot be said of a part."""
 
 
-class Part(NamedTuple):
+class UsedPart(NamedTuple):
     """A used mechanism in the whole: its points by their names there, and where it is used."""
 
     points: Mapping[str, str]
@@ -29,7 +29,7 @@ class Whole(NamedTuple):
     """What a part is joined to: statements of the file and of parts above, and these parts."""
 
     statements: Sequence[ast.Statement]
-    parts: Mapping[str, Part]
+    parts: Mapping[str, UsedPart]
 
     @property
     def is_driven(self) -> bool:
@@ -77,7 +77,7 @@ def structural(file: ast.File) -> Mapping[str, frozenset[str]]:
     return {prefix: frozenset(points) for prefix, points in found.items()}
 
 
-def points_of_parts(parts: Mapping[str, Part], report: Report) -> Lookup:
+def points_of_parts(parts: Mapping[str, UsedPart], report: Report) -> Lookup:
     """Return the function that names a part's point in the whole; unknown ones are reported."""
 
     def lookup(prefix: str, point: str, span: Span) -> str | None:

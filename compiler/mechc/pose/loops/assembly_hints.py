@@ -38,7 +38,7 @@ class Loops(Protocol):
         ...
 
 
-Measure = Callable[[Assembly, Values], float | None]
+AssemblyMeasure = Callable[[Assembly, Values], float | None]
 """Twice the area of three points, or a place along a guide; None where that is open."""
 
 FEW = 3
@@ -52,7 +52,7 @@ class AssemblyHints:
         self,
         group: Loops,
         guide_lines: Mapping[str, GuideLine],
-        measure: Measure,
+        measure: AssemblyMeasure,
         size: float,
         angles: Collection[str],
     ) -> None:

@@ -22,7 +22,7 @@ from ..languages.locale import Locale
 from ..put_in import in_degrees as rounded
 from .notation import Notation, points
 from .printer import latex, scientific
-from .unit_symbols import Words, unit_symbol
+from .unit_symbols import UnitLetters, unit_symbol
 
 _DIGITS = 6
 
@@ -70,7 +70,7 @@ def measured(value: float, dimension: Dimension, locale: Locale, style: Notation
     return in_unit(value, usual_unit(dimension), locale, style)
 
 
-def in_unit(value: float, unit: str, words: Words, style: Notation) -> str:
+def in_unit(value: float, unit: str, words: UnitLetters, style: Notation) -> str:
     """Return a computed value, given in SI, in a unit; degrees as :func:`rounded` has them."""
     if unit == "deg":
         turn = in_degrees(rounded(value, _DIGITS))

@@ -9,7 +9,7 @@ from ...units import SPELLINGS
 MICRO = r"\textmu m"
 
 
-class Words(Protocol):
+class UnitLetters(Protocol):
     """What knows the letters of units in a language: its locale, or its notation."""
 
     @property
@@ -18,7 +18,7 @@ class Words(Protocol):
         ...
 
 
-def unit_symbol(unit: str, words: Words) -> str:
+def unit_symbol(unit: str, words: UnitLetters) -> str:
     r"""Return a unit behind its number.
 
     >>> from ..languages.uk import LOCALE
@@ -34,7 +34,7 @@ def unit_symbol(unit: str, words: Words) -> str:
     return r"\," + letters.replace("*", r"\cdot ")
 
 
-def _word(unit: str, words: Words) -> str:
+def _word(unit: str, words: UnitLetters) -> str:
     """Return a unit of one word in letters of the language, micrometres with their sign."""
     usual = SPELLINGS.get(unit, unit)
     return words.units.get(usual, MICRO if usual == "um" else usual)

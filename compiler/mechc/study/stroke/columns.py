@@ -48,14 +48,14 @@ def named_apart(columns: Iterable[Filled]) -> list[Filled]:
     return found
 
 
-class Asked(NamedTuple):
+class ShownQuantities(NamedTuple):
     """The quantities of a motion that are shown, and the definitions of all."""
 
     quantities: tuple[Quantity, ...]
     definitions: tuple[tuple[str, Formula], ...]
 
 
-def asked(motion: Motion | None, paths: Sequence[str]) -> Asked:
+def asked(motion: Motion | None, paths: Sequence[str]) -> ShownQuantities:
     """Return the quantities of motion of the points and links of these names.
 
     Reports E597 for a name that is none of them.
@@ -67,10 +67,12 @@ def asked(motion: Motion | None, paths: Sequence[str]) -> Asked:
         found = [messages.no_path(p, known, near_miss(p, known)) for p in strange]
         raise MechcError(found)
     shown = tuple(q for q in quantities if ALL in paths or q.of in paths)
-    return Asked(shown, motion.definitions if motion else ())
+    return ShownQuantities(shown, motion.definitions if motion else ())
 
 
-def path_columns(asked: Asked, along: Along, unit: Callable[[Dimension], str]) -> Iterator[Filled]:
+def path_columns(
+    asked: ShownQuantities, along: Along, unit: Callable[[Dimension], str]
+) -> Iterator[Filled]:
     """Yield the columns of what is asked for."""
     moving = _Moving(asked.definitions, along)
     for quantity in asked.quantities:

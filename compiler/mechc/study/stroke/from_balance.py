@@ -12,7 +12,7 @@ from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH
 from ..analysis import Analysis
 from .along import EXCLUDED
-from .columns import Asked, asked, named_apart
+from .columns import ShownQuantities, asked, named_apart
 from .extrema import extrema_along
 from .friction import efficiency_ranges, some, standstills
 from .rounded import is_apart, zero_parts
@@ -61,7 +61,7 @@ def _drivable(pose: Pose) -> tuple[list[str], str]:
     return [], "deg"
 
 
-def _stroke(run: Run, paths: Asked, points: int, watch: Watch) -> Stroke:
+def _stroke(run: Run, paths: ShownQuantities, points: int, watch: Watch) -> Stroke:
     along, drive = run.along, run.drive
     filled = named_apart(columns(run, paths))
     found, crossings = stretches_of(run)

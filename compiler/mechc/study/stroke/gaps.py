@@ -18,10 +18,10 @@ CELLS = 120
 HALVINGS = 40
 """After so many nothing is left of a cell that is shown."""
 
-Part = tuple[float, float]
+StrokePart = tuple[float, float]
 
 
-def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
+def remark(plan: Plan, report: Report) -> tuple[StrokePart, ...]:
     """Return the parts of the stroke on which a loop does not close, with W594 for all of them."""
     mechanism = plan.graph.pose.mechanism
     drive = mechanism.drive
@@ -41,7 +41,7 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
     return found
 
 
-def _parts(along: Along, grid: list[float]) -> Iterator[Part]:
+def _parts(along: Along, grid: list[float]) -> Iterator[StrokePart]:
     closed = [along.trouble(x) not in NO_POSE for x in grid]
     start = None if closed[0] else grid[0]
     for (a, b), (before, after) in zip(pairwise(grid), pairwise(closed), strict=True):

@@ -16,7 +16,7 @@ from ..open_ranges import NO_POSE
 from ..states import is_sign
 from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING
 from .along import Along
-from .columns import Asked, Filled, path_columns
+from .columns import Filled, ShownQuantities, path_columns
 from .run import Run
 from .stretches import beyond, trouble
 from .stroke import AngleAt, Column, Row, StrokeInterval
@@ -27,7 +27,7 @@ AT_ONCE = 64
 """Rows whose rounding is found at once."""
 
 
-def columns(run: Run, asked: Asked) -> Iterator[Filled]:
+def columns(run: Run, asked: ShownQuantities) -> Iterator[Filled]:
     """Yield results, slopes, velocity ratios, transmission angles, then the paths asked for."""
     unit_of = partial(_unit, run.pose.mechanism)
     yield from _results(run, unit_of)

@@ -16,10 +16,10 @@ from . import builders, expressions
 from .lalr import NOWHERE, Token, span_of
 
 Made = Callable[..., object]
-Measure = tuple[ast.Expr, ast.Expr | None]
+Toleranced = tuple[ast.Expr, ast.Expr | None]
 
 
-def measure(value: ast.Expr, tolerance: ast.Expr | None) -> Measure:
+def measure(value: ast.Expr, tolerance: ast.Expr | None) -> Toleranced:
     """Return ``40 mm +- 0.1 mm``, a value with or without a tolerance."""
     return value, tolerance
 
