@@ -220,3 +220,25 @@ def test_the_stroke_is_in_the_units_of_the_language(language: str, unit: str) ->
 def test_a_line_is_broken_where_it_does_not_fit(equation, width, lines):
     spell = speller((), compiled("four_bar").mechanism, unicode=False, width=width)
     assert spell.broken(equation, "  ") == lines
+
+
+def test_angles_in_radians_are_printed_in_degrees() -> None:
+    lever = """
+    mechanism lever
+    param phi = 0.5 rad
+    pivot O
+    slider K along 1.5 rad
+    link OAB
+    link BK
+    OA = 100 mm @ phi
+    OB = 150 mm @ phi + 0.3 rad
+    BK = @ 0.2 rad
+    force P at A along phi + 1.2 rad
+    force F at K along -1.5 rad
+    find k = P/F
+    """
+    found = compile_source(Source("lever.mech", lever))
+    derived = render(found.derivation, found.mechanism)
+    assert "sin(φ + 5.72958°)" in derived
+    assert "sin 68.7549°" in derived
+    assert " 1.2" not in derived.partition("Velocities")[2].partition("Numerical")[0]

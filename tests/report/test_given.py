@@ -315,3 +315,56 @@ def test_quantities_without_a_text_are_called_by_what_they_are():
         "f": "coefficient of friction",
         "d": "diameter of the pin",
     }
+
+
+def test_a_size_that_several_parts_share_is_called_after_none_of_them():
+    """Two equal springs: their rate is c, and each free length has the spring's own name."""
+    source = Source(
+        "springs.mech",
+        """
+        mechanism springs
+        pivot O at (0 mm, 0 mm)
+        pivot Q at (0 mm, 100 mm)
+        pivot R at (120 mm, 100 mm)
+        link OAB
+        A at (60 mm, 10 mm)
+        B at (100 mm, 20 mm)
+        spring 5 N/mm between Q and A free 150 mm
+        spring 5 N/mm between R and B free 120 mm
+        friction pin O 0.1 diameter 12 mm
+        torque M on OAB
+        find M
+        """,
+    )
+    mechanism = Compilation(source).mechanism
+    shown = with_roles(mechanism.literals, mechanism, locale("en").roles)
+    labels = {p.name: p.label for p in shown if p.label}
+    assert labels == {
+        "c": "rate of the springs",
+        "l_QA": "free length of the spring",
+        "l_RB": "free length of the spring",
+        "f_O": "coefficient of friction",
+        "d_O": "diameter of the pin",
+    }
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 1, 0)])
+def test_the_name_of_equal_diameters_does_not_depend_on_the_order_of_lines(order):
+    pins = [f"friction pin {point} 0.1 diameter 20 mm" for point in "OAK"]
+    lines = [
+        "mechanism toggle",
+        "param alpha = 20 deg",
+        "pivot O",
+        "slider K along y",
+        "link OA",
+        "link AK",
+        "OA = 200 mm @ 90 deg + alpha",
+        "AK = 200 mm @ 90 deg - alpha",
+        "force P at A along 0 deg",
+        "force F at K along -90 deg",
+        "find k = P/F",
+        *(pins[i] for i in order),
+    ]
+    compilation = Compilation(Source("toggle.mech", "\n".join(lines)))
+    literals = {literal.name for literal in compilation.mechanism.literals}
+    assert literals == {"f", "d", "len_OA", "len_AK"}

@@ -101,8 +101,9 @@ class Angle(Hashed):
         return turn
 
     def formula(self) -> Formula:
-        """Return the angle as a formula in radians."""
-        ordered = sorted(self.terms, key=lambda term: term[1] < 0)
+        """Return the angle as a formula in radians, constants last where another has no minus."""
+        only = all(c < 0 for name, c in self.terms if name != RADIAN)
+        ordered = sorted(self.terms, key=lambda term: (term[0] == RADIAN and not only, term[1] < 0))
         parts = [
             _symbol(name) if c == 1 else product([(number(c), 1), (_symbol(name), 1)])
             for name, c in ordered

@@ -6,6 +6,7 @@ stand in degrees, and the decimal that leads a quotient, as 2.5a divided by 5a m
 numbers above the line and below it. All is decided here once, for LaTeX and for the terminal.
 """
 
+import math
 from collections.abc import Iterable, Set
 from fractions import Fraction
 
@@ -22,6 +23,7 @@ from .tree import (
     Product,
     Sum,
     Symbol,
+    degrees,
     negative,
     number,
     power,
@@ -200,6 +202,33 @@ def in_degrees(formula: Formula) -> Fraction | None:
             return Fraction(0)
         case _:
             return None
+
+
+def turned_to_degrees(angle: Formula) -> Formula:
+    """Return an angle whose constant is in radians with that in degrees, to six digits.
+
+    >>> from .to_text import text
+    >>> phi = Symbol("phi")
+    >>> [text(turned_to_degrees(a)) for a in (total([phi, Number(Fraction(1, 5))]), phi, Pi())]
+    ['phi + 3581*pi/56250', 'phi', 'pi']
+    """
+    terms = angle.terms if isinstance(angle, Sum) else (angle,)
+    radians = [term.value for term in terms if isinstance(term, Number) and term.value]
+    if not radians:
+        return angle
+    others = [term for term in terms if in_degrees(term) is None and not isinstance(term, Number)]
+    exact = sum(size for term in terms if (size := in_degrees(term)) is not None)
+    turn = math.degrees(sum(radians)) + float(exact)
+    constant = degrees(Fraction(f"{turn:.{FIGURES + (abs(turn) >= LARGE_ANGLE)}g}"))
+    is_led = bool(others) and not all(map(has_minus, others))
+    return total([*others, constant] if is_led else [constant, *others])
+
+
+FIGURES = 6
+"""Significant digits of an angle in degrees that is given in radians."""
+
+LARGE_ANGLE = 100
+"""Degrees from which on an angle has a digit more."""
 
 
 def is_angle(formula: Formula, angles: Set[str]) -> bool:

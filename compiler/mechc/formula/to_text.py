@@ -51,6 +51,8 @@ def text_in_degrees(formula: Formula) -> str:
     'cos(phi - 14.5 deg)'
     >>> text_in_degrees(total([phi, half_turn])), text_in_degrees(power(half_turn, number(-1)))
     ('phi + 180 deg', '1/pi')
+    >>> text_in_degrees(Call("sin", (total([phi, negative(number(Fraction(6, 5)))]),)))
+    'sin(phi - 1.2 rad)'
     """
     return text(_turned(formula) if isinstance(formula, Sum) else _with_degrees(formula))
 
@@ -60,11 +62,23 @@ def _with_degrees(formula: Formula) -> Formula:
     parts = tuple(map(_with_degrees, children(formula)))
     match formula:
         case Call(function, (argument,)) if function in TRIGONOMETRIC and formula not in _ROOTS:
-            return Call(function, (_turned(argument),))
+            return Call(function, (_turned(_with_radians(argument)),))
         case Call() if formula in _ROOTS:
             return formula
         case _:
             return rebuild(formula, parts) if parts else formula
+
+
+def _with_radians(angle: Formula) -> Formula:
+    """Return an angle whose constant in radians has that unit."""
+    terms = angle.terms if isinstance(angle, Sum) else (angle,)
+    return total(_radians(t) if isinstance(t, Number) and t.value else t for t in terms)
+
+
+def _radians(size: Number) -> Formula:
+    figures = decimal(abs(size.value)) or text(Number(abs(size.value)))
+    shown = Constant(f"{figures} rad", Number(abs(size.value)))
+    return negative(shown) if size.value < 0 else shown
 
 
 def _turned(angle: Formula) -> Formula:

@@ -23,6 +23,7 @@ from .layout import (
     is_angle,
     short_decimal,
     squares,
+    turned_to_degrees,
     unstacked,
 )
 from .tree import (
@@ -166,7 +167,9 @@ class Typesetter(Look[Piece]):
 
     def whole(self, formula: Formula, angle: bool = False) -> Piece:
         """Return a formula; one that is an angle, or said to be one, has constants in degrees."""
-        return self.set(formula, Around.SUM, angle or is_angle(formula, self.angles))
+        if angle or is_angle(formula, self.angles):
+            return self.set(turned_to_degrees(formula), Around.SUM, True)
+        return self.set(formula, Around.SUM, False)
 
     def set(self, formula: Formula, around: Around, angle: bool) -> Piece:
         """Return a formula as it stands inside another; ``angle`` as in :meth:`whole`."""
@@ -311,7 +314,7 @@ class Typesetter(Look[Piece]):
                 return self.joined_by(",", [self.set(a, Around.SUM, False) for a in arguments])
             case _, (left, right) if function in SIGNS:
                 angle = is_angle(left, self.angles) or is_angle(right, self.angles)
-                both = [self.set(side, Around.SUM, angle) for side in (left, right)]
+                both = [self.whole(side, angle) for side in (left, right)]
                 return self.joined_by(SIGNS[function], both)
             case "sense", (value, _):  # whose size is there for what rounding leaves of a zero
                 return self._call("sign", (value,))

@@ -15,7 +15,7 @@ from ..units import FORCE, TORQUE
 from . import drawn, translations
 from .doubts.beyond_ranges import beyond_ranges
 from .doubts.remarks import doubts
-from .forces import friction
+from .forces import coefficients, friction
 from .forces.force_pairs import inside_telescopes, spring_name
 from .forces.loads import read_loads
 from .formulas.definitions import Definitions, in_file_order, read_definitions, spread_feeding
@@ -66,6 +66,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     if not sheet:
         refuse_links_in_a_sheet(file, report)
     scope = Scope(report, points, sheet)
+    scope.shared_sizes = coefficients.shared_sizes(file.statements)
     _declare_names(file, scope)
     finds = read_finds(file, scope)
     _declare_lets(file, finds, scope)

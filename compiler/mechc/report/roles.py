@@ -33,6 +33,10 @@ Role = tuple[str, str]
 """A quantity, and what it is: a key of the words of a language."""
 
 
+SEVERAL = {"pin": "pins", "rate": "rates", "free length": "free lengths"}
+"""The words for what several parts have."""
+
+
 def with_roles(
     parameters: Iterable[Parameter], mechanism: Mechanism, words: Mapping[str, str]
 ) -> Iterator[Parameter]:
@@ -47,11 +51,10 @@ def _roles(mechanism: Mechanism) -> Iterator[Role]:
     known = (*mechanism.parameters, *mechanism.literals)
     lengths = frozenset(p.name for p in known if p.dimension == LENGTH)
     met = Counter(r for f in mechanism.friction.joints for r in of_friction(f, lengths))
+    ties = (k.tie for k in mechanism.loads if isinstance(k, ForcePair) and k.spring)
+    met += Counter(role for tie in ties if tie for role in _of_spring(tie))
     for (name, role), times in met.items():
-        yield name, "pins" if role == "pin" and times > 1 else role
-    for load in mechanism.loads:
-        if isinstance(load, ForcePair) and load.spring and load.tie is not None:
-            yield from _of_spring(load.tie)
+        yield name, SEVERAL.get(role, role) if times > 1 else role
 
 
 def of_friction(friction: JointFriction, lengths: Set[str]) -> list[Role]:

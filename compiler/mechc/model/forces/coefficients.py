@@ -1,16 +1,16 @@
 """Coefficients and lengths of friction, checked for values that make sense."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 
 from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import friction as messages
 from ...formula.evaluate import evaluate
-from ...formula.tree import Formula, Number
+from ...formula.tree import Formula, Number, number
 from ...formula.walk import symbols
 from ...source import Span
 from ...syntax import ast
-from ...units import LENGTH, NUMBER
+from ...units import LENGTH, NUMBER, UNITS
 from ..formulas.expressions import Reader
 from ..names.scope import DESCRIPTION, Scope
 
@@ -58,6 +58,30 @@ def shared_coefficients(statements: Iterable[ast.Statement]) -> frozenset[Formul
     everywhere = [value for value, of in points.items() if "" in of]
     several = everywhere or [value for value, of in points.items() if len(of) > 1]
     return frozenset(several) if len(several) == 1 else frozenset()
+
+
+def shared_sizes(statements: Iterable[ast.Statement]) -> frozenset[tuple[str, Formula]]:
+    """Return the numbers that are the size of several parts of one kind, each with that kind."""
+    parts: dict[tuple[str, Formula], set[str]] = {}
+    for statement in statements:
+        for what, of, size in _sizes(statement):
+            if isinstance(size, ast.Number) and size.unit in UNITS:
+                value = number(size.value * UNITS[size.unit].factor)
+                parts.setdefault((what, value), set()).add(of)
+    return frozenset(key for key, of in parts.items() if len(of) > 1)
+
+
+def _sizes(statement: ast.Statement) -> Iterator[tuple[str, str, ast.Expr]]:
+    """Yield what may be the same of several parts: what it is, of which part, and the size."""
+    match statement:
+        case ast.PinFriction(point=point, diameter=diameter):
+            yield "pin", point.text if point else "", diameter
+        case ast.RollerFriction(point=point, axle=axle, wheel=wheel):
+            yield "axle", point.text, axle
+            yield "wheel", point.text, wheel
+        case ast.Spring(rate=rate, first=first, second=second, free=free):
+            yield "rate", first.text + second.text, rate
+            yield "free", first.text + second.text, free
 
 
 def positive_length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:

@@ -61,8 +61,8 @@ def _of_spring(statement: ast.Spring, vector: str, scope: Scope) -> Formula | No
     check_sign(free, statement.free.span, "the free length of a spring", scope)
     if not rate or not free:
         return None
-    rate = scope.named("c", vector, rate, STIFFNESS, statement.rate.span)
-    free = scope.named("l", vector, free, LENGTH, statement.free.span)
+    rate = scope.named("c", vector, rate, STIFFNESS, statement.rate.span, "rate")
+    free = scope.named("l", vector, free, LENGTH, statement.free.span, "free")
     stretch = total([free, negative(Symbol(f"len_{vector}"))])
     return product([(rate, 1), (stretch, 1)])
 

@@ -223,8 +223,8 @@ def _roller(
     if thick is not None and wide is not None and thick >= wide:
         scope.report.add(messages.axle_fills_roller(statement.axle.span, thick, wide))
         return
-    axle = scope.named("d", point, axle, LENGTH, statement.axle.span)
-    wheel = scope.named("D", point, wheel, LENGTH, statement.wheel.span)
+    axle = scope.named("d", point, axle, LENGTH, statement.axle.span, "axle")
+    wheel = scope.named("D", point, wheel, LENGTH, statement.wheel.span, "wheel")
     factor = product([(f, 1), (axle, 1), (wheel, -1)])
     yield GuideFriction(statement.point.text, factor, statement.span)
 
@@ -279,7 +279,7 @@ def _in_thread(
     thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
     if thread is not None:
         _remark_on_lead(screw, thread, statement.thread.span, scope)
-        thread = scope.named("d", point, thread, LENGTH, span)
+        thread = scope.named("d", point, thread, LENGTH, span, "thread")
         yield ThreadFriction(screw.id, point, f, thread, span)
 
 

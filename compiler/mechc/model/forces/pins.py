@@ -115,5 +115,5 @@ def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
         return None
     if statement.law == "coulomb":
         f = coulomb(f)
-    diameter = scope.named("d", of, diameter, LENGTH, statement.diameter.span)
+    diameter = scope.named("d", of, diameter, LENGTH, statement.diameter.span, "pin")
     return product([(HALF, 1), (f, 1), (diameter, 1)])

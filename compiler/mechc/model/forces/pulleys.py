@@ -93,6 +93,6 @@ def _with_drum(
         scope.report.add(messages.drum_of_another(span, held.point, link.name))
         return None
     scope.points.used.update(link.points)
-    diameter = scope.named("d", held.point, diameter, LENGTH, statement.drum.span)
+    diameter = scope.named("d", held.point, diameter, LENGTH, statement.drum.span, "drum")
     half = number(Fraction(-1 if clockwise else 1, 2))
     return replace(held, reach=product([(half, 1), (diameter, 1)]), link=link.name)

@@ -118,6 +118,7 @@ class Scope:
         self.ranges: dict[str, tuple[float, float]] = {}
         self.constants: dict[tuple[str, Formula], Named] = {}
         self.shared = frozenset[Formula]()
+        self.shared_sizes = frozenset[tuple[str, Formula]]()
         self.brought: dict[str, ast.Brought] = {}
         self._on_paper: dict[Name, str] = {}
         self._misfits: set[tuple[str, Dimension]] = set()
@@ -175,18 +176,23 @@ class Scope:
         return next((self.settings[n] for n in symbols(formula) if n in self.settings), span)
 
     def named(
-        self, kind: str, of: str, formula: Formula, dimension: Dimension, span: Span
+        self, kind: str, of: str, formula: Formula, dimension: Dimension, span: Span, what: str = ""
     ) -> Formula:
-        """Return a number under a name such as ``c_AB``, one for each value; else the formula."""
+        """Return a number under a name such as ``c_AB``, one for each value; else the formula.
+
+        That of several parts which are the same, ``what``, is ``c``: as c_AB it would be read as
+        that of one of them.
+        """
         if not isinstance(formula, Number) or formula == ZERO:
             return formula
-        if (kind, formula) not in self.constants:
-            name = f"{kind}_{of}" if of else kind
+        key = f"{kind} {what}", formula
+        if key not in self.constants:
+            name = f"{kind}_{of}" if of and (what, formula) not in self.shared_sizes else kind
             taken = {*self.entries, *(known.symbol.name for known in self.constants.values())}
             while name in taken:
                 name = another(name)
-            self.constants[kind, formula] = Named(Constant(name, formula), dimension, span)
-        return self.constants[kind, formula].symbol
+            self.constants[key] = Named(Constant(name, formula), dimension, span)
+        return self.constants[key].symbol
 
     def first_misfit(self, name: str, wanted: Dimension) -> bool:
         """Whether it is the first time that a name measures something else than is wanted."""
