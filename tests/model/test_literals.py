@@ -194,6 +194,38 @@ def test_both_intensities_of_a_load_differ_on_paper() -> None:
     assert "q_Q+2q_{Q,2}" in varied.emit("latex")
 
 
+LEVER = """
+param a = 30 mm
+param q = 40 deg
+param m = 0.3
+pivot O
+link OAB
+OA = {length} @ 0 deg
+OB = a @ 90 deg
+force P at A along y
+force F at B along x
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("length", "k"),
+    [
+        ("2*(a + 20 mm)", "a/(2*(a + len_OA_0))"),
+        ("(a - 5 mm)/2 + 20 mm", "2*a/(a + len_OA_0 + 2*len_OA_1)"),
+        ("hypot(a, 20 mm)", "a/hypot(a, len_OA_0)"),
+        ("20 mm*m*sin(q)", "a/(len_OA_0*m*sin(q))"),
+        ("20 mm/cos(q)", "a*cos(q)/len_OA_0"),
+        ("m*(a + 20 mm)", "a/(m*(a + len_OA_0))"),
+        ("a*(1 + m)", "1/(1 + m)"),
+    ],
+)
+def test_a_number_that_is_a_length_within_a_formula_has_a_name(length: str, k: str) -> None:
+    found = mechc.loads(LEVER.format(length=length))._compilation
+    assert text(found.results[0].formula) == k
+    assert [p.name for p in found.mechanism.literals] == sorted(set(re.findall(r"len_\w+", k)))
+
+
 R, S, P = Symbol("r"), Symbol("s"), Symbol("p")
 GEARS = WheelPair("gear", "O", "OA", R, "Q", "QB", S, False, HERE)
 

@@ -338,3 +338,46 @@ def test_a_place_at_which_two_factors_are_zero_belongs_to_none():
 
 def test_of_one_condition_nothing_is_tied():
     assert tied((1.0,), "a", a=lambda x: x - 1) == {}
+
+
+FOLDED = """
+param a = 50 mm
+param b = 130 mm
+param phi = 60 deg
+drive phi from 55 deg to 65 deg
+param r = 12 mm
+pivot O at (0 mm, 0 mm)
+pivot Q at (0 mm, 2*r)
+link OA
+link QD
+link AB
+link DB
+OA = a @ phi
+QD = a @ -phi
+AB = b
+DB = b
+gear O r, Q r
+assembly ABD cw
+force F at B along y
+torque M on OA
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "k is 0 at all places"),
+        ("ru", "k равно нулю во всех проверенных положениях"),
+        ("uk", "k дорівнює нулю в усіх"),
+    ],
+)
+def test_of_what_is_zero_throughout_no_conditions_are_stated(language, said):
+    """B moves along x, by symmetry; F is across it, whatever sin μ_B and cos φ are."""
+    compilation = Compilation(Source("folded.mech", FOLDED))
+    (found,) = compilation.reported.results
+    assert found.zeros
+    assert found.poles
+    page = " ".join(render(compilation.reported, compilation.mechanism, language=language).split())
+    assert said in page
+    assert not re.search(r"vanish|infinite|обращается|бесконечн|прямує|нескінченн", page)

@@ -130,6 +130,11 @@ class Extent:
     is_monotone: bool = False
     vanishes: Mapping[float, Formula] = MappingProxyType({})
 
+    @property
+    def is_nil(self) -> bool:
+        """Return whether the result is zero throughout the range."""
+        return self.nil == (self.range,)
+
 
 class Slope(NamedTuple):
     """A derivative in numbers, in SI, and the unit that a description gives lengths in."""

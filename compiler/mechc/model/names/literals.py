@@ -6,16 +6,16 @@ this vanish, are these relations independent?) is decided by the number. Each ha
 own: of two links that are as long as each other a formula names the one that is meant.
 """
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence, Set
 
 from ...formula.names import another
-from ...formula.tree import ZERO, Constant, Formula, Sum, negative, number
+from ...formula.tree import ZERO, Call, Constant, Formula, Product, Sum, negative, number
 from ...formula.walk import substitute, symbols
 from ...frozen import fields, replace
 from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
-from ...units import LENGTH, UNITS, Dimension, si_unit
+from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, si_unit
 from ..mechanism import (
     Arrow,
     Force,
@@ -32,8 +32,12 @@ from .scope import Named
 Key = tuple[str, str, Formula]
 """A number of metres: the kind of length, whose it is, and the number."""
 
-Known = Mapping[Key, Formula]
-"""What stands for a number of metres."""
+
+class Names(NamedTuple):
+    """What stands for numbers of metres, and the ``plain`` names, of angles and pure numbers."""
+
+    known: Mapping[Key, Formula]
+    plain: frozenset[str]
 
 
 Lengths = Mapping[tuple[str, str], Formula]
@@ -65,7 +69,8 @@ def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -
     ``named`` are the numbers that have names already, with their places.
     """
     found = [*_lengths(mechanism), *_coordinates(mechanism), *_of_joints(mechanism)]
-    literals = list({item.key: item for q in found for item in _numbers(q)}.values())
+    plain = _plain_names(mechanism)
+    literals = list({item.key: item for q in found for item in _numbers(q, plain)}.values())
     if not literals and not named:
         return mechanism
     taken, written = _names(mechanism) | {n.symbol.name for n in named}, tuple(_written(file))
@@ -75,7 +80,7 @@ def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -
         symbol = Constant(_free(literal.name, taken), literal.formula)
         known[literal.key] = symbol
         parameters.append(_parameter(symbol, LENGTH, literal.span, written))
-    return _put(replace(mechanism, literals=tuple(parameters)), known)
+    return _put(replace(mechanism, literals=tuple(parameters)), Names(known, plain))
 
 
 # ----------------------------------------------------------------------- what is a number
@@ -110,14 +115,57 @@ def _of_joints(mechanism: Mechanism) -> Iterator[Quantity]:
         yield from (Quantity(*size, joint.span) for size in joint.sizes)
 
 
-def _numbers(quantity: Quantity) -> Iterator[Quantity]:
-    """Yield a length that is a number, or those that are terms of it: ``d + 15 mm``."""
-    formula = quantity.formula
-    if _is_number(formula):
+def _plain_names(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names of angles and pure numbers: what they multiply keeps to its kind."""
+    kinds = (NUMBER, ANGLE)
+    return frozenset(p.name for p in mechanism.parameters if p.dimension in kinds)
+
+
+def _numbers(quantity: Quantity, plain: Set[str]) -> Iterator[Quantity]:
+    """Yield a length that is a number, or those in it that are: ``2*(d + 15 mm)``."""
+    if _is_number(quantity.formula):
         yield quantity
-    elif isinstance(formula, Sum):
-        numbers = [term for term in formula.terms if _is_number(term)]
-        yield from (quantity._replace(of=f"{quantity.of}_0", formula=n) for n in numbers)
+        return
+    found = list[Formula]()
+
+    def take(length: Formula) -> Formula:
+        found.append(length)
+        return length
+
+    with_numbers(quantity.formula, take, plain)
+    yield from (quantity._replace(of=f"{quantity.of}_0", formula=n) for n in found)
+
+
+def with_numbers(
+    length: Formula, put: Callable[[Formula], Formula], plain: Set[str] = frozenset()
+) -> Formula:
+    """Return a length in which ``put`` stands for the numbers that are lengths themselves.
+
+    Sums, ``hypot`` and the like are of lengths alone, and one factor of a product is, where the
+    others are numbers or functions of angles: ``plain`` names have no part in the dimension.
+
+    >>> from fractions import Fraction
+    >>> from ...formula.tree import Symbol
+    >>> a, names = Symbol("a"), {number(Fraction(1, 50)): Symbol("b")}
+    >>> whole = Product((number(2), Sum((a, number(Fraction(1, 50))))))
+    >>> with_numbers(whole, lambda n: names[n]) == Product((number(2), Sum((a, Symbol("b")))))
+    True
+    """
+    if _is_number(length):
+        return put(length)
+    match length:
+        case Sum(terms):
+            return Sum(tuple(with_numbers(term, put, plain) for term in terms))
+        case Call("hypot" | "min" | "max" | "abs" as function, arguments):
+            return Call(function, tuple(with_numbers(each, put, plain) for each in arguments))
+        case Product(factors):
+            carrying = [f for f in factors if not symbols(f) <= plain] or [
+                f for f in factors if _is_number(f)
+            ]
+            if len(carrying) == 1:
+                one = with_numbers(carrying[0], put, plain)
+                return Product(tuple(one if f is carrying[0] else f for f in factors))
+    return length
 
 
 def _is_number(formula: Formula) -> bool:
@@ -165,21 +213,21 @@ def _written(node: object) -> Iterator[ast.Number]:
         yield from _written(part)
 
 
-def _put(mechanism: Mechanism, known: Known) -> Mechanism:
+def _put(mechanism: Mechanism, names: Names) -> Mechanism:
     """Return the mechanism with numbers replaced by what stands for them."""
     lengths = {
         (e.tail, e.head): length
         for e in mechanism.geometry
         if isinstance(e, Arrow) and e.length is not None
-        if (length := _named("len", f"{e.tail}{e.head}", e.length, known)) != e.length
+        if (length := _named("len", f"{e.tail}{e.head}", e.length, names)) != e.length
     }
     loads = tuple(_load(load, lengths) for load in mechanism.loads)
     reach = {**lengths, **_reaches(loads)}
     return replace(
         mechanism,
         loads=loads,
-        geometry=tuple(_entry(entry, known, reach) for entry in mechanism.geometry),
-        joints=tuple(j.with_sizes([_named(*s, known) for s in j.sizes]) for j in mechanism.joints),
+        geometry=tuple(_entry(entry, names, reach) for entry in mechanism.geometry),
+        joints=tuple(j.with_sizes([_named(*s, names) for s in j.sizes]) for j in mechanism.joints),
         links=tuple(_link(link, lengths) for link in mechanism.links),
     )
 
@@ -221,20 +269,24 @@ def _load(load: Load, lengths: Lengths) -> Load:
     return replace(load, spread=spread, tie=spread.resultant)
 
 
-def _entry(entry: Geometry, known: Known, lengths: Lengths) -> Geometry:
+def _entry(entry: Geometry, names: Names, lengths: Lengths) -> Geometry:
     match entry:
         case Arrow(tail, head) if (tail, head) in lengths:
             return replace(entry, length=lengths[tail, head])
         case Offset(tail, head, x, y):
             vector = _vector(tail, head)
-            x, y = (_named(*each, known) for each in (("x", vector, x), ("y", vector, y)))
+            x, y = (_named(*each, names) for each in (("x", vector, x), ("y", vector, y)))
             return replace(entry, x=x, y=y)
         case _:
             return entry
 
 
-def _named(kind: str, of: str, length: Formula, known: Known) -> Formula:
-    """Return a length with names for the numbers that it is, or that are terms of it."""
-    if isinstance(length, Sum) and (kind, of, length) not in known:
-        return Sum(tuple(known.get((kind, f"{of}_0", term), term) for term in length.terms))
-    return known.get((kind, of, length), length)
+def _named(kind: str, of: str, length: Formula, names: Names) -> Formula:
+    """Return a length with names for the numbers that it is, or that are lengths in it."""
+    if (kind, of, length) in names.known:
+        return names.known[kind, of, length]
+
+    def put(found: Formula) -> Formula:
+        return names.known.get((kind, f"{of}_0", found), found)
+
+    return length if _is_number(length) else with_numbers(length, put, names.plain)

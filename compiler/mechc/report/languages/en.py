@@ -358,6 +358,7 @@ LOCALE = Locale(
     extents={
         "whole": "For {span}, the rest at the values given, {parts} (found by sampling "
         "and refined).",
+        "0 all over": "{result} is 0 at all places looked at",
         "0 throughout": "{result} is 0 at all places looked at for {spans}",
         "0": "{result} is 0 at {places}",
         "infinite": "{result} is infinite at {places}",

@@ -16,7 +16,12 @@ LONG = 8
 
 
 def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
-    """Yield when a result vanishes, then when it becomes infinite; like conditions together."""
+    """Yield when a result vanishes, then when it becomes infinite; like conditions together.
+
+    Of one that is zero wherever it was looked at the conditions are of no meaning.
+    """
+    if any(extent.is_nil for extent in result.extents):
+        return
     for template, kind in ((locale.zero, "zeros"), (locale.pole, "poles")):
         listed, looked = _stated(result, kind), _looked(result)
         passed = passed_by(result, kind)

@@ -41,8 +41,9 @@ def _extents(
     along = Along(solution.plan, plain_lets(solution.plan.graph.pose.mechanism))
     known = {column.name for column in stroke.columns}
     for result in ratios:
-        if part and result.name in known and not is_nil(result, along, part):
-            yield result.name, _extent(result, stroke, part, along)
+        if part and result.name in known:
+            is_zero = is_nil(result, along, part)
+            yield result.name, (_zero_extent if is_zero else _extent)(result, stroke, part, along)
 
 
 def _home(stroke: Stroke) -> StrokeInterval | None:
@@ -50,6 +51,22 @@ def _home(stroke: Stroke) -> StrokeInterval | None:
     default = stroke.defaults.get(stroke.drive)
     on = (s for s in stroke.stretches if default is not None and s.low <= default <= s.high)
     return next(on, None)
+
+
+def _zero_extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along) -> Extent:
+    """Return the extent of what is zero wherever it was looked at."""
+    return Extent(
+        parameter=stroke.drive,
+        unit="" if stroke.dimension == ANGLE else stroke.unit,
+        range=(part.low, part.high),
+        zeros=(),
+        poles=(),
+        least=None,
+        greatest=None,
+        scale=scale_of(result, along.mechanism),
+        looked=False,
+        nil=((part.low, part.high),),
+    )
 
 
 def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along) -> Extent:
