@@ -120,7 +120,7 @@ def efficiency_near_dead_centre(span: Span, name: str, where: Sequence[str]) -> 
 
 
 @coded("W513")
-def drive_jams(span: Span, name: str, drive: str, grips: bool) -> Message:
+def drive_jams(span: Span, name: str, drive: str, grips: bool, idle: str = "") -> Message:
     """Friction is so large at the default pose that no force of the drive moves anything.
 
     The drive's line of force passes the friction circle of a pivot, or stands within the
@@ -132,9 +132,14 @@ def drive_jams(span: Span, name: str, drive: str, grips: bool) -> Message:
 
     A band brake with both ends of its band on the lever grips by itself where the end that is
     tightened by friction opens the brake less than the other end closes it, times e^(μθ).
+
+    A load that does no work in any motion, as one across its guide, is felt through friction
+    alone: it presses on what slides. Perhaps its direction was meant to be another.
     """
     message = f"{name} has no value at the default pose: no force {drive} overcomes the friction"
     hint = "look at the friction, move the values from a dead centre, or let the other load drive"
+    if idle:
+        hint = f"{idle} does no work, and acts through friction alone: check its direction"
     if grips:
         hint = "the rope grips by itself: take a smaller wrap, or a shorter arm of its tight end"
     return Message(span, message, hint)

@@ -8,7 +8,7 @@ from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..diagnostics import power as power_messages
 from ..formula.rounding import Size
-from ..formula.tree import Symbol
+from ..formula.tree import ZERO, Symbol
 from ..frozen import replace
 from ..model.mechanism import (
     Axial,
@@ -123,7 +123,8 @@ def _with_default(
     if size.undetermined and _is_all_lost(find, result, ideal, numbers):
         size = Size(0.0)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
-        report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips))
+        idle = _below(find) if ideal.formula == ZERO else ""
+        report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips, idle))
         size = Size(None)
     return with_default(result, size)
 
@@ -150,6 +151,15 @@ def _jams(find: Find, number: float | None, ideal: float | None) -> bool:
             return not follows and not (math.isfinite(number) and number * driven >= 0)
         case _:
             return False
+
+
+def _below(find: Find) -> str:
+    """Return the load below the line of a ratio with friction, '' of anything else."""
+    match find.target:
+        case WithFriction(LoadRatio(below=below)):
+            return below
+        case _:
+            return ""
 
 
 def _drive(find: Find) -> str:

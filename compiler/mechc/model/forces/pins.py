@@ -1,7 +1,9 @@
 """Friction at pins: which of them have it, what turns on each, and what the pin is fast in."""
 
+import math
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import combinations
 
 from ...diagnostics.model import doubtful_sizes as sizes
 from ...diagnostics.model import friction as messages
@@ -11,7 +13,7 @@ from ...syntax import ast
 from ...units import LENGTH
 from ..formulas.expressions import Reader
 from ..linkage.carriers import Carriers, is_held
-from ..mechanism import Arrow, Link, Mechanism, Telescope
+from ..mechanism import Arrow, Link, Mechanism, Offset, Telescope
 from ..names.scope import DESCRIPTION, Scope
 from ..parts.friction import PinFriction, coulomb
 from .coefficients import coefficient, positive_length, value_of
@@ -68,11 +70,10 @@ class Pins:
         """Say which pins would be thicker than they are apart on one body."""
         wanted = Reader(self._scope, DESCRIPTION).wanted(statement.diameter, LENGTH, "")
         diameter = value_of(wanted, self._scope) if wanted else None
-        for arrow in self._built.geometry:
-            if diameter is None or not isinstance(arrow, Arrow) or arrow.length is None:
-                continue
-            ends, apart = (arrow.tail, arrow.head), value_of(arrow.length, self._scope)
-            if apart is None or apart >= diameter:
+        if diameter is None:
+            return
+        for ends, apart in (*self._lengths(), *self._drawn_lengths()):
+            if not apart < diameter:
                 continue
             together = any(set(ends) <= set(body.points) for body in self._bodies())
             free = self._named.isdisjoint(ends) and all(map(self._is_pin, ends))
@@ -80,6 +81,25 @@ class Pins:
                 place = statement.diameter.span
                 self._scope.report.add(sizes.pins_overlap(place, diameter, ends, apart))
                 return
+
+    def _lengths(self) -> Iterator[tuple[tuple[str, str], float]]:
+        """Yield the lengths of vectors that have values, by their ends."""
+        for arrow in self._built.geometry:
+            if isinstance(arrow, Arrow) and arrow.length is not None:
+                apart = value_of(arrow.length, self._scope)
+                if apart is not None:
+                    yield (arrow.tail, arrow.head), apart
+
+    def _drawn_lengths(self) -> Iterator[tuple[tuple[str, str], float]]:
+        """Yield how far apart the points of each body are drawn, by their names."""
+        written = [(drawn.point, drawn.x, drawn.y) for drawn in self._built.drawn]
+        offsets = (entry for entry in self._built.geometry if isinstance(entry, Offset))
+        written += [(entry.head, entry.x, entry.y) for entry in offsets if not entry.tail]
+        known = {point: [value_of(part, self._scope) for part in at] for point, *at in written}
+        places = {p: (x, y) for p, (x, y) in known.items() if x is not None and y is not None}
+        for body in self._bodies():
+            for ends in combinations((p for p in body.points if p in places), 2):
+                yield ends, math.dist(*(places[point] for point in ends))
 
     def _is_pin(self, point: str) -> bool:
         """Return whether bodies turn on one another at a point."""
