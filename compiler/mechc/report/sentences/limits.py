@@ -23,8 +23,8 @@ def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Ite
     if any(extent.is_nil for extent in result.extents):
         return
     for template, kind in ((locale.zero, "zeros"), (locale.pole, "poles")):
-        listed, looked = _stated(result, kind), _looked(result)
-        passed = passed_by(result, kind)
+        looked, passed = _looked(result), passed_by(result, kind)
+        listed = [_in_reach(limit, passed) for limit in _stated(result, kind)]
         for _, alike in groupby(listed, _likeness):
             group = [*alike]
             if _is_bare(group[0]):
@@ -32,6 +32,15 @@ def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Ite
                 yield _bare(template, symbol, group, over, locale, spell)
             else:
                 yield from (_limit(template, symbol, v, locale, spell) for v in group)
+
+
+def _in_reach(limit: Vanishing, passed: Extent | None) -> Vanishing:
+    """Return a condition without its exceptions where it holds for no value that is looked at.
+
+    That is where it is outside the ranges given, or no place is found in the one looked at.
+    """
+    is_nowhere = limit.outside or (passed and not limit.at)
+    return limit._replace(but=()) if limit.but and is_nowhere else limit
 
 
 def _likeness(limit: Vanishing) -> object:
@@ -54,7 +63,8 @@ def passed_by(result: Analysis, kind: str) -> Extent | None:
 def states_both(result: Analysis) -> bool:
     """Return whether :func:`limits` states that a range has no zero, and that it has no pole."""
     return all(
-        passed_by(result, kind) and any(map(_is_bare, _stated(result, kind)))
+        (passed := passed_by(result, kind))
+        and any(_is_bare(_in_reach(limit, passed)) for limit in _stated(result, kind))
         for kind in ("zeros", "poles")
     )
 
