@@ -48,10 +48,10 @@ def sizes(parts: tuple[Drawing, ...]) -> list[tuple[int, int, float]]:
 
 
 def test_a_drawing_that_is_too_high_is_cut_where_rows_meet():
-    """Four rows of 18 mm: two and two, or three and one, or each by itself."""
+    """Four rows of 18 mm: two and two, or each by itself."""
     whole = below_each_other([ring(0)] * 4)
     assert parted(whole, 72.0) == (whole,)
-    assert sizes(parted(whole, 54.0)) == [(3, 0, 54.0), (1, 0, 18.0)]
+    assert sizes(parted(whole, 54.0)) == [(2, 0, 36.0), (2, 0, 36.0)]
     assert sizes(parted(whole, 40.0)) == [(2, 0, 36.0), (2, 0, 36.0)]
     assert sizes(parted(whole, 20.0)) == [(1, 0, 18.0)] * 4
     assert [shape.centre.y for part in parted(whole, 40.0) for shape in part.shapes] == [
@@ -78,3 +78,12 @@ def test_a_heading_goes_with_the_row_below_it():
     whole = below_each_other([joined([heading, below_each_other([ring(0)] * 2)])] * 2)
     assert [part.high.y for part in parted(whole, 56.0)] == [0, -46]
     assert [part.high.y for part in parted(whole, 40.0)] == [0, -28, -46, -74]
+
+
+def test_parts_are_as_high_as_each_other_as_far_as_rows_allow():
+    """Four rows of 40 on parts of 130: two and two, not three and one."""
+    rows = [sheet(0, 100, 0, 40) for _ in range(4)]
+    parts = parted(below_each_other(rows), 130)
+    assert [part.high.y - part.low.y for part in parts] == [80, 80]
+    uneven = below_each_other([sheet(0, 100, 0, high) for high in (100, 30, 30)])
+    assert [part.high.y - part.low.y for part in parted(uneven, 130)] == [100, 60]

@@ -114,10 +114,28 @@ def _moved_labels(labels: Iterable[Label], by: Plane) -> Iterable[Label]:
 def parted(drawing: Drawing, height: float) -> tuple[Drawing, ...]:
     """Return the parts of a drawing, top first, none higher than this where rows are not.
 
-    They are cut where rows meet; one that is low enough comes whole.
+    They are cut where rows meet, into parts as high as each other as far as rows allow it; one that
+    is low enough comes whole.
     """
-    cuts = [drawing.high.y, *_cuts(drawing, height), drawing.low.y]
+    down = [drawing.high.y, *_cuts(drawing, height), drawing.low.y]
+    even = _even_cuts(drawing, len(down) - 1)
+    cuts = even if _highest(even) <= _highest(down) else down
     return tuple(_between(drawing, low, high) for high, low in pairwise(cuts))
+
+
+def _highest(cuts: Sequence[float]) -> float:
+    return max(high - low for high, low in pairwise(cuts))
+
+
+def _even_cuts(drawing: Drawing, parts: int) -> list[float]:
+    """Return where so many parts begin and end that are as high as each other, as rows allow it."""
+    whole, places = drawing.high.y - drawing.low.y, {*drawing.between}
+    cuts = [drawing.high.y]
+    for part in range(1, parts):
+        wanted = drawing.high.y - whole * part / parts
+        below = [place for place in places if place < cuts[-1]]
+        cuts += [min(below, key=lambda place: abs(place - wanted))] if below else []
+    return [*cuts, drawing.low.y]
 
 
 def _cuts(drawing: Drawing, height: float) -> Iterator[float]:

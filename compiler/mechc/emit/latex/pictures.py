@@ -154,7 +154,7 @@ def _centred(lines: Iterable[str], caption: str) -> Iterator[str]:
 
 def _floating(lines: Iterable[str], caption: str) -> Iterator[str]:
     """Yield a picture that goes to the next page where it is too high for this one."""
-    yield r"\begin{figure}[!htbp]"
+    yield r"\begin{figure}[!htb]"
     yield r"\centering"
     yield from lines
     yield rf"\par\nopagebreak\smallskip{{\small {caption}\par}}"
