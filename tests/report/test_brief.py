@@ -6,10 +6,11 @@ import pytest
 
 from good_mechanisms import compiled
 from mechc.cli.main import main
-from mechc.driver import emit
+from mechc.driver import Compilation, emit
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.report.text.derivation import render_brief
+from mechc.source import Source
 from report_samples import packet_clamp
 
 CLAMP = """\
@@ -42,6 +43,37 @@ def test_numbers_are_put_in_for_results_alone():
     found = brief("jansen_leg", numbers=True).partition("Numerical values")[2]
     assert "mu_B = 34.8804 deg\n" in found
     assert "k = 49 mm * 0.731552 * cos(89.2963 deg) - " in found
+
+
+def test_a_half_turn_among_angles_is_no_number_of_radians():
+    """Each value that a result rests on is a value alone, 348.38°, and no sum with 3.14159."""
+    source = Source(
+        "four_bar.mech",
+        """
+        mechanism four_bar
+        param phi = 40 deg
+        pivot Q at (0 mm, 0 mm)
+        pivot W at (-200 mm, 150 mm)
+        link WV
+        link VB
+        link QB
+        WV = 50 mm @ phi
+        QB = 150 mm
+        VB = 160 mm
+        assembly VBQ cw
+        drive phi from 10 deg to 80 deg
+        torque M on WV
+        torque T on QB
+        find k = M/T
+        """,
+    )
+    made = Compilation(source)
+    for shown in (
+        render_brief(made.derivation, made.mechanism),
+        emit(made, TARGET, Options("x", brief=True))[0].text,
+    ):
+        assert "3.14159" not in shown
+        assert "348.3819" in shown
 
 
 @pytest.mark.parametrize("name", ["jansen_leg", "karpenko_fig9_with_friction"])

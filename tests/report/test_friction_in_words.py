@@ -191,7 +191,7 @@ def test_the_force_in_a_pulled_rod_is_a_pull():
     """Table 1 row 2: the rod pulls the jaws together with k_f/2 over the cosine of its line."""
     shown = derived("karpenko_fig2_with_friction")
     assert "The rod AB is in tension." in shown
-    assert "k_f = 2 · S_AB · cos(α − δ_AB)" in shown
+    assert "k_f = 2S_AB · cos(α − δ_AB)" in shown
     assert "−2" not in shown
 
 

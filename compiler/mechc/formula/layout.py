@@ -27,6 +27,7 @@ from .tree import (
     negative,
     number,
     power,
+    product,
     total,
 )
 from .walk import children, rebuild
@@ -222,6 +223,31 @@ def turned_to_degrees(angle: Formula) -> Formula:
     constant = degrees(Fraction(f"{turn:.{FIGURES + (abs(turn) >= LARGE_ANGLE)}g}"))
     is_led = bool(others) and not all(map(has_minus, others))
     return total([*others, constant] if is_led else [constant, *others])
+
+
+def multiple_of_sum(angle: Formula) -> Formula:
+    """Return an angle of which each term is so many times a name as so many times their sum.
+
+    >>> from .to_text import text
+    >>> from .tree import product
+    >>> one, other = (product([(number(2), 1), (Symbol(name), 1)]) for name in ("phi", "mu_B"))
+    >>> text(multiple_of_sum(total([one, negative(other)]))), text(multiple_of_sum(one))
+    ('2*(phi - mu_B)', '2*phi')
+    """
+    sizes = [_multiple(t) for t in angle.terms] if isinstance(angle, Sum) else [1]
+    if len({*sizes}) > 1 or sizes[0] == 1 or not isinstance(angle, Sum):
+        return angle
+    once = [product([(number(Fraction(1, sizes[0])), 1), (term, 1)]) for term in angle.terms]
+    return Product((number(sizes[0]), Sum(tuple(once))))
+
+
+def _multiple(term: Formula) -> int:
+    """Return how many times a name stands in a term, 1 of what is no whole multiple of one."""
+    match term:
+        case Product((Number(value), Symbol())) if value.denominator == 1:
+            return abs(value.numerator)
+        case _:
+            return 1
 
 
 FIGURES = 6

@@ -21,6 +21,7 @@ from .layout import (
     fractions,
     in_degrees,
     is_angle,
+    multiple_of_sum,
     short_decimal,
     squares,
     turned_to_degrees,
@@ -168,7 +169,7 @@ class Typesetter(Look[Piece]):
     def whole(self, formula: Formula, angle: bool = False) -> Piece:
         """Return a formula; one that is an angle, or said to be one, has constants in degrees."""
         if angle or is_angle(formula, self.angles):
-            return self.set(turned_to_degrees(formula), Around.SUM, True)
+            return self.set(multiple_of_sum(turned_to_degrees(formula)), Around.SUM, True)
         return self.set(formula, Around.SUM, False)
 
     def set(self, formula: Formula, around: Around, angle: bool) -> Piece:

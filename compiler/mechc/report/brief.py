@@ -45,7 +45,7 @@ def short(
         if item.left in results:
             yield item
         elif item.left not in shown:
-            yield item._replace(numbers=None)
+            yield item._replace(numbers=None, formula=None)
 
 
 def at_length(

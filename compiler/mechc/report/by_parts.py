@@ -133,8 +133,10 @@ def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | Non
     def valued(part: Formula) -> Formula:
         if isinstance(part, Power):
             return power(valued(part.base), part.exponent)
-        if isinstance(part, Symbol | Number) or (
-            isinstance(formula, Product) and not _is_sum(part)
+        if (
+            isinstance(part, Symbol | Number)
+            or in_degrees(part) is not None
+            or (isinstance(formula, Product) and not _is_sum(part))
         ):
             return part
         quantity = _value(part, known)

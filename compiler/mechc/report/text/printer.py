@@ -204,6 +204,7 @@ class _Terminal(Typesetter[str]):
         line = pieces[0]
         for (before, factor), piece in zip(pairwise(formulas), pieces[1:], strict=True):
             close = _is_letter(before) and _is_letter(factor) and not _is_apart(before, factor)
+            close = close or (isinstance(before, Number) and _is_named_letter(factor))
             line += (self.signs.joint if close else self.signs.times) + piece
         return line
 
@@ -280,6 +281,14 @@ def _is_apart(before: Formula, factor: Formula) -> bool:
     name = before.name if isinstance(before, Symbol) else ""
     size = letter_of(factor.base if isinstance(factor, Power) else factor)
     return name == DIFFERENTIAL or (name == "f" and size != "" and size in SIZES)
+
+
+def _is_named_letter(factor: Formula) -> bool:
+    """Return whether a factor is a letter with indices, behind which a multiple ends: ``2φ_AB``."""
+    if not isinstance(factor, Symbol) or factor.name[0].isdigit():
+        return False
+    head, _, indices = split_name(factor.name)
+    return (head in GREEK or len(head) == 1) and bool(indices)
 
 
 def _is_letter(factor: Formula) -> bool:
