@@ -46,6 +46,9 @@ VIEWS: Mapping[str, str] = {
 OF_WHAT_IS_FOUND = ("derivation", "routine")
 """The stages that no message comes from."""
 
+ALONG = 4
+"""How much more work a stroke may take than a compilation: it is looked at at 721 places."""
+
 OF_A_ROW = LIMIT // 100
 """Steps that each row of a stroke may take: with friction in all joints it takes some thousands."""
 
@@ -228,7 +231,7 @@ class Compilation(Pipeline):
         from .study.stroke.from_balance import run
 
         motion = self.motion
-        with within(Allowance(LIMIT + points * OF_A_ROW), self.report):
+        with within(Allowance(ALONG * LIMIT + points * OF_A_ROW), self.report):
             return run(self.solution, self.results, points, self.report, motion, paths, watch)
 
     def along(self, formulas: Settings) -> "Compilation":

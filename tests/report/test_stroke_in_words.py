@@ -64,7 +64,7 @@ def test_efficiencies_and_jams_in_russian():
 def test_english_is_said_as_ever():
     table = to_table(loaded("crank_rocker").stroke(3))
     assert "k = 0 at phi = 24.1468 deg: dead centre, B stands still while O1A moves" in table
-    assert "Looked at 721 places: zeros, poles, extrema" in table
+    assert "Looked at 721 places: zeros, poles, jumps, extrema" in table
 
 
 def test_a_ratio_of_speeds_that_is_k_has_no_column():

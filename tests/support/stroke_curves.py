@@ -1,4 +1,4 @@
-"""What is said along a stroke of a ratio without friction, against emitted code that lies close.
+"""What is said along a stroke of ratios and forces, against emitted code that lies close.
 
 Every zero and pole, every jump, every end of a loop and every extremum that the places show must
 be stated, and nothing else; the ratio, the status of the pose and the stretches must agree on where
@@ -11,7 +11,16 @@ from collections.abc import Callable, Iterable, Iterator
 import numpy as np
 
 from mechc.driver import Compilation
-from mechc.model.parts.targets import LoadRatio, SpeedRatio
+from mechc.model.parts.targets import (
+    Axial,
+    Efficiency,
+    LoadRatio,
+    Normal,
+    Reaction,
+    SpeedRatio,
+    Target,
+    WithFriction,
+)
 from mechc.routine.evaluate import evaluate, pose
 from mechc.routine.steps import Function, Pose
 from mechc.study.stroke.run import SAMPLES
@@ -67,6 +76,11 @@ class Curve:
         found = evaluate(self.function, self.inputs(self.function, there))
         return np.broadcast_to(found, np.shape(there))
 
+    def is_at_rest(self, place: float) -> bool:
+        """Return whether friction holds the mechanism nearby: an efficiency is 0 there."""
+        parts = (s for s in self.stroke.standstills if self.name.startswith("eta"))
+        return any(s.low - 2 * self.cell <= place <= s.high + 2 * self.cell for s in parts)
+
     def is_near(self, place: float, others: Iterable[float], cells: float) -> bool:
         return any(abs(place - other) <= cells * self.cell for other in others)
 
@@ -81,11 +95,46 @@ def curves(compilation: Compilation, stroke: Stroke) -> Iterator[Curve]:
             yield Curve(compilation, stroke, result.name)
 
 
+def forces(compilation: Compilation, stroke: Stroke) -> Iterator[Curve]:
+    """Yield forces at joints, and what friction makes of results, that move along the stroke."""
+    routine = {f.name: f for f in compilation.routine.functions}
+    for result in compilation.results:
+        inputs = routine[result.name].inputs if result.name in routine else ()
+        if is_force(result.target) and stroke.drive in {i.name for i in inputs}:
+            yield Curve(compilation, stroke, result.name)
+
+
+def is_force(target: Target | None) -> bool:
+    match target:
+        case Reaction(part="direction") | WithFriction(Reaction(part="direction")):
+            return False
+        case Reaction() | Axial() | Normal() | WithFriction() | Efficiency():
+            return True
+        case _:
+            return False
+
+
 def refuted(compilation: Compilation, stroke: Stroke) -> Iterator[str]:
-    """Yield every statement on a ratio along a stroke that code refutes."""
+    """Yield every statement on a ratio or a force along a stroke that code refutes."""
     for curve in curves(compilation, stroke):
-        for check in CHECKS:
-            yield from (f"{curve.name}, {check.__name__}: {said}" for said in check(curve))
+        yield from said_of(curve, CHECKS)
+    signed = {r.name for r in compilation.results if not is_of_size(r.target)}
+    for curve in forces(compilation, stroke):
+        checks = CHECKS_OF_FORCES if curve.name in signed else CHECKS_OF_FORCES[:-1]
+        yield from said_of(curve, checks)
+
+
+def is_of_size(target: Target | None) -> bool:
+    """Return whether nothing is said of where a result is zero."""
+    of = target.of if isinstance(target, WithFriction) else target
+    is_first = isinstance(target, WithFriction) and target.order == "first"
+    is_signed = isinstance(of, Axial | Normal) or (isinstance(of, Reaction) and of.part != "size")
+    return is_first or not is_signed
+
+
+def said_of(curve: Curve, checks: Iterable[Callable[[Curve], Iterator[str]]]) -> Iterator[str]:
+    for check in checks:
+        yield from (f"{curve.name}, {check.__name__}: {said}" for said in check(curve))
 
 
 def where_there_is_a_pose(seen: Curve) -> Iterator[str]:
@@ -151,7 +200,7 @@ def extrema(seen: Curve) -> Iterator[str]:
         steps = np.sign(np.diff(five))
         turns = abs(steps.sum()) == 0 and steps[0] == steps[1] == -steps[2] == -steps[3] != 0
         least = max(1e-9 * seen.size, SAME_FIGURES * abs(five[2]))
-        if not turns or abs(five[2] - five[0]) < least:
+        if not turns or abs(five[2] - five[0]) < least or seen.is_at_rest(place):
             continue
         if seen.is_near(place, seen.poles, 3.0) or seen.is_near(place, seen.branches, 4.0):
             continue
@@ -165,7 +214,10 @@ def extrema(seen: Curve) -> Iterator[str]:
 
 
 def values_of_extrema(seen: Curve) -> Iterator[str]:
+    jumps = [jump.drive for jump in seen.jumps]
     for extremum in seen.extrema:
+        if seen.is_near(extremum.drive, jumps, ROUNDED):
+            continue
         k = float(seen.at([extremum.drive])[0])
         if not abs(k - extremum.value) <= 1e-6 * max(seen.size, abs(k)):
             yield f"{k} at {extremum}"
@@ -180,7 +232,7 @@ def sides_of_jumps(seen: Curve) -> Iterator[str]:
             for k, side in zip(beside, stated, strict=True)
         ):
             yield f"{beside} beside {jump}"
-        if not abs(beside[0] - beside[1]) > 1e-3 * np.abs(beside).max():
+        if not abs(beside[0] - beside[1]) > SAME_FIGURES * np.abs(beside).max():
             yield f"{beside} beside {jump}: no jump"
 
 
@@ -228,3 +280,6 @@ CHECKS: tuple[Callable[[Curve], Iterator[str]], ...] = (
     singular_poses,
     extrema,
 )
+
+CHECKS_OF_FORCES = (values_of_extrema, sides_of_jumps, jumps, extrema, changes_of_sign)
+"""The last one is for forces that have a sign."""

@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from .elimination import Matrix
     from .newton import Along, Equations, Status, Way
 
-SYSTEMS = 256
-"""Of so many systems the code is kept."""
+SYSTEMS, SOLUTIONS = 256, 1024
+"""Of so many systems the code is kept, of each so many solutions: several results share them."""
 
 
 def evaluate(formula: Formula, values: Mapping[str, float]) -> float:
@@ -175,7 +175,7 @@ def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
         way = way_of(system)
     ahead = LIMIT - allowance.left
 
-    @lru_cache(maxsize=64)
+    @lru_cache(maxsize=SOLUTIONS)
     def followed(outer: tuple[float, ...]) -> _Ended:
         outer = turned_back(system, outer)
         with at_most(Allowance()) as allowance:

@@ -134,7 +134,7 @@ def jumps(function: Function, grid: Sequence[float]) -> list[Jump]:
         if step > least and (turns or step > STEEP * max(beside, default=0.0)):
             jump = _narrowed(function, grid[i], grid[i + 1], range_)
             left = abs(jump.after - jump.before)
-            if left > JUMP * step and _is_steady(function, jump, range_, STEADY * left):
+            if left > JUMP * step and is_steady(function, jump, range_):
                 found.append(jump)
     return found
 
@@ -160,9 +160,9 @@ def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
     return Jump((a + b) / 2, b - a, function(a - beside), function(b + beside))
 
 
-def _is_steady(function: Function, jump: Jump, range_: float, most: float) -> bool:
+def is_steady(function: Function, jump: Jump, range_: float) -> bool:
     """Return whether this is a jump, no pole: ten times as far values are nearly the same."""
-    away = 10 * BESIDE * range_
+    away, most = 10 * BESIDE * range_, STEADY * abs(jump.after - jump.before)
     before, after = (function(jump.x + side * away) for side in (-1, 1))
     return abs(before - jump.before) <= most and abs(after - jump.after) <= most
 

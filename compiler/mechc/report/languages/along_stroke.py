@@ -62,9 +62,8 @@ EN: Words = {
     "means at guide": "{name} is the transmission angle at {of}, between {rod} and the normal to "
     "the guide",
     "throughout": "Throughout, {values}.",
-    "looked": "Looked at {count} places{others}: zeros, poles, extrema and ends of parts between "
+    "looked": "Looked at {count} places: zeros, poles, jumps, extrema and ends of parts between "
     "neighbouring ones are refined, two of them closer together may be missed.",
-    "looked less": "; {names} at {count}",
 }
 
 UK: Words = {
@@ -126,9 +125,8 @@ UK: Words = {
     "means angle": "{name} — кут передачі в шарнірі {of} між ланками {rod} та {link}",
     "means at guide": "{name} — кут передачі в точці {of} між ланкою {rod} і нормаллю до напрямної",
     "throughout": "На всьому ході {values}.",
-    "looked": "Перевірено положень: {count}{others}. Нулі, полюси, екстремуми й межі ділянок між "
+    "looked": "Перевірено положень: {count}. Нулі, полюси, стрибки, екстремуми й межі ділянок між "
     "сусідніми з них уточнено; два, розташовані ближче один до одного, могли бути пропущені.",
-    "looked less": "; {names} — {count}",
 }
 
 RU: Words = {
@@ -191,7 +189,6 @@ RU: Words = {
     "means at guide": "{name} — угол передачи в точке {of} между звеном {rod} и нормалью к "
     "направляющей",
     "throughout": "На всём ходе {values}.",
-    "looked": "Проверено положений: {count}{others}. Нули, полюсы, экстремумы и границы участков "
+    "looked": "Проверено положений: {count}. Нули, полюсы, скачки, экстремумы и границы участков "
     "между соседними из них уточнены; два, лежащие ближе друг к другу, могли быть пропущены.",
-    "looked less": "; {names} — {count}",
 }

@@ -161,7 +161,8 @@ def said(shown: Written) -> Iterator[str]:
     yield from (
         _efficiency_range(name, efficiency, shown) for name, efficiency in stroke.efficiency_ranges
     )
-    yield from _looked(shown)
+    if stroke.looked:
+        yield shown.says("looked", count=stroke.looked)
 
 
 def _cells(
@@ -289,21 +290,6 @@ def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: Written) ->
     return shown.says(
         "course", name=name, least=least, greatest=greatest, low=low, high=high, parts=where
     )
-
-
-def _looked(shown: Written) -> Iterator[str]:
-    """Yield at how many values the stroke was looked at, and what that means."""
-    most = max((count for _, count in shown.stroke.looked), default=0)
-    fewer: dict[int, list[str]] = {}
-    for name, count in shown.stroke.looked:
-        fewer.setdefault(count, []).append(name)
-    others = (
-        shown.says("looked less", names=", ".join(names), count=count)
-        for count, names in fewer.items()
-        if count < most
-    )
-    if most:
-        yield shown.says("looked", count=most, others="".join(others))
 
 
 def _span(low: float, high: float, shown: Written) -> str:

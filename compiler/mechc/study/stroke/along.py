@@ -120,6 +120,15 @@ class Along:
             self._functions[key] = formula, where, _keeping(value, self.values)
         return self._functions[key][2]
 
+    def signs(
+        self, formulas: Sequence[Formula], definitions: Sequence[tuple[str, Formula]]
+    ) -> Callable[[float], Sequence[float]]:
+        """Return signs as a function of the drive, those that have a value along it together."""
+        new = [(name, formula) for name, formula in definitions if name not in self._names]
+        known = self._names | {name for name, _ in new}
+        found = [formula for formula in formulas if symbols(formula) <= known]
+        return _keeping(together(found, self._names, new), self.values)
+
     def together(self, values: Sequence[Product]) -> list[Function]:
         """Return intermediate results of the compiler as functions that are evaluated together.
 

@@ -5,12 +5,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from typing import Literal
 
-from ...formula.roots import Function, lowest, roots
+from ...formula.roots import lowest, roots
 from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
-from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT
+from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT, SAME_RATIO
 from .along import Along
-from .friction import is_shown, some
+from .friction import is_shown
+from .jumps import is_on_the_stroke
 from .rounded import is_nil, is_turning, rounded
 from .run import SAMPLES, Run
 from .singular import order_of, roots_at
@@ -18,8 +19,11 @@ from .stroke import Branch, Extremum, Singular, StrokeInterval
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
 
-BESIDE_JUMP = 1e-9
-"""How far from where a result seems to turn both sides of a jump are seen, as a part of a cell."""
+BESIDE_JUMP = 1e-8
+"""The part of the stroke from a jump at which its sides are seen."""
+
+CLOSE = 0.01
+"""The part of a cell from an end of a part at which a turn before that end shows."""
 
 
 def extrema_along(
@@ -29,30 +33,72 @@ def extrema_along(
     branches: Sequence[Branch],
 ) -> tuple[Extremum, ...]:
     """Return the extrema along a stroke; beside a branch point what looks like one is rounding."""
-    near = BESIDE_BRANCH_POINT * run.range
-    breaks = [b.drive for b in branches]
-    breaks += [s.drive for s in singular if s.value == "undetermined"]
     found = [
         one
         for stretch, result in product(stretches, run.results)
         if not is_nil(result, run.along, stretch)
-        for part in parted(some(run.within(stretch), result), breaks, near)
-        for one in _on_part(run, result, stretch, singular, part)
+        for one in _on_stretch(run, result, stretch, singular, branches)
     ]
     return tuple(sorted(found, key=lambda e: e.drive))
 
 
-def parted(grid: Sequence[float], breaks: Sequence[float], near: float) -> Iterator[list[float]]:
-    """Yield the parts of a grid between breaks, each up to as ``near`` as rounding is small enough.
+def _on_stretch(
+    run: Run,
+    result: Analysis,
+    stretch: StrokeInterval,
+    singular: Sequence[Singular],
+    branches: Sequence[Branch],
+) -> Iterator[Extremum]:
+    """Yield the extrema of a result on a stretch: between its breaks, and beside its jumps."""
+    own = [s for s in singular if s.value == "undetermined" and s.result in _shared(run, result)]
+    jumps = [s for s in own if s.kind == "jump" and s.sides]
+    near = BESIDE_BRANCH_POINT * run.range
+    breaks = {s.drive: near for s in own} | {s.drive: BESIDE_JUMP * run.range for s in jumps}
+    breaks |= {b.drive: near for b in branches}
+    for part in parted(run.within(stretch), breaks):
+        yield from _on_part(run, result, stretch, singular, part)
+    for jump in (j for j in jumps if j.result == result.name and is_on_the_stroke(j, run)):
+        if stretch.low < jump.drive < stretch.high:
+            yield from beside_jump(jump, result, run.along, run.range)
 
-    What is on the other side of a break says nothing of whether a result turns on this one.
+
+def _shared(run: Run, result: Analysis) -> set[str]:
+    """Return the names of results at whose breaks a result has its own: ratios, and itself."""
+    return {result.name, *(ratio.name for ratio in run.quotients)}
+
+
+def parted(grid: Sequence[float], breaks: Mapping[float, float]) -> Iterator[list[float]]:
+    """Yield the parts of a grid between breaks, each up to as near as rounding is small enough.
+
+    What is on the other side of a break says nothing of whether a result turns on this one; that
+    it turns in the cell next to one shows at a place close to its end.
     """
     low, high = grid[0], grid[-1]
-    inner = sorted(x for x in breaks if low <= x <= high)
-    begins, ends = [low, *(x + near for x in inner)], [*(x - near for x in inner), high]
+    inner = sorted((x, near) for x, near in breaks.items() if low <= x <= high)
+    begins = [low, *(x + near for x, near in inner)]
+    ends = [*(x - near for x, near in inner), high]
     for first, last in zip(begins, ends, strict=True):
         if first < last:
-            yield [first, *(x for x in grid if first < x < last), last]
+            yield _part([x for x in grid if first < x < last], first, last)
+
+
+def _part(inner: Sequence[float], first: float, last: float) -> list[float]:
+    """Return places between two ends, with some close to the ends."""
+    after, before = (inner[0], inner[-1]) if inner else (last, first)
+    close = (first + (after - first) * CLOSE, last + (before - last) * CLOSE)
+    return sorted({first, *close, *inner, last})
+
+
+def beside_jump(
+    jump: Singular, result: Analysis, along: Along, range_: float
+) -> Iterator[Extremum]:
+    """Yield the sides of a jump that are the least or greatest nearby: the result turns there."""
+    assert jump.sides is not None
+    for way, value, other in zip((-1, 1), jump.sides, reversed(jump.sides), strict=True):
+        away = along.of(result.formula, result, jump.drive + way * BESIDE_BRANCH_POINT * range_)
+        for sense, kind in KINDS.items():
+            if sense * value < sense * other and sense * (away - value) > SAME_RATIO * abs(value):
+                yield Extremum(result.name, kind, jump.drive, value)
 
 
 def _on_part(
@@ -155,10 +201,4 @@ def _turning(
         if found:
             return found[0].x
     size = along.function(result.formula, result)
-    return _least(lambda x: sense * size(x), *within)
-
-
-def _least(size: Function, low: float, high: float) -> float:
-    """Return where a function is least; at a jump that is on one of its sides alone."""
-    x, beside = lowest(size, low, high), BESIDE_JUMP * (high - low)
-    return min((x, x - beside, x + beside), key=size)
+    return lowest(lambda x: sense * size(x), *within)

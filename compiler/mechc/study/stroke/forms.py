@@ -61,9 +61,11 @@ def _value(formula: Formula, definitions: Definitions, known: Set[str], names: S
     return lambda values: at(given(values))[0]
 
 
-def together(formulas: Sequence[Formula], names: Set[str]) -> Callable[[Values], Sequence[float]]:
-    """Return formulas in names that have values as one code."""
-    at, given = _code(formulas, (), names)
+def together(
+    formulas: Sequence[Formula], names: Set[str], definitions: Definitions = ()
+) -> Callable[[Values], Sequence[float]]:
+    """Return formulas in names that have values, or definitions, as one code."""
+    at, given = _code(formulas, definitions, names)
     return lambda values: at(given(values))
 
 

@@ -1,28 +1,14 @@
 """Friction along the stroke: results as code takes them, and where nothing moves."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import chain
 
-from ...formula.tree import Implicit
-from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
-from ...model.parts.targets import Efficiency, WithFriction, drives_from_below
+from ...model.parts.targets import Efficiency, drives_from_below
 from ..analysis import Analysis
 from ..intervals import EfficiencyRange, LockingInterval
 from .stroke import Extremum, JammedInterval
-
-APART = 12
-"""Of so many values one is enough where friction is found by iteration, which takes long."""
-
-
-def some(grid: Sequence[float], result: Analysis) -> Sequence[float]:
-    """Return the values at which a result is looked at, the ends among them."""
-    formulas = (d.formula for d in result.where)
-    iterated = any(isinstance(part, Implicit) for f in formulas for part in walk(f))
-    if not iterated or not isinstance(result.target, WithFriction | Efficiency):
-        return grid
-    return [*grid[:-1:APART], grid[-1]]
 
 
 def in_code(result: Analysis, solution: Solution) -> Analysis:

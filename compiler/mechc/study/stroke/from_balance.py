@@ -14,7 +14,8 @@ from ..analysis import Analysis
 from .along import EXCLUDED
 from .columns import ShownQuantities, asked, named_apart
 from .extrema import extrema_along
-from .friction import efficiency_ranges, some, standstills
+from .friction import efficiency_ranges, standstills
+from .jumps import is_on_the_stroke
 from .rounded import is_apart, zero_parts
 from .rows import columns, rows
 from .run import Run, run_of
@@ -70,8 +71,9 @@ def _stroke(run: Run, paths: ShownQuantities, points: int, watch: Watch) -> Stro
     branches = sorted((*run.branches, *crossings), key=lambda b: b.drive)
     drives = list(spaced(run.low, run.high, points - 1))
     nil = tuple(zero_parts(run, stretches, branches))
-    singular = singular_along(run, stretches, branches)
-    extrema = extrema_along(run, stretches, singular, branches)
+    found_singular = singular_along(run, stretches, branches)
+    extrema = extrema_along(run, stretches, found_singular, branches)
+    singular = (one for one in found_singular if is_on_the_stroke(one, run))
     return Stroke(
         drive=drive.name,
         dimension=drive.dimension,
@@ -90,11 +92,11 @@ def _stroke(run: Run, paths: ShownQuantities, points: int, watch: Watch) -> Stro
         efficiency_ranges=tuple(efficiency_ranges(run.results, drive.name)),
         defaults=along.defaults,
         without=run.open,
-        looked=tuple((r.name, _looked(run, r, stretches)) for r in run.results),
+        looked=_looked(run, stretches) if run.results else 0,
         nil=tuple(part for part in nil if part.result in {r.name for r in run.quotients}),
     )
 
 
-def _looked(run: Run, result: Analysis, stretches: Sequence[StrokeInterval]) -> int:
-    """Return at how many values of the drive a result was looked at."""
-    return sum(len(some(run.within(stretch), result)) for stretch in stretches)
+def _looked(run: Run, stretches: Sequence[StrokeInterval]) -> int:
+    """Return at how many values of the drive the results were looked at."""
+    return sum(len(run.within(stretch)) for stretch in stretches)

@@ -12,7 +12,7 @@ from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding, with_error
 from ...model.result import Result
 from ...model.values import Looked, of_sound_form, standing
-from ..tolerances import BRANCH_POINT, LOST, NEGLIGIBLE
+from ..tolerances import BRANCH_POINT, LOST, NEARBY, NEGLIGIBLE
 from .along import Along
 from .run import Run
 from .stroke import Branch, Extremum, Singular, StrokeInterval, ZeroInterval
@@ -41,10 +41,13 @@ def rounded(
 def is_turning(found: Extremum, result: Result, along: Along, grid: Sequence[float]) -> bool:
     """Return whether a result turns by more than what rounding may have made of its values.
 
-    Beside a branch point rounding may be larger than what the result changes by.
+    Beside a branch point rounding may be larger than what the result changes by. Where friction
+    turns round the bound holds for either sign of it, so that it is taken from beside there.
     """
     sense = 1 if found.kind == "minimum" else -1
-    least, last = found.value + sense * _error(found.drive, result, along), len(grid) - 1
+    step = NEARBY[0] * (grid[-1] - grid[0])
+    error = min(_error(found.drive + side * step, result, along) for side in (-1, 0, 1))
+    least, last = found.value + sense * error, len(grid) - 1
 
     def is_beyond(x: float) -> bool:
         beside = along.of(result.formula, result, x) - sense * _error(x, result, along)
@@ -98,7 +101,7 @@ def each_zero_once(found: Iterable[Singular], run: Run) -> Iterator[Singular]:
     changes by rounding on a thousandth of a degree. Such a zero is at 0, or at the value given,
     where it may be.
     """
-    results = {result.name: result for result in (*run.quotients, *run.forms)}
+    results = {result.name: result for result in run.results}
     kept = list[tuple[str, tuple[float, float]]]()
     for one in found:
         if one.value != "0" or one.exact is not None:

@@ -11,7 +11,18 @@ from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...frozen import frozen
-from ...model.mechanism import LoadForm, LoadRatio, Mechanism, Parameter, SpeedRatio
+from ...model.mechanism import (
+    Axial,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Normal,
+    Parameter,
+    Reaction,
+    SpeedRatio,
+    Target,
+    WithFriction,
+)
 from ...pose.pose import Pose
 from ..analysis import Analysis
 from .along import Along
@@ -89,6 +100,11 @@ class Run:
         """Return the loads that are found from all others."""
         return [r for r in self.results if isinstance(r.target, LoadForm)]
 
+    @property
+    def signed(self) -> list[Analysis]:
+        """Return the forces at joints that have a sign: components, and forces along rods."""
+        return [r for r in self.results if _has_sign(r.target)]
+
     def values(self, formula: Formula, of: Analysis) -> Callable[[float], float]:
         """Return a formula of a result as a function of the drive."""
         return self.along.function(formula, of)
@@ -96,6 +112,18 @@ class Run:
     def within(self, stretch: StrokeInterval) -> list[float]:
         """Return the values at which a stretch is looked at."""
         return looked_at(stretch, self.grid)
+
+
+def _has_sign(target: Target | None) -> bool:
+    match target:
+        case WithFriction(of=force, order="exact"):
+            return _has_sign(force)
+        case Reaction(part=part):
+            return part in ("x", "y")
+        case Axial() | Normal():
+            return True
+        case _:
+            return False
 
 
 def run_of(

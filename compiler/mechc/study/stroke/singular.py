@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Literal
 
 from ...formula.evaluate import evaluate
-from ...formula.roots import Function, Jump, Root, jumps, roots, spaced
+from ...formula.roots import Function, Root, roots, spaced
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import symbols
 from ..analysis import Analysis, Break, Vanishing
@@ -15,16 +15,16 @@ from ..tolerances import (
     BEYOND_BRANCH_POINT,
     BRANCH_POINT,
     DIFFERENCE,
-    JUMP_SIDES,
     NEARBY,
     SAME_VALUE,
     SIDE,
     STEADY,
 )
 from .along import Along
+from .jumps import PLACES, jumping, jumps_along
 from .rounded import each_zero_once, is_nil, is_nothing
 from .run import Run
-from .stroke import Branch, Kind, Singular, StrokeInterval
+from .stroke import Branch, Singular, StrokeInterval
 
 Value = Literal["0", "infinite"]
 
@@ -37,20 +37,17 @@ OrderAt = Callable[[float, Sequence[float]], Order | None]
 ALIKE, VARIES = 0.1, 0.3
 """What two exponents of one power may differ by, and which is none of a constant."""
 
-PLACES = 60
-"""In how many parts a stroke is looked at for the usual size of a result."""
-
 NO_PART = 1e-3
 """What a factor is at an end where it is nothing, at most, as a part of what it is beside it."""
-
-GROWS = 5.0
-"""How much larger what is infinite somewhere is ten times nearer to it, at least."""
 
 
 def singular_along(
     run: Run, stretches: Sequence[StrokeInterval], branches: Sequence[Branch]
 ) -> tuple[Singular, ...]:
-    """Return the singular poses of every ratio of loads, or of speeds, and the zeros of loads."""
+    """Return the singular poses of ratios of loads and speeds, zeros of forces, jumps by friction.
+
+    Where a force at a joint is zero its sense changes: a rod is in compression, then in tension.
+    """
     ratios = run.quotients
     found = [
         pose
@@ -62,19 +59,20 @@ def singular_along(
     found += [
         zero
         for stretch in stretches
-        for load in run.forms
-        if not is_nil(load, run.along, stretch)
-        for zero in _zeros_of_load(load, run, stretch)
+        for force in (*run.forms, *run.signed)
+        if not is_nil(force, run.along, stretch)
+        for zero in _zeros_of(force, run, stretch)
     ]
-    orders = {r.name: partial(order_of, run, r) for r in (*ratios, *run.forms)}
+    found += jumps_along(run, stretches)
+    orders = {r.name: partial(order_of, run, r) for r in run.results}
     return distinguished(each_zero_once(found, run), branches, run.range, orders)
 
 
-def _zeros_of_load(load: Analysis, run: Run, stretch: StrokeInterval) -> Iterator[Singular]:
-    """Yield where the others balance without a load."""
-    size = run.along.function(load.formula, load)
+def _zeros_of(force: Analysis, run: Run, stretch: StrokeInterval) -> Iterator[Singular]:
+    """Yield where the other forces balance without one."""
+    size = run.along.function(force.formula, force)
     for root in _other_zeros(size, run.within(stretch), []):
-        yield Singular(load.name, "0", "other", *root, None)
+        yield Singular(force.name, "0", "other", *root, None)
 
 
 def order_of(run: Run, result: Analysis, x: float, parts: Sequence[float] = NEARBY) -> Order | None:
@@ -109,11 +107,7 @@ def singular_poses(
     for broken in result.breaks:
         for root in roots_at(result, broken, along, stretch, grid):
             yield Singular(result.name, "undetermined", "far", *root, None)
-    places = spaced(grid[0], grid[-1], PLACES)
-    for jump in jumps(size, grid):
-        higher = max(abs(jump.before), abs(jump.after))
-        if not is_nothing({jump.x: higher}, result, along, places):
-            yield _jumping(result.name, jump, along, grid[-1] - grid[0])
+    yield from jumping(result, along, grid)
 
 
 def _is_met(
@@ -131,15 +125,6 @@ def _other_zeros(size: Function, grid: Sequence[float], known: Sequence[float]) 
         falls = abs(size(root.x + near / 10)) < abs(size(root.x + near))
         if falls and all(abs(root.x - other) > near for other in known):
             yield root
-
-
-def _jumping(name: str, jump: Jump, along: Along, range_: float) -> Singular:
-    """Return a jump as a singular pose: what grows without end towards it is far."""
-    near, away = (along.values(jump.x + part * range_) for part in JUMP_SIDES)
-    is_far = any(abs(near[n]) > GROWS * abs(away[n]) > 0 for n in along.closing if n in near)
-    sides = (jump.before, jump.after)
-    kind: Kind = "far" if is_far else "jump"
-    return Singular(name, "undetermined", kind, jump.x, jump.bracket, None, sides)
 
 
 def roots_at(

@@ -147,8 +147,8 @@ class Stroke:
     """Everything along the stroke of one mechanism; all in SI and radians.
 
     ``efficiency_ranges`` are the values that each efficiency runs through. ``without`` are the
-    loads asked for that rest on loads without a value, with these. ``looked`` states of each
-    result at how many values it was looked at: what is found between two of them is refined.
+    loads asked for that rest on loads without a value, with these. ``looked`` states
+    at how many values results were looked at: what is found between two of them is refined.
     Ratios are zero all over the parts ``nil``.
     """
 
@@ -167,5 +167,5 @@ class Stroke:
     efficiency_ranges: tuple[tuple[str, EfficiencyRange], ...]
     defaults: Mapping[str, float]
     without: tuple[tuple[str, tuple[str, ...]], ...] = ()
-    looked: tuple[tuple[str, int], ...] = ()
+    looked: int = 0
     nil: tuple[ZeroInterval, ...] = ()

@@ -1,0 +1,143 @@
+"""Where a result jumps along a stroke: over what is infinitely far, or where friction turns round.
+
+Friction turns round where a slip or a pressing force changes its sign. That shows in the
+signs themselves, be the jump however small, and in the values where something else jumps.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from itertools import pairwise
+
+from ...formula.roots import BESIDE, NARROW, Function, Jump, is_steady, jumps, spaced
+from ...formula.tree import Formula
+from ...formula.walk import walk
+from ...model.parts.targets import Efficiency, Reaction, WithFriction
+from ..analysis import Analysis
+from ..ranges import last
+from ..states import is_sign
+from ..tolerances import JUMP_SIDES
+from .along import Along
+from .rounded import is_nothing
+from .run import Run
+from .stroke import Kind, Singular, StrokeInterval
+
+PLACES = 60
+"""In how many parts a stroke is looked at for the usual size of a result."""
+
+GROWS = 5.0
+"""How much larger what is infinite somewhere is ten times nearer to it, at least."""
+
+SEEN = 1e-6
+"""The part of a value by which it jumps if that shows in the six figures that are printed."""
+
+OFTEN = 48
+"""A sign that changes in so many cells is that of what is zero but for rounding."""
+
+
+def jumps_along(run: Run, stretches: Sequence[StrokeInterval]) -> Iterator[Singular]:
+    """Yield where results with friction jump; a direction does where the components do."""
+    results = [result for result in run.results if _may_jump(result)]
+    for stretch in stretches if results else ():
+        grid = run.within(stretch)
+        turns = [x for signs in _signs(results, run.along) for x in changes_of_sign(signs, grid)]
+        for result in results:
+            yield from jumping(result, run.along, grid, turns)
+
+
+def _may_jump(result: Analysis) -> bool:
+    match result.target:
+        case WithFriction(Reaction(part="direction")):
+            return False
+        case WithFriction() | Efficiency():
+            return True
+        case _:
+            return False
+
+
+def jumping(
+    result: Analysis, along: Along, grid: Sequence[float], turns: Sequence[float] = ()
+) -> Iterator[Singular]:
+    """Yield where a result jumps between values of a grid, unless it is nothing but rounding.
+
+    It may do so at ``turns``, where friction turns round.
+    """
+    size, places = along.function(result.formula, result), spaced(grid[0], grid[-1], PLACES)
+    for jump in (*jumps(size, grid), *_at_turns(size, turns, grid[-1] - grid[0])):
+        higher = max(abs(jump.before), abs(jump.after))
+        if not is_nothing({jump.x: higher}, result, along, places):
+            yield _jumping(result.name, jump, along, grid[-1] - grid[0])
+
+
+def is_on_the_stroke(found: Singular, run: Run) -> bool:
+    """Return whether a result jumps on its way, if it jumps, not where the stroke has its ends.
+
+    There it is on one side, and rounding alone makes it the other.
+    """
+    near = 2 * BESIDE * run.range
+    return not found.sides or run.low + near < found.drive < run.high - near
+
+
+def _jumping(name: str, jump: Jump, along: Along, range_: float) -> Singular:
+    """Return a jump as a singular pose: what grows without end towards it is far."""
+    near, away = (along.values(jump.x + part * range_) for part in JUMP_SIDES)
+    is_far = any(abs(near[n]) > GROWS * abs(away[n]) > 0 for n in along.closing if n in near)
+    sides = (jump.before, jump.after)
+    kind: Kind = "far" if is_far else "jump"
+    return Singular(name, "undetermined", kind, jump.x, jump.bracket, None, sides)
+
+
+def _at_turns(size: Function, turns: Sequence[float], range_: float) -> Iterator[Jump]:
+    """Yield the turns at which a function jumps by what shows in its figures."""
+    for x in turns:
+        before, after = (size(x + side * BESIDE * range_) for side in (-1, 1))
+        jump = Jump(x, NARROW * range_, before, after)
+        shows = abs(after - before) > SEEN * max(abs(before), abs(after))
+        if shows and is_steady(size, jump, range_):
+            yield jump
+
+
+Signs = Callable[[float], Sequence[float]]
+"""Returns the signs of slips and forces at a value of the drive."""
+
+
+def _signs(results: Sequence[Analysis], along: Along) -> Iterator[Signs]:
+    """Yield the signs in results, those in forms for elsewhere among them, a few functions for all.
+
+    Results that call different things by one name do not share a function.
+    """
+    groups = list[dict[str, Formula]]()
+    forms = [form for r in results for form in (r, r.elsewhere) if form is not None]
+    for where in (dict(form.where) for form in forms):
+        alike = (g for g in groups if all(g.get(n, f) == f for n, f in where.items()))
+        group = next(alike, None)
+        if group is None:
+            groups.append(where)
+        else:
+            group.update((n, f) for n, f in where.items() if n not in group)
+    for group in groups:
+        parts = dict.fromkeys(p for f in group.values() for p in walk(f) if is_sign(p))
+        if parts:
+            yield along.signs([*parts], [*group.items()])
+
+
+def changes_of_sign(signs: Signs, grid: Sequence[float]) -> Iterator[float]:
+    """Yield where each of some signs changes between two values of a grid.
+
+    >>> [round(x, 9) for x in changes_of_sign(lambda x: (x - 0.3, 1.0), [0.0, 0.25, 0.5])]
+    [0.3]
+    """
+    rows = [_senses(signs(x)) for x in grid]
+    for i, column in enumerate(zip(*rows, strict=True)):
+        sides = zip(pairwise(grid), pairwise(column), strict=True)
+        cells = [(*cell, before) for cell, (before, after) in sides if before != after]
+        for a, b, before in cells if len(cells) < OFTEN else ():
+            yield last(partial(_is, signs, i, before), a, b)
+
+
+def _senses(signs: Sequence[float]) -> list[int]:
+    """Return 1 for what is positive, -1 for what is negative, else 0."""
+    return [(sign > 0) - (sign < 0) for sign in signs]
+
+
+def _is(signs: Signs, i: int, sense: int, x: float) -> bool:
+    return _senses(signs(x))[i] == sense

@@ -1,0 +1,81 @@
+"""Along the stroke of a crank: where friction turns round and forces jump, and where they are zero.
+
+The pin B of the slider alone has friction. There the rod AB turns round at 90 and 270 degrees, and
+its force passes the friction circle on the other side: inclined to the rod by δ, sin δ = fd/(2l).
+Nothing else jumps, and where the rod lies on the line of the slider the guide bears nothing.
+"""
+
+import math
+
+import pytest
+
+import mechc
+from mechc.report.text.stroke import to_table
+from mechc.study.stroke.jumps import changes_of_sign
+from small_mechanisms import slider_crank
+from stroke_curves import refuted
+
+F, R, L = 100.0, 0.05, 0.2
+BETA, DELTA = math.asin(R / L), math.asin(0.2 * 0.04 / 2 / L)
+ASKED = ("let F = 100 N", "find k = M/F", "find N_AB", "find N_B", "find R_O")
+CRANK = slider_crank("friction pin B 0.2 diameter 40 mm", *ASKED)
+
+
+@pytest.fixture(scope="module")
+def mechanism():
+    return mechc.loads(CRANK)
+
+
+@pytest.fixture(scope="module")
+def stroke(mechanism):
+    return mechanism.stroke(3)
+
+
+def of(found, name):
+    return [one for one in found if one.result == name]
+
+
+def test_a_force_jumps_where_the_slip_at_a_pin_turns_round(stroke):
+    first, second = of(stroke.singular, "N_AB_f")
+    assert [first.drive, second.drive] == pytest.approx([math.pi / 2, 3 * math.pi / 2])
+    sides = [-F * math.cos(DELTA) / math.cos(BETA + s * DELTA) for s in (1, -1)]
+    assert sorted(first.sides) == pytest.approx(sorted(sides))
+    assert sorted(second.sides) == pytest.approx(sorted(sides))
+
+
+def test_the_greatest_force_right_beside_a_jump_is_stated_as_an_extremum(mechanism, stroke):
+    (jump, _) = of(stroke.singular, "N_AB_f")
+    near = [e for e in of(stroke.extrema, "N_AB_f") if e.drive == jump.drive]
+    assert {e.value for e in near} <= {*jump.sides}
+    places = [math.radians(60 + 60 * i / 6000) for i in range(6001)]
+    greatest = max(abs(mechanism.evaluate(phi=places)["N_AB_f"]))
+    assert max(abs(e.value) for e in near) == pytest.approx(greatest, rel=1e-4)
+
+
+def test_a_force_is_zero_where_its_sense_changes(stroke):
+    zeros = of(stroke.singular, "N_B")
+    assert {z.value for z in zeros} == {"0"}
+    assert [z.drive for z in zeros] == pytest.approx([0.0, math.pi, 2 * math.pi])
+    assert "N_B = 0 at phi = 180 deg" in to_table(stroke)
+    assert not of(stroke.singular, "N_AB")
+
+
+def test_an_efficiency_is_greatest_where_the_one_joint_with_friction_rests(stroke):
+    highest = [e for e in of(stroke.extrema, "eta_k") if e.kind == "maximum"]
+    assert [e.drive for e in highest] == pytest.approx([math.pi / 2, 3 * math.pi / 2])
+    assert [e.value for e in highest] == pytest.approx([1.0, 1.0])
+
+
+def test_places_that_lie_close_together_refute_nothing(mechanism, stroke):
+    assert list(refuted(mechanism._compilation, stroke)) == []
+
+
+def test_a_jump_at_an_end_of_the_stroke_is_none_on_the_way():
+    half = mechc.loads(CRANK.replace("from 0 deg to 360 deg", "from 90 deg to 200 deg"))
+    assert not of(half.stroke(3).singular, "N_AB_f")
+
+
+def test_a_sign_of_what_is_nothing_but_rounding_changes_too_often_to_be_followed():
+    grid = [i / 100 for i in range(201)]
+    signs = lambda x: (math.sin(1e5 * x), x - 1.234)  # noqa: E731
+    assert list(changes_of_sign(signs, grid)) == [pytest.approx(1.234)]
