@@ -9,6 +9,7 @@ from mechc.emit.python.printer import RESERVED as PYTHON_WORDS
 from mechc.formula.tree import Symbol, product, total
 from mechc.routine.steps import Common, Input, Step
 from mechc.units import NUMBER
+from small_mechanisms import gripper
 
 A, B, U, V = map(Symbol, "abuv")
 SUM = Step("u", total([A, B]))
@@ -54,12 +55,7 @@ def test_python_takes_what_is_common_by_its_name():
 
 def test_numbers_of_a_description_have_their_units_in_comments():
     """Lengths and angles of a drawing, in the SI, in the docstring and in the header."""
-    drawn = mechc.loads(
-        "mechanism drawn\npivot O at (30 mm, 0 mm)\nslider K along y\nlink KA\nlink OAJ\n"
-        "K at (0 mm, 10 mm)\nA at (20 mm, -15 mm)\nJ at (12 mm, 60 mm)\n"
-        "force P at K along -y\nforce F at J along x\nfind k = P/F",
-        "drawn.mech",
-    )
+    drawn = mechc.loads(gripper(), "drawn.mech")
     for target in ("python", "c"):
         text = drawn.emit(target)
         assert "where len_OA = 0.0180277564 m\n" in text

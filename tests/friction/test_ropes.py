@@ -8,6 +8,7 @@ import mechc
 from mechc.driver import compile_source
 from mechc.formula.to_text import text
 from mechc.source import Source
+from small_mechanisms import mirrored_rope
 
 CAPSTAN = """
 param mu = 0.3 in 0.1 .. 0.5
@@ -51,18 +52,7 @@ friction rope O mu wrap -180 deg drum 400 mm on OG
 find M
 """
 
-SHARED = """
-param alpha = 20 deg in 10 deg .. 60 deg
-pivot B
-slider K along y
-slider H along y
-rope K, B along 90 deg - alpha, H along -90 deg
-mirror across y sharing K
-force P at H along -y
-force F at K along -y
-friction rope B 0.25 wrap 160 deg
-find k = P/F
-"""
+SHARED = mirrored_rope("friction rope B 0.25 wrap 160 deg")
 
 
 def numbers(text, **values):

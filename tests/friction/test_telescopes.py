@@ -10,22 +10,9 @@ from random import Random
 import pytest
 
 import mechc
+from small_mechanisms import boom, jib
 
-BOOM = """
-param s = 5 m
-pivot O at (0 m, 0 m)
-pivot G at (3 m, 0 m)
-link OC
-telescope GC
-OC = 4 m
-GC = s
-assembly OCG cw
-actuator P between G and C
-torque T on OC
-friction pins 0.1 diameter 300 mm
-find k = P/T
-find R_G
-"""
+BOOM = boom("friction pins 0.1 diameter 300 mm", "find k = P/T", "find R_G")
 
 
 def test_the_pins_at_both_ends_have_friction():
@@ -109,24 +96,13 @@ def test_a_telescope_under_no_load_has_no_friction():
     assert mechc.loads(idle).evaluate(T=1.0)["k_f"] == pytest.approx(-1 / 2.43)
 
 
-ENDS = """
-pivot O at (0 m, 0 m)
-pivot C at (1 m, -0.5 m)
-link OBA
-telescope CB
-A at (4 m, 3 m)
-B at (2 m, 1.2 m)
-drive CB from 1.8 m to 2.4 m
-force W at A along -y
-actuator P between C and B
-find k = P/W, R_B on OBA, R_C
-"""
+ENDS = jib("find k = P/W, R_B on OBA, R_C")
 
 
 @pytest.mark.parametrize("friction", ["", "friction pins 0.2 diameter 200 mm"])
 def test_a_telescope_passes_on_to_the_link_what_the_ground_does_to_it(friction):
     """Nothing but its pins acts on it, so that the forces there are equal, couples or not."""
-    mechanism = mechc.loads(f"mechanism jib\n{ENDS}{friction}\n")
+    mechanism = mechc.loads(f"{ENDS}{friction}\n")
     found = mechanism.evaluate(W=1000.0)
     for part in ("_x", "_y", "", "_direction"):
         for ending in ("", "_f") if friction else ("",):

@@ -5,6 +5,7 @@ import pytest
 from mechc.driver import compile_source
 from mechc.formula.to_text import text
 from mechc.source import Source
+from small_mechanisms import mirrored_rope, movable_pulley
 
 TWO_WEIGHTS = """
 param alpha = 30 deg in 10 deg .. 80 deg
@@ -17,29 +18,9 @@ force Q at A along -y
 find k = P/Q
 """
 
-MOVABLE = """
-param alpha = 20 deg in 0 deg .. 60 deg
-pivot A
-pivot B
-slider K along y
-slider H along -y
-rope A, K along -90 deg + alpha, B along y, H along -y
-force P at H along -y
-force F at K along -y
-find k = P/F
-"""
+MOVABLE = movable_pulley("find k = P/F")
 
-MIRRORED = """
-param alpha = 20 deg in 10 deg .. 60 deg
-pivot B
-slider K along y
-slider H along y
-rope K, B along 90 deg - alpha, H along -90 deg
-mirror across y sharing K
-force P at H along -y
-force F at K along -y
-find k = P/F
-"""
+MIRRORED = mirrored_rope()
 
 ON_A_BOOM = """
 param a = 3 m
@@ -76,20 +57,7 @@ def test_what_a_rope_transmits(described: str, formula: str) -> None:
     assert compilation.verdict.trials
 
 
-TACKLE = """
-param alpha = 20 deg in 0 deg .. 60 deg
-pivot A
-pivot B
-slider K along y
-slider H along -y
-rope A, K along -90 deg + alpha, B along y, H along -y
-force P at H along -y
-force F at K along -y
-let F = 600 N
-find P
-find N_AK
-find N_BH
-"""
+TACKLE = movable_pulley("let F = 600 N", "find P", "find N_AK", "find N_BH")
 
 
 @pytest.mark.parametrize("friction", ["", "friction slider K 0.1\nfriction slider H 0.1\n"])

@@ -5,17 +5,7 @@ import pytest
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.source import Source
-
-LEVER = """
-pivot O
-link OAB
-OA = 60 mm @ 20 deg
-OB = 90 mm @ 200 deg
-force P at A along -y
-force F at B along -y
-find k = P/F
-friction pins {coefficient} diameter 10 mm
-"""
+from small_mechanisms import lever
 
 
 def codes(text: str) -> list[str]:
@@ -32,7 +22,7 @@ def codes(text: str) -> list[str]:
     ("coefficient", "found"), [("0", []), ("0.1", []), ("-0.1", ["E274"]), ("1.5", ["W251"])]
 )
 def test_a_coefficient_of_friction_is_not_negative(coefficient, found):
-    assert codes(LEVER.format(coefficient=coefficient)) == found
+    assert codes(lever(f"friction pins {coefficient} diameter 10 mm")) == found
 
 
 JAWS = """

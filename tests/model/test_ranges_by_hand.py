@@ -7,23 +7,12 @@ import pytest
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.source import Source
-
-LEVER = """
-param {param}
-pivot O
-link OAB
-OA = 60 mm @ 20 deg
-OB = 90 mm @ 200 deg
-force P at A along -y
-force F at B along -y
-let used = {name}
-find k = P/F
-"""
+from small_mechanisms import lever
 
 
 def said(param: str) -> list[str]:
     """Return the messages about a lever beside which a parameter is declared."""
-    text = LEVER.format(param=param, name=param.partition(" ")[0])
+    text = lever(f"param {param}", f"let used = {param.partition(' ')[0]}")
     compilation = Compilation(Source("lever.mech", text))
     with suppress(MechcError):
         assert compilation.mechanism

@@ -12,6 +12,7 @@ from mechc.emit.target import Options
 from mechc.report.text.derivation import render_brief
 from mechc.source import Source
 from report_samples import packet_clamp
+from small_mechanisms import gripper
 
 CLAMP = """\
 Packet clamp of a profile-welding machine
@@ -96,11 +97,7 @@ def test_a_long_chain_has_a_short_report(language):
 
 def test_angles_of_a_drawing_stand_once(tmp_path, capsys):
     path = tmp_path / "m.mech"
-    path.write_text(
-        "mechanism m\npivot O at (30 mm, 0 mm)\nslider K along y\nlink KA\nlink OAJ\n"
-        "K at (0 mm, 10 mm)\nA at (20 mm, -15 mm)\nJ at (12 mm, 60 mm)\n"
-        "force P at K along y\nforce F at J along x\nfind k = P/F\n"
-    )
+    path.write_text(gripper(push="y"))
     for command in (["derive"], ["compile", "--emit", "latex"]):
         assert main([*command, str(path), "--brief", "--no-cache"]) == 0
         page = capsys.readouterr().out.replace(r"\varphi_{KA}&=", "φ_KA = ")

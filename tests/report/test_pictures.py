@@ -9,6 +9,7 @@ from good_mechanisms import begun, loaded
 from mechc.cli import main
 from mechc.report.languages import registry
 from readable_drawings import lettering
+from small_mechanisms import jib
 
 CAPTIONS = {
     "en": ("Kinematic scheme", "Free bodies", "$k$ against $\\alpha$"),
@@ -54,19 +55,7 @@ def test_the_table_has_the_values_of_the_plot_in_the_language(clamp):
     assert "$0{,}05$" in text
 
 
-JIB = """mechanism jib "Jib"
-pivot O at (0 m, 0 m)
-pivot C at (1 m, -0.5 m)
-link OBA
-telescope CB
-A at (4 m, 3 m)
-B at (2 m, 1.2 m)
-drive CB from 1.8 m to 2.4 m
-force W at A along -y
-let W = 1 kN
-actuator P between C and B
-find k = P/W, R_B on OBA
-"""
+JIB = jib("let W = 1 kN", "find k = P/W, R_B on OBA")
 
 
 def test_lengths_and_directions_of_forces_read_in_pictures_and_tables_as_in_formulas():

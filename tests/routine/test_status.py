@@ -13,6 +13,7 @@ from mechc.routine.evaluate import evaluate, status
 from mechc.routine.steps import Function, Guard, Input, Status
 from mechc.source import Source
 from mechc.units import NUMBER
+from small_mechanisms import lever
 
 INPUTS = tuple(Input(name, NUMBER) for name in ("R", "P", "P_f"))
 DRIVE, FORCE = Symbol("P"), Symbol("R")
@@ -90,17 +91,7 @@ def test_code_says_of_a_brake_what_is_said_of_it(mu: float, state: str) -> None:
         assert {0: "free", 4: "jammed"}[int(found)] == expected
 
 
-LEVER = """
-pivot O
-link OAB
-OA = 60 mm @ 20 deg
-OB = 90 mm @ 200 deg
-force P at A along -y
-force F at B along -y
-find k = P/F
-find i = F/P
-friction pins 0.1 diameter 10 mm
-"""
+LEVER = lever("find i = F/P", "friction pins 0.1 diameter 10 mm")
 
 
 def test_a_ratio_is_held_against_the_same_without_friction() -> None:

@@ -14,22 +14,9 @@ from mechc.statics.poses import candidates
 from mechc.statics.referee import cross_check
 from mechc.statics.surfaces import pairs_of
 from mechc.statics.unfold import Unfolding
+from small_mechanisms import boom
 
-BOOM = """
-param s = 5 m
-pivot O at (0 m, 0 m)
-pivot G at (3 m, 0 m)
-link OC
-telescope GC
-OC = 4 m
-GC = s
-assembly OCG cw
-actuator P between G and C
-torque T on OC
-friction pins 0.1 diameter 300 mm
-find k = P/T
-find R_G
-"""
+BOOM = boom("friction pins 0.1 diameter 300 mm", "find k = P/T", "find R_G")
 
 
 def compiled(text: str) -> Compilation:

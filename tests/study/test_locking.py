@@ -20,7 +20,7 @@ from mechc.study.analysis import Analysis
 from mechc.study.intervals import EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from mechc.study.states import Moving
 from paths import LIBRARY
-from small_mechanisms import slider_crank
+from small_mechanisms import slider_crank, wedges
 from sources import in_thirds
 
 SAMPLED = LOCALE.sampled
@@ -58,18 +58,7 @@ friction roller A 0.1 axle d wheel D
 find k = Q / W
 """
 
-WEDGE = """
-param beta = 8 deg in 2 deg .. 30 deg
-param mu = 0.1
-slide WX along x
-slide AV along y
-contact A on WX normal 90 deg - beta
-force P at W along x
-force F at V along -y
-friction slider W mu
-friction contact A mu
-find k = P / F
-"""
+WEDGE = wedges()
 
 CRANK = """
 param a = 30 mm
@@ -511,19 +500,7 @@ friction pins 0.1 diameter d
 find k = P / F
 """
 
-FACES = """
-param beta = 8 deg in 2 deg .. 30 deg
-param gamma = 5 deg in 0 deg .. 20 deg
-param mu = 0.1
-slide WX along -gamma
-slide AV along y
-contact A on WX normal 90 deg - beta
-force P at W along x
-force F at V along -y
-friction slider W mu
-friction contact A mu
-find k = P / F
-"""
+FACES = wedges("param gamma = 5 deg in 0 deg .. 20 deg", along="-gamma")
 
 
 @pytest.mark.parametrize("r", [100, 140])

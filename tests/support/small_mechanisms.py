@@ -119,5 +119,119 @@ def toggle(
     )
 
 
+def lever(*lines: str) -> str:
+    """Return a lever OAB, its arms of 60 mm and 90 mm in line, with a force down at each end."""
+    return _text(
+        "pivot O",
+        "link OAB",
+        "OA = 60 mm @ 20 deg",
+        "OB = 90 mm @ 200 deg",
+        "force P at A along -y",
+        "force F at B along -y",
+        "find k = P/F",
+        *lines,
+    )
+
+
+def gripper(*lines: str, push: str = "-y") -> str:
+    """Return a lever OAJ by places, whose rod KA the slider K pushes at."""
+    return _text(
+        "mechanism drawn",
+        "pivot O at (30 mm, 0 mm)",
+        "slider K along y",
+        "link KA",
+        "link OAJ",
+        "K at (0 mm, 10 mm)",
+        "A at (20 mm, -15 mm)",
+        "J at (12 mm, 60 mm)",
+        f"force P at K along {push}",
+        "force F at J along x",
+        "find k = P/F",
+        *lines,
+    )
+
+
+def boom(*lines: str) -> str:
+    """Return a boom OC that a cylinder GC holds, at a right angle where it is 5 m long."""
+    return _text(
+        "param s = 5 m",
+        "pivot O at (0 m, 0 m)",
+        "pivot G at (3 m, 0 m)",
+        "link OC",
+        "telescope GC",
+        "OC = 4 m",
+        "GC = s",
+        "assembly OCG cw",
+        "actuator P between G and C",
+        "torque T on OC",
+        *lines,
+    )
+
+
+def jib(*lines: str) -> str:
+    """Return a jib OBA by places, with a load W at A, that a cylinder CB raises."""
+    return _text(
+        'mechanism jib "Jib"',
+        "pivot O at (0 m, 0 m)",
+        "pivot C at (1 m, -0.5 m)",
+        "link OBA",
+        "telescope CB",
+        "A at (4 m, 3 m)",
+        "B at (2 m, 1.2 m)",
+        "drive CB from 1.8 m to 2.4 m",
+        "force W at A along -y",
+        "actuator P between C and B",
+        *lines,
+    )
+
+
+def wedges(*lines: str, along: str = "x") -> str:
+    """Return a wedge WX of the angle beta along a guide, which lifts the slide AV at its face."""
+    return _text(
+        "param beta = 8 deg in 2 deg .. 30 deg",
+        "param mu = 0.1",
+        f"slide WX along {along}",
+        "slide AV along y",
+        "contact A on WX normal 90 deg - beta",
+        "force P at W along x",
+        "force F at V along -y",
+        "friction slider W mu",
+        "friction contact A mu",
+        "find k = P / F",
+        *lines,
+    )
+
+
+def movable_pulley(*lines: str) -> str:
+    """Return a load F on a pulley K, in a rope from A that is alpha off the guide, over B to H."""
+    return _text(
+        "param alpha = 20 deg in 0 deg .. 60 deg",
+        "pivot A",
+        "pivot B",
+        "slider K along y",
+        "slider H along -y",
+        "rope A, K along -90 deg + alpha, B along y, H along -y",
+        "force P at H along -y",
+        "force F at K along -y",
+        *lines,
+    )
+
+
+def mirrored_rope(*lines: str) -> str:
+    """Return a load F on K in ropes of both sides, each over a pulley B to a hand H."""
+    return _text(
+        "param alpha = 20 deg in 10 deg .. 60 deg",
+        "pivot B",
+        "slider K along y",
+        "slider H along y",
+        "rope K, B along 90 deg - alpha, H along -90 deg",
+        "mirror across y sharing K",
+        "force P at H along -y",
+        "force F at K along -y",
+        "find k = P/F",
+        *lines,
+    )
+
+
 def _text(*lines: str) -> str:
     return "\n".join((*lines, ""))
