@@ -42,7 +42,10 @@ def _factored(written: tuple[Written, ...], deep: bool) -> Product:
 
 
 def factor(ring: Ring, p: Polynomial) -> Product:
-    """Return a real polynomial as a factored product."""
+    """Return a real polynomial as a product: its content, lengths, sines and cosines, and sums.
+
+    Sums are split as far as lengths and angles separate; 0 is the product ZERO.
+    """
     if not p.terms:
         return ZERO
     content, common, terms = _primitive(ring, p.terms)

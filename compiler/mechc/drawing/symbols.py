@@ -159,7 +159,10 @@ def head(tip: Plane, along: Plane, pen: Pen, length: float = _HEAD) -> Polyline:
 
 
 def arrow(tail: Plane, tip: Plane, pen: Pen = FORCE) -> Iterator[Shape]:
-    """Yield an arrow, which is that of a force by default."""
+    """Yield the line and the head of an arrow between places in mm; by default that of a force.
+
+    The head ends at the tip, and is smaller where the arrow is short.
+    """
     along = tip.minus(tail).unit() or Plane(1.0, 0.0)
     size = min(_HEAD, 0.6 * math.dist(tail, tip))
     yield line(tail, off(tip, along, -size), pen)
@@ -191,7 +194,10 @@ def wheel(centre: Plane, radius: float, touch: Plane) -> Iterator[Shape]:
 
 
 def sector(centre: Plane, radius: float, touch: Plane) -> Iterator[Shape]:
-    """Yield the sides of a large gear, of which a part is drawn; nothing of one drawn all round."""
+    """Yield the sides of a large gear, of which a part at ``touch`` is drawn; lengths are in mm.
+
+    A gear that is drawn all round has none.
+    """
     if radius > WHOLE:
         rim = _rim(centre, radius, touch)
         for end in (rim.at(0.0), rim.at(1.0)):

@@ -78,7 +78,10 @@ class Printer(ABC):
                 assert_never(formula)
 
     def condition(self, guard: Guard) -> str:
-        """Return a guard as a comparison; sides are equal but for rounding."""
+        """Return a guard as a comparison in the code of the target.
+
+        Sides that are to be equal may differ by as much as rounding can make them.
+        """
         if guard.operator == "=":
             gap, slack = equal_within(guard.left, guard.right)
             return f"{self.print(gap)} <= {self.print(slack)}"

@@ -32,7 +32,10 @@ class Row(NamedTuple):
 
 
 def choose(ways: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> Lengths:
-    """Return all open lengths of the ways; those of ``rods`` are to be positive."""
+    """Return all open lengths, in metres, near ``usual``, with which the vectors close.
+
+    Those of ``rods`` come out positive if they can. A vector along a guide may have either sign.
+    """
     rows = _independent(_equations(ways))
     names = dict.fromkeys(name for way in ways for name in way.vector.parts)
     lengths = {**dict.fromkeys(names, usual), **dict.fromkeys(rods, usual)}

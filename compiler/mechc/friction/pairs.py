@@ -278,7 +278,10 @@ def _along_the_way(given: RopeFriction, pose: Pose) -> Iterator[tuple[str, Produ
 
 
 def radii(pairs: Iterable[FrictionPair]) -> dict[str, str]:
-    """Return the symbol of each pin's friction-circle radius: rho where all are alike."""
+    """Return the symbol of the radius of each pin's friction circle, by the name of its pair.
+
+    It is rho where all are alike, else rho and the name of the pair.
+    """
     pins = [pair for pair in pairs if pair.joint.kind == "pin"]
     alike = len({pair.factor.formula() for pair in pins}) == 1
     return {pair.name: "rho" if alike else f"rho_{pair.name}" for pair in pins}

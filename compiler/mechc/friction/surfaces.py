@@ -58,7 +58,7 @@ def of_face(bodies: Bodies, contact: PointContact) -> Surface | None:
 
 
 def at_pin(bodies: Bodies, point: str) -> bool:
-    """Return whether there is friction at a pin."""
+    """Return whether any pair of surfaces with friction is at the pin of a point."""
     return any(b.kind == "pin" and b.point == point for b in bodies.loaded)
 
 

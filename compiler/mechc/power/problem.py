@@ -68,7 +68,7 @@ class Problem:
         return given_size(self.mechanism, load)
 
     def dimension(self, load: str) -> Dimension:
-        """Return whether a load is a force or a moment."""
+        """Return the dimension of a load: that of a force, or of a moment. KeyError for no load."""
         return self.loads[load].dimension
 
     def result(

@@ -32,7 +32,10 @@ def cases(mechanism: Mechanism, results: Sequence[Result], given: Sizes) -> list
 
 
 def sizes_of(mechanism: Mechanism, values: Sizes, given: Sizes) -> dict[str, float]:
-    """Return the size of every load that has one: given, or by the description."""
+    """Return the size, in N or N·m, of every load that has one: given, or by the description.
+
+    A tie to a load without a size gives none. ``values`` are those of names, in SI.
+    """
     found = dict(given)
     for load in mechanism.loads:
         if load.name in found:

@@ -70,7 +70,10 @@ class _Sums:
         return self.pins[point]
 
     def body(self, name: str) -> int:
-        """Return the number of the body's first row; its rows are added when first asked for."""
+        """Return the number of the body's first row: ΣX, then ΣY, and ΣM about its first point.
+
+        The rows are added when first asked for.
+        """
         if name not in self.bodies:
             self.bodies[name] = self._more(3)
         return self.bodies[name]

@@ -38,7 +38,7 @@ def moved(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
 
 
 def moving_first(mechanism: Mechanism) -> list[str]:
-    """Return the parameters: the drive, then those with a range, then the others."""
+    """Return the names of parameters: the drive's, then those with a range, then the others."""
     drive, ranged = mechanism.drive, with_range(mechanism)
     names = [p.name for p in mechanism.parameters]
     return sorted(names, key=lambda n: (not drive or n != drive.parameter, n not in ranged))

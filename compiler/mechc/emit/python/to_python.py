@@ -101,7 +101,7 @@ class PythonTarget:
     suffixes = (".py",)
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
-        """Return the module."""
+        """Return the module as one file, with gradients if the options ask for them."""
         text = render("python/module.jinja", _module(compiled, options.gradient))
         return (Emitted(f"{_stem(options)}.py", text),)
 

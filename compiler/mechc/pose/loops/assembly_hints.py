@@ -172,5 +172,5 @@ def _points(group: Loops) -> list[str]:
 
 
 def group_span(group: Loops) -> Span:
-    """Return the last place in the text that says anything of a loop."""
+    """Return the span of that edge of a loop that comes last in the text."""
     return max((e.span for e in group.cycle), key=lambda s: s.start)

@@ -94,7 +94,10 @@ class _Reach:
         return all(map(math.isfinite, self._values(x).values()))
 
     def ends(self, margins: Iterable[Product], low: float, high: float) -> list[End]:
-        """Return where a margin vanishes, and the ends of the drive, in order."""
+        """Return ``low``, where a margin vanishes, and ``high``, in ascending order.
+
+        All are values of the drive in SI, rad or m.
+        """
         inner = [e for m in margins for e in self._zeros(m, low, high) if low < e.x < high]
         return [End(low), *sorted(inner), End(high)]
 
