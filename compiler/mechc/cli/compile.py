@@ -156,8 +156,7 @@ def command(
     printed = [emitted[0].text for output, emitted in made if output.path is None]
     if deps:
         read = [path_of(file, stdin_name), *compilation.source.used()]
-        rule = makefile_rule([path for path, _ in texts], list(filter(None, read)))
-        _add_rule(rule, deps, texts, printed)
+        _add_rule(deps, list(filter(None, read)), texts, printed)
     claims = [claim_of(file), *map(claim, compilation.source.used())]
     refuse_collisions([path for path, _ in texts], claims, bool(printed))
     _deliver(texts, printed, [output.path for output in wanted if output.folder])
@@ -172,8 +171,9 @@ def _emitted(compilation: Compilation, output: Output, options: Options) -> tupl
     return emit(compilation, registry.load(output.target), asked)
 
 
-def _add_rule(rule: str, deps: str, texts: list[Text], printed: list[str]) -> None:
+def _add_rule(deps: str, read: list[Path], texts: list[Text], printed: list[str]) -> None:
     """Add a rule for make to the files, or to what is printed if nothing else is."""
+    rule = makefile_rule([path for path, _ in texts], read)
     if deps != "-":
         texts.append((Path(deps), rule))
     elif printed:
