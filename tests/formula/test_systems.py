@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from mechc.formula.continuation import continued
+from mechc.formula.continuation import _Continuation, continued
 from mechc.formula.derivative import derivative
 from mechc.formula.elimination import eliminate, quick
 from mechc.formula.evaluate import evaluate, solution, status, status_along
@@ -107,6 +107,19 @@ def test_continuation_comes_to_the_solutions_of_whole_ways_in_any_order(seed: in
     for near, far, turn in zip(found, whole, turns, strict=True):
         assert near == pytest.approx(far, rel=0, abs=1e-11, nan_ok=True), turn
     assert sum(not math.isnan(values[0]) for values in found) > 3
+
+
+@pytest.mark.parametrize(("turn", "is_near"), [(0.1, True), (-0.4, True), (9.0, False)])
+def test_near_the_anchor_the_rungs_of_a_ladder_lead_on(turn: float, is_near: bool) -> None:
+    """Beyond them each place has a way of its own, which takes many times as long."""
+    made, whole_ways = triad(0), []
+    ladder = _Continuation(made.system())
+    directly = ladder._directly
+    ladder._directly = lambda outer: whole_ways.append(outer) or directly(outer)
+    places = [tuple((made.values | {"phi": made.values["phi"] + t}).values()) for t in (0.02, turn)]
+    for place in places:
+        ladder.at(place)
+    assert whole_ways == (places[:1] if is_near else places)
 
 
 def test_a_branch_ends_where_its_roots_meet() -> None:

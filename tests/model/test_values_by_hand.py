@@ -7,12 +7,12 @@ import pytest
 from mechc.driver import Compilation
 from mechc.formula.rounding import Size
 from mechc.formula.tree import Symbol, number
-from mechc.frozen import replace
-from mechc.model.mechanism import Require
-from mechc.model.result import Result
+from mechc.frozen import fields, replace
+from mechc.model.mechanism import Parameter, Require
+from mechc.model.result import ClosedLoop, Definition, Result, Solved
 from mechc.model.values import Looked, of_sound_form, standing, usual_units, valued
 from mechc.source import Source, Span
-from mechc.units import NUMBER
+from mechc.units import LENGTH, NUMBER
 
 X = Symbol("x")
 POSITIVE = Require(X, ">", number(0), Span(0, 1))
@@ -61,6 +61,22 @@ def test_what_is_zero_but_for_rounding_is_looked_at_in_the_form_for_elsewhere(va
         return Looked(result, value if is_here else 2.0, Size(size if is_here else 2.0))
 
     assert of_sound_form(HERE, look).number == found
+
+
+def test_solutions_are_added_kind_by_kind():
+    def solution(name: str) -> Solved:
+        loop, definition = ClosedLoop(name, frozenset(), X), Definition(name, X)
+        parameter = Parameter(name, LENGTH, Span(0, 1))
+        return Solved(
+            (replace(HERE, name=name),), (definition,), (loop,), (POSITIVE,), (parameter,)
+        )
+
+    one, other = solution("a"), solution("b")
+    both = one + other
+    assert both == Solved(
+        *((*getattr(one, f.name), *getattr(other, f.name)) for f in fields(Solved))
+    )
+    assert [k.name for k in both.results] == [d.name for d in both.definitions] == ["a", "b"]
 
 
 def test_without_another_form_zero_stays_zero():

@@ -9,7 +9,7 @@ from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.to_text import text
-from mechc.formula.tree import Symbol, number, product
+from mechc.formula.tree import ZERO, Call, Symbol, number, power, product, total
 from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import Axial, Contact, Mirror, Normal, Pivot, Reaction, Speed
@@ -19,11 +19,13 @@ from mechc.power.joint_forces import called, find_force, holding, joint_of, line
 from mechc.power.loads import given_size, occurrences, shares, terms
 from mechc.power.loose import looseness
 from mechc.power.magnitudes import even, length, magnitude, root
+from mechc.power.numbers import is_nil_everywhere
 from mechc.power.reactions import ForceTerm, Reactions, directions
 from mechc.power.speed_results import speed
 from small_poses import (
     ALONG,
     HERE,
+    LENGTHS,
     VALUES,
     arm,
     at,
@@ -285,3 +287,22 @@ def test_a_link_may_turn_on_one_guide_and_a_contact(guides, joined, said):
     touches = Contact("B", "QC", "Q", "C", ALONG, HERE)
     held = small_pose(frames, pivots="Q", guides=dict.fromkeys(guides, at(90)), joints=[touches])
     assert looseness(held.mechanism) == said
+
+
+# ------------------------------------------------------------------------------ nothing
+
+SQUARES = [power(Call(name, (Symbol("alpha"),)), number(2)) for name in ("sin", "cos")]
+
+
+@pytest.mark.parametrize(
+    ("formula", "is_nil"),
+    [
+        (ZERO, True),
+        (Symbol("P"), False),
+        (total([*SQUARES, number(-1)]), True),
+        (total([Symbol("a"), number(Fraction(-LENGTHS["a"]))]), False),
+        (Symbol("unknown"), False),
+    ],
+)
+def test_what_is_zero_with_other_parameters_too_is_nil_everywhere(formula, is_nil):
+    assert is_nil_everywhere(formula, (), lever()) == is_nil
