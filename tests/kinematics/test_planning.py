@@ -27,6 +27,7 @@ from small_poses import (
     VALUES,
     at,
     driven_slider,
+    graph,
     lever,
     number_of,
     on_pivots,
@@ -98,7 +99,7 @@ def test_a_second_pair_of_like_wheels_is_redundant():
     joints = wheels(), wheels("belt", same=False)
     report = Report(Source("", ""))
     found = plan_velocities(on_pivots(*joints), report)
-    assert [r.rule for r in found.redundant] == [Rule.BELT]
+    assert [r.joint for r in found.redundant] == [joints[1].id]
     assert [d.code for d in report.sorted()] == ["W401"]
 
 
@@ -169,20 +170,32 @@ def test_what_a_group_holds_by_itself_locks():
     [
         (Rule.SLOT, "the slot of A in QB"),
         (Rule.CONTACT, "the contact of A with QB"),
-        (Rule.GEAR, "the pair of gears on A and C"),
-        (Rule.BELT, "the belt between A and C"),
-        (Rule.RACK, "the rack at C"),
-        (Rule.SCREW, "the screw that moves A"),
         (Rule.HELD, "a load that is held still"),
         (Rule.BODY, "link QB"),
     ],
 )
 def test_a_relation_is_named_by_the_part_that_asks_it(rule, words):
-    assert described(Relation(rule, "QB", ("A", "C"), Angle(), {}, HERE)) == words
+    relation = Relation(rule, "QB", ("A", "C"), Angle(), {}, HERE)
+    assert described(relation, lever().mechanism) == words
+
+
+@pytest.mark.parametrize(
+    ("pose", "words"),
+    [
+        (on_pivots(wheels()), "the pair of gears on O and Q"),
+        (on_pivots(wheels("belt")), "the belt between O and Q"),
+        (driven_slider(RACK), "the rack at K"),
+        (driven_slider(SCREW), "the screw that moves K"),
+    ],
+)
+def test_the_relation_of_what_meshes_is_named_by_its_joint(pose, words):
+    (relation,) = graph(pose).relations
+    assert described(relation, pose.mechanism) == words
 
 
 def test_a_guide_is_named_by_its_point():
-    assert described(Relation(Rule.GUIDE, "", ("K",), Angle(), {}, HERE)) == "the guide of K"
+    relation = Relation(Rule.GUIDE, "", ("K",), Angle(), {}, HERE)
+    assert described(relation, lever().mechanism) == "the guide of K"
 
 
 # ---------------------------------------------------------------------- memory and names

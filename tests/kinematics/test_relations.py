@@ -37,10 +37,10 @@ def only(pose):
 @pytest.mark.parametrize(
     ("kind", "same", "sign", "rule"),
     [
-        ("gear", False, 1, Rule.GEAR),
-        ("gear", True, -1, Rule.GEAR),
-        ("belt", True, -1, Rule.BELT),
-        ("belt", False, 1, Rule.BELT),
+        ("gear", False, 1, Rule.MESH),
+        ("gear", True, -1, Rule.MESH),
+        ("belt", True, -1, Rule.MESH),
+        ("belt", False, 1, Rule.MESH),
     ],
 )
 def test_rims_of_wheels_have_one_speed(kind, same, sign, rule):
@@ -52,13 +52,13 @@ def test_rims_of_wheels_have_one_speed(kind, same, sign, rule):
 
 def test_a_rack_moves_with_the_rim_of_its_gear():
     relation, of = only(driven_slider(RACK))
-    assert relation.rule is Rule.RACK
+    assert relation.rule is Rule.MESH
     assert form(relation.form) == {of("K"): 1, of("OA"): -R}
 
 
 def test_a_screw_moves_by_its_pitch_for_a_turn():
     relation, of = only(driven_slider(SCREW))
-    assert relation.rule is Rule.SCREW
+    assert relation.rule is Rule.MESH
     found = form(relation.form, pi=math.pi)
     assert found == {of("K"): 1, of("OA"): pytest.approx(-C / (2 * math.pi))}
 

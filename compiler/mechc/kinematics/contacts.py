@@ -90,7 +90,7 @@ def _mesh(mesh: WheelPair, pose: Pose, turn: Callable[[str], Form]) -> Relation:
     first, second = meshes.rims(mesh, pose)
     sizes = (mesh.first_link, first), (mesh.second_link, second), (mesh.arm, -add((first, second)))
     form = combined((size, turn(link)) for link, size in sizes if link)
-    return Relation(Rule(mesh.kind), mesh.bodies[0], mesh.points, Angle(), form, mesh.span, mesh.id)
+    return Relation(Rule.MESH, mesh.bodies[0], mesh.points, Angle(), form, mesh.span, mesh.id)
 
 
 def _feed(feed: Feed, pose: Pose, velocities: Velocities, turn: Callable[[str], Form]) -> Relation:
@@ -98,7 +98,7 @@ def _feed(feed: Feed, pose: Pose, velocities: Velocities, turn: Callable[[str], 
     along = pose.moved_along(feed.point)
     form = meshes.travel(feed, pose, velocities, turn(feed.link))
     points = (feed.base, feed.point) if feed.base else (feed.point,)
-    return Relation(Rule(feed.kind), feed.link, points, along, form, feed.span, feed.id)
+    return Relation(Rule.MESH, feed.link, points, along, form, feed.span, feed.id)
 
 
 def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:

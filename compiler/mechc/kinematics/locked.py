@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from ..algebra.blocks import blocks, match
+from ..model.mechanism import Mechanism, Meshing
 from ..named import NamedTuple
 from ..source import Span
 from .graph import Graph, Kind, Relation, Rule
@@ -48,10 +49,10 @@ def _parts(graph: Graph, unknowns: Sequence[int], held: Sequence[Relation]) -> I
         if mirror and relation.span == mirror.span:
             yield f"the mirror line, along which the shared {relation.points[0]} moves,"
         elif relation.rule is not Rule.HELD:
-            yield described(relation)
+            yield described(relation, graph.pose.mechanism)
 
 
-def described(relation: Relation) -> str:
+def described(relation: Relation, mechanism: Mechanism) -> str:
     """Return the part of the mechanism that demands a relation."""
     if relation.rule is Rule.HELD:
         return "a load that is held still"
@@ -63,14 +64,10 @@ def described(relation: Relation) -> str:
             return f"the slot of {point} in {body}"
         case Rule.CONTACT:
             return f"the contact of {point} with {body}"
-        case Rule.GEAR:
-            return f"the pair of gears on {' and '.join(relation.points)}"
-        case Rule.BELT:
-            return f"the belt between {' and '.join(relation.points)}"
-        case Rule.RACK:
-            return f"the rack at {relation.points[-1]}"
-        case Rule.SCREW:
-            return f"the screw that moves {point}"
+        case Rule.MESH:
+            mesh = mechanism.joint(relation.joint)
+            assert isinstance(mesh, Meshing), "no other joint meshes"
+            return mesh.described
         case Rule.ROPE:
             return f"the rope over {', '.join(relation.points)}"
         case _:

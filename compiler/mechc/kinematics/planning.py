@@ -32,7 +32,11 @@ def plan_of(
     redundant = tuple(r for r, keep in zip(graph.relations, kept, strict=True) if not keep)
     mobility = len(graph.unknowns) - len(relations)
     for relation in redundant:
-        report.add(messages.redundant_constraint(relation.span, locked.described(relation)))
+        report.add(
+            messages.redundant_constraint(
+                relation.span, locked.described(relation, graph.pose.mechanism)
+            )
+        )
     if mobility == 0 and may_stand and graph.unknowns:
         return _standing(graph, relations, redundant)
     if mobility <= 0:

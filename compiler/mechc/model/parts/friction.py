@@ -1,11 +1,12 @@
 """Friction at pins, guides and contacts, as coefficients and lengths in SI."""
 
-from typing import Literal, assert_never
+from typing import assert_never
 
 from ...formula.tree import Call, Formula, number, product, total
 from ...formula.walk import symbols
 from ...frozen import frozen
 from ...source import Span
+from .linkage import MeshKind
 from .targets import Sense
 
 
@@ -53,7 +54,7 @@ class WheelFriction:
     """
 
     joint: str
-    kind: Literal["gear", "belt", "rack"]
+    kind: MeshKind
     point: str
     factor: Formula
     span: Span

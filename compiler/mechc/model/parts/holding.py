@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Sequence
-from typing import Literal, Self
+from typing import Self
 
 from ...formula.tree import PI, Formula, number, product
 from ...named import NamedTuple
@@ -97,10 +97,6 @@ class OnLine(OnePoint, OnLink, Unsized):
 # --------------------------------------------------------------------------- motion
 
 
-MeshKind = Literal["gear", "belt", "rack", "screw"]
-"""The words of the language for what passes a motion on, and of the relation that it asks for."""
-
-
 class Tied(NamedTuple):
     """A motion with its factor: of a body, or of the guided ``point`` where it names no body."""
 
@@ -120,8 +116,13 @@ class Meshing(HoldsNothing):
 
     @property
     @abstractmethod
-    def kind(self) -> MeshKind:
-        """Return the word of the language for it."""
+    def kind(self) -> str:
+        """Return the word of the language for it, which is that of its rule in a report."""
+
+    @property
+    @abstractmethod
+    def described(self) -> str:
+        """Return how messages name it: ``the rack at K``."""
 
     @property
     @abstractmethod

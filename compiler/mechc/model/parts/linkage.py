@@ -206,6 +206,12 @@ class WheelPair(Meshing):
         return f"{self.kind} {first} at {self.first}, {second} at {self.second}"
 
     @property
+    def described(self) -> str:
+        """Return how messages name it."""
+        between = "pair of gears on" if self.kind == "gear" else "belt between"
+        return f"the {between} {self.first} and {self.second}"
+
+    @property
     def wheels(self) -> tuple[str, str]:
         """Return the links that the wheels are fixed to."""
         return (self.first_link, self.second_link)
@@ -266,6 +272,11 @@ class Rack(Feed):
         return "rack"
 
     @property
+    def described(self) -> str:
+        """Return how messages name it."""
+        return f"the rack at {self.point}"
+
+    @property
     def presses_aside(self) -> bool:
         """Return that it presses along its guide."""
         return False
@@ -312,6 +323,11 @@ class Screw(Feed):
     def kind(self) -> Literal["screw"]:
         """Return the word of the language for it."""
         return "screw"
+
+    @property
+    def described(self) -> str:
+        """Return how messages name it."""
+        return f"the screw that moves {self.point}"
 
     @property
     def way(self) -> Formula:
@@ -369,6 +385,9 @@ def rope_id(route: Iterable[str]) -> str:
 
 Body = Link | Slide | Telescope
 Mesh = WheelPair | Rack | Screw
+MeshKind = Literal["gear", "belt", "rack", "screw"]
+"""The words of the language for what passes a motion on."""
+
 Joint = Pivot | Slider | Slot | Contact | WheelPair | Rack | Screw | Rope
 """A pass over joints matches all of them and ends in ``assert_never``: mypy names what is left.
 

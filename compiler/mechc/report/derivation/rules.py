@@ -5,7 +5,7 @@ from typing import assert_never
 
 from ...kinematics.graph import Graph, Kind, Relation
 from ...kinematics.graph import Rule as Law
-from ...model.mechanism import Joint, WheelPair
+from ...model.mechanism import Joint, Meshing, WheelPair
 from ..kinds import Rule
 
 
@@ -26,19 +26,24 @@ def rule_of(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
             return Rule.TURNING, _joint_of(relation, graph).bodies[::-1]
         case Law.SLOT | Law.CONTACT:
             return Rule(relation.rule.value), (*relation.points, relation.link)
-        case Law.GEAR | Law.BELT | Law.RACK:
-            joint = _joint_of(relation, graph)
-            if isinstance(joint, WheelPair) and joint.arm:
-                return Rule.ON_ARM, (joint.arm, *relation.points)
-            return Rule(relation.rule.value), relation.points
-        case Law.SCREW:
-            return Rule.SCREW, (relation.link, *relation.points)
+        case Law.MESH:
+            return _rule_of_mesh(relation, graph)
         case Law.ROPE:
             return Rule.ROPE, relation.points
         case Law.HELD:
             raise ValueError("only a released joint is held, and no step of a motion")
         case _:
             assert_never(relation.rule)
+
+
+def _rule_of_mesh(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
+    """Return the rule of what meshes and its points, with the link that turns if there is one."""
+    joint = _joint_of(relation, graph)
+    assert isinstance(joint, Meshing), "no other joint meshes"
+    if isinstance(joint, WheelPair) and joint.arm:
+        return Rule.ON_ARM, (joint.arm, *relation.points)
+    alone = () if len(relation.points) > 1 else (relation.link,)
+    return Rule(joint.kind), (*alone, *relation.points)
 
 
 def rule_of_component(point: str, load: str, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
@@ -77,8 +82,8 @@ def _poles(point: str, graph: Graph) -> Iterator[tuple[str, str]]:
 
 def involved(relation: Relation, graph: Graph) -> tuple[str, ...]:
     """Return the wheels, the link, or the point that a relation holds for."""
-    if relation.rule in (Law.GEAR, Law.BELT):
-        return _joint_of(relation, graph).bodies
+    if relation.rule is Law.MESH and isinstance(joint := _joint_of(relation, graph), WheelPair):
+        return joint.bodies
     return (relation.link or relation.points[0],)
 
 
