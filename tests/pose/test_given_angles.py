@@ -152,3 +152,13 @@ def test_equations_that_are_solved_together_have_the_given_angles():
     assert r"\sin(\varphi_{AF}-\varphi_{EG}-100^\circ)" in position
     assert r"10^\circ)" not in position
     assert r"20^\circ)" not in position
+
+
+def test_the_angle_of_a_link_is_read_where_another_part_is_measured_from_the_y_axis():
+    """An arm at 20° in its link and a rod at 90° + theta make theta - phi + 70°: 20° is given."""
+    arm, rod = at(PHI, 20), at(THETA, 90)
+    lines = {Angle(), arm, rod}
+    quarter = GivenLines(lines, {*lines}, written=[Angle.constant(20)]).quarter
+    for projection in (sine(rod - arm), cosine(THETA - arm)):
+        turned = rewritten(projection.formula(), lambda whole: quarter_turned(whole, quarter))
+        assert text(turned) == "cos(phi - theta + pi/9)"

@@ -368,3 +368,8 @@ def test_the_name_of_equal_diameters_does_not_depend_on_the_order_of_lines(order
     compilation = Compilation(Source("toggle.mech", "\n".join(lines)))
     literals = {literal.name for literal in compilation.mechanism.literals}
     assert literals == {"f", "d", "len_OA", "len_AK"}
+
+
+def test_coordinates_and_radii_that_are_numbers_are_called_so_in_a_table():
+    text = mechc.load("watt_closed").emit("latex")
+    assert "$x_{O_{2}}$ & coordinate of $O_{2}$ & " in text

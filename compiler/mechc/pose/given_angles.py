@@ -5,7 +5,7 @@ is written for a reader has the angle that two of the given lines make.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import cache
+from functools import cache, partial
 
 from ..algebra.angle import Angle, Rational
 from ..algebra.from_formula import to_angle
@@ -31,8 +31,11 @@ class GivenLines:
         lines: Iterable[Angle],
         arrows: Iterable[Angle],
         constants: "Constants | None" = None,
+        written: Iterable[Angle] = (),
     ):
+        """Take the lines, vectors as written, constants, and angles that have ``written`` ones."""
         lines, arrows = [*lines], [*arrows]
+        self._written = {_size(a.degrees, 180) for a in written if a.degrees % RIGHT}
         self._lines, self._arrows = _Directions(lines, 180), _Directions(arrows, 360)
         self._constants = constants or Constants(lines, arrows)
 
@@ -46,11 +49,21 @@ class GivenLines:
             return 0
         if not angle.terms:
             return self._constants.quarter(angle.degrees)
-        if self._lines.are_at(angle):
+        if _size(angle.degrees, 180) in self._written:
             return 0
+        if self._lines.are_at(angle):
+            return self._as_written(angle)
         near = [angle + Angle.constant(turn) for turn in (90, -90)]
         chosen = min(filter(self._lines.are_at, near), key=self._rank, default=angle)
         return int(chosen.degrees - angle.degrees)
+
+    def _as_written(self, angle: Angle) -> int:
+        """Return by how much an angle between lines is turned to have a constant as it is given.
+
+        What has a place at 90° by its guide makes 70° with an arm at 20°: 20° is read.
+        """
+        turns = (turn for turn in (-90, 90) if _size(angle.degrees + turn, 180) in self._written)
+        return min(turns, key=partial(_turned_size, angle), default=0)
 
     def _rank(self, angle: Angle) -> tuple[bool, float]:
         """Return a smaller value for angles between arrows as they are written, and small ones."""
@@ -132,6 +145,10 @@ def _size(degrees: Rational, turn: int) -> Rational:
     return min(within, turn - within)
 
 
+def _turned_size(angle: Angle, turn: int) -> float:
+    return abs(float(angle.degrees + turn))
+
+
 def _within(angle: Angle, turn: int) -> Angle:
     return Angle(angle.terms, angle.degrees % turn)
 
@@ -155,8 +172,9 @@ def given_lines(pose: Pose) -> Quarter | None:
     if not any(angle.degrees % 90 for angle in lines):
         return None
     arrows = {arm.angle for vector in _as_written(pose) for arm in vector}
-    constants = Constants(arms, arrows, others, _corners(pose))
-    return cache(GivenLines(lines, {*arrows, Angle()}, constants).quarter)
+    corners = [*_corners(pose)]
+    constants = Constants(arms, arrows, others, corners)
+    return cache(GivenLines(lines, {*arrows, Angle()}, constants, corners).quarter)
 
 
 def _corners(pose: Pose) -> Iterator[Angle]:

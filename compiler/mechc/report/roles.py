@@ -33,6 +33,9 @@ Role = tuple[str, str]
 """A quantity, and what it is: a key of the words of a language."""
 
 
+PLACES = {"x": "coordinate", "y": "coordinate", "r": "radius", "p": "pitch"}
+"""The words for sizes at a point, by the letter of their names."""
+
 SEVERAL = {"pin": "pins", "rate": "rates", "free length": "free lengths"}
 """The words for what several parts have."""
 
@@ -45,6 +48,18 @@ def with_roles(
     for parameter in parameters:
         role = "" if parameter.label or parameter.about else roles.get(parameter.name, "")
         yield replace(parameter, label=words[role]) if role else parameter
+
+
+def with_places(
+    parameters: Iterable[Parameter], mechanism: Mechanism, words: Mapping[str, str]
+) -> Iterator[Parameter]:
+    """Yield quantities; coordinates and radii that are numbers with the point that they are of."""
+    literals = {literal.name for literal in mechanism.literals}
+    for parameter in parameters:
+        kind, _, of = parameter.name.partition("_")
+        is_own = parameter.name in literals and not parameter.label and of in mechanism.spans
+        said = words[PLACES[kind]].format(point=of) if is_own and kind in PLACES else ""
+        yield replace(parameter, label=said) if said else parameter
 
 
 def _roles(mechanism: Mechanism) -> Iterator[Role]:

@@ -44,7 +44,7 @@ from ...report.latex.results import (
     untried,
 )
 from ...report.latex.text import has_cyrillic
-from ...report.roles import with_roles
+from ...report.roles import with_places, with_roles
 from ...report.sections import Outline, PositionSection, chosen, outline
 from ...report.sentences.powers import power_remarks
 from ...report.sentences.remarks import conditions, subject
@@ -169,7 +169,8 @@ def _parameters(
     """Yield the rows of what is given, with values that are not ``found`` among the numbers."""
     drive = compiled.mechanism.drive_name
     apart = {} if found is None else following(compiled.mechanism, {item.left for item in found})
-    for parameter in with_roles(_given(compiled), compiled.mechanism, locale.roles):
+    known = with_roles(_given(compiled), compiled.mechanism, locale.roles)
+    for parameter in with_places(known, compiled.mechanism, locale.roles):
         yield parameter_row(parameter, locale, style, drive, apart.get(parameter.name))
 
 

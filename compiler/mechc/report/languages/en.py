@@ -100,6 +100,9 @@ LOCALE = Locale(
         "releasing": "with friction the motion is against the arrow of {loads}",
     },
     roles={
+        "coordinate": "coordinate of {point}",
+        "radius": "radius of the wheel on {point}",
+        "pitch": "pitch of the screw at {point}",
         "coefficient": "coefficient of friction",
         "pin": "diameter of the pin",
         "pins": "diameter of the pins",

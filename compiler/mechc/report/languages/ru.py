@@ -107,6 +107,9 @@ LOCALE = Locale(
         "{of_loads:силы|момента|нагрузок} {loads}",
     },
     roles={
+        "coordinate": "координата точки {point}",
+        "radius": "радиус колеса {point}",
+        "pitch": "шаг винта {point}",
         "coefficient": "коэффициент трения",
         "pin": "диаметр пальца шарнира",
         "pins": "диаметр пальцев шарниров",

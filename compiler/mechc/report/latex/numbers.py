@@ -70,7 +70,10 @@ def numbers(
     for result in results:
         if asked(result) not in shown and not is_own_value(result):
             found.append(_number(result, locale, style))
-        found += _slopes(result, locale, style)
+        heading = locale.slope if result.where else locale.derivatives
+        heading = heading[0].lower() + heading[1:] if any(found) else heading
+        slopes = [*_slopes(result, locale, style)]
+        found += [f"{heading}: {slopes[0]}", *slopes[1:]] if slopes else []
     return tuple(filter(None, found))
 
 
