@@ -47,7 +47,7 @@ def ranges_not_looked_at(span: Span, result: str) -> Message:
 
 
 @coded("E513")
-def another_load_presses(span: Span, load: str, result: str) -> Message:
+def another_load_presses(span: Span, load: str, result: str, drive: str) -> Message:
     """A ratio of two loads depends on a third one that presses a joint with friction.
 
     A load that does no work has no influence on k, but it presses guides and pins, and their
@@ -59,7 +59,7 @@ def another_load_presses(span: Span, load: str, result: str) -> Message:
         find P                        # right: P as a form of F and W
     """
     message = f"{load} presses a joint with friction, so {result} is no ratio of two loads alone"
-    return Message(span, message, "ask for the driving load by itself, as in 'find P'")
+    return Message(span, message, f"ask for the driving load by itself: 'find {drive}'")
 
 
 @coded("E419")

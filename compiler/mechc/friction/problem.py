@@ -116,7 +116,9 @@ class Problem:
         except Undetermined as found:
             self.report.add(messages.loaded_how_much(find.span, found.pair.joint.point))
         except LoadedByAnother as found:
-            self.report.add(messages.another_load_presses(find.span, found.load, find.name))
+            self.report.add(
+                messages.another_load_presses(find.span, found.load, find.name, case.driving)
+            )
         except Idle as found:
             self.report.add(messages.slips_either_way(find.span, found.pair.joint.point))
         return None
@@ -250,7 +252,7 @@ def _thrust(
         yield messages.thrust_of_the_drive(find.span, point, driving)
     elif not loads and _is_ratio(find):
         given = f"the given thrust at {point}"
-        yield messages.another_load_presses(find.span, given, find.name)
+        yield messages.another_load_presses(find.span, given, find.name, driving)
 
 
 def _is_ratio(find: Find) -> bool:

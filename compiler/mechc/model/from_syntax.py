@@ -26,6 +26,7 @@ from .linkage.geometry import read_geometry
 from .linkage.joints import declare_points, read_drawn, read_pivots, read_sliders, warn_idle
 from .linkage.motion import check_drives, checked, read_assemblies, read_drives
 from .linkage.symmetry import (
+    check_axis_of_copies,
     check_shared_vectors,
     check_turning_on_the_line,
     read_copies,
@@ -149,6 +150,7 @@ def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanis
     copies = read_copies(file, scope)
     loaded = replace(mechanism, loads=tuple(loads), mirror=mirror, copies=copies)
     check_turning_on_the_line(loaded, scope)
+    check_axis_of_copies(loaded, scope)
     return with_loaded_points(loaded)
 
 

@@ -64,6 +64,8 @@ RANGE = "a range has two dots: in LOW .. HIGH"
 
 DIAMETER = "of a pin the diameter is given: friction pins 0.1 diameter 10 mm"
 
+WRAP = "what slides around a drum is a rope: friction rope O 0.2 wrap 180 deg"
+
 OF_A_PIN = ("radius", "r", "R", "d", "D", "dia", "diam")
 """What people write behind the coefficient of a pin, in place of ``diameter``."""
 

@@ -275,6 +275,21 @@ def lonely_point(span: Span, point: str, link: str) -> Message:
     return Message(span, message, f"is it a mistyped pin, or is `pivot {point}` missing?")
 
 
+@coded("W210")
+def copies_off_axis(at: Span, point: str) -> Message:
+    """A point that equal branches share is not guided, so that nothing keeps it on their axis.
+
+    The branches stand around a line, which is the guide of what they share. A load on a shared
+    point counts once; on a point that each branch has it counts as often as there are branches::
+
+        copies 3 sharing D         # warned of where D is a point of a claw
+        slider K along y
+        copies 3 sharing K         # right: K moves along the axis
+    """
+    message = f"the copies share {point}, which no guide keeps on their axis"
+    return Message(at, message, f"share a point that is guided, or add 'slider {point} along …'")
+
+
 @coded("W203")
 def halves_apart(at: Span, along: str) -> Message:
     """The halves of a mirror share no point that moves, and nothing acts between them.

@@ -339,7 +339,7 @@ def tolerance_of_dependent(span: Span, name: str) -> Message:
 
 @coded("E235")
 def negative_quantity(span: Span, what: str, found: str, cause: Span) -> Message:
-    """A mass, the rate or the free length of a spring is negative.
+    """A mass, an intensity, the rate or the free length of a spring is negative.
 
     Nothing has a negative mass, and no spring pushes the harder the less it is pressed. The
     way a load acts is its direction: gravity, the arrow of a force.

@@ -338,7 +338,8 @@ def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
         if not is_loaded:
             scope.report.add(messages.nothing_presses(point.span, point.text))
         return is_loaded
-    in_slot = any(slot.point == point.text for slot in built.each(Slot))
+    slotted = {slot.point for slot in built.each(Slot)} | scope.points.arcs.keys()
+    in_slot = point.text in slotted
     scope.report.add(messages.not_guided(point.span, point.text, in_slot))
     return False
 

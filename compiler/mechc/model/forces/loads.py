@@ -133,6 +133,7 @@ def _distributed(
     written = [e for e in (statement.intensity, statement.end) if e is not None]
     read = [reader.wanted(e, STIFFNESS, "an intensity") for e in written]
     name = statement.name.text
+    _check_senses(statement, read, scope)
     intensities = tuple(
         scope.named("q", name, formula, STIFFNESS, e.span)
         for e, formula in zip(written, read, strict=True)
@@ -151,6 +152,18 @@ def _distributed(
         return None
     spread = Spread(link.name, ends[0], ends[1], length, _centroid(intensities), intensities)
     return Force(name, point, along, statement.span, spread.resultant, times, spread=spread)
+
+
+def _check_senses(
+    statement: ast.Distributed, intensities: Sequence[Formula | None], scope: Scope
+) -> None:
+    """Report a spread load that acts against its direction all along; one end alone may."""
+    known = [value_of(each, scope) if each else None for each in intensities]
+    if not known or any(value is None or value > 0 for value in known):
+        return
+    written = (e for e in (statement.intensity, statement.end) if e is not None)
+    for formula, each in zip(intensities, written, strict=True):
+        check_sign(formula, each.span, f"the intensity of {statement.name.text}", scope)
 
 
 def _length(tail: str, head: str, built: Mechanism) -> Formula | None:

@@ -175,3 +175,13 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
     if set(shared) <= {statement.point.text for statement in every(file, ast.Pivot)}:
         scope.report.add(doubts.copies_apart(statement.span))
     return Copies(value, shared, statement.span)
+
+
+def check_axis_of_copies(mechanism: Mechanism, scope: Scope) -> None:
+    """Warn of points that copies share and no guide keeps on their axis."""
+    copies = mechanism.copies
+    guided = {slider.point for slider in mechanism.each(Slider)} | mechanism.fixed
+    guided |= {point for slide in mechanism.slides for point in slide.points}
+    for point in copies.sharing if copies else ():
+        if copies and point not in guided:
+            scope.report.add(doubts.copies_off_axis(copies.span, point))

@@ -24,6 +24,8 @@ PLACED = PLACE.format("A")
 
 SHARED = "points that links share are pins, A at (20 mm, 35 mm); on the ground they are pivots"
 
+GEARS, SCREW = "gear O1 20 mm, O2 30 mm", "screw A pitch 5 mm on OB"
+
 SAID_OTHERWISE = {
     "/": "a comment begins with '#'",
     "ground": "a pin on the ground is a pivot: pivot O",
@@ -60,6 +62,55 @@ SAID_OTHERWISE = {
     "title": 'a title stands behind the name: mechanism clamp "Toggle clamp"',
     **dict.fromkeys(("author", "description"), 'where it comes from is a source: source "Book"'),
     "end": "a description ends with its file: leave it out",
+    **dict.fromkeys(("strut", "tie", "conrod"), "a rod is a link of two points: link AB"),
+    **dict.fromkeys(
+        ("beam", "frame", "plate", "triangle", "handle", "bellcrank", "shaft"),
+        "a rigid body is a link of its points: link OAB",
+    ),
+    **dict.fromkeys(
+        ("cable", "cord", "wire", "string", "band", "tape"),
+        "what passes a pull on around pulleys or drums is a rope: rope A, K along -y, B along y",
+    ),
+    **dict.fromkeys(
+        ("brake", "clutch"),
+        "a brake is its friction: friction collar O 0.3 mean 100 mm thrust W, or of a band "
+        "friction rope O 0.3 wrap 180 deg drum 200 mm on OC",
+    ),
+    **dict.fromkeys(("wheel", "sprocket", "pinion", "tooth"), "wheels stand in pairs: " + GEARS),
+    "worm": "a screw moves a slider, screw A pitch 5 mm on OB; a worm wheel is a gear: " + GEARS,
+    **dict.fromkeys(("nut", "thread", "lead"), "a nut is moved by a screw: " + SCREW),
+    **dict.fromkeys(
+        ("wedge", "plunger", "carriage"),
+        "a body that only translates is a slide: slide WXY along x",
+    ),
+    **dict.fromkeys(("groove", "track"), "a pin slides in a slot: slot B in OC"),
+    **dict.fromkeys(("rail", "block"), "what the ground guides is a slider: slider B along x"),
+    "roller": "a roller in a guide is a slider, and has friction: friction roller A 0.1 axle 10 mm "
+    "wheel 40 mm",
+    "couple": "a couple on a link is a torque: torque M on OA",
+    **dict.fromkeys(
+        ("pressure", "distributed", "udl"),
+        "a load spread over a link is: load Q intensity 5 N/mm on AB along -y",
+    ),
+    **dict.fromkeys(
+        ("compute", "calculate", "determine", "show", "print"),
+        "a result is asked for: find k = P/F",
+    ),
+    **dict.fromkeys(("plot", "draw"), "what a report holds is: report scheme, plot k over alpha"),
+    **dict.fromkeys(
+        ("set", "define", "const", "constant", "given", "variable", "parameter", "var"),
+        "a quantity is a parameter, param a = 40 mm, and what follows from others a let",
+    ),
+    **dict.fromkeys(("function", "equation"), "a formula is a let: let p = 4*P/(pi*d^2)"),
+    **dict.fromkeys(
+        ("length", "vector", "direction"),
+        "a vector is its length @ its direction: OA = 60 mm @ 30 deg",
+    ),
+    "coordinates": PLACED,
+    "mu": "friction names its joint: friction slider K 0.1",
+    **dict.fromkeys(
+        ("branch", "configuration"), "which way a loop closes is an assembly: assembly ABC ccw"
+    ),
 }
 """What people call a thing, and how it is stated here."""
 

@@ -22,6 +22,7 @@ from ..vocabulary import (
     OF_A_PIN,
     POINT,
     RANGE,
+    WRAP,
     split_quantity,
 )
 from . import unit_words
@@ -193,6 +194,7 @@ def check_unit(number: Token, behind: Token, first: Token) -> None:
         hint = unit_words.hint_of(behind) or (RANGE if unit == "in" else "")
         hint = CHOICE if behind == "if" else hint
         hint = DIAMETER if first == "friction" and behind in OF_A_PIN else hint
+        hint = WRAP if first == "friction" and behind == "wrap" else hint
         hint = FIT if FIT_OF_A_HOLE.fullmatch(behind) else hint
         if first in OF_POINTS and POINT.fullmatch(behind):
             hint = f"the number of a point stands behind its letter: {behind}{number}"
