@@ -64,6 +64,9 @@ RANGE = "a range has two dots: in LOW .. HIGH"
 
 DIAMETER = "of a pin the diameter is given: friction pins 0.1 diameter 10 mm"
 
+ROUTE = 'in YAML each rope is one text in quotes: ropes: ["A, K along -y, B along y"]'
+"""What is said of a rope whose points are parted by the commas of a list."""
+
 WRAP = "what slides around a drum is a rope: friction rope O 0.2 wrap 180 deg"
 
 OF_A_PIN = ("radius", "r", "R", "d", "D", "dia", "diam")

@@ -13,6 +13,7 @@ from ...units import (
     NUMBER,
     PRESSURE,
     STIFFNESS,
+    TORQUE,
     USUAL_UNITS,
     Dimension,
     base_units,
@@ -76,6 +77,11 @@ MEANT_FOR: Mapping[tuple[Dimension, str], str] = {
     (LENGTH, "a coefficient of friction"): (
         "the coefficient stands before the size: friction pins 0.1 diameter 10 mm"
     ),
+    (TORQUE, "the rate of a spring"): (
+        "a spring that turns a link is a torque of its angle: torque M on OA, "
+        "let M = -c*(phi_OA - 20 deg)"
+    ),
+    (PRESSURE, "an intensity"): "a pressure times the width on which it acts: 0.2 MPa*50 mm",
     (FORCE, "an intensity"): (
         "an intensity is a force on a length, 100 N/m; a load at one point is a force"
     ),

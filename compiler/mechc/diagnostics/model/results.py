@@ -68,6 +68,15 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
     if spring := re.fullmatch(r"S_((?:[A-Z][\d']*){2})", name):
         hint = f"S_{spring[1]} is the force of a spring; along a rod it is 'find N_{spring[1]}'"
         return Message(span, message, hint)
+    if near := re.fullmatch(r"R_?([A-Z][\d']*)_?[xy]", name):
+        hint = f"write 'find R_{near[1]}', which gives R_{near[1]}_x and R_{near[1]}_y, too"
+        return Message(span, message, hint)
+    if name.startswith("mu_"):
+        hint = "transmission angles stand in the table of `mechc stroke`"
+        return Message(span, message, hint)
+    if re.fullmatch(r"(?:a|epsilon)_[A-Z].*", name):
+        hint = "accelerations are those of points(…) in code, where the drive has a speed"
+        return Message(span, message, hint)
     if name.lower() in ("omega", "w", "v"):
         hint = "a velocity is that of a point, V_A, or of a link, omega_OA"
         return Message(span, message, hint)
@@ -104,7 +113,7 @@ def still_point(span: Span, point: str) -> Message:
 
 
 @coded("E284")
-def unknown_subject(span: Span, known: Collection[str]) -> Message:
+def unknown_subject(span: Span, known: Collection[str], load: str = "") -> Message:
     """An ``expect`` speaks of something that nothing asks for.
 
     Its left side is the name of a ``find`` or ``let``, the same ratio as a ``find``, or in a
@@ -115,6 +124,8 @@ def unknown_subject(span: Span, known: Collection[str]) -> Message:
         expect k = 2     # right
     """
     message = "an 'expect' is about the name of a 'find' or 'let'"
+    if load:
+        return Message(span, message, f"a load is asked for as well: 'find {load}'")
     return Message(span, message, offered("", known, "results"))
 
 

@@ -1,7 +1,7 @@
 """What can be meant, and hardly ever is: remarks on values, bodies and the drive."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 
 from ...diagnostics import Diagnostic
 from ...diagnostics.model import doubtful_sizes as sizes
@@ -14,6 +14,7 @@ from ..entries import body_through
 from ..mechanism import (
     Absolute,
     Along,
+    Axial,
     Direction,
     Find,
     Force,
@@ -42,7 +43,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     yield from beyond_a_turn(mechanism)
     yield from vanishing_lengths(mechanism, chain, values)
     yield from far_off(mechanism, values)
-    yield from _asked_twice(mechanism.finds)
+    yield from _asked_twice(mechanism)
     yield from _both_given(mechanism)
     yield from _coinciding(mechanism, values)
     yield from _within(mechanism.links)
@@ -138,15 +139,25 @@ def _idle(mechanism: Mechanism) -> Iterator[Diagnostic]:
 # --------------------------------------------------------------- what is asked for
 
 
-def _asked_twice(finds: Sequence[Find]) -> Iterator[Diagnostic]:
+def _asked_twice(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield the first result of each line that an earlier line asks for, not what it brings on."""
     first: dict[object, Find] = {}
     reported: set[Span] = set()
-    for find in finds:
-        other = first.setdefault(find.target, find)
+    rods = {link.name for link in mechanism.links}
+    for find in mechanism.finds:
+        other = first.setdefault(_without_sense(find.target, rods), find)
         if other.name != find.name and find.span not in reported:
             reported.add(find.span)
             yield messages.asked_twice(find.span, find.name, other.name, other.span)
+
+
+def _without_sense(target: object, rods: Set[str]) -> object:
+    """Return a target; the force along a rod is one, N_BA that of N_AB, unlike that in a rope."""
+    match target:
+        case Axial(link=link) if link in rods:
+            return Axial, link
+        case _:
+            return target
 
 
 def _both_given(mechanism: Mechanism) -> Iterator[Diagnostic]:

@@ -255,7 +255,9 @@ def _subject(
             for find in finds:
                 if find.target == asked.target:
                     return find.name
-    scope.report.add(messages.unknown_subject(subject.span, known))
+    name = subject.name if isinstance(subject, ast.Symbol) else ""
+    load = name if name in scope.names({"load"}) else ""
+    scope.report.add(messages.unknown_subject(subject.span, known, load))
     return None
 
 

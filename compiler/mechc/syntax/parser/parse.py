@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from ...diagnostics import Diagnostic, syntax
 from ...source import Span
 from ..fault import Fault
-from ..vocabulary import IN_A_UNIT, points_of
+from ..vocabulary import IN_A_UNIT, ROUTE, points_of
 from . import slips, written
 from .grammar import Start, keywords, reading, spelling, statement_words, with_names
 from .lalr import END, Refused, Token, span_of
@@ -172,7 +172,7 @@ def unfinished(line: Sequence[Token], allowed: set[str], end: int, start: Start)
         return syntax.unclosed_bracket(span_of(innermost_open(line)), "(")
     if start == "statement" and len(line) == 1 and line[0].type == "NAME":
         return unknown_statement(line)
-    hint = slips.unfinished(line, allowed)
+    hint = ROUTE if start == "route" else slips.unfinished(line, allowed)
     return syntax.unfinished_statement(Span(end, end), expected_words(allowed), hint)
 
 
@@ -224,6 +224,8 @@ def _in_a_value(line: Sequence[Token], position: int, allowed: set[str], start: 
         return ""
     if start == "let_value" and line[position] == "in":
         return IN_A_UNIT
+    if start == "route":
+        return ROUTE
     is_formula = start in ("let_value", "condition")
     return (
         (slips.of_asking(line, position, allowed) if is_formula else "")

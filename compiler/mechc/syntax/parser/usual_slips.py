@@ -96,6 +96,11 @@ STATED = {
     ("LET", "or"): "conditions are joined by 'and'; another case is one of its own behind a ','",
     ("MIRROR", "and"): "a ',' stands between points: sharing K, L",
     ("COPIES", "and"): "a ',' stands between points: sharing K, L",
+    **dict.fromkeys(
+        (("EXPECT", ">"), ("EXPECT", "<"), ("EXPECT", ">="), ("EXPECT", "<=")),
+        "an expect has '=', within bounds expect k = 0.35 +- 0.01; a result is kept below or above "
+        "something by the `require` of a sheet that uses the mechanism",
+    ),
     ("EXPECT", "and"): "a ',' stands between values: at alpha = 10 deg, l = 200 mm",
 }
 """What is said otherwise in a statement, by its word and what does not fit in it."""

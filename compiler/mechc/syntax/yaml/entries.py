@@ -84,7 +84,7 @@ def by_keys(section: Section, value: Mapping, where: str) -> list[Chosen]:
 
 def unknown_key(name: Scalar, where: str, allowed: Iterable[str]) -> Diagnostic:
     """Return the error about a key that an entry does not have."""
-    hint = slips.of_key(name.text, allowed)
+    hint = slips.of_joint(where, name.text) or slips.of_key(name.text, allowed)
     return syntax_yaml.unknown_key(name.span, name.text, f"'{where}'", allowed, hint)
 
 

@@ -71,6 +71,17 @@ SAID: Final[Mapping[str, str]] = {
 }
 
 
+FRICTIONS: Final[Mapping[str, str]] = {
+    **dict.fromkeys(("pin", "pins"), "f: 0.1, diameter: 10 mm"),
+    **dict.fromkeys(("slider", "guide"), "guide: 0.1"),
+    "contact": "contact: 0.1",
+    "rope": "rope: 0.2, wrap: 180 deg",
+    "collar": "collar: 0.1, mean: 30 mm",
+    "screw": "screw: 0.1, thread: 20 mm",
+    "roller": "roller: 0.1, axle: 10 mm, wheel: 40 mm",
+}
+"""What stands below a point that has friction, by the word of the other notation."""
+
 COMPONENTS = "components are a list: [20 mm, 35 mm]"
 
 
@@ -184,6 +195,17 @@ def of_section(key: str, allowed: Iterable[str]) -> str:
     if POINTS.fullmatch(key) and len(key) > 1:
         return "it is a line of 'geometry' or 'links': indent it below that key"
     return of_key(key, allowed)
+
+
+def of_joint(where: str, key: str) -> str:
+    """Return a hint at a point below the kind of its friction, '' for anything else.
+
+    >>> of_joint("rope", "O")
+    'friction has the point first: friction: {O: {rope: 0.2, wrap: 180 deg}}'
+    """
+    if where not in FRICTIONS or not POINTS.fullmatch(key):
+        return ""
+    return f"friction has the point first: friction: {{{key}: {{{FRICTIONS[where]}}}}}"
 
 
 def of_key(key: str, allowed: Iterable[str]) -> str:
