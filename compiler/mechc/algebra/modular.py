@@ -103,6 +103,7 @@ def _turn(seed: int, angle: Angle) -> tuple[int, int]:
     return z, pow(z, -1, PRIME)
 
 
+@lru_cache(maxsize=4096)
 def _drawn(seed: int, name: str) -> int:
     """Return a number other than 0 that only the seed and the name decide."""
     return Random(f"{seed}/{name}").randrange(1, PRIME)

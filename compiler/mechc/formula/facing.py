@@ -93,6 +93,8 @@ def _positive(formula: Formula, values: Values) -> Formula:
 
 def _sizes_as_beside(formula: Formula) -> Formula:
     """Return a formula whose |sin(a − b)| have the way round in which sines beside them stand."""
+    if not any(is_call(node, "abs") for node in walk(formula)):
+        return formula
     beside = [found for node in _outside_sizes(formula) if (found := _difference(node))]
     known = {frozenset(difference.terms): difference for difference in beside}
 
