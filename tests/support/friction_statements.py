@@ -17,6 +17,7 @@ from mechc.model.mechanism import Mechanism
 from mechc.model.parts.targets import SIGNS, Efficiency, WithFriction
 from mechc.model.values import defaults, independent
 from mechc.routine.evaluate import evaluate
+from mechc.routine.steps import Function
 from mechc.study.analysis import Analysis
 from mechc.study.intervals import USUAL, EfficiencyRange, LockingInterval, LockingIntervals
 from statements import evaluate as value_of
@@ -48,6 +49,9 @@ ASIDE = 1.7e-8
 
 STATES = {0: "free", 3: "locked", 4: "jammed"}
 """What the status in code means; of others nothing is known."""
+
+ULPS = 1e-13
+"""The part of a parameter by which poses next to each other differ."""
 
 CASES = 4
 """Poses at which the printed case of a ratio with friction is compared with code."""
@@ -209,9 +213,20 @@ def printed(compilation: Compilation, result: Analysis) -> Iterator[str]:
             continue
         if math.isinf(code) and abs(here) > ENDLESS:
             continue
-        if math.isfinite(here) and not math.isclose(here, code, rel_tol=1e-7, abs_tol=1e-12):
+        alike = math.isclose(here, code, rel_tol=1e-7, abs_tol=1e-12)
+        if math.isfinite(here) and not alike and _is_inside(function, known):
             yield f"{result.name} is {code}, printed {here} at {known}"
             return
+
+
+def _is_inside(function: Function, known: Mapping[str, float]) -> bool:
+    """Return whether a pose has others next to it on either side.
+
+    Where a loop ends its angles have half the digits of others, however they are computed.
+    """
+    steps = (1 - ULPS, 1 + ULPS)
+    moved = ({**known, i.name: known[i.name] * step} for i in function.inputs for step in steps)
+    return all(math.isfinite(float(evaluate(function, values))) for values in moved)
 
 
 def _nearby(mechanism: Mechanism, result: Analysis) -> Iterator[Mapping[str, float]]:

@@ -70,6 +70,9 @@ FIGURES = 6
 NOTHING = 1e-12
 """What rounding leaves of a zero, in SI."""
 
+NIL_AT_AN_END = 1e-8
+"""What it leaves where a loop ends and angles have half the digits of others: 0 is stated."""
+
 
 class Contradiction(Exception):
     """A relation whose sides, or whose terms, are not measured in the same units."""
@@ -344,8 +347,9 @@ class PrintedUnits:
         if first == 0 and isinstance(sides[0], Symbol):
             own = self.rounded.get(sides[0].name, 0.0)
         for i, other in known[1:]:
-            slack = own + self.slack(relation.parts[i])
-            if abs(other - value) > slack + 1e-9 * abs(value) + NOTHING:
+            least = NIL_AT_AN_END if other == 0 else NOTHING
+            slack = own + self.slack(relation.parts[i]) + least
+            if abs(other - value) > slack + 1e-9 * abs(value):
                 yield f"{relation}: {value} and {other}"
         if isinstance(sides[0], Symbol):
             self.table.values[sides[0].name] = value
