@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Literal, assert_never
 
 from ..frozen import frozen
-from ..model.parts.linkage import MeshKind
+from ..model.parts.joints import MeshKind
 from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 from ..pose.places import direction as direction

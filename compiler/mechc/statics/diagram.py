@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Literal
 
-from ..model.parts.linkage import MeshKind
+from ..model.parts.joints import MeshKind
 from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 

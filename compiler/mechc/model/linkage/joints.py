@@ -15,7 +15,7 @@ from ..formulas.directions import read_direction, read_place, value_of
 from ..mechanism import Drawn, Geometry, Joint, Link, Offset, Pivot, Slider
 from ..names.points import CircularSlot, Points
 from ..names.scope import Scope
-from ..parts.linkage import rope_id
+from ..parts.joints import rope_id
 from ..statements import every
 
 ACCOUNTED = 2

@@ -6,7 +6,7 @@ from ...formula.tree import Call, Formula, number, product, total
 from ...formula.walk import symbols
 from ...frozen import frozen
 from ...source import Span
-from .linkage import MeshKind
+from .joints import MeshKind
 from .targets import Sense
 
 

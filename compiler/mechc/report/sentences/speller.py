@@ -6,7 +6,7 @@ from typing import Protocol
 from ...formula.layout import is_angle
 from ...formula.tree import Formula
 from ...model.mechanism import Axial, Mechanism, Normal, Reaction, Slider, Torque
-from ...model.parts.linkage import rope_id
+from ...model.parts.joints import rope_id
 from ...model.parts.targets import ForceAtJoint
 from ...model.result import Result
 from ..languages.locale import Locale
