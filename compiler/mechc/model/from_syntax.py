@@ -61,26 +61,13 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     reported before :class:`MechcError` is raised.
     """
     check_doubled(file, report)
-    points = Points(report)
-    declare_points(file, points)
-    sheet = written_as_sheet(file)
-    if not sheet:
-        refuse_links_in_a_sheet(file, report)
-    scope = Scope(report, points, sheet)
-    scope.shared_sizes = coefficients.shared_sizes(file.statements)
+    scope = _scope_of(file, report)
     _declare_names(file, scope)
     finds = read_finds(file, scope)
     _declare_lets(file, finds, scope)
     found = read_definitions(file, scope)
-    mechanism = replace(_headed(file, report), finds=tuple(finds), spans=points.places)
-    mechanism = _under_loads(_built(mechanism, file, scope), file, scope)
-    if any(isinstance(s, OF_FRICTION) for s in file.statements):
-        mechanism = replace(mechanism, friction=friction.read_friction(file, mechanism, scope))
-    mechanism = replace(mechanism, loads=inside_telescopes(mechanism.loads, mechanism, scope))
-    check_rods(mechanism, scope)
-    warn_of_shared_pivots(mechanism, scope)
-    warn_of_loads_on_pins(mechanism, scope)
-    check_guides_of_copies(mechanism, scope)
+    mechanism = replace(_headed(file, report), finds=tuple(finds), spans=scope.points.places)
+    mechanism = _with_forces(_built(mechanism, file, scope), file, scope)
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
     mechanism = _laid_out(mechanism, report)
@@ -88,17 +75,48 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
         mechanism = replace(mechanism, reported=reported.checked(parts, mechanism, scope))
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
-    warn_idle(mechanism.joints, points)
-    _warn_lonely(points)
+    warn_idle(mechanism.joints, scope.points)
+    _warn_lonely(scope.points)
     mechanism = for_readers(mechanism, file, report.source)
-    for doubt in doubts(mechanism) if not sheet else ():
+    _doubt(mechanism, scope)
+    if scope.sheet:
+        return mechanism
+    return with_names(checked(mechanism, report), file, scope.constants.values())
+
+
+def _scope_of(file: ast.File, report: Report) -> Scope:
+    """Return a scope in which the points of bodies and joints are declared, and no names yet."""
+    points = Points(report)
+    declare_points(file, points)
+    is_sheet = written_as_sheet(file)
+    if not is_sheet:
+        refuse_links_in_a_sheet(file, report)
+    scope = Scope(report, points, is_sheet)
+    scope.shared_sizes = coefficients.shared_sizes(file.statements)
+    return scope
+
+
+def _with_forces(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
+    """Return a mechanism with its loads and its friction, and what is said of them reported."""
+    mechanism = _under_loads(mechanism, file, scope)
+    if any(isinstance(s, OF_FRICTION) for s in file.statements):
+        mechanism = replace(mechanism, friction=friction.read_friction(file, mechanism, scope))
+    mechanism = replace(mechanism, loads=inside_telescopes(mechanism.loads, mechanism, scope))
+    check_rods(mechanism, scope)
+    warn_of_shared_pivots(mechanism, scope)
+    warn_of_loads_on_pins(mechanism, scope)
+    check_guides_of_copies(mechanism, scope)
+    return mechanism
+
+
+def _doubt(mechanism: Mechanism, scope: Scope) -> None:
+    """Report what is doubted of a mechanism, and of its values beyond their ranges."""
+    report = scope.report
+    for doubt in doubts(mechanism) if not scope.sheet else ():
         if doubt.code != "W266" or not report.has("W295", doubt.span):
             report.add(doubt)
     for doubt in beyond_ranges(mechanism, report):
         report.add(doubt)
-    if sheet:
-        return mechanism
-    return with_names(checked(mechanism, report), file, scope.constants.values())
 
 
 def _headed(file: ast.File, report: Report) -> Mechanism:
