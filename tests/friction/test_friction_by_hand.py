@@ -476,6 +476,22 @@ def test_a_guide_that_its_own_friction_presses_gives_a_quotient(sense):
     assert sum(map(number_of, solver.solve())) == pytest.approx(3 + sense * 0.2 * size)
 
 
+@pytest.mark.parametrize("sense", [1, -1])
+def test_what_is_printed_of_a_rope_holds_for_its_smaller_tension(sense):
+    """S′ = 3S: the mean tension 2S presses, of which friction is the whole, P = 3 ± 2S."""
+    guide = single(Product(2), by=Product(Fraction(1, 2)), factor=1)
+    rope = replace(guide, pair=guide.pair._replace(tensions=Product(3)))
+    solver = LinearSolver("P", Product(3), [rope], one_pose(), sense)
+    load = sum(map(number_of, solver.solve()))
+    mean = 2 / (1 + sense / 2)
+    assert load == pytest.approx(3 + sense * mean)
+    (step,) = solver.steps
+    assert step.kind == "ropes"
+    known = {"S_G": mean / 2, "v_G": 1.0, "P": load}
+    for left, right in step.equations:
+        assert evaluate(left, known) == pytest.approx(evaluate(right, known))
+
+
 def test_more_pairs_than_a_person_reads_hang_together():
     with pytest.raises(EquationsCoupled):
         LinearSolver("P", ONE, [single(ONE)] * 4, one_pose(), 1)

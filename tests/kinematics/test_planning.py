@@ -11,14 +11,15 @@ from mechc.algebra.factors import Constant
 from mechc.algebra.product import ONE, ZERO, Product
 from mechc.algebra.sums import Bound, add
 from mechc.diagnostics import MechcError, Report
-from mechc.formula.tree import Number
+from mechc.formula.tree import Number, Symbol
 from mechc.frozen import replace
-from mechc.kinematics.from_pose import plan_velocities
+from mechc.kinematics.from_pose import _check_frame, plan_velocities
 from mechc.kinematics.graph import Graph, Kind, Relation, Rule, Unknown
 from mechc.kinematics.locked import described, locked
 from mechc.kinematics.planning import _speeds_of, plan_of
 from mechc.kinematics.solving import LONG, Binder, Memory, by_one_other, solve
 from mechc.kinematics.standing import standing
+from mechc.model.mechanism import Find, Friction, LoadRatio, PinFriction
 from mechc.source import Source, Span
 from small_poses import (
     HERE,
@@ -274,3 +275,16 @@ def test_a_speed_that_another_gives_stays_by_it_where_that_is_as_short(recalled,
     memory = SimpleNamespace(recall=lambda form, unknown: recalled and (recalled,))
     speeds = _speeds_of([0], [{0: b, 1: -a}], {1: (ONE,)}, 1, memory)
     assert list(speeds) == [(0, (found,))]
+
+
+@pytest.mark.parametrize(
+    ("finds", "frictions", "codes"),
+    [((), 0, []), ((), 2, ["E403"]), ((LoadRatio("P", "F"),), 1, ["E402"])],
+)
+def test_of_a_frame_nothing_is_asked_that_moves(finds, frictions, codes):
+    asked = tuple(Find("k", target, HERE) for target in finds)
+    pins = tuple(PinFriction("O", "", Symbol("a"), HERE) for _ in range(frictions))
+    mechanism = replace(lever().mechanism, finds=asked, friction=Friction(pins))
+    report = Report(Source("", ""))
+    _check_frame(mechanism, report)
+    assert [found.code for found in report.sorted()] == codes

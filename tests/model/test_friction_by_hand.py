@@ -2,6 +2,8 @@
 
 import pytest
 
+from mechc.driver import Compilation
+from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Symbol
 from mechc.model.mechanism import (
     CollarFriction,
@@ -14,6 +16,7 @@ from mechc.model.mechanism import (
     ThreadFriction,
     WheelFriction,
 )
+from mechc.source import Source
 from small_poses import HERE
 
 F, D, P, Q = map(Symbol, "fdpq")
@@ -40,3 +43,30 @@ def test_friction_depends_on_coefficients_lengths_and_thrusts(joint, names):
 def test_an_efficiency_is_all_that_friction_depends_on():
     assert Friction(efficiency=Symbol("eta")).parameters == {"eta"}
     assert Friction().parameters == set()
+
+
+COLLAR = """
+pivot O
+slider K along y
+link OA
+OA = 50 mm @ 0 deg
+screw K pitch 5 mm on OA
+torque M on OA
+force F at K along -y
+friction collar K 0.1 {size}
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("size", "radius"),
+    [
+        ("mean 30 mm", 0.015),
+        ("outer 40 mm inner 20 mm", 0.015),
+        ("outer 40 mm inner 20 mm pressure", (0.04**3 - 0.02**3) / (0.04**2 - 0.02**2) / 3),
+    ],
+)
+def test_a_collar_has_friction_at_its_mean_radius(size, radius):
+    source = Source("collar.mech", COLLAR.format(size=size))
+    (collar,) = Compilation(source).mechanism.friction.joints
+    assert evaluate(collar.radius, {}) == pytest.approx(radius)

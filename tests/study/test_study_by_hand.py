@@ -19,7 +19,7 @@ from mechc.formula.rounding import Size
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, power, product, quotient, total
 from mechc.frozen import replace
-from mechc.model.mechanism import Drive, Find, LoadRatio
+from mechc.model.mechanism import Drive, Find, LoadRatio, Require
 from mechc.model.result import Definition, Result
 from mechc.model.values import complete, default_pose
 from mechc.power.from_plan import balance
@@ -33,6 +33,7 @@ from mechc.study.sampling import looked_at as values_looked_at
 from mechc.study.states import AgainstFriction, Found, Moving, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
+from mechc.study.stroke.forms import holding
 from mechc.study.stroke.rows import from_both_sides
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
 from mechc.study.stroke.stretches import with_reached
@@ -530,3 +531,15 @@ def test_what_definitions_share_is_gone_into_once_for_divisors():
         where[f"x{i + 1}"] = total([earlier, Call("sin", (earlier,)), below])
     found = divisors_of_terms(total([Symbol("x60"), Symbol("b")]), where)
     assert set(found) == {Symbol("a")}
+
+
+@pytest.mark.parametrize(
+    ("values", "is_held"),
+    [({"x": 1, "y": 2}, True), ({"x": -1, "y": 2}, False), ({"x": 1, "y": 0.5}, False)],
+)
+def test_conditions_hold_where_each_of_them_does(values, is_held):
+    """x > 0, y > x and 3 > y; one in a name without a value is not looked at."""
+    x, y = Symbol("x"), Symbol("y")
+    pairs = (x, number(0)), (y, x), (number(3), y), (Symbol("z"), x)
+    conditions = [Require(left, ">", right, HERE) for left, right in pairs]
+    assert holding(conditions, {"x", "y"})(values) == is_held
