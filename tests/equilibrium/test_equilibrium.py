@@ -233,8 +233,8 @@ CLAMP = {
      them act.
      N_BK is the force in the rod BK, positive in tension.
      Forces on K along its guide:
-        2 · N_BK · cos β + F = 0
-                        N_BK = −F / (2 · cos β)
+        2N_BK · cos β + F = 0
+                     N_BK = −F / (2 · cos β)
      Moments about O of the forces on OBA:
         a · N_BK · sin(α + β) + bP · cos α = 0
                                          P = −a · N_BK / b · sin(α + β) / cos α

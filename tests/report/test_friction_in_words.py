@@ -607,3 +607,36 @@ def test_what_is_alike_is_so_by_name_and_what_is_known_is_not_stated_again():
     first, _, hold = account.partition("The motion is against the arrow")
     assert first.count(r"v_{B,\mathrm{screw}}&=v_{A,\mathrm{screw}}") == 2
     assert r"v_{A,\mathrm{screw}}&=" not in hold
+
+
+def test_an_account_of_friction_has_the_angles_of_the_result() -> None:
+    """The rod's sine is that of k, 60° − β − φ, also where an inclination is an arc sine."""
+    source = """
+    mechanism gripper
+    param phi = 10 deg
+    pivot O at (20 mm, 0 mm)
+    pivot Q at (20 mm, 25 mm)
+    slider S along x through N
+    pivot N at (0 mm, 0 mm)
+    link SA
+    link AOB
+    link QC
+    link BCJ
+    OA = 30 mm @ 120 deg + phi
+    OB = 70 mm @ phi
+    QC = 70 mm @ phi
+    BC = 25 mm @ 90 deg
+    CJ = 40 mm @ 0 deg
+    SA = 45 mm
+    drive phi from -20 deg to 30 deg
+    mirror across x sharing S
+    force P at S along x
+    force F at J along y
+    friction pins 0.1 diameter 10 mm
+    find k = P/F
+    """
+    found = compile_source(Source("gripper.mech", source))
+    said = render(found.derivation, found.mechanism)
+    assert "k = P/F = 2 · OB / OA · cos β_SA · cos φ / sin(60° − β_SA − φ)" in said
+    assert "r_S = OB/OA · cos φ / sin(60° − β_SA − φ)" in said
+    assert "cos(β_SA + φ + 30°)" not in said

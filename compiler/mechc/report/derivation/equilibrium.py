@@ -56,7 +56,7 @@ def derive_by_equilibrium(
     explanations = (*sums, *of_friction(solution, results))
     pose = solution.plan.graph.pose
     requires = pose.mechanism.requires
-    face = Facing(solution.plan, turns_of_friction(results, pose.mechanism))
+    face = Facing(solution.plan, turns_of_friction(results, pose))
     derivation = Derivation((), (), (), tuple(results), explanations, requires=requires)
     derivation = face.derivation(derivation)
     position = position_steps(pose, derivation)

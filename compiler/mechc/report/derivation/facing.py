@@ -20,8 +20,10 @@ from ...formula.tree import Formula, Product, is_call, negative
 from ...formula.walk import symbols, walk
 from ...frozen import replace
 from ...kinematics.plan import Plan
-from ...model.mechanism import Mechanism, WithFriction
+from ...model.mechanism import WithFriction
+from ...model.result import Definition
 from ...pose.given_angles import given_lines
+from ...pose.pose import Pose
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
 from ..sentences.order import geometry_first
@@ -34,6 +36,7 @@ class Facing:
     def __init__(self, plan: Plan, turns: Set[str] = frozenset()) -> None:
         """Take the angles by which friction ``turns`` forces: they stand behind others."""
         self._turns = turns
+        self._found = {definition.name for definition in plan.graph.pose.definitions}
         self._values = cache(partial(default_values, plan))
         self._quarter = given_lines(plan.graph.pose)
 
@@ -107,10 +110,15 @@ class Facing:
         poles = tuple(self.zero(limit, formula) for limit in result.poles)
         slopes = result.derivatives
         derivatives = slopes and {n: as_in(self.of(s), formula) for n, s in slopes.items()}
-        where = tuple(d._replace(formula=self._turned(d.formula)) for d in result.where)
-        holds = tuple(replace(h, left=self._turned(h.left)) for h in result.holds)
+        where = tuple(d._replace(formula=self._defined(d)) for d in result.where)
+        holds = tuple(replace(h, left=self.of(h.left)) for h in result.holds)
         result = replace(result, where=where, holds=holds, derivatives=derivatives)
         return replace(result, formula=formula, zeros=zeros, poles=poles)
+
+    def _defined(self, definition: Definition) -> Formula:
+        """Return what a name stands for as results are written; what loops find is already."""
+        formula = definition.formula
+        return self._turned(formula) if definition.name in self._found else self.of(formula)
 
     def _turned(self, formula: Formula) -> Formula:
         """Return a formula with an angle of friction in front as it is written, else as it is."""
@@ -138,8 +146,9 @@ class Facing:
         )
 
 
-def turns_of_friction(results: Sequence[Analysis], mechanism: Mechanism) -> Set[str]:
-    """Return the names of angles by which friction turns a force."""
+def turns_of_friction(results: Sequence[Analysis], pose: Pose) -> Set[str]:
+    """Return the names of angles by which friction turns a force, none that loops give."""
+    of_loops = {definition.name for definition in pose.definitions}
     found = (d for r in results if isinstance(r.target, WithFriction) for d in r.where)
-    turned = (d.name for d in found if is_call(d.formula, "asin", "atan"))
-    return mechanism.friction.parameters | {*turned}
+    turned = {d.name for d in found if is_call(d.formula, "asin", "atan")}
+    return pose.mechanism.friction.parameters | (turned - of_loops)

@@ -47,7 +47,7 @@ def derive(
         ratios=tuple(speeds.ratios),
         requires=mechanism.requires,
     )
-    face = Facing(solution.plan, turns_of_friction(results, mechanism))
+    face = Facing(solution.plan, turns_of_friction(results, solution.plan.graph.pose))
     derivation = face.derivation(derivation)
     last = map(face.last_step, last_steps(derivation, solution.balance.equations.owners))
     derivation = without_unused(replace(derivation, last_steps=tuple(last)))
