@@ -10,12 +10,14 @@ from hypothesis import strategies as st
 
 from mechc.algebra.angle import Angle
 from mechc.algebra.factors import Trig
+from mechc.algebra.from_formula import to_product
 from mechc.algebra.laurent import Ring, size
 from mechc.algebra.modular import Point
 from mechc.algebra.product import ONE, ZERO, Product, Sum
 from mechc.algebra.sums import LIMIT, Bound, add, canonical
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.to_text import text
+from mechc.formula.tree import Constant, Number
 from product_strategies import VALUES, angles, products
 
 law = settings(max_examples=40, deadline=None, derandomize=True, database=None)
@@ -195,3 +197,16 @@ def test_what_terms_of_a_sum_share_is_taken_out_whole():
     assert text(whole.formula()) == "3*mu*p^2*(D + E) + x"
     halves = Sum((x, (inner * d).scaled(Fraction(-3, 2)), (inner * e).scaled(Fraction(9, 4))))
     assert text(halves.formula()) == "3*mu*p^2*(3*E - 2*D)/4 + x"
+
+
+def test_terms_that_cancel_by_what_named_numbers_are_are_left_out():
+    """Sides b and d of a parallelogram are 70 mm each: (b - d)·sin β + e·cos β is e·cos β."""
+    length = Number(Fraction(7, 100))
+    a, b, d = (to_product(Constant(name, length)) for name in "abd")
+    e = to_product(Constant("e", Number(Fraction(1, 2))))
+    beta = Angle.of("beta")
+    whole = add([b * sine(beta), -d * sine(beta), e * cosine(beta)])
+    assert text(whole.formula()) == "e*cos(beta)"
+    assert text(add([a * a, -b * d, e * sine(beta)]).formula()) == "e*sin(beta)"
+    kept = add([b * sine(beta), -e * sine(beta), d * cosine(beta)])
+    assert text(kept.formula()) == "sin(beta)*(b - e) + d*cos(beta)"

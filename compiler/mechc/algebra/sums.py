@@ -85,10 +85,12 @@ def add(products: Iterable[Product]) -> Product:
         return canonical(terms[0]) if terms else ZERO
     common = _common(terms)
     rests = [t / common for t in terms]
-    if any(map(_has_constants, terms)) and _vanishes(rests):
+    has_constants = any(map(_has_constants, terms))
+    if has_constants and _vanishes(rests):
         return ZERO
     if sum(map(laurent.size, rests)) <= LIMIT and not any(map(_rests_on_names, rests)):
-        return canonical(common * factoring.factored(rests))
+        whole = canonical(common * factoring.factored(rests))
+        return _without_equal_numbers(whole) if has_constants else whole
     if _vanishes(rests):
         return ZERO
     for deep in (True, False):
@@ -198,6 +200,33 @@ def _has_constants(product: Product) -> bool:
         isinstance(f, Constant) or (isinstance(f, Sum) and any(map(_has_constants, f.terms)))
         for f in product.factors
     )
+
+
+def _without_equal_numbers(product: Product) -> Product:
+    """Return a product whose sums have no terms that cancel by what their named numbers are.
+
+    So do those of opposite sides of a parallelogram: ``b*sin(beta) - d*sin(beta) + a`` is ``a``.
+    """
+    for factor, exponent in product.factors.items():
+        if isinstance(factor, Sum):
+            terms = _left(factor.terms)
+            if len(terms) < len(factor.terms) and (terms or exponent > 0):
+                rest = product * Product(1, {factor: -exponent})
+                return _without_equal_numbers(rest * add(terms) ** exponent)
+    return product
+
+
+def _left(terms: Sequence[Product]) -> list[Product]:
+    """Return the terms of a sum without those that differ by named numbers and come to zero."""
+    alike: dict[Product, list[Product]] = {}
+    for term in terms:
+        numbers: dict[Factor, int] = {
+            f: e for f, e in term.factors.items() if isinstance(f, Constant) and e > 0
+        }
+        alike.setdefault(term / Product(term.coefficient, numbers), []).append(term)
+    cancelled = (rest for rest, found in alike.items() if len(found) > 1)
+    gone = {rest for rest in cancelled if _vanishes([term / rest for term in alike[rest]])}
+    return [term for rest, found in alike.items() if rest not in gone for term in found]
 
 
 def _vanishes(terms: Sequence[Product]) -> bool:

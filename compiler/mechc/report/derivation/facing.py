@@ -116,7 +116,7 @@ class Facing:
         return replace(result, formula=formula, zeros=zeros, poles=poles)
 
     def _defined(self, definition: Definition) -> Formula:
-        """Return what a name stands for as results are written; what loops find is already."""
+        """Return a definition as results are written; one that loops give is so already."""
         formula = definition.formula
         return self._turned(formula) if definition.name in self._found else self.of(formula)
 
