@@ -119,8 +119,11 @@ def assemblies_contradict(at: Span, points: str, other: str, first: Span) -> Mes
 
 
 def one_of(closures: Sequence[str]) -> str:
-    """Return the hint that lists the lines of each closure."""
-    return "add " + " or ".join(closures)
+    """Return the hint that lists the lines of each closure.
+
+    A closure in which points lie on one another, or on a line, has no line of its own.
+    """
+    return "add " + " or ".join(filter(None, closures))
 
 
 def the_closures(closures: Sequence[str]) -> str:

@@ -240,6 +240,8 @@ def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Messa
     """
     points = "1 point" if found == 1 else f"{found} points"
     hint = "name fewer points, or more"
+    if found == 2 and "the corner" in expected:
+        hint = f"the direction of a vector stands behind '@': {text} = @ 30 deg"
     if found > 2 and "two points" in expected:
         hint = "name two of them"
     if found == 1:

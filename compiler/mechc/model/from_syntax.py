@@ -27,6 +27,7 @@ from .linkage.joints import declare_points, read_drawn, read_pivots, read_slider
 from .linkage.motion import check_drives, checked, read_assemblies, read_drives
 from .linkage.symmetry import (
     check_axis_of_copies,
+    check_shared_places,
     check_shared_vectors,
     check_turning_on_the_line,
     read_copies,
@@ -169,6 +170,7 @@ def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanis
     loaded = replace(mechanism, loads=tuple(loads), mirror=mirror, copies=copies)
     check_turning_on_the_line(loaded, scope)
     check_axis_of_copies(loaded, scope)
+    check_shared_places(loaded, scope)
     return with_loaded_points(loaded)
 
 

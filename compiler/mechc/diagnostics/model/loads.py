@@ -89,6 +89,19 @@ def off_the_mirror(span: Span, what: str, mirror: Span) -> Message:
     )
 
 
+@coded("E219")
+def mirror_turns(span: Span) -> Message:
+    """A mirror line has the direction of a vector between points, which turns as they move.
+
+    The line stands still: the halves are mirrored across it in every pose::
+
+        mirror across OK sharing K      # wrong
+        mirror across 90 deg sharing K  # right
+    """
+    message = "the mirror line has the direction of a vector, expected an angle, x or y"
+    return Message(span, message, "write the angle of the line: mirror across 90 deg sharing K")
+
+
 @coded("W260")
 def idle_gravity(span: Span) -> Message:
     """A direction of gravity is given, but nothing has a weight.

@@ -1,5 +1,6 @@
 """Mirror and copies: what of the mechanism is described, and what follows from it."""
 
+import math
 from collections.abc import Iterator, Sequence
 
 from ...diagnostics.model import doubts
@@ -10,10 +11,12 @@ from ...source import Span
 from ...syntax import ast
 from ...units import NUMBER
 from ..constants import rational
-from ..formulas.directions import parallel, read_direction
+from ..entries import drawn_places
+from ..formulas.directions import parallel, read_direction, value_of
 from ..formulas.measured import fits
 from ..formulas.parameters import constant
 from ..mechanism import (
+    Absolute,
     Arrow,
     Copies,
     Direction,
@@ -33,6 +36,7 @@ from ..mechanism import (
 from ..names.scope import Scope
 from ..parts.repeated import primed
 from ..statements import every, only
+from ..tolerances import SAME_VECTOR
 
 MOST_COPIES = 1000
 """More branches than any mechanism has: digits too many."""
@@ -52,6 +56,9 @@ def read_mirror(
     shared = _shared(statement.sharing, scope)
     _check_twins(shared, statement.span, scope)
     if across is None:
+        return None
+    if not isinstance(across, Absolute):
+        scope.report.add(load_words.mirror_turns(statement.across.span))
         return None
     if off := next(_off_the_line(guided, loads, across, shared, scope), None):
         scope.report.add(load_words.off_the_mirror(off[0], off[1], statement.span))
@@ -136,6 +143,33 @@ def _check_screw(screw: Screw, mechanism: Mechanism, scope: Scope) -> None:
     name = next((load.name for load in torques), "")
     found = (screw.point, screw.link, name, int(number))
     scope.report.add(wheel_words.screw_in_each_part(screw.span, *found))
+
+
+def check_shared_places(mechanism: Mechanism, scope: Scope) -> None:
+    """Report drawn points that both halves share and that are not on one line across the mirror."""
+    mirror, slacks = mechanism.mirror, {d.point: d.slack for d in mechanism.drawn}
+    if mirror is None or not isinstance(mirror.across, Absolute):
+        return
+    angle = value_of(mirror.across.angle, scope)
+    placed = [(p, at) for p, at in _placed(mechanism, scope) if p in mirror.sharing]
+    if angle is None:
+        return
+    for point, (x, y) in placed[1:]:
+        first, (x0, y0) = placed[0]
+        off = abs((y - y0) * math.cos(angle) - (x - x0) * math.sin(angle))
+        slack = slacks.get(first, 0.0) + slacks.get(point, 0.0)
+        if off > slack + SAME_VECTOR * math.hypot(x - x0, y - y0):
+            what = f"the way from {first} to {point}, which both halves share,"
+            span = mechanism.spans.get(point, mirror.span)
+            scope.report.add(load_words.off_the_mirror(span, what, mirror.span))
+
+
+def _placed(mechanism: Mechanism, scope: Scope) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Yield the points that are drawn where their coordinates have values, with these."""
+    for point, at in drawn_places(mechanism).items():
+        x, y = (value_of(part, scope) for part in at)
+        if x is not None and y is not None:
+            yield point, (x, y)
 
 
 def _symmetric(load: Force, across: Direction, shared: Sequence[str], scope: Scope) -> bool:

@@ -80,6 +80,8 @@ STATED = {
     ("FIND", "at"): "a result at other values is an expect, expect k = 0.35 at alpha = 10 deg, or "
     "comes by -D alpha=10deg behind the command",
     ("FRICTION", "overhang"): "it is written: friction slider K 0.1 guide 60 mm overhang 40 mm",
+    ("FRICTION", "telescope"): "the parts of a telescope slide without friction; the pins at its "
+    "ends have it by: friction pins 0.1 diameter 10 mm",
     ("REPORT", ":"): "what a report holds stands without a colon: report scheme, k",
     ("FIND", "efficiency"): WITH_FRICTION,
     ("DRIVE", "on"): _MOVES,
