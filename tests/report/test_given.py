@@ -373,3 +373,12 @@ def test_the_name_of_equal_diameters_does_not_depend_on_the_order_of_lines(order
 def test_coordinates_and_radii_that_are_numbers_are_called_so_in_a_table():
     text = mechc.load("watt_closed").emit("latex")
     assert "$x_{O_{2}}$ & coordinate of $O_{2}$ & " in text
+
+
+def test_a_load_that_follows_from_another_one_is_given_in_a_terminal() -> None:
+    """T = f · R of a claw is in the power equation; that of a weight is m·g, and stands there."""
+    found = compiled("claw_closed")
+    lines = render(found.derivation, found.mechanism).splitlines()
+    assert "  T = f · R" in lines[: lines.index("Position")]
+    plain = compiled("crank_rocker")
+    assert "T = " not in render(plain.derivation, plain.mechanism)

@@ -128,3 +128,23 @@ def test_pages_have_the_sentence_too():
     compilation = lever("y", whole=MIRROR)
     page = emit(compilation, TARGET, Options("m"))[0].text
     assert "such a load acts in both mirrored halves. In the power of a force" in page
+
+
+def test_a_cylinder_on_a_pivot_works_along_the_velocity_of_its_other_end():
+    swing = """
+    param phi = 40 deg
+    pivot O at (0 mm, 0 mm)
+    pivot C at (-300 mm, -80 mm)
+    link OAB
+    telescope CA
+    OA = 150 mm @ phi
+    OB = 400 mm @ phi
+    drive phi from 20 deg to 80 deg
+    actuator P between C and A
+    force W at B along -y
+    find k = P/W
+    """
+    found = Compilation(Source("swing.mech", swing))
+    spell = speller((), found.mechanism, True, "en")
+    said = power_remarks(found.derivation, found.mechanism, locale("en"), spell)
+    assert said.endswith("line of action: V_A · sin(φ − φ_CA) for P and V_B · cos φ for W.")

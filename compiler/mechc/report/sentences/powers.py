@@ -8,7 +8,7 @@ from ...algebra.from_formula import to_product
 from ...formula.layout import has_minus
 from ...formula.tree import Formula, Product, Sum, Symbol, is_call, negative, number, product
 from ...formula.walk import walk
-from ...model.mechanism import Force, Mechanism
+from ...model.mechanism import Force, ForcePair, Load, Mechanism
 from ..languages.locale import Locale
 from ..steps import Derivation, PowerTerm
 from .order import enumeration
@@ -38,8 +38,11 @@ def _projections(
     locale: Locale,
     spell: Speller,
 ) -> Iterator[str]:
-    """Yield which projections of velocities forces work along, as the equation has them."""
-    forces = {load.name for load in mechanism.loads if isinstance(load, Force)}
+    """Yield which projections of velocities forces work along, as the equation has them.
+
+    So does a pair of forces one end of which stands still.
+    """
+    forces = {load.name for load in mechanism.loads if _is_at_one_point(load, mechanism)}
     found = [
         locale.powers["projection"].format(
             speed=spelled(_size(_written(term, powers)), spell),
@@ -50,6 +53,17 @@ def _projections(
     ]
     if found:
         yield locale.powers["projections"].format(speeds=enumeration(found, locale))
+
+
+def _is_at_one_point(load: Load, mechanism: Mechanism) -> bool:
+    """Return whether a load does its work at one point."""
+    match load:
+        case Force():
+            return True
+        case ForcePair(first=first, second=second):
+            return (first in mechanism.fixed) != (second in mechanism.fixed)
+        case _:
+            return False
 
 
 def _is_projected(speed: Formula) -> bool:

@@ -57,7 +57,7 @@ def render(
     met = names_met(derivation, mechanism)
     lines = [
         *_title(mechanism, spell),
-        *given(mechanism, met, spell),
+        *given(mechanism, met, spell, {d.name for r in derivation.results for d in r.where}),
         *(["", *tables] if tables else []),
         *_conventions(whole, mechanism, met, spell),
         *_position(whole.position, spell),

@@ -4,8 +4,18 @@ from collections.abc import Collection, Iterator
 
 from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
-from ...formula.tree import ZERO, Constant, Formula, Number
-from ...model.mechanism import Absolute, Arrow, Direction, Force, Mechanism, Slider, Turn
+from ...formula.tree import ZERO, Constant, Formula, Number, Symbol
+from ...formula.walk import symbols
+from ...model.mechanism import (
+    Absolute,
+    Arrow,
+    Direction,
+    Force,
+    Mechanism,
+    Slider,
+    Torque,
+    Turn,
+)
 from ...model.values import is_constant, own_stroke
 from ...units import in_unit, si_unit
 from ..definitions import given_loads
@@ -15,20 +25,36 @@ from .printer import print_name, print_quantity
 from .speller import SHOWN, Speller
 
 
-def given(mechanism: Mechanism, met: Collection[str], spell: Speller) -> list[str]:
+def given(
+    mechanism: Mechanism, met: Collection[str], spell: Speller, defined: Collection[str] = ()
+) -> list[str]:
     """Return the lines of what is given: quantities, lengths, angles and loads that are numbers.
 
-    Lengths and angles of a drawing are among them as far as they are ``met`` in formulas.
+    Lengths and angles of a drawing are among them as far as they are ``met`` in formulas, and so
+    are loads that follow from others, but for those that are ``defined`` elsewhere.
     """
     free = (p for p in mechanism.parameters if p.value is not None or p.range)
     chosen = (p for p in free if p.name in met or not is_constant(p))
     literals = (p for p in mechanism.literals if p.name in met)
     quantities = (*chosen, *literals, *given_loads(mechanism))
-    angles = dict.fromkeys(_angles(mechanism, met, spell))
+    tied = _tied(mechanism, spell, met, defined)
+    angles = dict.fromkeys((*tied, *_angles(mechanism, met, spell)))
     lines = note.given(with_roles(quantities, mechanism, spell.locale.roles), spell, angles)
     said = [line for each in _directions(mechanism, spell) for line in spell.wrapped(each, "  ")]
     heading = [spell.locale.given] if said and not lines else []
     return ["", *heading, *lines, *said, *_stroke(mechanism, spell)] if lines or said else []
+
+
+def _tied(
+    mechanism: Mechanism, spell: Speller, met: Collection[str], defined: Collection[str]
+) -> Iterator[str]:
+    """Yield the loads that others give the size of: ``T = f · R``."""
+    for load in mechanism.loads:
+        is_plain = isinstance(load, Torque) or (
+            isinstance(load, Force) and not load.weight and not load.spread
+        )
+        if is_plain and load.tie and symbols(load.tie) and load.name in {*met} - {*defined}:
+            yield spell.relation((Symbol(load.name), load.tie), ("=",), False)
 
 
 def _angles(mechanism: Mechanism, met: Collection[str], spell: Speller) -> Iterator[str]:
