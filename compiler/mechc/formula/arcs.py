@@ -113,11 +113,7 @@ class Arcs(NamedTuple):
             rest = (1.0 - point[-1]) / tangent[-1]
             is_last = arc >= rest
             length = rest if is_last else arc
-            ahead = [p + length * t for p, t in zip(point, tangent, strict=True)]
-            if is_last:
-                ahead[-1] = 1.0
-            across, asked = (along, side) if is_last else (tangent, 0)
-            found = self._corrected(ahead, across, STRAY * length, asked)
+            found = self._ahead(point, tangent, length, (along, side) if is_last else None)
             if found and is_last:
                 return 0, tuple(found[:-1])
             there, turned = self._tangent(found, tangent) if found else (0, [])
@@ -133,6 +129,21 @@ class Arcs(NamedTuple):
                 point, tangent, side = found, turned, there
                 arc = min(2 * arc, LONGEST) if cosine >= EASY else arc
         return 2, ()
+
+    def _ahead(
+        self, point: Point, tangent: Point, length: float, end: tuple[Point, int] | None
+    ) -> Point:
+        """Return the point of the curve that an arc leads to; none: [].
+
+        Where the way ends it is sought across the direction of the share, on the side that is
+        asked for.
+        """
+        ahead = [p + length * t for p, t in zip(point, tangent, strict=True)]
+        if end is None:
+            return self._corrected(ahead, tangent, STRAY * length)
+        ahead[-1] = 1.0
+        along, side = end
+        return self._corrected(ahead, along, STRAY * length, side)
 
     def _corrected(self, start: Point, across: Point, stray: float, side: int = 0) -> Point:
         """Return the point of the curve next to one, moved square to a direction; none: [].

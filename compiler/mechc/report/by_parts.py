@@ -128,36 +128,43 @@ def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | Non
     None where there is nothing to be shortened, where something in it has no value on the page, or
     where so little is left of a difference that it has another value with the digits printed.
     """
-    found = dict[str, Quantity]()
-
-    def valued(part: Formula) -> Formula:
-        if isinstance(part, Power):
-            return power(valued(part.base), part.exponent)
-        if (
-            isinstance(part, Symbol | Number)
-            or in_degrees(part) is not None
-            or (isinstance(formula, Product) and not _is_sum(part))
-        ):
-            return part
-        quantity = _value(part, known)
-        if quantity is None:
-            return part
-        name, sign = f"_{len(found) + 1}", -1 if quantity.value < 0 else 1
-        found[name] = quantity._replace(value=sign * quantity.value)
-        return product([(Symbol(name), 1), (Number(Fraction(sign)), 1)])
-
     if not isinstance(formula, Sum | Product):
         return None
-    shorter = rebuild(formula, tuple(valued(part) for part in children(formula)))
+    values = _Values(isinstance(formula, Product), known)
+    shorter = rebuild(formula, tuple(map(values.put_in, children(formula))))
     shorter = over_line(shorter) if over_line(formula) == formula else shorter
     as_printed = {n: q.value for n, q in known.quantities.items()}
-    as_printed |= {n: float(f"{q.value:.{DIGITS}g}") for n, q in found.items()}
-    if not found or not names_in(shorter) <= as_printed.keys():
+    as_printed |= {n: float(f"{q.value:.{DIGITS}g}") for n, q in values.named.items()}
+    if not values.named or not names_in(shorter) <= as_printed.keys():
         return None
     if not isclose(evaluate(shorter, as_printed), value.value, rel_tol=ROUNDED):
         return None
-    numbers = _numbers(shorter, value, {**known.quantities, **found})
+    numbers = _numbers(shorter, value, {**known.quantities, **values.named})
     return None if numbers is not None and _is_a_value(numbers) else numbers
+
+
+class _Values:
+    """The values that stand for parts of a sum or a product, by the names that these have there."""
+
+    def __init__(self, in_product: bool, known: Known) -> None:
+        self._in_product, self._known = in_product, known
+        self.named: dict[str, Quantity] = {}
+
+    def put_in(self, part: Formula) -> Formula:
+        """Return the name of a part's value with its sign; itself where it is short as it is."""
+        if isinstance(part, Power):
+            return power(self.put_in(part.base), part.exponent)
+        if self._is_short(part) or (quantity := _value(part, self._known)) is None:
+            return part
+        name, sign = f"_{len(self.named) + 1}", -1 if quantity.value < 0 else 1
+        self.named[name] = quantity._replace(value=sign * quantity.value)
+        return product([(Symbol(name), 1), (Number(Fraction(sign)), 1)])
+
+    def _is_short(self, part: Formula) -> bool:
+        """Return whether a part is a name, a number, or a factor that is no sum."""
+        if isinstance(part, Symbol | Number) or in_degrees(part) is not None:
+            return True
+        return self._in_product and not _is_sum(part)
 
 
 def _is_a_value(numbers: Formula) -> bool:

@@ -71,24 +71,32 @@ def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Exp
     earlier = EarlierSteps(mechanism.friction.parameters, iterated)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
-        if place is None or not solved or not solved[0].steps:
-            continue
-        names = tuple(s.result.name for s in solved)
-        if any(exact_name(r, results) for r in results if r.name in names):
-            yield Explanation(names, (Paragraph(SentenceKind.FIRST_ORDER_SAME),))
-            continue
-        if solved[0].steps[0].kind == "iterated" and not _are_iterated(names, results):
-            yield Explanation(names, ())
-            continue
-        steps = earlier.enter_forces(_steps(solved), place, names[0])
-        steps = [_with_result(step, place, names[0]) for step in steps]
-        steps = earlier.enter_equations(steps, place)
-        paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place, names[0])]
-        first = solved[0].result
-        if steps[0].kind == "iterated" and driving(place):
-            shown = next(r for r in results if r.name == names[0])
-            paragraphs += earlier.enter_sentences(_powers(place, [d.name for d in shown.where]))
-        yield Explanation(names, (*_opening(place, first, steps, mechanism, earlier), *paragraphs))
+        if place is not None and solved and solved[0].steps:
+            yield _explanation(place, solved, results, mechanism, earlier)
+
+
+def _explanation(
+    place: WithFriction,
+    solved: Sequence[SolvedWithFriction],
+    results: Sequence[Analysis],
+    mechanism: Mechanism,
+    earlier: EarlierSteps,
+) -> Explanation:
+    """Return the account of a quantity, and note what it says among the ``earlier`` steps."""
+    names = tuple(s.result.name for s in solved)
+    if any(exact_name(r, results) for r in results if r.name in names):
+        return Explanation(names, (Paragraph(SentenceKind.FIRST_ORDER_SAME),))
+    if solved[0].steps[0].kind == "iterated" and not _are_iterated(names, results):
+        return Explanation(names, ())
+    steps = earlier.enter_forces(_steps(solved), place, names[0])
+    steps = [_with_result(step, place, names[0]) for step in steps]
+    steps = earlier.enter_equations(steps, place)
+    paragraphs = [p for step in steps for p in _paragraphs(step, earlier, place, names[0])]
+    first = solved[0].result
+    if steps[0].kind == "iterated" and driving(place):
+        shown = next(r for r in results if r.name == names[0])
+        paragraphs += earlier.enter_sentences(_powers(place, [d.name for d in shown.where]))
+    return Explanation(names, (*_opening(place, first, steps, mechanism, earlier), *paragraphs))
 
 
 def _steps(solved: Sequence[SolvedWithFriction]) -> Sequence[Step]:
