@@ -35,3 +35,5 @@ def test_python_names_what_is_used_of_a_solution_alone():
     assert lines == [("_, (_, y)", "solve_1(a)"), ("z", "y")]
     assert made.conditions == ["z < double_", "a >= 2.0"]
     assert made.arguments == ["a", "double_"]
+    said = [(line.name, line.code) for line in made.inputs]
+    assert said == [("a", "number"), ("double_", "number; b in the formula")]

@@ -11,6 +11,7 @@ import pytest
 from mechc.formula.tree import number
 from mechc.frozen import replace
 from mechc.model.mechanism import Parameter
+from mechc.plot.dead_centres import _Rest
 from mechc.plot.fitting import limits, pieces, smooth
 from mechc.plot.query import _is_round, rows, usual
 from mechc.plot.sampling import _touched, traced
@@ -192,3 +193,11 @@ def test_a_pole_with_one_sign_on_both_sides_is_found_between_the_points_beside_i
         grid = np.linspace(0.0, 1.0, 11) + 0.03
         assert list(_touched(steep, grid, steep(grid))) == pytest.approx([0.4], abs=1e-6)
         assert list(_touched(np.sin, grid * 3, np.sin(grid * 3))) == []
+
+
+def test_a_dead_centre_is_looked_at_where_it_is_and_on_both_sides():
+    rest = _Rest(SimpleNamespace(low=1.0, high=3.0), {}, None, {})
+    (x, below, above), (before, behind) = rest._around(2.0)
+    assert x == 2.0
+    assert (x - below, x - before) == pytest.approx((above - x, behind - x))
+    assert 0 < above - x < 1e-3 * (behind - x) < 1e-3
