@@ -163,6 +163,11 @@ def test_a_motion_that_moves_no_load_is_idle_and_changes_no_power_of_others():
     assert equations.per_power("M", power) is None
 
 
+def test_without_a_load_there_is_no_equation_and_no_motion():
+    equations = equations_of(())
+    assert (equations.number, equations.idle_motions, equations.idle_loads) == (0, (), ())
+
+
 # ------------------------------------------------------------------------ forces at joints
 
 
