@@ -382,14 +382,14 @@ def test_a_sum_that_must_be_negative_is_turned_unless_it_has_no_minus():
 
 def test_at_one_pose_a_sign_is_a_number_with_its_condition():
     signs = one_pose()
-    assert signs.of("s", -sine(at(psi=1))) == ONE
+    assert signs.note_sign("s", -sine(at(psi=1))) == ONE
     assert list(signs.conditions.values()) == [-1]
 
 
 def test_at_any_pose_a_sign_is_a_name_and_its_square_is_one():
     signs = any_pose()
-    one = signs.of("s", sine(at(psi=1)))
-    assert signs.of("t", -sine(at(psi=1)) * sine(at(psi=1)) ** 2) == -one
+    one = signs.note_sign("s", sine(at(psi=1)))
+    assert signs.note_sign("t", -sine(at(psi=1)) * sine(at(psi=1)) ** 2) == -one
     assert signs.definitions == [Definition("s", Call("sign", (sine(at(psi=1)).formula(),)))]
     assert signs.unsquared(one * one * one) == one
     assert signs.unsquared(one * one) == ONE
@@ -398,7 +398,7 @@ def test_at_any_pose_a_sign_is_a_name_and_its_square_is_one():
 @pytest.mark.parametrize("sense", [1, -1])
 def test_a_line_is_turned_by_the_arc_of_a_sine_either_way(sense):
     signs = one_pose()
-    turned = signs.turned("delta", at(phi=1), "asin", Product.symbol("rho").scaled(sense))
+    turned = signs.turn_line("delta", at(phi=1), "asin", Product.symbol("rho").scaled(sense))
     known = completed({**VALUES, "rho": RHO}, signs.definitions)
     assert turned.evaluate(known) == pytest.approx(PHI + sense * math.asin(RHO))
 
@@ -413,10 +413,10 @@ def test_what_the_users_formulas_stand_for_bears_their_names():
     ]
     signs = one_pose(own, f=0.1, d=0.01, L=0.08, D=0.03)
     f, d, length = map(Product.symbol, "fdL")
-    turn = signs.radius("rho", (f * d).scaled(Fraction(1, 2))).scaled(-2) / length
-    assert signs.turned("delta", at(phi=1), "asin", turn) == at(phi=1) - Angle.of("beta")
-    assert signs.coefficient("mu", d * f / Product.symbol("D")) == Product.symbol("f_r")
-    assert signs.coefficient("mu", f) == f
+    turn = signs.name_radius("rho", (f * d).scaled(Fraction(1, 2))).scaled(-2) / length
+    assert signs.turn_line("delta", at(phi=1), "asin", turn) == at(phi=1) - Angle.of("beta")
+    assert signs.name_coefficient("mu", d * f / Product.symbol("D")) == Product.symbol("f_r")
+    assert signs.name_coefficient("mu", f) == f
     assert [text(definition.formula) for definition in signs.definitions] == [
         "f*d/2",
         "asin(2*rho/L)",

@@ -60,7 +60,9 @@ class ForceLines:
             ends = self.surfaces(rod)
             offset = add(map(self.resistance, ends))
             turn = -(self.sense_of(rod) * offset) / length if offset else ZERO
-            self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, "asin", turn)
+            self._lines[rod.name] = self._signs.turn_line(
+                f"delta_{rod.name}", direction, "asin", turn
+            )
             if ends and self._signs.is_read:
                 resistances = [self.resistance(s) for s in ends]
                 self._notes.rod(rod, self.sense_of(rod), resistances, turn)
@@ -70,10 +72,10 @@ class ForceLines:
         """Return the line of the force on a pin: the normal turned by the angle of friction."""
         name, surface = f"R_{contact.point}", surfaces.of_face(self._bodies, contact)
         if surface and name not in self._lines:
-            side = self._signs.of(f"s_{contact.point}", surface.across)
+            side = self._signs.note_sign(f"s_{contact.point}", surface.across)
             turn = -(self.resistance(surface) * side)
             label = f"phi_{contact.point}"
-            self._lines[name] = self._signs.turned(label, contact.normal, "atan", turn)
+            self._lines[name] = self._signs.turn_line(label, contact.normal, "atan", turn)
             if self._signs.is_read:
                 self._notes.face(contact.point)
         return self._lines.get(name, contact.normal)
@@ -86,7 +88,7 @@ class ForceLines:
         """Return the sign of a rod's force in the ideal mechanism, 1 for compression."""
         if rod.name not in self._senses:
             force = surfaces.compression(self._bodies, rod)
-            self._senses[rod.name] = self._signs.of(f"s_{rod.name}", force)
+            self._senses[rod.name] = self._signs.note_sign(f"s_{rod.name}", force)
         return self._senses[rod.name]
 
     def resistance(self, surface: Surface) -> Product:
@@ -97,10 +99,10 @@ class ForceLines:
         """Return the factor of friction, the radius of a friction circle by its name."""
         label = self._radii.get(surface.name)
         if label:
-            return self._signs.radius(label, surface.factor)
-        return self._signs.coefficient(reduced(surface.name), surface.factor)
+            return self._signs.name_radius(label, surface.factor)
+        return self._signs.name_coefficient(reduced(surface.name), surface.factor)
 
     def slip(self, surface: Surface) -> Product:
         """Return the sign of the slip in the motion that is meant."""
-        sign = self._signs.sense(f"sigma_{surface.name}", surface.slip)
+        sign = self._signs.note_sense(f"sigma_{surface.name}", surface.slip)
         return sign.scaled(self._sense * surface.turn)

@@ -106,7 +106,7 @@ def _called(name: str, size: Product, named: dict[Formula, Formula], signs: AtOn
 
 def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
     """Return the function that gives absolute values, by the signs of a pose."""
-    return lambda value: value * signs.of("", value)
+    return lambda value: value * signs.note_sign("", value)
 
 
 Naming = Callable[[str, Product], Formula]
@@ -122,8 +122,8 @@ def _slip_called(pair: FrictionPair, size: Product, called: Naming) -> Formula:
 def named_factor(pair: FrictionPair, labels: Mapping[str, str], signs: AtOnePose) -> Product:
     """Return the factor of friction, the radius of a friction circle by its name."""
     if pair.name in labels:
-        return signs.radius(labels[pair.name], pair.factor)
-    return signs.coefficient(reduced(pair.name), pair.factor)
+        return signs.name_radius(labels[pair.name], pair.factor)
+    return signs.name_coefficient(reduced(pair.name), pair.factor)
 
 
 class Power(NamedTuple):

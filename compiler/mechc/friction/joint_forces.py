@@ -53,7 +53,7 @@ class ForceWithFriction:
         labels = radii(p.pair for p in self._loaded)
         formula = self._formula(
             lambda pair: named_factor(pair, labels, signs),
-            lambda slip: signs.of("", slip).formula(),
+            lambda slip: signs.note_sign("", slip).formula(),
         )
         where = (*signs.definitions, *self._sizes.definitions)
         steps = (step_of(self._loaded),)

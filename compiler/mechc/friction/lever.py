@@ -95,13 +95,13 @@ def _with_friction(name: str, parts: Sequence[Product], bearing: Bearing, signs:
     across = -across if across.coefficient < 0 else across
     bearing = bearing._replace(turn=bearing.turn.scaled(way))
     label = _label(name)
-    turn = signs.unsquared(signs.of(f"s_{label}_arm", arm) * bearing.turn)
+    turn = signs.unsquared(signs.note_sign(f"s_{label}_arm", arm) * bearing.turn)
     if not turn:
         return Balanced(rest / arm)
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
     ahead = -(bearing.turn * add((arm * along, rest)))
-    is_beyond, made = signs.turned_by(arm, bearing.radius, ahead), (arm, rest, along, across)
+    is_beyond, made = signs.note_arm_beyond(arm, bearing.radius, ahead), (arm, rest, along, across)
     found = _root(name, made, bearing, turn, signs)
     return found._replace(alike=_sense(made, bearing, signs)) if is_beyond else found
 
@@ -125,7 +125,7 @@ def _sense(parts: Sequence[Product], bearing: Bearing, signs: Signs) -> Product 
     others = root(add((along * along, across * across)))
     if any(isinstance(factor, Opaque) for factor in others.factors):
         return None
-    load = others * signs.of(f"s_{bearing.pivot}_load", others)
+    load = others * signs.note_sign(f"s_{bearing.pivot}_load", others)
     return arm * add((bearing.turn * bearing.radius * load, rest))
 
 
@@ -149,7 +149,7 @@ def _size(along: Product, across: Product, name: str, signs: Signs) -> Product:
     whole = root(add((along * along, across * across)))
     if any(isinstance(factor, Opaque) for factor in whole.factors):
         return Product.of(Opaque(Call("hypot", (along.formula(), across.formula()))))
-    return whole * signs.of(name, whole)
+    return whole * signs.note_sign(name, whole)
 
 
 def _parallel(
@@ -157,7 +157,7 @@ def _parallel(
 ) -> Balanced:
     """Return the force where all are parallel; the pivot takes (a·c + b)/a without friction."""
     arm, rest, along = parts
-    side = signs.of(f"s_{label}_pivot", add((arm * along, rest)))
+    side = signs.note_sign(f"s_{label}_pivot", add((arm * along, rest)))
     lever = turn * side * radius
     left = add((arm, -lever))
     if not left:
@@ -173,11 +173,11 @@ def _root(
     In code the radius has the sign of the turn: where that is zero, there is no friction.
     """
     a, b, c, q = (
-        signs.named(f"{letter}_{_label(name)}", part).formula()
+        signs.name_value(f"{letter}_{_label(name)}", part).formula()
         for letter, part in zip("abcq", parts, strict=True)
     )
     sense, signed = (ONE, turn * bearing.radius) if turn.factors else (turn, bearing.radius)
-    radius = signs.named(f"rho_{bearing.pivot}", signed).formula()
+    radius = signs.name_value(f"rho_{bearing.pivot}", signed).formula()
     gap = total([product([(a, 1), (c, 1)]), b])
     square = total([power(a, TWO), negative(power(radius, TWO))])
     inside = total([power(gap, TWO), product([(square, 1), (q, 2)])])

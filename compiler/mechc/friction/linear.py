@@ -71,18 +71,18 @@ class LinearSolver:
     def _keep(self, sizes: Sequence[Product]) -> None:
         """Note that each size stays positive; one that is not balances nothing."""
         for loaded, size in zip(self.loaded, sizes, strict=True):
-            if self._signs.of(f"s_{loaded.pair.name}", size).coefficient < 0:
+            if self._signs.note_sign(f"s_{loaded.pair.name}", size).coefficient < 0:
                 raise EquationsCoupled
 
     def _side(self, loaded: LoadedPair) -> Product:
         """Return the sign of a pressing force in the ideal mechanism."""
-        sign = self._signs.of(f"s_{loaded.pair.name}", loaded.components[0].ideal)
+        sign = self._signs.note_sign(f"s_{loaded.pair.name}", loaded.components[0].ideal)
         if not sign:
             raise EquationsCoupled
         return sign
 
     def _slip(self, loaded: LoadedPair) -> Product:
-        return self._signs.sense(f"sigma_{loaded.pair.name}", loaded.slip)
+        return self._signs.note_sense(f"sigma_{loaded.pair.name}", loaded.slip)
 
     def _solved(self, sides: Sequence[Product]) -> list[Product]:
         """Return the sizes of the pressing forces by Cramer's rule."""

@@ -137,7 +137,7 @@ class SequentialSolver:
         if surface:
             free = -(add(p.along(guide) for p in known) / unknown.along(guide))
             pushed = add(p.across(guide) for p in (*known, unknown.scaled(free)))
-            side = self._signs.of(f"s_{body}", canonical(pushed))
+            side = self._signs.note_sign(f"s_{body}", canonical(pushed))
             against = self._lines.resistance(surface) * side
 
         def along(force: BodyForce) -> Product:
@@ -171,21 +171,21 @@ class SequentialSolver:
     def _determine(self, force: BodyForce, size: Product, alike: Product | None = None) -> None:
         rod, size = self._bodies.rod(force.name), canonical(size)
         if force.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
-            size = self._signs.named(force.name, size)
+            size = self._signs.name_value(force.name, size)
             if alike is not None:
-                self._signs.alike(size, alike)
+                self._signs.note_alike(size, alike)
         self.sizes[force.name] = size
         if rod and self._lines.surfaces(rod):
             self._keep(self._lines.sense_of(rod) * self._lines.counted(rod), self.sizes[force.name])
         contact = self._bodies.contact(force.name)
         if contact and (surface := surfaces.of_face(self._bodies, contact)):
-            side = self._signs.of(f"s_{contact.point}", surface.across)
+            side = self._signs.note_sign(f"s_{contact.point}", surface.across)
             self._keep(side, self.sizes[force.name])
 
     def _keep(self, sign: Product, force: Product) -> None:
         """Note that a force keeps its ideal sign; one that only friction brings about has none."""
         if not force:
             return
-        if not sign or not self._signs.positive(sign * force):
+        if not sign or not self._signs.require_positive(sign * force):
             raise EquationsCoupled
         self.conditions.append(Condition(sign, force))

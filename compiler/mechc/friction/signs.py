@@ -30,15 +30,15 @@ class Signs(Protocol):
     definitions: list[Definition]
     is_read: bool
 
-    def radius(self, name: str, factor: Product) -> Product:
+    def name_radius(self, name: str, factor: Product) -> Product:
         """Return the radius of a friction circle, which may be called ``name``."""
         ...
 
-    def coefficient(self, name: str, factor: Product) -> Product:
+    def name_coefficient(self, name: str, factor: Product) -> Product:
         """Return the coefficient of friction of a joint, which may be called ``name``."""
         ...
 
-    def of(self, name: str, value: Product) -> Product:
+    def note_sign(self, name: str, value: Product) -> Product:
         """Return the sign of a value, which may be called ``name``."""
         ...
 
@@ -46,11 +46,11 @@ class Signs(Protocol):
         """Return -1 for a value that is written as the opposite of a positive one, else 1."""
         ...
 
-    def sense(self, name: str, slip: Product) -> Product:
+    def note_sense(self, name: str, slip: Product) -> Product:
         """Return the sense of a slip, 0 where that is rounding; it may be called ``name``."""
         ...
 
-    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+    def turn_line(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return a line turned by the arc of a sine or tangent, which may be called ``name``."""
         ...
 
@@ -58,22 +58,22 @@ class Signs(Protocol):
         """Return a product without the squares of signs, which are 1 but at single poses."""
         ...
 
-    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> bool:
+    def note_arm_beyond(self, arm: Product, radius: Product, ahead: Product) -> bool:
         """Return whether an arm exceeds a radius, as it does if a force turns a lever; note it.
 
         Otherwise ``ahead`` is positive, and that is noted. The arm's sign was asked for before.
         """
         ...
 
-    def alike(self, value: Product, other: Product) -> None:
+    def note_alike(self, value: Product, other: Product) -> None:
         """Note that what has a name has the sign of something simpler."""
         ...
 
-    def positive(self, value: Product) -> bool:
+    def require_positive(self, value: Product) -> bool:
         """Note that a value is positive, or nothing balances; return whether it can be."""
         ...
 
-    def named(self, name: str, value: Product) -> Product:
+    def name_value(self, name: str, value: Product) -> Product:
         """Return a value, by a name where it is more than a product of few factors."""
         ...
 
@@ -90,7 +90,7 @@ class Names:
         self._taken, self._meanings, self._endings = set(taken), meanings, endings
         self._known: dict[Formula, str] = {}
 
-    def named(self, name: str, value: Product) -> Product:
+    def name_value(self, name: str, value: Product) -> Product:
         """Return a value, by a name unless it is a number, or one length, sine or cosine."""
         if not value.factors or _is_single(value):
             return value
@@ -137,15 +137,15 @@ class AtAnyPose(Names):
         super().__init__(taken, meanings, endings)
         self._own: set[Factor] = set()
 
-    def radius(self, name: str, factor: Product) -> Product:
+    def name_radius(self, name: str, factor: Product) -> Product:
         """Return the radius as it is."""
         return factor
 
-    def coefficient(self, name: str, factor: Product) -> Product:
+    def name_coefficient(self, name: str, factor: Product) -> Product:
         """Return the coefficient as it is."""
         return factor
 
-    def of(self, name: str, value: Product) -> Product:
+    def note_sign(self, name: str, value: Product) -> Product:
         """Return the name of the sign, with a minus for that of the opposite."""
         signed = bare(value)
         if not signed.factors:
@@ -157,7 +157,7 @@ class AtAnyPose(Names):
         """Return the sign of what stands before a value."""
         return -1 if value.coefficient < 0 else 1
 
-    def sense(self, name: str, slip: Product) -> Product:
+    def note_sense(self, name: str, slip: Product) -> Product:
         """Return the name of the sense, with a minus for that of the opposite."""
         signed = bare(slip)
         if not signed.factors:
@@ -172,7 +172,7 @@ class AtAnyPose(Names):
         self._own.add(Length(known))
         return Product.symbol(known).scaled(signed.coefficient)
 
-    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+    def turn_line(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a named angle, which carries its sign."""
         return self.turn(name, line, by, self.unsquared(value)) if value else line
 
@@ -181,14 +181,14 @@ class AtAnyPose(Names):
         odd = {f: e for f, e in value.factors.items() if e % 2 or f not in self._own}
         return Product(value.coefficient, {f: 1 if f in self._own else e for f, e in odd.items()})
 
-    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> bool:
+    def note_arm_beyond(self, arm: Product, radius: Product, ahead: Product) -> bool:
         """Return False: code asks at each pose whether a force turns a lever."""
         return False
 
-    def alike(self, value: Product, other: Product) -> None:
+    def note_alike(self, value: Product, other: Product) -> None:
         """Do nothing: code has the sign of a value from that."""
 
-    def positive(self, value: Product) -> bool:
+    def require_positive(self, value: Product) -> bool:
         """Return True: code asks at each pose whether a value is positive."""
         return True
 

@@ -48,7 +48,7 @@ class AtOnePose(Names):
         self._signs: dict[Factor, int] = {}
         self._alike: dict[Factor, Product] = {}
 
-    def radius(self, name: str, factor: Product) -> Product:
+    def name_radius(self, name: str, factor: Product) -> Product:
         """Return the name of the radius, of a number too: rho^2 reads better than its digits."""
         if not factor:
             return factor
@@ -57,13 +57,13 @@ class AtOnePose(Names):
             self._box[known] = POSITIVE
         return Product.symbol(known)
 
-    def coefficient(self, name: str, factor: Product) -> Product:
+    def name_coefficient(self, name: str, factor: Product) -> Product:
         """Return the coefficient, by a name where it has sums in it, or one of the user's own."""
         has_sums = any(isinstance(f, Sum | Opaque) for f in factor.factors)
         is_named = has_sums or self._own.of(factor.formula())
-        return self.radius(name, factor) if is_named else factor
+        return self.name_radius(name, factor) if is_named else factor
 
-    def of(self, name: str, value: Product) -> Product:
+    def note_sign(self, name: str, value: Product) -> Product:
         """Return 1, 0 or -1, and note what the sign was taken of."""
         telling = self._in_simpler(value)
         if not telling.factors:
@@ -75,9 +75,9 @@ class AtOnePose(Names):
         """Return the sign of a value at the pose, without noting it."""
         return -1 if value.evaluate(self._values) < 0 else 1
 
-    def sense(self, name: str, slip: Product) -> Product:
+    def note_sense(self, name: str, slip: Product) -> Product:
         """Return 1, 0 or -1, and note what the slip is the product of."""
-        return self.of(name, slip)
+        return self.note_sign(name, slip)
 
     def _in_simpler(self, value: Product) -> Product:
         """Return a product of the same sign, in what is simpler where that is known."""
@@ -85,7 +85,7 @@ class AtOnePose(Names):
         parts = [self._alike.get(f, Product.of(f)) for f in telling.factors]
         return bare(math.prod(parts, start=Product(telling.coefficient)))
 
-    def alike(self, value: Product, other: Product) -> None:
+    def note_alike(self, value: Product, other: Product) -> None:
         """Note that what has a name has the sign of something simpler."""
         (named,) = value.factors
         self._alike[named] = other
@@ -124,7 +124,7 @@ class AtOnePose(Names):
             math.prod(known) * exact_sign(value.coefficient) if len(known) == len(signs) else None
         )
 
-    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+    def turn_line(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a positive angle, one way or the other.
 
         A coefficient of friction that is zero for once turns as a small one would.
@@ -146,16 +146,16 @@ class AtOnePose(Names):
         """Return the product: its signs are numbers."""
         return value
 
-    def turned_by(self, arm: Product, radius: Product, ahead: Product) -> bool:
+    def note_arm_beyond(self, arm: Product, radius: Product, ahead: Product) -> bool:
         """Return whether the arm exceeds the radius at the pose; note that, or what is so instead.
 
         That an arm exceeds a radius says more than that it is positive, which need not be said.
         """
         length, least = arm.evaluate(self._values), abs(radius.evaluate(self._values))
         if abs(length) <= least and ahead.evaluate(self._values) > 0:
-            self.of("", ahead)
+            self.note_sign("", ahead)
             return False
-        side = exact_sign(self.of("", arm).coefficient)
+        side = exact_sign(self.note_sign("", arm).coefficient)
         beyond = add((arm, radius.scaled(-side)))
         known = {f: sign(Product.of(f), self._box) for f in bare(beyond).factors}
         telling = Product(1, {f: 1 for f, of_it in known.items() if of_it is None})
@@ -165,7 +165,7 @@ class AtOnePose(Names):
             self.conditions[telling.formula()] = side
         return True
 
-    def positive(self, value: Product) -> bool:
+    def require_positive(self, value: Product) -> bool:
         """Note that a value is positive, which at a pose where nothing balances it is not.
 
         There the sign gives way of what is found last of it, if no other rests on that.
