@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from mechc.cli import answers, main
-from mechc.cli.session import INTERNAL
+from mechc.cli.exit_status import INTERNAL
 from paths import COMPILER, EXAMPLES
 
 CLAMP = (EXAMPLES / "clamp.mech").read_text(encoding="utf-8")

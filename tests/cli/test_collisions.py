@@ -9,7 +9,7 @@ import pytest
 
 from mechc.cli import main
 from mechc.cli.collisions import claim
-from mechc.cli.outputs import makefile_rule
+from mechc.cli.output_paths import makefile_rule
 from mechc.cli.usage import UsageError
 from paths import EXAMPLES
 

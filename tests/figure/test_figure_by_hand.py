@@ -12,8 +12,8 @@ from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Pivot, Rack
 from mechc.figure.from_balance import _Maker
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
+from mechc.figure.linear_vectors import DrawnVector, Linear, Ways, open_way
 from mechc.figure.velocities import Velocities, rates
-from mechc.figure.ways import DrawnVector, Linear, Ways, open_way
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import Constant, Symbol, degrees, negative, number, product, total
 from mechc.frozen import replace

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from mechc.algebra.angle import principal
 from mechc.algebra.product import ONE, Product
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import ZERO, Call, Symbol, number, product
@@ -15,7 +16,7 @@ from mechc.pose.loops.dyad_sides import Sides
 from mechc.pose.loops.dyads import Loop
 from mechc.pose.loops.rated import given_rates, loop_rates, moved_by, rate
 from mechc.pose.loops.redundant import closure_of
-from mechc.pose.loops.triangle import along, common_turn, heron, principal
+from mechc.pose.loops.triangle import along, common_turn, heron
 from mechc.pose.pose import Arm, Definition, Limit, gathered, reverse, turned_by
 from mechc.pose.rates import Rates
 from mechc.pose.samples import is_behind

@@ -5,7 +5,7 @@ from random import Random
 import pytest
 
 from by_hand import HERE, angle_of, build, force, geometries, in_numbers, result, torque
-from mechc.cli.session import status
+from mechc.cli.exit_status import status
 from mechc.diagnostics import Diagnostic, Report
 from mechc.diagnostics.statics import (
     BUGS,

@@ -113,3 +113,8 @@ class Angle(Hashed):
 
 def _symbol(name: str) -> Formula:
     return number(1) if name == RADIAN else Symbol(name)
+
+
+def principal(angle: Angle) -> Angle:
+    """Return an angle with its constant between −180° and 180°."""
+    return Angle(angle.terms, -((180 - angle.degrees) % 360 - 180))

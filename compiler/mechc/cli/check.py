@@ -9,8 +9,9 @@ from ..syntax.vocabulary import LANGUAGES
 from . import usage
 from .checked import failing, overview_of, report
 from .compilations import opened
+from .exit_status import status
 from .inputs import expanded, settings_option, stdin_option
-from .session import session, session_options, status
+from .session import session, session_options
 from .terminal import line_width, say
 from .usage import Word, descriptions
 

@@ -22,7 +22,7 @@ from .inputs import (
     settings_option,
     stdin_option,
 )
-from .outputs import Output, makefile_rule, outputs, placed, refuse_idle
+from .output_paths import Output, makefile_rule, outputs, placed, refuse_idle
 from .session import session, session_options
 from .terminal import give
 from .usage import Word, beginning, paths

@@ -13,8 +13,9 @@ from ..syntax.notation import is_yaml, read
 from ..syntax.to_dsl import to_dsl
 from ..syntax.to_yaml import in_yaml_order, to_yaml
 from . import usage
+from .exit_status import status
 from .inputs import expanded, source_of, stdin_option
-from .session import session, session_options, status
+from .session import session, session_options
 from .terminal import give, warn
 from .usage import Word, paths
 

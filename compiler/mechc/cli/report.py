@@ -10,7 +10,7 @@ from . import usage
 from .collisions import refuse_collisions
 from .compilations import opened
 from .inputs import NAMELESS, claim_of, expanded
-from .outputs import refuse_other_texts
+from .output_paths import refuse_other_texts
 from .session import session, session_options
 from .terminal import give
 from .usage import Word, descriptions, paths

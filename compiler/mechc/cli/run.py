@@ -11,8 +11,9 @@ from ..witness import listening
 from . import by_click, keeping, terminal
 from .answers import Event
 from .commands import COMMANDS, found
+from .exit_status import ENVIRONMENT, INTERNAL
 from .plain import read
-from .session import ENVIRONMENT, INTERNAL, perform
+from .session import perform
 from .usage import UsageError
 
 COMPLETING = "_MECHC_COMPLETE"

@@ -6,16 +6,15 @@ from contextvars import ContextVar
 from typing import Any, Literal, TypeVar
 
 from .. import witness
-from ..diagnostics import Diagnostic, MechcError, Severity, drawing, render, statics
+from ..diagnostics import Diagnostic, MechcError, render
 from ..frozen import frozen, replace
 from ..source import Source
 from .answers import OFF
+from .exit_status import WRONG, status
 from .terminal import give_message, on_terminal, warn
 from .usage import Command, Exit, Option, Word, adding
 
 F = TypeVar("F", bound=Callable[..., Any])
-
-WRONG, ENVIRONMENT, LIMIT, INTERNAL = 1, 3, 4, 70
 
 
 @frozen
@@ -78,25 +77,6 @@ def perform(command: Command, values: Mapping[str, Any], how: Session | None = N
         return end.status
     finally:
         _running.reset(token)
-
-
-def status(diagnostics: Iterable[Diagnostic]) -> int:
-    """Return the exit status for a set of diagnostics: the worst class of their errors.
-
-    >>> status([Diagnostic("E203", "x", None, "x"), Diagnostic("E801", "y", None, "y")])
-    4
-    """
-    errors = {d.code for d in diagnostics if d.severity is Severity.ERROR}
-    if not errors:
-        return 0
-    if errors & statics.BUGS:
-        return INTERNAL
-    classes = {code[1] for code in errors}
-    if "9" in classes or errors & drawing.LACKING:
-        return ENVIRONMENT
-    if "8" in classes:
-        return LIMIT
-    return WRONG
 
 
 OPTIONS = (

@@ -15,7 +15,7 @@ EMIT = PACKAGE / "emit"
 TARGETS = tuple(sorted({path.parent.name for path in EMIT.glob("*/*.jinja")}))
 """The folders that have templates."""
 
-MADE = "templates.py"
+MADE = "made_templates.py"
 
 MARKS = {
     "block_start_string": "<%",

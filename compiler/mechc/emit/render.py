@@ -24,7 +24,7 @@ def render(template: str, context: Context) -> str:
     What the template mentions and the context lacks is an error.
     """
     folder = template.partition("/")[0]
-    made = import_module(f".{folder}.templates", __package__)
+    made = import_module(f".{folder}.made_templates", __package__)
     text: str = made.TEMPLATES[template](context._asdict())
     return text
 

@@ -26,10 +26,10 @@ from .figure import Figure, MirrorLine, Part
 from .half import Half
 from .joints import drawn_joint, joints_shown
 from .layout import Layout, lay_out, points_of
+from .linear_vectors import Ways
 from .marks import marks
 from .outline import outline, rods
 from .tolerances import SAME_PLACE
-from .ways import Ways
 
 
 def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:

@@ -8,8 +8,8 @@ from ..frozen import frozen
 from ..model.parts.repeated import primed
 from ..pose.places import Plane, direction
 from .figure import MirrorLine, Segment
+from .linear_vectors import Ways
 from .outline import rods
-from .ways import Ways
 
 REACH = 0.4
 """How far a guide or a face is drawn to either side of its pin, in usual lengths."""

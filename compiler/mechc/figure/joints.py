@@ -12,7 +12,7 @@ from ..pose.pose import PointContact
 from . import figure as drawn
 from .figure import Part
 from .half import Half
-from .ways import DrawnVector, Linear, Ways, open_way
+from .linear_vectors import DrawnVector, Linear, Ways, open_way
 from .wheels import Circle, pitch_point, rope_runs, runs
 
 DOWN, UP, LEFT, RIGHT = Plane(0.0, -1.0), Plane(0.0, 1.0), Plane(-1.0, 0.0), Plane(1.0, 0.0)

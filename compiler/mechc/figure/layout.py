@@ -11,8 +11,8 @@ from ..pose.places import NOWHERE, KnownVector, Plane, between, placed
 from .figure import MirrorLine
 from .joints import loose_ways
 from .lengths import choose
+from .linear_vectors import Ways, usual
 from .tolerances import SAME_PLACE
-from .ways import Ways, usual
 
 ORIGIN = ""
 """The name of the plane's origin in the geometry."""

@@ -8,8 +8,8 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..named import NamedTuple
+from .linear_vectors import DrawnVector, Linear
 from .tolerances import DEPENDENT, SAME_LENGTH
-from .ways import DrawnVector, Linear
 
 SHORTEST = 0.2
 """No rod is to be drawn shorter than this part of a usual length, where loops allow it."""

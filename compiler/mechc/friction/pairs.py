@@ -185,9 +185,14 @@ def _turning(link: str, carrier: str) -> SpeedReading:
 
 
 def _sliding(contact: PointContact) -> SpeedReading:
+    """Return the speed along the face at a contact, as it is at the pose that a graph is of.
+
+    Where the contact is released to find its force, that pose has none at the point.
+    """
+
     def slip(graph: Graph) -> Form:
-        there = next((t for t in graph.pose.contacts if t.point == contact.point), contact)
-        return leaving(graph, there, contact.normal + QUARTER)
+        at_graph = (t for t in graph.pose.contacts if t.point == contact.point)
+        return leaving(graph, next(at_graph, contact), contact.normal + QUARTER)
 
     return slip
 

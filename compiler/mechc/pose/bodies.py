@@ -69,7 +69,7 @@ def contacts(
     """Yield every pin that slides along a body."""
     slides = {s.name for s in mechanism.slides}
     for slot in mechanism.each(Slot):
-        line = _line(slot, slot.link in slides, directions, vectors, find)
+        line = _slot_direction(slot, slot.link in slides, directions, vectors, find)
         reach = () if slot.link in slides else _reach(slot.tail, slot.point, line, vectors)
         yield PointContact("slot", slot.point, slot.link, slot.tail, reach, across(line), slot.span)
     for contact in mechanism.each(Contact):
@@ -80,12 +80,16 @@ def contacts(
         yield PointContact("contact", point, contact.link, tail, reach, normal, contact.span)
 
 
-def _line(
+ANY = Angle()
+"""The direction of a link that has none: that is reported with the link's frame."""
+
+
+def _slot_direction(
     slot: Slot, on_slide: bool, directions: Directions, vectors: Vectors, find: Find
 ) -> Angle:
-    """Return the direction of a slot; that of a link which nothing gives is reported there."""
+    """Return the direction of a slot, any where its own link has none."""
     if not on_slide and vectors.path(slot.tail, slot.head) is None:
-        return directions.of(slot.tail, slot.head) or Angle()
+        return directions.of(slot.tail, slot.head) or ANY
     name = f"{slot.tail}{slot.head}"
     return find(Along(slot.tail, slot.head, 0, slot.span), f"theta_{name}", f"the slot {name}")
 

@@ -14,7 +14,8 @@ from ..model.results import failures
 from ..model.values import holds
 from ..named import NamedTuple
 from ..source import Span
-from . import force_pairs, idle, lines
+from . import assembly_checks, force_pairs, lines
+from .asked_vectors import with_directions
 from .bodies import aligned, contacts, frames, on_the_line
 from .closure import ClosingEquations, Condition, across
 from .directions import Directions
@@ -23,12 +24,11 @@ from .given_angles import in_given_angles
 from .loops.closed import Closed
 from .loops.closing import close
 from .loops.guide_lines import with_lines
+from .missing_directions import explained, unfound_angles
 from .pose import Pose
 from .pruning import pruned
-from .queries import with_directions
 from .samples import default_pose, poses_nearby
 from .terms import Terms
-from .unfound import explained, unfound_angles
 from .vector_graph import chained, mentioned
 from .vectors import Missing, Vectors, senses
 from .wheels import misfits, radii
@@ -42,7 +42,7 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     that do not reach one another.
     """
     if mechanism.assemblies:
-        for fault in idle.contradictions(mechanism.assemblies):
+        for fault in assembly_checks.contradictions(mechanism.assemblies):
             report.add(fault)
     report.stop_on_errors()
     mechanism = with_lines(replace(mechanism, geometry=aligned(mechanism)))
@@ -108,7 +108,7 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
         return
     default = default_pose(pose.mechanism, pose.definitions)
     for assembly in closed.idle:
-        for remark in idle.remarks(assembly, vectors, default):
+        for remark in assembly_checks.remarks(assembly, vectors, default):
             report.add(remark)
     for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
         report.add(fault)

@@ -13,7 +13,7 @@ Needle-like Triangle, 2014), which has no cancellation where the triangle is nea
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from ...algebra.angle import Angle
+from ...algebra.angle import Angle, principal
 from ...algebra.factors import Length
 from ...algebra.product import Product
 from ...algebra.sums import add
@@ -24,7 +24,7 @@ from ..pose import Arm, Definition, Limit, gathered
 from ..vector_graph import loop_name, mentioned
 from .dyad_sides import HALF_TURN, Sides
 from .dyads import Closure, Dyad, Loop, Reaching, Turning
-from .triangle import along, heron, principal
+from .triangle import along, heron
 
 QUARTER = Angle.constant(90)
 

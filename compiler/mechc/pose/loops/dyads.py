@@ -6,14 +6,13 @@ A loop ``D + X + Y = 0`` has a known part D and two unknowns, each a direction o
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
-from ...algebra.angle import Angle
+from ...algebra.angle import Angle, principal
 from ...algebra.product import Product
 from ...formula.tree import Call
 from ...frozen import frozen
 from ...named import NamedTuple
 from ..pose import Definition, Limit, LoopKind, Vector, gathered
 from ..vector_graph import Cycle, Edge, Names, mentioned
-from .triangle import principal
 
 
 class Closure(NamedTuple):

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from ...algebra.angle import Angle
+from ...algebra.angle import Angle, principal
 from ...diagnostics import Diagnostic
 from ...diagnostics import pose as messages
 from ...formula.tree import Call
@@ -13,7 +13,7 @@ from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
 from .dyads import Closure
 from .recognition import familiar, recognised
 from .state import State
-from .triangle import common_turn, principal
+from .triangle import common_turn
 
 
 def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
-from ...algebra.angle import Angle
+from ...algebra.angle import Angle, principal
 from ...formula.evaluate import evaluate
 from ...formula.names import another
 from ...formula.tree import Formula
@@ -17,7 +17,6 @@ from ..vector_graph import Edge, Names, VectorGraph
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .rated import Rated, given_rates
-from .triangle import principal
 
 MANY = 3
 """The angles that a direction is the sum of, from which on it keeps its name."""

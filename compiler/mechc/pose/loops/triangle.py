@@ -20,11 +20,6 @@ def common_turn(vector: Vector) -> Angle:
     return Angle(tuple(sorted((n, c) for n, c in alike if n in vector[0].angle.names)))
 
 
-def principal(angle: Angle) -> Angle:
-    """Return an angle with its constant between −180° and 180°."""
-    return Angle(angle.terms, -((180 - angle.degrees) % 360 - 180))
-
-
 def heron(d: Product, p: Product, q: Product) -> Call:
     """Return four times the area of a triangle.
 

@@ -6,7 +6,7 @@ gives is put in.
 
 from collections.abc import Iterator, Mapping
 
-from ..algebra.angle import Angle
+from ..algebra.angle import Angle, principal
 from ..algebra.from_formula import to_angle, to_product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
@@ -19,7 +19,6 @@ from ..frozen import replace
 from ..model.mechanism import ForcePair, Mechanism
 from ..model.names.forms import COORDINATES, Form, form_of_pose
 from ..source import Span
-from .loops.triangle import principal
 from .pose import Vector
 from .vectors import Vectors, start_of
 
