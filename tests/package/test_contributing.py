@@ -8,7 +8,7 @@ from typing import get_args
 
 import pytest
 
-from mechc.model.parts import linkage, loads
+from mechc.model.parts import joints, loads
 from paths import PACKAGE, ROOT, TESTS
 from sources import tree_of
 
@@ -49,7 +49,7 @@ def whole_matches(kinds: Collection[type]) -> set[str]:
 
 
 @pytest.mark.parametrize(
-    ("title", "union"), [("To add a joint", linkage.Joint), ("To add a load", loads.Load)]
+    ("title", "union"), [("To add a joint", joints.Joint), ("To add a load", loads.Load)]
 )
 def test_a_list_names_every_pass_that_has_a_case_for_each(title: str, union: UnionType) -> None:
     named = set(re.findall(r"`([\w/]+/(?:\w+\.py)?)`", section(title)))
