@@ -640,3 +640,29 @@ def test_an_account_of_friction_has_the_angles_of_the_result() -> None:
     assert "k = P/F = 2 · OB / OA · cos β_SA · cos φ / sin(60° − β_SA − φ)" in said
     assert "r_S = OB/OA · cos φ / sin(60° − β_SA − φ)" in said
     assert "cos(β_SA + φ + 30°)" not in said
+
+
+@pytest.mark.parametrize("contact", ["", "friction contact A 0.1"])
+def test_the_force_of_a_slot_is_introduced(contact: str) -> None:
+    """R_A stood in the moments without a word; with friction there it is turned from the normal."""
+    geneva = f"""
+    mechanism geneva
+    param phi = -20 deg
+    pivot O at (0 mm, 0 mm)
+    pivot Q at (100 mm, 0 mm)
+    link OA
+    link QC
+    slot A in QC
+    OA = 70 mm @ phi
+    QC = 80 mm
+    drive phi from -40 deg to 40 deg
+    torque M on OA
+    torque T on QC
+    friction pins 0.1 diameter 10 mm
+    {contact}
+    find k = M/T
+    """
+    found = compile_source(Source("geneva.mech", geneva))
+    said = " ".join(render(found.derivation, found.mechanism).split())
+    assert said.count("R_A is the force of QC on A, along the normal.") == (not contact)
+    assert ("The whole force R_A of the face on A" in said) == bool(contact)

@@ -12,13 +12,13 @@ from ...model.mechanism import (
     Axial,
     LoadForm,
     LoadRatio,
-    Mechanism,
     RopeFriction,
     WithFriction,
     tension_share,
 )
 from ...model.parts.targets import Sense, drives_from_below, drives_the_return, whole
 from ...model.result import FrictionResult, Result
+from ...pose.pose import Pose
 from ...power.balance import Solved
 from ...study.analysis import Analysis
 from ..kinds import SentenceKind
@@ -66,20 +66,21 @@ def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Exp
 
     ``results`` are these in the form in which they are shown.
     """
-    mechanism = solution.plan.graph.pose.mechanism
+    pose = solution.plan.graph.pose
+    mechanism = pose.mechanism
     iterated = (d for r in results for d in r.where if d.name in r.inside)
     earlier = EarlierSteps(mechanism.friction.parameters, iterated)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is not None and solved and solved[0].steps:
-            yield _explanation(place, solved, results, mechanism, earlier)
+            yield _explanation(place, solved, results, pose, earlier)
 
 
 def _explanation(
     place: WithFriction,
     solved: Sequence[SolvedWithFriction],
     results: Sequence[Analysis],
-    mechanism: Mechanism,
+    pose: Pose,
     earlier: EarlierSteps,
 ) -> Explanation:
     """Return the account of a quantity, and note what it says among the ``earlier`` steps."""
@@ -96,7 +97,7 @@ def _explanation(
     if steps[0].kind == "iterated" and driving(place):
         shown = next(r for r in results if r.name == names[0])
         paragraphs += earlier.enter_sentences(_powers(place, [d.name for d in shown.where]))
-    return Explanation(names, (*_opening(place, first, steps, mechanism, earlier), *paragraphs))
+    return Explanation(names, (*_opening(place, first, steps, pose, earlier), *paragraphs))
 
 
 def _steps(solved: Sequence[SolvedWithFriction]) -> Sequence[Step]:
@@ -164,7 +165,7 @@ def _opening(
     target: WithFriction,
     result: FrictionResult,
     steps: Sequence[Step],
-    mechanism: Mechanism,
+    pose: Pose,
     earlier: EarlierSteps,
 ) -> Iterator[Paragraph]:
     """Yield which way friction acts, how, and what forces are measured by."""
@@ -175,8 +176,8 @@ def _opening(
     if drive is not None and kind != "first order":
         yield _way(target, result, drive)
     if kind not in ("first order", "straight", "ropes", "iterated"):
-        yield from earlier.enter_sentences(_how(steps, mechanism))
-    elif any(isinstance(joint, RopeFriction) for joint in mechanism.friction.joints):
+        yield from earlier.enter_sentences(_how(steps, pose))
+    elif any(isinstance(joint, RopeFriction) for joint in pose.mechanism.friction.joints):
         is_mean = kind in ("first order", "iterated")
         yield from earlier.enter_sentences([_TENSIONS, _MEAN if is_mean else _SMALLER])
     if isinstance(target.of, LoadRatio):
@@ -205,8 +206,9 @@ def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:
     return Paragraph(SentenceKind.UNIT_AND_DRIVE, names=names, formulas=formulas)
 
 
-def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
-    """Yield how each kind of friction resists, and what part of the mechanism is looked at."""
+def _how(steps: Sequence[Step], pose: Pose) -> Iterator[Paragraph]:
+    """Yield how each kind of friction resists, which forces have names, and which part is meant."""
+    mechanism = pose.mechanism
     radii = [d.name for step in steps for d in step.defined if d.name.startswith("rho")]
     if any(step.kind in _AT_PINS or (step.kind == "lever" and step.sense) for step in steps):
         circle = Symbol(radii[0] if len(radii) == 1 else "rho")
@@ -217,6 +219,12 @@ def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
     used = frozenset[str]().union(*map(symbols, sides))
     if any(f"S_{link.name}" in used for link in mechanism.links):
         yield Paragraph(SentenceKind.ROD_FORCES, formulas={"force": Symbol("S")})
+    turned = {step.body for step in steps if step.kind == "face"}
+    for touch in pose.contacts:
+        force = Symbol(f"R_{touch.point}")
+        if force.name in used and touch.point not in turned:
+            names = {"point": (touch.point,), "link": (touch.body,)}
+            yield Paragraph(SentenceKind.FORCE_OF_TOUCH, names=names, formulas={"force": force})
     if mechanism.symmetries:
         yield Paragraph(SentenceKind.PART)
 
