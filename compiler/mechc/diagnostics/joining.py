@@ -63,6 +63,7 @@ def no_such_part(span: Span, prefix: str, known: Collection[str]) -> Message:
         force F at T.E along -y
     """
     there = f"parts are {', '.join(known)}" if known else "join one: use NAME as T joining T.C = B"
+    there += f"; a quantity of what is used is {prefix}_k" if not known else ""
     message = f"no mechanism is joined as {prefix!r} above"
     return Message(span, message, near_miss(prefix, known) or there)
 

@@ -221,3 +221,18 @@ def pins_overlap(span: Span, diameter: float, points: Sequence[str], apart: floa
         f"{listed(points, 'and')} are {apart * 1000:.6g} mm apart"
     )
     return Message(span, message, "check the diameter")
+
+
+@coded("W211")
+def factor_between_units(span: Span, digits: str, speed: str) -> Message:
+    """A number stands in a formula that only changes the units of a speed, a torque and a power.
+
+    Books have P = M·n/9550 for kW, N·m and revolutions per minute. Here a quantity brings its unit
+    with it, and a speed counts radians, so that such a number is one factor too many::
+
+        param n = 1500 rpm
+        let P = M*n/9550       # warned of
+        let P = M*n in kW      # right
+    """
+    message = f"{digits} stands for units, and '{speed}' has its unit itself"
+    return Message(span, message, "leave the number out, and ask for a unit: … in kW")

@@ -26,7 +26,7 @@ from ..statements import every
 from ..values import ordered
 from .choices import note_between, read_let_value, read_tables
 from .measured import Quantity, fits, shown
-from .misplaced_units import note_misplaced_unit
+from .misplaced_units import note_misplaced_unit, note_unit_factor
 from .parameters import constant, note_unitless, read_parameter
 from .sorts import Nature
 
@@ -67,6 +67,7 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
                     if let := _let(statement, chosen.quantity, scope):
                         found.lets[name] = let
                         _note_turns(statement, let.dimension, statements, scope)
+                        note_unit_factor(statement, scope)
                         found.requires.extend(_within_range(statement, let, scope))
     return found
 

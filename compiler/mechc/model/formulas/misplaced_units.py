@@ -1,8 +1,12 @@
-"""Units that stand behind a number and are meant for the whole formula, ``pi*d^2/4 mm^2``."""
+"""Units behind a number that are meant for the whole formula, and numbers that stand for units."""
 
+from fractions import Fraction
+
+from ...diagnostics.model import doubtful_sizes as doubts
 from ...diagnostics.model import sheets as messages
 from ...syntax import ast
-from ...units import LENGTH, NUMBER, UNITS, Dimension
+from ...units import FREQUENCY, LENGTH, NUMBER, UNITS, Dimension
+from ..constants import expressions_in, leaves
 from ..names.scope import Scope
 
 AREA = LENGTH.scaled(2)
@@ -66,3 +70,25 @@ def _has_a_name(factor: ast.Expr) -> bool:
             return bool(unit)
         case _:
             return False
+
+
+FACTORS = frozenset(map(Fraction, ("9550", "9549", "9549.3", "974", "975", "716.2", "60000")))
+"""Numbers by which formulas of speeds in 1/min have powers in kW, or torques in N·m and kgf·m."""
+
+
+def note_unit_factor(statement: ast.Let, scope: Scope) -> None:
+    """Warn of a factor between units in a formula of a speed, which has its own unit here."""
+    if statement.value is None:
+        return
+    parts = [leaf for each in expressions_in(statement.value) for leaf in leaves(each)]
+    turning = [
+        leaf.name
+        for leaf in parts
+        if isinstance(leaf, ast.Symbol)
+        and (entry := scope.entries.get(leaf.name)) is not None
+        and entry.dimension == FREQUENCY
+    ]
+    for leaf in parts:
+        if turning and isinstance(leaf, ast.Number) and not leaf.unit and leaf.value in FACTORS:
+            scope.report.add(doubts.factor_between_units(leaf.span, leaf.digits, turning[0]))
+            return

@@ -117,6 +117,8 @@ def of_asking(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     The words ``at`` and ``when`` end the formula before them; ``next`` is taken for a name.
     """
     words = [str(token) for token in line[: position + 1]]
+    if line[0].type == "REQUIRE" and words[-1] == "at" and "=" in map(str, line[position:]):
+        return "a condition holds at the values given: others come by -D F=10kN behind the command"
     word = "next" if "next" in words[-4:-1] else words[-1]
     is_behind = word in ASKED and "TIMES_SIGN" in allowed
     return ASKED[word].format(WRITTEN[f"let {word}"]) if is_behind else ""
@@ -204,6 +206,8 @@ def _of_label(line: Sequence[Token], position: int) -> str:
     """Return a hint at a text behind a statement that takes none."""
     text = line[position]
     is_label = position > 1 and text.type == "STRING" and position == len(line) - 1
+    if is_label and line[position - 1] == "=" and line[0].type in ("TABLE", "LIST"):
+        return "rows and sizes stand in the description: table m = 1: 0.388, 0.5: 0.541"
     if is_label and line[position - 1] == "=":
         return f"a value stands without quotes: {text[1:-1]}"
     if is_label and line[position - 1].type == "NUMBER" and text[1:-1] in UNITS:

@@ -96,6 +96,8 @@ def meaning(line: Sequence[Token], position: int) -> str:
         return hint
     if unit := CYRILLIC_UNITS.get(_word(line, position)):
         return f"units are written in Latin letters: {unit}"
+    if character == ";" and str(line[0]) in ("table", "list"):
+        return "a ',' stands between two rows, or sizes"
     hint = LOOKALIKES.get(character, "")
     return hint or _of_kind(character)
 
@@ -155,14 +157,20 @@ def _of_kind(character: str) -> str:
     return f"names are written in Latin letters; this is {script(character)}" * character.isalpha()
 
 
+RESPELLED = {"lamda": "lambda", "final": "sigma"}
+"""Names of Greek letters that the tables of characters call otherwise."""
+
+
 def script(character: str) -> str:
     """Return which alphabet a letter is from; look-alikes are hard to see.
 
     >>> script("А"), script("α"), script("é")
-    ('a Cyrillic letter', 'a Greek letter: write its name, as in alpha', 'another letter')
+    ('a Cyrillic letter', 'a Greek letter: write its name, alpha', 'another letter')
     """
     if "\u0400" <= character <= "\u04ff":
         return "a Cyrillic letter"
     if "\u0370" <= character <= "\u03ff":
-        return "a Greek letter: write its name, as in alpha"
+        name = unicodedata.name(character, "").partition("LETTER ")[2].split()
+        spelled = (name or ["alpha"])[0].lower()
+        return f"a Greek letter: write its name, {RESPELLED.get(spelled, spelled)}"
     return "another letter"

@@ -192,7 +192,7 @@ def check_unit(number: Token, behind: Token, first: Token) -> None:
         if unit not in ("", "in") and not meant and behind not in UNITS:
             return  # the number has its unit, so that this is no other
         hint = unit_words.hint_of(behind) or (RANGE if unit == "in" else "")
-        hint = CHOICE if behind == "if" else hint
+        hint = CHOICE if behind in ("if", "otherwise", "unless") else hint
         hint = DIAMETER if first == "friction" and behind in OF_A_PIN else hint
         hint = WRAP if first == "friction" and behind == "wrap" else hint
         hint = FIT if FIT_OF_A_HOLE.fullmatch(behind) else hint

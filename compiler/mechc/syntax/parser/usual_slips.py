@@ -88,6 +88,11 @@ STATED = {
     ("DRIVE", "at"): _MOVES,
     ("DRIVE", "between"): _MOVES,
     ("REQUIRE", "or"): _ALL_HOLD,
+    ("REQUIRE", "and"): "all conditions hold at once, each in a line of its own",
+    (
+        "TABLE",
+        ",",
+    ): 'a row is an argument and its value: table m "Table 4.9" = 1: 0.388, 0.5: 0.541',
     ("LINK", "="): "a link is declared, and its lengths are lines of their own: OA = 60 mm",
     ("TELESCOPE", "="): "a telescope is declared, and its length is a line of its own: AB = 60 mm",
     ("SLIDE", "="): "a slide is declared, and its lengths are lines of their own: WX = 60 mm",
