@@ -20,11 +20,11 @@ from ..kinematics.release import SpeedReading
 from ..model.mechanism import (
     CollarFriction,
     FaceFriction,
+    Feed,
     GuideFriction,
     JointFriction,
     PinFriction,
     PivotFriction,
-    Rack,
     Rope,
     RopeFriction,
     Screw,
@@ -203,7 +203,7 @@ def _rim(joint: JointRef, pose: Pose) -> SpeedReading:
     if isinstance(mesh, WheelPair):
         link, radius, arm = mesh.first_link, mesh.first_radius, mesh.arm
         return lambda graph: scaled(meshes.turning(graph, link, arm), pose.radii[radius])
-    assert isinstance(mesh, Rack), "only wheels and racks have rims"
+    assert isinstance(mesh, Feed), "a rope has no rim"
     point = mesh.point
     return lambda graph: projection(graph.velocities[point], pose.moved_along(point))
 

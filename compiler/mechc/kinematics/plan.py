@@ -62,11 +62,11 @@ class Plan:
         return tuple(add(size * speeds[i] for size, speeds in moving) for i in range(self.mobility))
 
     def component(self, point: str, direction: Angle) -> Speeds:
-        """Return the component of a point's velocity along a direction."""
+        """Return the component of a point's velocity along a direction, per unit of each drive."""
         return self.value(projection(self.graph.velocities[point], direction))
 
     def spin(self, link: str) -> Speeds:
-        """Return a link's angular velocity, counter-clockwise."""
+        """Return a link's angular velocity, counter-clockwise, per unit of each drive."""
         return self.value(spin(self.graph, link))
 
     def spins_at(self, values: Mapping[str, float]) -> Mapping[str, float]:
