@@ -42,7 +42,7 @@ def whole_matches(kinds: Collection[type]) -> set[str]:
             if isinstance(node, ast.Match):
                 parts = (part for case in node.cases for part in ast.walk(case.pattern))
                 classes = (p.cls for p in parts if isinstance(p, ast.MatchClass))
-                cases = {cls.id for cls in classes if isinstance(cls, ast.Name)}
+                cases = {ast.unparse(cls).rpartition(".")[2] for cls in classes}
                 if all(names & cases for names in wanted):
                     found.add(path.relative_to(PACKAGE).as_posix())
     return found
