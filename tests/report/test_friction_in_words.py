@@ -666,3 +666,31 @@ def test_the_force_of_a_slot_is_introduced(contact: str) -> None:
     said = " ".join(render(found.derivation, found.mechanism).split())
     assert said.count("R_A is the force of QC on A, along the normal.") == (not contact)
     assert ("The whole force R_A of the face on A" in said) == bool(contact)
+
+
+def test_no_condition_begins_with_a_minus() -> None:
+    """−sin(μ_B − δ_AB) < 0 is stated as sin(μ_B − δ_AB) > 0."""
+    press = """
+    mechanism press
+    pivot O at (0 mm, 0 mm)
+    pivot C at (300 mm, 250 mm)
+    slider F along y
+    link OA
+    link AB
+    link CB
+    link BF
+    A at (40 mm, 30 mm)
+    B at (290 mm, 20 mm)
+    F at (300 mm, -210 mm)
+    drive OA from 0 deg to 360 deg
+    torque M on OA
+    force R at F along y
+    friction pins 0.08 diameter 40 mm
+    friction slider F 0.1
+    find k = M/R
+    """
+    found = compile_source(Source("press.mech", press))
+    said = " ".join(render(found.derivation, found.mechanism).split())
+    conditions = re.findall(r"This holds while ([^.]*)\.", said)
+    assert any("sin(μ_B − δ_AB) > 0" in each for each in conditions)
+    assert not any(part.startswith("−") for each in conditions for part in each.split(", "))

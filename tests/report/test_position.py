@@ -376,3 +376,22 @@ def test_a_telescope_has_its_direction_from_the_places_of_its_ends(load, found, 
     spell = speller((), compiled("four_bar").pose.mechanism, False, "en")
     (said,) = position_sentences([step], locale("en"), spell)
     assert said.endswith("CA: the places of its ends give its direction.")
+
+
+def test_a_drawn_cylinder_in_a_loop_is_no_slot_and_its_direction_has_its_name():
+    lift = """
+    mechanism lift
+    pivot A at (0 mm, 0 mm)
+    pivot E at (-100 mm, 50 mm)
+    link ABG
+    telescope EG
+    B at (600 mm, -100 mm)
+    G at (300 mm, -60 mm)
+    drive AB from -20 deg to 40 deg
+    actuator S between E and G
+    weight W mass 500 kg at B
+    find m = S/W
+    """
+    (step,) = Compilation(Source("lift.mech", lift)).derivation.position
+    assert (step.kind, step.part) == ("cylinder", "EG")
+    assert [d.name for d in step.definitions] == ["phi_EG"]

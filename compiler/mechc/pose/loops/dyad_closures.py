@@ -18,6 +18,7 @@ from ...algebra.factors import Length
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
+from ...formula.names import another
 from ...formula.tree import Call, Formula, negative, product, total
 from ...frozen import replace
 from ..pose import Arm, Definition, Limit, gathered
@@ -34,7 +35,7 @@ def dyad(loop: Loop, sides: Sides) -> Dyad | None:
     found = _dyad(loop, sides)
     if found is None or not found.closures:
         return None
-    closures = (_with(sides.definitions, closure) for closure in found.closures)
+    closures = (_by_own_name(_with(sides.definitions, c)) for c in found.closures)
     return replace(found, closures=tuple(closures))
 
 
@@ -299,6 +300,21 @@ def _closure(definitions: list[Definition], put: Mapping[str, Angle], sides: Sid
     """Return a closure; a direction that the user named is defined, others are put in."""
     named = [Definition(n, a.formula()) for n, a in put.items() if n in sides.kept]
     return Closure((*definitions, *named), {n: a for n, a in put.items() if n not in sides.kept})
+
+
+def _by_own_name(closure: Closure) -> Closure:
+    """Return a closure in which the direction of a vector that is itself sought has its name.
+
+    The side that is known leads from end to end of a telescope EG: its direction, phi_EG_2 as the
+    name is taken, is what is sought as phi_EG.
+    """
+    for name, angle in closure.directions.items():
+        side = next((d for d in closure.definitions if angle == Angle.of(d.name)), None)
+        if side and side.name == another(name) and len(closure.directions) == 1:
+            others = (d for d in closure.definitions if d is not side)
+            definitions = (*others, Definition(name, side.formula))
+            return closure._replace(definitions=definitions, directions={})
+    return closure
 
 
 def _aligned(turn: Turning, direction: Angle) -> Angle:

@@ -1,7 +1,8 @@
 """How a derivation's formulas are turned to be read: as a person writes the angles in them."""
 
-from collections.abc import Iterable, Sequence, Set
+from collections.abc import Iterable, Mapping, Sequence, Set
 from functools import cache, partial
+from typing import Literal
 
 from ...formula.facing import (
     LONG,
@@ -16,11 +17,11 @@ from ...formula.facing import (
 )
 from ...formula.layout import has_minus, over_line
 from ...formula.operations import count_operations
-from ...formula.tree import Formula, Product, is_call, negative
+from ...formula.tree import ZERO, Formula, Product, is_call, negative
 from ...formula.walk import symbols, walk
 from ...frozen import replace
 from ...kinematics.plan import Plan
-from ...model.mechanism import WithFriction
+from ...model.mechanism import Require, WithFriction
 from ...model.result import Definition
 from ...pose.given_angles import given_lines
 from ...pose.pose import Pose
@@ -28,6 +29,14 @@ from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
 from ..sentences.order import geometry_first
 from ..steps import Derivation, Equation, Explanation, LastStep, Paragraph, Step
+
+_OPPOSITE: Mapping[str, Literal["<", "<=", ">", ">="]] = {
+    "<": ">",
+    ">": "<",
+    "<=": ">=",
+    ">=": "<=",
+}
+"""The signs of conditions of which both sides are negative."""
 
 
 class Facing:
@@ -111,9 +120,18 @@ class Facing:
         slopes = result.derivatives
         derivatives = slopes and {n: as_in(self.of(s), formula) for n, s in slopes.items()}
         where = tuple(d._replace(formula=self._defined(d)) for d in result.where)
-        holds = tuple(replace(h, left=self.of(h.left)) for h in result.holds)
+        holds = tuple(map(self._held, result.holds))
         result = replace(result, where=where, holds=holds, derivatives=derivatives)
         return replace(result, formula=formula, zeros=zeros, poles=poles)
+
+    def _held(self, condition: Require) -> Require:
+        """Return a condition as results are written; what has a minus is turned round."""
+        left = self.of(condition.left)
+        is_turned = isinstance(left, Product) and has_minus(left) and condition.right == ZERO
+        if not is_turned:
+            return replace(condition, left=left)
+        turned = _OPPOSITE.get(condition.operator, condition.operator)
+        return replace(condition, left=negative(left), operator=turned)
 
     def _defined(self, definition: Definition) -> Formula:
         """Return a definition as results are written; one that loops give is so already."""

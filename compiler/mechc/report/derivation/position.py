@@ -10,6 +10,7 @@ from ...formula.walk import reached, symbols, walk
 from ...frozen import replace
 from ...model.mechanism import ForcePair, Mechanism
 from ...model.result import Definition
+from ...patterns import pattern
 from ...pose.pose import Pose, SolvedLoop
 from ..kinds import PositionKind
 from ..steps import Derivation, Equation, PositionStep
@@ -32,6 +33,9 @@ def position_steps(pose: Pose, derivation: Derivation) -> Sequence[PositionStep]
 
 
 Formulas = Mapping[str, Formula]
+
+_ANOTHER = pattern(r"_\d*$")
+"""The end of a name that is another one because its own was taken."""
 
 BETWEEN_ENDS = ("aligned", "vector")
 """The kinds of loops that give the vector between two points."""
@@ -195,12 +199,12 @@ def _of_sums(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterator
 
 
 def _vector(name: str) -> str:
-    """Return the vector of ``len_AB``, or of ``len_AB_`` where something else has that name.
+    """Return the vector of ``len_AB``, also where another quantity has that name already.
 
-    >>> _vector("len_AB_")
-    'AB'
+    >>> _vector("len_AB_"), _vector("phi_AB_2")
+    ('AB', 'AB')
     """
-    return name.partition("_")[2].rstrip("_")
+    return _ANOTHER.sub("", name.partition("_")[2])
 
 
 def _in_steps(derivation: Derivation) -> Iterator[str]:
