@@ -381,3 +381,35 @@ def test_of_what_is_zero_throughout_no_conditions_are_stated(language, said):
     page = " ".join(render(compilation.reported, compilation.mechanism, language=language).split())
     assert said in page
     assert not re.search(r"vanish|infinite|обращается|бесконечн|прямує|нескінченн", page)
+
+
+TURNING = """
+param r = 50 mm
+param l = 200 mm
+param e = 10 mm
+param phi = 60 deg
+pivot O at (0 mm, 0 mm)
+slider B along x through Q
+link OA
+link AB
+pivot Q at (0 mm, e)
+OA = r @ phi
+AB = l
+assembly B forward
+drive phi from 1 deg to 100 deg
+torque M on OA
+force F at B along -x
+let F = 100 N
+find k = M/F
+find N_B
+find N_AB
+"""
+
+
+def test_where_a_force_changes_its_sense_is_stated_and_nothing_of_one_that_does_not():
+    """The rod lies along the guide where r sin φ = e: there it presses the guide no longer."""
+    reported = Compilation(Source("turning.mech", TURNING)).reported.results
+    (along,) = next(r for r in reported if r.name == "N_B").extents
+    assert along.zeros == pytest.approx([math.asin(10 / 50)])
+    assert (along.least, along.greatest, along.looked) == (None, None, False)
+    assert next(r for r in reported if r.name == "N_AB").extents == ()

@@ -6,16 +6,17 @@ from ...diagnostics import Report
 from ...formula.roots import spaced
 from ...formula.tree import Formula
 from ...friction.solution import Solution
-from ...model.mechanism import LoadRatio, SpeedRatio
+from ...model.mechanism import LoadRatio, SpeedRatio, WithFriction
 from ...model.values import range_of
 from ...units import ANGLE
 from ..analysis import Analysis, Extent, Extreme, Vanishing, least_and_greatest
+from ..intervals import Range
 from ..ranges import scale_of
 from ..tolerances import SAME_ZERO
 from .along import Along
 from .from_balance import run
 from .rounded import is_nil
-from .run import plain_lets
+from .run import has_sign, plain_lets
 from .stroke import Stroke, StrokeInterval, ZeroInterval
 
 
@@ -24,26 +25,41 @@ def along_the_stroke(
 ) -> dict[str, Extent]:
     """Return the extents of ratios on the part of the stroke around the default pose, by name.
 
-    Nothing where there is no stroke.
+    Of forces at joints without friction it is where they are zero, if anywhere: there their sense
+    changes. Nothing where there is no stroke.
     """
     mechanism = solution.plan.graph.pose.mechanism
-    ratios = [r for r in results if isinstance(r.target, LoadRatio | SpeedRatio)]
+    looked = [r for r in results if _is_ratio(r) or _is_force(r)]
     drive = mechanism.drive
-    if not ratios or drive is None or range_of(drive.parameter, mechanism) is None:
+    if not looked or drive is None or range_of(drive.parameter, mechanism) is None:
         return {}
-    return dict(_extents(run(solution, ratios, 2, report), ratios, solution))
+    return dict(_extents(run(solution, looked, 2, report), looked, solution))
+
+
+def _is_force(result: Analysis) -> bool:
+    """Return whether this is a force at a joint that has a sign; those with friction take long."""
+    return has_sign(result.target) and not isinstance(result.target, WithFriction)
+
+
+def _is_ratio(result: Analysis) -> bool:
+    return isinstance(result.target, LoadRatio | SpeedRatio)
 
 
 def _extents(
-    stroke: Stroke, ratios: Sequence[Analysis], solution: Solution
+    stroke: Stroke, results: Sequence[Analysis], solution: Solution
 ) -> Iterator[tuple[str, Extent]]:
     part = _home(stroke)
     along = Along(solution.plan, plain_lets(solution.plan.graph.pose.mechanism))
     known = {column.name for column in stroke.columns}
-    for result in ratios:
-        if part and result.name in known:
-            is_zero = is_nil(result, along, part)
-            yield result.name, (_zero_extent if is_zero else _extent)(result, stroke, part, along)
+    for result in results:
+        if part is None or result.name not in known:
+            continue
+        if not _is_ratio(result):
+            yield from _zeros_of_force(result, stroke, part, along)
+        elif is_nil(result, along, part):
+            yield result.name, _bare(result, stroke, part, along, nil=((part.low, part.high),))
+        else:
+            yield result.name, _extent(result, stroke, part, along)
 
 
 def _home(stroke: Stroke) -> StrokeInterval | None:
@@ -53,19 +69,36 @@ def _home(stroke: Stroke) -> StrokeInterval | None:
     return next(on, None)
 
 
-def _zero_extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along) -> Extent:
-    """Return the extent of what is zero wherever it was looked at."""
+def _zeros_of_force(
+    force: Analysis, stroke: Stroke, part: StrokeInterval, along: Along
+) -> Iterator[tuple[str, Extent]]:
+    """Yield a force with where it is zero on its way, if it is anywhere."""
+    own = (s.drive for s in stroke.singular if s.result == force.name and s.value == "0")
+    zeros = tuple(x for x in own if part.low < x < part.high)
+    if zeros:
+        yield force.name, _bare(force, stroke, part, along, zeros=zeros)
+
+
+def _bare(
+    result: Analysis,
+    stroke: Stroke,
+    part: StrokeInterval,
+    along: Along,
+    zeros: tuple[float, ...] = (),
+    nil: tuple[Range, ...] = (),
+) -> Extent:
+    """Return an extent of which only is known where the result is zero."""
     return Extent(
         parameter=stroke.drive,
         unit="" if stroke.dimension == ANGLE else stroke.unit,
         range=(part.low, part.high),
-        zeros=(),
+        zeros=zeros,
         poles=(),
         least=None,
         greatest=None,
         scale=scale_of(result, along.mechanism),
         looked=False,
-        nil=((part.low, part.high),),
+        nil=nil,
     )
 
 

@@ -103,7 +103,7 @@ class Run:
     @property
     def signed(self) -> list[Analysis]:
         """Return the forces at joints that have a sign: components, and forces along rods."""
-        return [r for r in self.results if _has_sign(r.target)]
+        return [r for r in self.results if has_sign(r.target)]
 
     def values(self, formula: Formula, of: Analysis) -> Callable[[float], float]:
         """Return a formula of a result as a function of the drive."""
@@ -114,10 +114,11 @@ class Run:
         return looked_at(stretch, self.grid)
 
 
-def _has_sign(target: Target | None) -> bool:
+def has_sign(target: Target | None) -> bool:
+    """Return whether this is a component of a force, a force along a rod, or one of a guide."""
     match target:
         case WithFriction(of=force, order="exact"):
-            return _has_sign(force)
+            return has_sign(force)
         case Reaction(part=part):
             return part in ("x", "y")
         case Axial() | Normal():
