@@ -382,3 +382,33 @@ def test_a_load_that_follows_from_another_one_is_given_in_a_terminal() -> None:
     assert "  T = f · R" in lines[: lines.index("Position")]
     plain = compiled("crank_rocker")
     assert "T = " not in render(plain.derivation, plain.mechanism)
+
+
+def test_every_row_of_a_drawing_says_what_it_is() -> None:
+    """Angles of links and places of guides have a text; what is open altogether has no row."""
+    text = mechc.loads(
+        """
+        mechanism lift
+        pivot A at (0 mm, 0 mm)
+        pivot E at (-100 mm, 50 mm)
+        slider K along x through (0 mm, 20 mm)
+        link ABG
+        link GK
+        telescope EG
+        B at (600 mm, -100 mm)
+        G at (300 mm, -60 mm)
+        K at (500 mm, 20 mm)
+        drive AB from -20 deg to 20 deg
+        actuator S between E and G
+        weight W mass 500 kg at B
+        find m = S/W
+        """
+    ).emit("latex")
+    assert r"$\delta_{BAG}$ & angle $BAG$ & " in text
+    assert "$y_{K_{0}}$ & coordinate of the guide of $K$ & " in text
+    assert "$EG$ &" not in text
+
+
+def test_a_derivative_is_called_so_once() -> None:
+    text = mechc.load("steering_trapezium").emit("latex")
+    assert text.count("erivative with respect to the driving coordinate: $") == 1

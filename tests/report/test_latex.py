@@ -113,7 +113,7 @@ def test_given_places_have_their_unit_and_are_no_joints() -> None:
     assert r"Pinned to the ground: $O$." in text
     assert r"with the direction $0^\circ$, through $B_{0}$." in text
     assert r"$B_{0}$ & $(0,y_{B_{0}})$" in text
-    assert r"$y_{B_{0}}$ & $20\,\text{mm}$" in text
+    assert r"$y_{B_{0}}$ & coordinate of the guide of $B$ & $20\,\text{mm}$" in text
     assert r"$AB$ & $0.1\,\text{m}$" in text
 
 

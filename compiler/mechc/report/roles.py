@@ -9,13 +9,13 @@
 """
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Container, Iterable, Iterator, Mapping, Set
 from typing import assert_never
 
 from ..formula.tree import Formula, Product, Sum, Symbol
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import ForcePair, Mechanism, Parameter
+from ..model.mechanism import ForcePair, Geometry, Mechanism, Parameter, Turn
 from ..model.parts.friction import (
     CollarFriction,
     FaceFriction,
@@ -55,11 +55,35 @@ def with_places(
 ) -> Iterator[Parameter]:
     """Yield quantities; coordinates and radii that are numbers with the point that they are of."""
     literals = {literal.name for literal in mechanism.literals}
+    made = literals | {name for turn in mechanism.geometry for name in _drawn_angle(turn)}
     for parameter in parameters:
-        kind, _, of = parameter.name.partition("_")
-        is_own = parameter.name in literals and not parameter.label and of in mechanism.spans
-        said = words[PLACES[kind]].format(point=of) if is_own and kind in PLACES else ""
-        yield replace(parameter, label=said) if said else parameter
+        role, of = _place(parameter.name, mechanism.spans)
+        is_own = parameter.name in made and not parameter.label
+        yield (
+            replace(parameter, label=words[role].format(point=of)) if is_own and role else parameter
+        )
+
+
+def _drawn_angle(item: Geometry) -> tuple[str, ...]:
+    """Return the name of an angle of a link that a drawing gives, if an entry is one."""
+    if isinstance(item, Turn) and isinstance(item.angle, Symbol):
+        corner = f"delta_{item.first}{item.vertex}{item.second}"
+        return (corner,) if item.angle.name == corner else ()
+    return ()
+
+
+def _place(name: str, points: Container[str]) -> tuple[str, str]:
+    """Return the word for a size at a point and the point, by its name; of others two empty words.
+
+    >>> _place("x_O", {"O"}), _place("y_D0", {"D"}), _place("delta_BAG", {}), _place("len_AB", {})
+    (('coordinate', 'O'), ('guide', 'D'), ('angle', 'BAG'), ('', ''))
+    """
+    kind, _, of = name.partition("_")
+    if kind == "delta":
+        return "angle", of
+    if kind in ("x", "y") and of not in points and of.removesuffix("0") in points:
+        return "guide", of.removesuffix("0")
+    return (PLACES[kind], of) if kind in PLACES and of in points else ("", "")
 
 
 def _roles(mechanism: Mechanism) -> Iterator[Role]:

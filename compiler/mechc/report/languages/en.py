@@ -101,6 +101,8 @@ LOCALE = Locale(
     },
     roles={
         "coordinate": "coordinate of {point}",
+        "guide": "coordinate of the guide of {point}",
+        "angle": "angle {point}",
         "radius": "radius of the wheel on {point}",
         "pitch": "pitch of the screw at {point}",
         "coefficient": "coefficient of friction",

@@ -108,6 +108,8 @@ LOCALE = Locale(
     },
     roles={
         "coordinate": "координата точки {point}",
+        "guide": "координата направляющей точки {point}",
+        "angle": "угол {point}",
         "radius": "радиус колеса {point}",
         "pitch": "шаг винта {point}",
         "coefficient": "коэффициент трения",

@@ -108,6 +108,8 @@ LOCALE = Locale(
     },
     roles={
         "coordinate": "координата точки {point}",
+        "guide": "координата напрямної точки {point}",
+        "angle": "кут {point}",
         "radius": "радіус колеса {point}",
         "pitch": "крок гвинта {point}",
         "coefficient": "коефіцієнт тертя",

@@ -119,7 +119,8 @@ def vector_rows(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterat
     literals = {literal.name: literal for literal in mechanism.literals}
     for entry in (*given, *drawn.values()):
         row = _vector_row(entry, literals, unit, locale, style)
-        yield VectorRow(*map(spaced, row))
+        if row.length or row.direction:
+            yield VectorRow(*map(spaced, row))
 
 
 def _vector_row(

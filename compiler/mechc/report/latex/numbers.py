@@ -67,13 +67,16 @@ def numbers(
     Those that are ``shown`` with their formulas are left out, and those whose formula is the value.
     """
     found: list[str] = []
+    before = ""
     for result in results:
         if asked(result) not in shown and not is_own_value(result):
             found.append(_number(result, locale, style))
         heading = locale.slope if result.where else locale.derivatives
-        heading = heading[0].lower() + heading[1:] if any(found) else heading
         slopes = [*_slopes(result, locale, style)]
-        found += [f"{heading}: {slopes[0]}", *slopes[1:]] if slopes else []
+        if slopes and heading != before:
+            called = heading[0].lower() + heading[1:] if any(found) else heading
+            slopes[0], before = f"{called}: {slopes[0]}", heading
+        found += slopes
     return tuple(filter(None, found))
 
 
