@@ -10,6 +10,7 @@ import math
 import pytest
 
 import mechc
+from hunted import Hunted, made
 from mechc.report.text.stroke import to_table
 from mechc.study.stroke.jumps import changes_of_sign
 from small_mechanisms import slider_crank
@@ -79,3 +80,11 @@ def test_a_sign_of_what_is_nothing_but_rounding_changes_too_often_to_be_followed
     grid = [i / 100 for i in range(201)]
     signs = lambda x: (math.sin(1e5 * x), x - 1.234)  # noqa: E731
     assert list(changes_of_sign(signs, grid)) == [pytest.approx(1.234)]
+
+
+def test_a_kink_where_friction_turns_round_stands_beside_a_turn(tmp_path):
+    """k_f1 has a maximum at -0.08416, and a kink at -0.07973 in the next of 720 cells."""
+    found = Hunted(made("small with friction", 161000078), 161000078, tmp_path)
+    places = [e.drive for e in of(found.stroke.extrema, "k_f1")]
+    assert places[:2] == pytest.approx([-0.0841646, -0.0797332], abs=1e-6)
+    assert list(refuted(found.compilation, found.stroke)) == []

@@ -8,10 +8,10 @@ from typing import Literal
 from ...formula.roots import lowest, roots
 from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
-from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT, SAME_RATIO
+from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT, SAME_RATIO, SAME_VALUE
 from .along import Along
 from .friction import is_shown
-from .jumps import is_on_the_stroke
+from .jumps import has_turns, is_on_the_stroke
 from .rounded import is_nil, is_turning, rounded
 from .run import SAMPLES, Run
 from .singular import order_of, roots_at
@@ -31,13 +31,17 @@ def extrema_along(
     stretches: Sequence[StrokeInterval],
     singular: Sequence[Singular],
     branches: Sequence[Branch],
+    turns: Sequence[float] = (),
 ) -> tuple[Extremum, ...]:
-    """Return the extrema along a stroke; beside a branch point what looks like one is rounding."""
+    """Return the extrema along a stroke; beside a branch point what looks like one is rounding.
+
+    Results with friction are looked at where it ``turns`` round, too: they have kinks there.
+    """
     found = [
         one
         for stretch, result in product(stretches, run.results)
         if not is_nil(result, run.along, stretch)
-        for one in _on_stretch(run, result, stretch, singular, branches)
+        for one in _on_stretch(run, result, stretch, singular, branches, turns)
     ]
     return tuple(sorted(found, key=lambda e: e.drive))
 
@@ -48,6 +52,7 @@ def _on_stretch(
     stretch: StrokeInterval,
     singular: Sequence[Singular],
     branches: Sequence[Branch],
+    turns: Sequence[float],
 ) -> Iterator[Extremum]:
     """Yield the extrema of a result on a stretch: between its breaks, and beside its jumps."""
     own = [s for s in singular if s.value == "undetermined" and s.result in _shared(run, result)]
@@ -55,11 +60,19 @@ def _on_stretch(
     near = BESIDE_BRANCH_POINT * run.range
     breaks = {s.drive: near for s in own} | {s.drive: BESIDE_JUMP * run.range for s in jumps}
     breaks |= {b.drive: near for b in branches}
-    for part in parted(run.within(stretch), breaks):
+    grid = run.within(stretch)
+    for part in parted(_with(grid, turns) if has_turns(result) else grid, breaks):
         yield from _on_part(run, result, stretch, singular, part)
     for jump in (j for j in jumps if j.result == result.name and is_on_the_stroke(j, run)):
         if stretch.low < jump.drive < stretch.high:
             yield from beside_jump(jump, result, run.along, run.range)
+
+
+def _with(grid: Sequence[float], turns: Sequence[float]) -> list[float]:
+    """Return a grid with what lies between its values, and is none of them but for rounding."""
+    near = SAME_VALUE * (grid[-1] - grid[0])
+    new = (x for x in turns if grid[0] < x < grid[-1] and all(abs(x - g) > near for g in grid))
+    return sorted({*grid, *new})
 
 
 def _shared(run: Run, result: Analysis) -> set[str]:

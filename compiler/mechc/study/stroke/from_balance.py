@@ -15,7 +15,7 @@ from .along import EXCLUDED
 from .columns import ShownQuantities, asked, named_apart
 from .extrema import extrema_along
 from .friction import efficiency_ranges, standstills
-from .jumps import is_on_the_stroke
+from .jumps import is_on_the_stroke, turns_along
 from .rounded import is_apart, zero_parts
 from .rows import columns, rows
 from .run import Run, run_of
@@ -71,8 +71,9 @@ def _stroke(run: Run, paths: ShownQuantities, points: int, watch: Watch) -> Stro
     branches = sorted((*run.branches, *crossings), key=lambda b: b.drive)
     drives = list(spaced(run.low, run.high, points - 1))
     nil = tuple(zero_parts(run, stretches, branches))
-    found_singular = singular_along(run, stretches, branches)
-    extrema = extrema_along(run, stretches, found_singular, branches)
+    turns = turns_along(run, stretches)
+    found_singular = singular_along(run, stretches, branches, turns)
+    extrema = extrema_along(run, stretches, found_singular, branches, turns)
     singular = (one for one in found_singular if is_on_the_stroke(one, run))
     return Stroke(
         drive=drive.name,

@@ -6,7 +6,7 @@ signs themselves, be the jump however small, and in the values where something e
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from itertools import pairwise
+from itertools import pairwise, product
 
 from ...formula.roots import BESIDE, NARROW, Function, Jump, is_steady, jumps, spaced
 from ...formula.tree import Formula
@@ -34,17 +34,30 @@ OFTEN = 48
 """A sign that changes in so many cells is that of what is zero but for rounding."""
 
 
-def jumps_along(run: Run, stretches: Sequence[StrokeInterval]) -> Iterator[Singular]:
+def turns_along(run: Run, stretches: Sequence[StrokeInterval]) -> tuple[float, ...]:
+    """Return where friction turns round along a stroke: there results jump, or have a kink."""
+    results = [result for result in run.results if has_turns(result)]
+    found = (
+        x
+        for stretch in (stretches if results else ())
+        for signs in _signs(results, run.along)
+        for x in changes_of_sign(signs, run.within(stretch))
+    )
+    return tuple(sorted(found))
+
+
+def jumps_along(
+    run: Run, stretches: Sequence[StrokeInterval], turns: Sequence[float]
+) -> Iterator[Singular]:
     """Yield where results with friction jump; a direction does where the components do."""
-    results = [result for result in run.results if _may_jump(result)]
-    for stretch in stretches if results else ():
-        grid = run.within(stretch)
-        turns = [x for signs in _signs(results, run.along) for x in changes_of_sign(signs, grid)]
-        for result in results:
-            yield from jumping(result, run.along, grid, turns)
+    results = [result for result in run.results if has_turns(result)]
+    for stretch, result in product(stretches, results):
+        own = [x for x in turns if stretch.low <= x <= stretch.high]
+        yield from jumping(result, run.along, run.within(stretch), own)
 
 
-def _may_jump(result: Analysis) -> bool:
+def has_turns(result: Analysis) -> bool:
+    """Return whether a result changes where friction turns round, but for directions."""
     match result.target:
         case WithFriction(Reaction(part="direction")):
             return False

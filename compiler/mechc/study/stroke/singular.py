@@ -42,11 +42,15 @@ NO_PART = 1e-3
 
 
 def singular_along(
-    run: Run, stretches: Sequence[StrokeInterval], branches: Sequence[Branch]
+    run: Run,
+    stretches: Sequence[StrokeInterval],
+    branches: Sequence[Branch],
+    turns: Sequence[float] = (),
 ) -> tuple[Singular, ...]:
     """Return the singular poses of ratios of loads and speeds, zeros of forces, jumps by friction.
 
-    Where a force at a joint is zero its sense changes: a rod is in compression, then in tension.
+    Friction turns round at ``turns``. Where a force at a joint is zero its sense changes: a rod is
+    in compression, then in tension.
     """
     ratios = run.quotients
     found = [
@@ -63,7 +67,7 @@ def singular_along(
         if not is_nil(force, run.along, stretch)
         for zero in _zeros_of(force, run, stretch)
     ]
-    found += jumps_along(run, stretches)
+    found += jumps_along(run, stretches, turns)
     orders = {r.name: partial(order_of, run, r) for r in run.results}
     return distinguished(each_zero_once(found, run), branches, run.range, orders)
 
