@@ -5,9 +5,8 @@ import math
 import pytest
 
 from mechc.frozen import replace
-from mechc.kinematics.contacts import relations, slipping, spinning
+from mechc.kinematics.contacts import mesh_of, relations, slipping, spinning
 from mechc.kinematics.graph import Kind, Rule
-from mechc.kinematics.meshes import mesh_of
 from small_poses import (
     RACK,
     SCREW,

@@ -11,7 +11,7 @@ from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
 from ..frozen import field, frozen
-from ..kinematics import meshes
+from ..kinematics import contacts
 from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
 from ..kinematics.joint_refs import JointRef, contact_at, members
@@ -181,7 +181,7 @@ def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:
 
 def _turning(link: str, carrier: str) -> SpeedReading:
     """Return the rotation of a link relative to what carries its pin."""
-    return lambda graph: meshes.turning(graph, link, carrier)
+    return lambda graph: contacts.turning(graph, link, carrier)
 
 
 def _sliding(contact: PointContact) -> SpeedReading:
@@ -199,10 +199,10 @@ def _sliding(contact: PointContact) -> SpeedReading:
 
 def _rim(joint: JointRef, pose: Pose) -> SpeedReading:
     """Return the speed of the first wheel's rim, or of a rack."""
-    mesh = meshes.mesh_of(pose, joint.of)
+    mesh = contacts.mesh_of(pose, joint.of)
     if isinstance(mesh, WheelPair):
         link, radius, arm = mesh.first_link, mesh.first_radius, mesh.arm
-        return lambda graph: scaled(meshes.turning(graph, link, arm), pose.radii[radius])
+        return lambda graph: scaled(contacts.turning(graph, link, arm), pose.radii[radius])
     assert isinstance(mesh, Feed), "a rope has no rim"
     point = mesh.point
     return lambda graph: projection(graph.velocities[point], pose.moved_along(point))
@@ -214,7 +214,7 @@ def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> SpeedReadin
     With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
     force F presses with F/cos ψ.
     """
-    screw = meshes.mesh_of(pose, joint.of)
+    screw = contacts.mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a thread is on a screw"
     slope = _slope(screw, diameter, pose)
 
@@ -236,7 +236,7 @@ def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
 
     The collar carries both: all of the load on the nut.
     """
-    screw = meshes.mesh_of(pose, joint.of)
+    screw = contacts.mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a collar is on a screw"
     for given in pose.mechanism.friction.joints:
         if isinstance(given, ThreadFriction) and given.joint == joint.of:
@@ -245,7 +245,7 @@ def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
 
 def _on_collar(joint: JointRef, radius: Product, pose: Pose) -> SpeedReading:
     """Return the speed at which a collar slides at its mean radius."""
-    screw = meshes.mesh_of(pose, joint.of)
+    screw = contacts.mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a collar is on a screw"
     return _at_radius(screw.link, radius)
 
@@ -260,12 +260,12 @@ def _along_rope(given: RopeFriction, pose: Pose) -> SpeedReading:
     Friction in the rope adds half of itself behind the pulley and takes half in front of it:
     what presses then is the mean of both tensions.
     """
-    rope = meshes.mesh_of(pose, given.joint)
+    rope = contacts.mesh_of(pose, given.joint)
     assert isinstance(rope, Rope), "friction of a rope is on a rope"
     half = Product(Fraction(1, 2))
 
     def slip(graph: Graph) -> Form:
-        each = enumerate(meshes.growths(rope, pose, graph.velocities))
+        each = enumerate(contacts.growths(rope, pose, graph.velocities))
         back = combined((half if i < given.place else -half, growth) for i, growth in each)
         if given.reach is None:
             return back

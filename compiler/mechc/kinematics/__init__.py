@@ -12,5 +12,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"locked", "meshes"}
+    SELDOM = {"locked"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -1,15 +1,31 @@
-"""What slots, contacts, wheels and screws demand of velocities that others carry."""
+"""What slots, contacts, wheels and screws demand of velocities that others carry.
+
+What meshes: the rims of wheels, a rack and its wheel, a thread, a rope; and how fast they slip.
+"""
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import pairwise
 from typing import assert_never
 
 from ..algebra.angle import Angle
-from ..algebra.product import ONE
+from ..algebra.from_formula import to_product
+from ..algebra.product import ONE, Product
 from ..algebra.sums import add
-from ..model.mechanism import Contact, Feed, Joint, Pivot, Rope, Slider, Slot, WheelPair
+from ..formula.tree import PI
+from ..model.mechanism import (
+    Contact,
+    Feed,
+    Joint,
+    Mesh,
+    Meshing,
+    Pivot,
+    Rope,
+    Slider,
+    Slot,
+    WheelPair,
+)
 from ..pose.pose import PointContact, Pose
-from . import meshes
-from .forms import combined, projection, spin, subtract, turned
+from .forms import combined, projection, scaled, spin, subtract, turned
 from .graph import Form, Graph, Relation, Rule, Velocity
 
 Velocities = Mapping[str, Velocity]
@@ -87,7 +103,7 @@ def _turning_together(slot: Slot, turn: Callable[[str], Form]) -> Relation:
 
 
 def _mesh(mesh: WheelPair, pose: Pose, turn: Callable[[str], Form]) -> Relation:
-    first, second = meshes.rims(mesh, pose)
+    first, second = rims(mesh, pose)
     sizes = (mesh.first_link, first), (mesh.second_link, second), (mesh.arm, -add((first, second)))
     form = combined((size, turn(link)) for link, size in sizes if link)
     return Relation(Rule.MESH, mesh.bodies[0], mesh.points, Angle(), form, mesh.span, mesh.id)
@@ -96,12 +112,57 @@ def _mesh(mesh: WheelPair, pose: Pose, turn: Callable[[str], Form]) -> Relation:
 def _feed(feed: Feed, pose: Pose, velocities: Velocities, turn: Callable[[str], Form]) -> Relation:
     """V − ω · lead = 0, V the speed of a point along its guide, seen from a rack's pivot."""
     along = pose.moved_along(feed.point)
-    form = meshes.travel(feed, pose, velocities, turn(feed.link))
+    form = travel(feed, pose, velocities, turn(feed.link))
     points = (feed.base, feed.point) if feed.base else (feed.point,)
     return Relation(Rule.MESH, feed.link, points, along, form, feed.span, feed.id)
 
 
 def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:
     """Σ (V_head − V_tail) · way = 0."""
-    form = combined((ONE, growth) for growth in meshes.growths(rope, pose, velocities))
+    form = combined((ONE, growth) for growth in growths(rope, pose, velocities))
     return Relation(Rule.ROPE, "", rope.points, Angle(), form, rope.span)
+
+
+# --------------------------------------------------------------------------- what meshes
+
+
+def mesh_of(pose: Pose, id: str) -> Mesh | Rope:
+    """Return the wheels, the rack, the screw or the rope of an id."""
+    mesh = pose.mechanism.joint(id)
+    assert isinstance(mesh, Meshing | Rope), "no other joint meshes"
+    return mesh
+
+
+def rims(mesh: WheelPair, pose: Pose) -> tuple[Product, Product]:
+    """Return the radii of two wheels, the second one negative where both turn alike."""
+    first, second = pose.radii[mesh.first_radius], pose.radii[mesh.second_radius]
+    return first, -second if mesh.same else second
+
+
+def lead(feed: Feed, pose: Pose) -> Product:
+    """Return how far a link moves a point while it turns by a radian, as the guide points."""
+    way = pose.radii[feed.way]
+    return way / to_product(PI).scaled(2) if feed.is_per_turn else way
+
+
+def travel(feed: Feed, pose: Pose, velocities: Mapping[str, Velocity], turn: Form) -> Form:
+    """Return V of the point along its guide, less ω · lead, less that of what it is seen from."""
+    along = pose.moved_along(feed.point)
+    ahead = subtract(projection(velocities[feed.point], along), scaled(turn, lead(feed, pose)))
+    base = velocities[feed.base] if feed.base else ()
+    return subtract(ahead, projection(base, along))
+
+
+def turning(graph: Graph, link: str, carrier: str) -> Form:
+    """Return the rotation of a link relative to what carries it; '' is the ground."""
+    own, under = (spin(graph, name) if name else {} for name in (link, carrier))
+    return subtract(own, under)
+
+
+def growths(rope: Rope, pose: Pose, velocities: Mapping[str, Velocity]) -> list[Form]:
+    """Return the speed at which each fall of a rope grows."""
+    ends = zip(pairwise(rope.route), pose.falls[rope.id], strict=True)
+    return [
+        subtract(projection(velocities[head], way), projection(velocities[tail], way))
+        for (tail, head), way in ends
+    ]

@@ -7,9 +7,9 @@ from ...algebra.product import ONE, Product
 from ...formula.layout import has_minus
 from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula, Symbol, product, quotient, total
+from ...kinematics.contacts import turning
 from ...kinematics.forms import scaled, spin
 from ...kinematics.graph import Form, Graph, Kind, Relation
-from ...kinematics.meshes import turning
 from ...kinematics.plan import Block, Plan
 from ...model.mechanism import Force, Load, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance
