@@ -9,7 +9,7 @@ from ..formula.walk import symbols
 from ..frozen import fields, replace
 from ..model import mechanism as model
 from ..model.mechanism import Mechanism, Parameter
-from ..model.parts.repeated import primed
+from ..model.parts.linkage import primed
 from ..model.values import (
     Chain,
     bounds,

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from ..algebra.angle import Angle
 from ..formula.tree import Formula
 from ..frozen import frozen
-from ..model.parts.repeated import primed
+from ..model.parts.linkage import primed
 from ..pose.places import Plane, direction
 from .figure import MirrorLine, Segment
 from .linear_vectors import Ways

@@ -45,11 +45,14 @@ from .parts.linkage import Along as Along
 from .parts.linkage import ArcSlot as ArcSlot
 from .parts.linkage import Assembly as Assembly
 from .parts.linkage import Body as Body
+from .parts.linkage import Copies as Copies
 from .parts.linkage import Direction as Direction
 from .parts.linkage import Drawn as Drawn
 from .parts.linkage import Drive as Drive
 from .parts.linkage import Link as Link
+from .parts.linkage import Mirror as Mirror
 from .parts.linkage import Slide as Slide
+from .parts.linkage import Subassembly as Subassembly
 from .parts.linkage import Telescope as Telescope
 from .parts.loads import Force as Force
 from .parts.loads import ForcePair as ForcePair
@@ -65,9 +68,6 @@ from .parts.quantities import Reported as Reported
 from .parts.quantities import Require as Require
 from .parts.quantities import Subject as Subject
 from .parts.quantities import Taken as Taken
-from .parts.repeated import Copies as Copies
-from .parts.repeated import Mirror as Mirror
-from .parts.repeated import Subassembly as Subassembly
 from .parts.targets import Axial as Axial
 from .parts.targets import ComponentPart as ComponentPart
 from .parts.targets import Efficiency as Efficiency

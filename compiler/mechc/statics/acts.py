@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from ..model.parts.repeated import primed
+from ..model.parts.linkage import primed
 from ..named import NamedTuple
 from ..pose.places import NOWHERE
 from .assembly import (

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 
-from ..model.parts.repeated import primed
+from ..model.parts.linkage import primed
 from .assembly import Action, Assembly, Couple
 from .unfold import Unfolding
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence, Set
 
 from ..frozen import frozen, replace
 from ..model.mechanism import Torque
-from ..model.parts.repeated import primed
+from ..model.parts.linkage import primed
 from ..model.result import Result
 from ..pose.places import NOWHERE
 from ..pose.pose import Pose

@@ -5,7 +5,7 @@ from itertools import chain
 from typing import assert_never
 
 from ..frozen import frozen
-from ..model.parts.repeated import primed
+from ..model.parts.linkage import primed
 from ..pose.pose import Pose, evaluate_vector
 from .assembly import GROUND, Action, Couple, Plane, PointForce, Wrench, direction
 

@@ -7,7 +7,7 @@ from typing import assert_never
 
 from ..formula.evaluate import evaluate
 from ..model.mechanism import Contact, Mechanism, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
-from ..model.parts.repeated import primed
+from ..model.parts.linkage import primed
 from .assembly import GROUND, Action, Couple, PointForce, Transfer, Wrench, direction
 from .halves import Halves
 

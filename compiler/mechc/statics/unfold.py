@@ -17,7 +17,7 @@ from typing import assert_never
 
 from ..frozen import frozen
 from ..model.mechanism import Force, ForcePair, Load, Pivot, Slider, Torque
-from ..model.parts.repeated import primed
+from ..model.parts.linkage import primed
 from ..pose.pose import evaluate_vector
 from .assembly import (
     Action,

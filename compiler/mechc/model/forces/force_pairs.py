@@ -13,7 +13,7 @@ from ..formulas.directions import check_sign
 from ..formulas.expressions import Reader
 from ..mechanism import ForcePair, Load, Mechanism, PinFriction
 from ..names.scope import DESCRIPTION, Scope
-from ..parts.repeated import PRIME, primed, without_prime
+from ..parts.linkage import PRIME, primed, without_prime
 
 
 def read_force_pair(

@@ -34,7 +34,7 @@ from ..mechanism import (
     WheelPair,
 )
 from ..names.scope import Scope
-from ..parts.repeated import primed
+from ..parts.linkage import primed
 from ..statements import every, only
 from ..tolerances import SAME_VECTOR
 

@@ -14,7 +14,7 @@ from ..formulas.directions import value_of
 from ..formulas.expressions import Reader
 from ..mechanism import Geometry, Joint, Link, Offset, WheelPair
 from ..names.scope import DESCRIPTION, Scope
-from ..parts.repeated import without_prime
+from ..parts.linkage import without_prime
 from ..statements import every
 from ..tolerances import SAME_VALUE
 

@@ -21,7 +21,7 @@ from ..mechanism import (
 )
 from ..names.forms import COORDINATES, Form, form_of, form_of_pose
 from ..names.scope import Entry, Scope
-from ..parts.repeated import PRIME
+from ..parts.linkage import PRIME
 from ..parts.targets import HOLDING, WITH_FRICTION
 from ..statements import every, only
 from .reactions import read_reaction

@@ -13,7 +13,7 @@ from ...formula.tree import Symbol
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
 from ...model.mechanism import Arrow, ForcePair
-from ...model.parts.repeated import primed
+from ...model.parts.linkage import primed
 from ...named import NamedTuple
 from ...power.balance import Balance, Term
 from ...units import FREQUENCY, VELOCITY, Dimension
