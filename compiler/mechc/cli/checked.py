@@ -35,8 +35,7 @@ from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
 from ..report.text import note, overview
-from ..report.text.printer import tens
-from ..report.text.signs import WRITTEN
+from ..report.text.signs import WRITTEN, tens
 from ..report.text.speller import Speller, speller
 from ..report.text.verdict import agreement, said, trials, untried
 from ..source import Source

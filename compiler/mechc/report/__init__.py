@@ -16,5 +16,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"book_forms", "steps"}
+    SELDOM = {"book_forms", "multiples", "steps"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -18,10 +18,9 @@ from ..model.parts.targets import Efficiency, LoadRatio, SpeedRatio, WithFrictio
 from ..model.result import Definition
 from ..named import NamedTuple
 from ..study.analysis import Analysis, Multiple
-from . import steps
+from . import multiples, steps
 from .definitions import Letters, as_written, given_loads, letters
 from .derivation import friction
-from .multiples import multiple
 from .note import NoteLine, own_lines
 from .sentences.remarks import own_conditions, reaction
 
@@ -189,7 +188,7 @@ class Shown:
         if not followed and not result.zeros and not result.poles:
             return None
         others = {name: f for f, name in self._ratios.items() if name != result.name}
-        found = multiple(result.formula, others, positive)
+        found = multiples.multiple(result.formula, others, positive) if others else None
         return found if found and followed.isdisjoint(symbols(found.factor)) else None
 
     def _inverse_of(self, result: Analysis) -> str:

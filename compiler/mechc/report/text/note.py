@@ -17,8 +17,8 @@ from ..checks import NoteCheck
 from ..note import NoteLine, note
 from ..put_in import Quantity
 from ..sentences.noted import label
-from .printer import print_formula, print_name, print_quantity, tens
-from .signs import Signs
+from .printer import print_formula, print_name, print_quantity
+from .signs import Signs, tens
 from .speller import SHOWN, Speller
 
 Words = Mapping[str, str]

@@ -22,9 +22,8 @@ from ...formula.names import GREEK, corner_of, split_name, words_in
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
 from ...formula.typesetting import Around, Row, Typesetter
 from ...patterns import pattern
-from .signs import Signs
+from .signs import RAISED, Signs, tens
 
-_RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 _POWER = pattern(r"\^(\d+)")
@@ -40,9 +39,6 @@ _MEASURED = pattern(r"[−-]?\d[\d.,·*^⁰¹²³⁴-⁹⁻+−-]* \S+")
 
 _NUMBERED = pattern(r"(?<=[A-Z])_(?=\d)")
 """What stands between a point and its number: ``W_0``."""
-
-_EXPONENT = pattern(r"((?<![\d.])1|(?<=\d))e([+−-]?)0*(\d+)")
-"""What stands behind the figures of a large or a small number: ``1.5e+06``."""
 
 _TENS = pattern(r"(\d[·*])?10[\^⁰¹²³⁴-⁹⁻]")
 """A power of ten, behind its figures if there are any."""
@@ -129,26 +125,9 @@ def print_quantity(quantity: str, signs: Signs) -> str:
     written = tens(quantity, signs).replace(" deg", signs.degree).replace("-", signs.minus)
     if not signs.fancy:
         return written
-    written = _RECIPROCAL.sub(lambda m: f" {m[1]}{f'-{m[2] or 1}'.translate(_RAISED)}", written)
-    raised = _POWER.sub(lambda power: power[1].translate(_RAISED), written)
+    written = _RECIPROCAL.sub(lambda m: f" {m[1]}{f'-{m[2] or 1}'.translate(RAISED)}", written)
+    raised = _POWER.sub(lambda power: power[1].translate(RAISED), written)
     return raised.replace("*", "·")
-
-
-def tens(said: str, signs: Signs) -> str:
-    """Return numbers with powers of ten as they are written by hand.
-
-    >>> from .signs import ASCII, UNICODE
-    >>> tens("1.5e+06 N", UNICODE), tens("1.5e-06 N", ASCII), tens("-1e+12", UNICODE)
-    ('1.5·10⁶ N', '1.5*10^-6 N', '-10¹²')
-    """
-    return _EXPONENT.sub(lambda found: _ten(found[1], found[2], found[3], signs), said)
-
-
-def _ten(one: str, sign: str, exponent: str, signs: Signs) -> str:
-    """Return a power of ten behind its figures, or alone where these are ``one``."""
-    power = ("" if sign in ("", "+") else "-") + exponent
-    ten = f"10{power.translate(_RAISED)}" if signs.fancy else f"10^{power}"
-    return ten if one else f"{'·' if signs.fancy else '*'}{ten}"
 
 
 def print_point(name: str, signs: Signs) -> str:
@@ -225,7 +204,7 @@ class _Terminal(Typesetter[str]):
 
     def power(self, base: str, exponent: str) -> str:
         if self.signs.fancy and exponent.isdigit():
-            return base + exponent.translate(_RAISED)
+            return base + exponent.translate(RAISED)
         return f"{base}^{exponent}"
 
     def holds(self, call: str) -> bool:
@@ -241,7 +220,7 @@ class _Terminal(Typesetter[str]):
 
     def applied(self, function: str, exponent: str, argument: Formula, inner: str) -> str:
         """Return a function of one argument, ``cos α`` without parentheses."""
-        word = self._word(function) + exponent.translate(_RAISED)
+        word = self._word(function) + exponent.translate(RAISED)
         is_trigonometric = self.signs.fancy and function in TRIGONOMETRIC
         bare = is_trigonometric and _WORD.fullmatch(inner) is not None
         return f"{word} {inner}" if bare else f"{word}({inner})"

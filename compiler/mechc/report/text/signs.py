@@ -4,6 +4,13 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from ...frozen import frozen
+from ...patterns import pattern
+
+RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+"""Digits as they stand above the line."""
+
+_EXPONENT = pattern(r"((?<![\d.])1|(?<=\d))e([+−-]?)0*(\d+)")
+"""What stands behind the figures of a large or a small number: ``1.5e+06``."""
 
 WRITTEN: Mapping[str, str] = MappingProxyType(
     {
@@ -46,3 +53,19 @@ class Signs:
 
 UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠"})
 ASCII = Signs(False, " * ", "*", "-", " deg", "pi", {})
+
+
+def tens(said: str, signs: Signs) -> str:
+    """Return numbers with powers of ten as they are written by hand.
+
+    >>> tens("1.5e+06 N", UNICODE), tens("1.5e-06 N", ASCII), tens("-1e+12", UNICODE)
+    ('1.5·10⁶ N', '1.5*10^-6 N', '-10¹²')
+    """
+    return _EXPONENT.sub(lambda found: _ten(found[1], found[2], found[3], signs), said)
+
+
+def _ten(one: str, sign: str, exponent: str, signs: Signs) -> str:
+    """Return a power of ten behind its figures, or alone where these are ``one``."""
+    power = ("" if sign in ("", "+") else "-") + exponent
+    ten = f"10{power.translate(RAISED)}" if signs.fancy else f"10^{power}"
+    return ten if one else f"{'·' if signs.fancy else '*'}{ten}"

@@ -20,7 +20,7 @@ from ..put_in import Quantity, in_degrees
 from ..sentences.speller import angles_of, couples_of, guided_of, own_names
 from . import printer
 from .repeated import Repeated
-from .signs import ASCII, UNICODE, Signs
+from .signs import ASCII, UNICODE, Signs, tens
 
 textwrap = Later("textwrap")
 """Breaks lines; most of what ``check`` says fits into one."""
@@ -89,12 +89,12 @@ class Speller(NamedTuple):
 
     def number(self, value: float) -> str:
         """Return a number that was computed."""
-        figures = printer.tens(f"{value:.{SHOWN}g}", self.signs)
+        figures = tens(f"{value:.{SHOWN}g}", self.signs)
         return self.decimals(figures.replace("-", self.signs.minus))
 
     def measured(self, value: float, unit: str, digits: int) -> str:
         """Return a value in SI in a unit, as a description has it but for powers of ten."""
-        return self.units(printer.tens(in_unit(value, unit, digits), self.signs))
+        return self.units(tens(in_unit(value, unit, digits), self.signs))
 
     def quantity(self, quantity: Quantity) -> str:
         """Return a value in its unit, an angle in degrees."""

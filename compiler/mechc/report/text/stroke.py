@@ -29,8 +29,7 @@ from ..columns import legend, repeated
 from ..languages.letters import letters
 from ..languages.registry import locale
 from ..sentences.limits import dead_centre
-from .printer import tens
-from .signs import ASCII
+from .signs import ASCII, tens
 
 ENDS = {
     (False, False): "",

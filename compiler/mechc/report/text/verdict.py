@@ -4,8 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ...statics.verdict import Trial, Untried, Verdict
 from ..languages.checked import EN
-from .printer import tens
-from .signs import ASCII
+from .signs import ASCII, tens
 
 Words = Mapping[str, str]
 """What ``mechc check`` says in a language."""
