@@ -13,7 +13,7 @@ from mechc.model.values import completed
 from mechc.pose.loops.by_groups import in_closed_form
 from mechc.pose.loops.dyad_closures import dyad
 from mechc.pose.loops.dyad_sides import Sides
-from mechc.pose.loops.dyads import Loop
+from mechc.pose.loops.dyads import Loop, _end_from
 from mechc.pose.loops.rated import given_rates, loop_rates, moved_by, rate
 from mechc.pose.loops.redundant import closure_of
 from mechc.pose.loops.triangle import along, common_turn, heron
@@ -223,3 +223,20 @@ def test_what_turns_as_one_body_has_the_direction_that_closes_its_loop():
     assert math.remainder(turned + math.pi / 6 - (PHI + math.pi / 2) - math.pi, math.tau) == (
         pytest.approx(0, abs=1e-12)
     )
+
+
+# ------------------------------------------------------------------- where edges end
+
+
+@pytest.mark.parametrize(
+    ("pin", "end"),
+    [("A", "C"), ("B", "C"), ("C", "D"), ("D", "")],
+)
+def test_edges_that_turn_together_are_followed_to_where_they_end(pin, end):
+    """AB and BC are arms of one body at theta, CD one of another."""
+    edges = [
+        edge("A", "B", *arm("a", at(theta=1))),
+        edge("B", "C", *arm("a", at(30, theta=1))),
+        edge("C", "D", *arm("b", at(psi=1))),
+    ]
+    assert _end_from(pin, edges) == end
