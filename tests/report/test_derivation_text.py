@@ -239,6 +239,6 @@ def test_angles_in_radians_are_printed_in_degrees() -> None:
     """
     found = compile_source(Source("lever.mech", lever))
     derived = render(found.derivation, found.mechanism)
-    assert "sin(φ + 5.72958°)" in derived
-    assert "sin 68.7549°" in derived
+    assert "sin(φ + 5.729578°)" in derived
+    assert "sin 68.754935°" in derived
     assert " 1.2" not in derived.partition("Velocities")[2].partition("Numerical")[0]

@@ -206,12 +206,12 @@ def in_degrees(formula: Formula) -> Fraction | None:
 
 
 def turned_to_degrees(angle: Formula) -> Formula:
-    """Return an angle whose constant is in radians with that in degrees, to six digits.
+    """Return an angle whose constant is in radians with that in degrees, to six decimals.
 
-    >>> from .to_text import text
     >>> phi = Symbol("phi")
-    >>> [text(turned_to_degrees(a)) for a in (total([phi, Number(Fraction(1, 5))]), phi, Pi())]
-    ['phi + 3581*pi/56250', 'phi', 'pi']
+    >>> _, constant = turned_to_degrees(total([phi, Number(Fraction(1, 5))])).terms
+    >>> float(in_degrees(constant)), turned_to_degrees(phi) == phi
+    (11.459156, True)
     """
     terms = angle.terms if isinstance(angle, Sum) else (angle,)
     radians = [term.value for term in terms if isinstance(term, Number) and term.value]
@@ -220,7 +220,7 @@ def turned_to_degrees(angle: Formula) -> Formula:
     others = [term for term in terms if in_degrees(term) is None and not isinstance(term, Number)]
     exact = sum(size for term in terms if (size := in_degrees(term)) is not None)
     turn = math.degrees(sum(radians)) + float(exact)
-    constant = degrees(Fraction(f"{turn:.{FIGURES + (abs(turn) >= LARGE_ANGLE)}g}"))
+    constant = degrees(Fraction(f"{turn:.{DECIMALS}f}"))
     is_led = bool(others) and not all(map(has_minus, others))
     return total([*others, constant] if is_led else [constant, *others])
 
@@ -250,11 +250,11 @@ def _multiple(term: Formula) -> int:
             return 1
 
 
-FIGURES = 6
-"""Significant digits of an angle in degrees that is given in radians."""
+DECIMALS = 6
+"""Decimals of an angle in degrees that is given in radians.
 
-LARGE_ANGLE = 100
-"""Degrees from which on an angle has a digit more."""
+With fewer, a formula read off a page near a dead centre would miss the value beside it.
+"""
 
 
 def is_angle(formula: Formula, angles: Set[str]) -> bool:
