@@ -140,6 +140,9 @@ def test_where_a_result_passes_nil_on_its_way_over_a_jump_it_has_no_zero():
 
 def test_parts_between_breaks_end_where_rounding_is_small():
     grid = [0.0, 1.0, 2.0, 3.0, 4.0]
-    assert list(parted(grid, [], 0.125)) == [grid]
-    assert list(parted(grid, [2.0, 9.0], 0.125)) == [[0, 1, 1.875], [2.125, 3, 4]]
-    assert list(parted(grid, [0.0625, 4.0], 0.125)) == [[0.1875, 1, 2, 3, 3.875]]
+    assert [*parted(grid, {})] == [[0, 0.01, *grid[1:-1], 3.99, 4]]
+    first, second = parted(grid, {2.0: 0.125, 9.0: 0.125})
+    assert first == pytest.approx([0, 0.01, 1, 1.86625, 1.875])
+    assert second == pytest.approx([2.125, 2.13375, 3, 3.99, 4])
+    ((low, *_, high),) = parted(grid, {0.0625: 0.125, 4.0: 1e-8})
+    assert (low, high) == (0.1875, 4.0 - 1e-8)

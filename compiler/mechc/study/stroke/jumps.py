@@ -9,12 +9,11 @@ from functools import partial
 from itertools import pairwise, product
 
 from ...formula.roots import BESIDE, NARROW, Function, Jump, is_steady, jumps, spaced
-from ...formula.tree import Formula
+from ...formula.tree import Formula, is_call
 from ...formula.walk import walk
 from ...model.parts.targets import Efficiency, Reaction, WithFriction
 from ..analysis import Analysis
 from ..ranges import last
-from ..states import is_sign
 from ..tolerances import JUMP_SIDES
 from .along import Along
 from .rounded import is_nothing
@@ -29,6 +28,9 @@ GROWS = 5.0
 
 SEEN = 1e-6
 """The part of a value by which it jumps if that shows in the six figures that are printed."""
+
+SIGNS = ("sign", "sense")
+"""The functions that change with a slip or a force that turns round."""
 
 OFTEN = 48
 """A sign that changes in so many cells is that of what is zero but for rounding."""
@@ -128,7 +130,7 @@ def _signs(results: Sequence[Analysis], along: Along) -> Iterator[Signs]:
         else:
             group.update((n, f) for n, f in where.items() if n not in group)
     for group in groups:
-        parts = dict.fromkeys(p for f in group.values() for p in walk(f) if is_sign(p))
+        parts = dict.fromkeys(p for f in group.values() for p in walk(f) if is_call(p, *SIGNS))
         if parts:
             yield along.signs([*parts], [*group.items()])
 
