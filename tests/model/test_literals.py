@@ -65,7 +65,7 @@ def test_numbers_are_given_with_their_units() -> None:
     mechanism = mechc.loads(CRANK)
     latex = mechanism.emit("latex")
     assert r"$Q$ & $(x_Q,y_Q)$" in latex
-    assert r"$x_Q$ &  & $100\,\text{mm}$" in latex
+    assert r"$x_Q$ & coordinate of $Q$ & $100\,\text{mm}$" in latex
     assert r"$AB$ & $90\,\text{mm}$" in latex
 
 
