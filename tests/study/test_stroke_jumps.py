@@ -88,3 +88,11 @@ def test_a_kink_where_friction_turns_round_stands_beside_a_turn(tmp_path):
     places = [e.drive for e in of(found.stroke.extrema, "k_f1")]
     assert places[:2] == pytest.approx([-0.0841646, -0.0797332], abs=1e-6)
     assert list(refuted(found.compilation, found.stroke)) == []
+
+
+def test_an_efficiency_jumps_where_the_ratio_does_however_steep_it_is(tmp_path):
+    """A distance passes zero, and the force along it turns round, close to the end of a loop."""
+    hunted = Hunted(made("closed with friction", 98200011), 98200011, tmp_path)
+    jumps = [one for one in hunted.compilation.stroke(3).singular if one.kind == "jump"]
+    assert {one.result for one in jumps} == {"k", "k_f", "k_f1", "k_hold", "eta_k"}
+    assert [one.drive for one in jumps] == pytest.approx([jumps[0].drive] * 5, abs=1e-9)

@@ -51,7 +51,10 @@ def turns_along(run: Run, stretches: Sequence[StrokeInterval]) -> tuple[float, .
 def jumps_along(
     run: Run, stretches: Sequence[StrokeInterval], turns: Sequence[float]
 ) -> Iterator[Singular]:
-    """Yield where results with friction jump; a direction does where the components do."""
+    """Yield where results with friction jump; a direction does where the components do.
+
+    They may do so at ``turns``, where friction turns round or a ratio without friction jumps.
+    """
     results = [result for result in run.results if has_turns(result)]
     for stretch, result in product(stretches, results):
         own = [x for x in turns if stretch.low <= x <= stretch.high]
@@ -74,13 +77,16 @@ def jumping(
 ) -> Iterator[Singular]:
     """Yield where a result jumps between values of a grid, unless it is nothing but rounding.
 
-    It may do so at ``turns``, where friction turns round.
+    It may do so at ``turns`` as well, be it by less than what it changes by in the cells beside.
     """
-    size, places = along.function(result.formula, result), spaced(grid[0], grid[-1], PLACES)
-    for jump in (*jumps(size, grid), *_at_turns(size, turns, grid[-1] - grid[0])):
+    size, range_ = along.function(result.formula, result), grid[-1] - grid[0]
+    seen, places = jumps(size, grid), spaced(grid[0], grid[-1], PLACES)
+    near = 2 * BESIDE * range_
+    others = [x for x in turns if all(abs(x - jump.x) > near for jump in seen)]
+    for jump in (*seen, *_at_turns(size, others, range_)):
         higher = max(abs(jump.before), abs(jump.after))
         if not is_nothing({jump.x: higher}, result, along, places):
-            yield _jumping(result.name, jump, along, grid[-1] - grid[0])
+            yield _jumping(result.name, jump, along, range_)
 
 
 def is_on_the_stroke(found: Singular, run: Run) -> bool:

@@ -67,7 +67,8 @@ def singular_along(
         if not is_nil(force, run.along, stretch)
         for zero in _zeros_of(force, run, stretch)
     ]
-    found += jumps_along(run, stretches, turns)
+    jumped = (one.drive for one in found if one.kind == "jump")
+    found += jumps_along(run, stretches, (*turns, *jumped))
     orders = {r.name: partial(order_of, run, r) for r in run.results}
     return distinguished(each_zero_once(found, run), branches, run.range, orders)
 
