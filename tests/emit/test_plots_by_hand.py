@@ -11,7 +11,7 @@ from mechc.emit.picture import Picture, PlotPicture
 from mechc.emit.tables import head, to_csv, values
 from mechc.plot.plot import Axis, Column, Curve, Mark, Panel, Plot, Value
 from mechc.pose.places import Plane
-from mechc.report.languages.pictured import EN
+from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.units import ANGLE, LENGTH, NUMBER
 
 PHI, K, A = Axis("phi", ANGLE, "deg"), Axis("k", NUMBER), Axis("a", LENGTH, "mm")

@@ -10,8 +10,7 @@ from ...model.mechanism import Reported
 from ...plot.plot import Column, Plot
 from ...plot.query import ROWS, Query, rows, usual
 from ...report.languages.letters import letters
-from ...report.languages.locale import Locale
-from ...report.languages.pictured import Words
+from ...report.languages.locale import Locale, Words
 from ...report.latex.notation import Notation, name, of_result
 from ...study.stroke.stroke import Stroke
 from ..pgfplots.to_pgfplots import tikzpicture as plotted

@@ -1,6 +1,6 @@
-"""The words of derivations and reports: one table per language, plain data.
+"""The words of derivations and reports: one folder per language, plain data.
 
-Every table is a :class:`~mechc.report.languages.locale.Locale`, so a missing entry is a type error.
-Placeholders in braces are filled with ``str.format``; names of the drawing and symbols
+Every language is a :class:`~mechc.report.languages.locale.Locale`, so that a missing entry is a
+type error. Placeholders in braces are filled with ``str.format``; names of the drawing and symbols
 come ready, so sentences are built not to inflect them.
 """

@@ -4,9 +4,19 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ...named import NamedTuple
+from ...statics import verdict
 
 if TYPE_CHECKING:
     from ..kinds import PositionKind
+
+
+Words = Mapping[str, str]
+"""A sentence for each kind, with places for names and numbers."""
+
+
+def with_reasons(own: Words, pictured: Words) -> Words:
+    """Return the words of ``mechc check`` with those of free bodies that it needs, too."""
+    return {**{reason: pictured[reason] for reason in verdict.WITHOUT_FORCES}, **own}
 
 
 class Locale(NamedTuple):

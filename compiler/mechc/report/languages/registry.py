@@ -1,6 +1,6 @@
 """The languages of reports by their codes, loaded when they are used.
 
-A language is one module of this folder, whose ``LOCALE`` it is, and one line here.
+A language is one folder here, whose ``LOCALE`` it is, and one line below.
 """
 
 from importlib import import_module
@@ -9,7 +9,7 @@ from typing import cast
 from .locale import Locale
 
 LANGUAGES = {"en": "English", "uk": "Ukrainian", "ru": "Russian"}
-"""What languages are called; the code is the name of the module."""
+"""What languages are called; the code is the name of the folder."""
 
 
 def locale(language: str) -> Locale:

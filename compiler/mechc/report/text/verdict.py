@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from ...statics.verdict import Trial, Untried, Verdict
-from ..languages.checked import EN
+from ..languages.en.checked import WORDS as EN
 from .signs import ASCII, tens
 
 Words = Mapping[str, str]

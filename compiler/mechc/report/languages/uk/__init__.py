@@ -1,8 +1,8 @@
 """Ukrainian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
+from ..eastern import FUNCTIONS, UNITS
+from ..locale import Locale
 from . import along_stroke, checked, derived, pictured
-from .eastern import FUNCTIONS, UNITS
-from .locale import Locale
 
 LOCALE = Locale(
     babel="ukrainian",
@@ -231,7 +231,7 @@ LOCALE = Locale(
         "component_of_two": "Проєкції швидкості точки {first} на дві прямі відомі; з них "
         "знаходимо її проєкцію на напрям сили {last}.",
     },
-    sentences=derived.UKRAINIAN,
+    sentences=derived.WORDS,
     again={
         "projection": "Так само рівні проєкції швидкостей точок {all} на пряму {joined}.",
         "lever": "Так само при обертанні навколо шарніра {first} швидкості точок {rest} "
@@ -422,9 +422,9 @@ LOCALE = Locale(
         "index": "У розрахунку його величини мають індекс {prefix}; "
         "тут вони позначені, як у його власному описі, за значень, які задає розрахунок.",
     },
-    pictures=pictured.UK,
-    checked=checked.UK,
-    along_stroke=along_stroke.UK,
+    pictures=pictured.WORDS,
+    checked=checked.WORDS,
+    along_stroke=along_stroke.WORDS,
     comparison={"number": "№", "scheme": "Схема", "results": "Передавання сили"},
     holds="Це справедливо, доки {conditions}.",
     holds_as="Це справедливо за тих самих умов, що й {result}.",

@@ -1,7 +1,7 @@
 """English."""
 
+from ..locale import Locale
 from . import along_stroke, checked, derived, pictured
-from .locale import Locale
 
 LOCALE = Locale(
     babel="english",
@@ -224,7 +224,7 @@ LOCALE = Locale(
         "component_of_two": "The projections of the velocity of {first} on two lines are known; "
         "they give its component in the direction of the load {last}.",
     },
-    sentences=derived.ENGLISH,
+    sentences=derived.WORDS,
     again={
         "projection": "Likewise on the line {joined} the velocities of {all} have equal "
         "projections.",
@@ -408,9 +408,9 @@ LOCALE = Locale(
         "index": "In the calculation its quantities have the index {prefix}; "
         "here they stand as in its own description, at the values that the calculation gives it.",
     },
-    pictures=pictured.EN,
-    checked=checked.EN,
-    along_stroke=along_stroke.EN,
+    pictures=pictured.WORDS,
+    checked=checked.WORDS,
+    along_stroke=along_stroke.WORDS,
     comparison={"number": "No.", "scheme": "Scheme", "results": "Force transmission"},
     holds="This holds while {conditions}.",
     holds_as="This holds under the same conditions as {result}.",

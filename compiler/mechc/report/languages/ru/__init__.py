@@ -1,8 +1,8 @@
 """Russian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
+from ..eastern import FUNCTIONS, UNITS
+from ..locale import Locale
 from . import along_stroke, checked, derived, pictured
-from .eastern import FUNCTIONS, UNITS
-from .locale import Locale
 
 LOCALE = Locale(
     babel="russian",
@@ -231,7 +231,7 @@ LOCALE = Locale(
         "component_of_two": "Проекции скорости точки {first} на две прямые известны; из них "
         "находим её проекцию на направление силы {last}.",
     },
-    sentences=derived.RUSSIAN,
+    sentences=derived.WORDS,
     again={
         "projection": "Так же равны проекции скоростей точек {all} на прямую {joined}.",
         "lever": "Так же при вращении вокруг шарнира {first} скорости точек {rest} "
@@ -422,9 +422,9 @@ LOCALE = Locale(
         "index": "В расчёте его величины имеют индекс {prefix}; "
         "здесь они обозначены, как в его собственном описании, при значениях, которые даёт расчёт.",
     },
-    pictures=pictured.RU,
-    checked=checked.RU,
-    along_stroke=along_stroke.RU,
+    pictures=pictured.WORDS,
+    checked=checked.WORDS,
+    along_stroke=along_stroke.WORDS,
     comparison={"number": "№", "scheme": "Схема", "results": "Передача силы"},
     holds="Это справедливо, пока {conditions}.",
     holds_as="Это справедливо при тех же условиях, что и {result}.",

@@ -1,0 +1,52 @@
+"""What ``mechc check`` says of a sound description, with places for names and numbers."""
+
+from ....statics import verdict
+from ..locale import Words, with_reasons
+from . import pictured
+
+WORDS: Words = with_reasons(
+    {
+        **{reason: reason for reason in verdict.UNJUDGED},
+        "default": "{value} at the default pose",
+        "where": "where {formula}",
+        "solve": "where {names} solve",
+        "presses": "where {names} presses the joint: {equation} by Newton's method",
+        "press": "where {names} press the joints: {equation} by Newton's method",
+        "holds": "holds while {conditions}",
+        "independent": "does not depend on {names}",
+        "proved": "expect {formula}: proved",
+        "agrees": "expect {formula}: agrees ({value})",
+        "equilibrium": "equilibrium of the free bodies agrees in {count} {trials}",
+        "used": "{prefix} is {name} at the values that it is given here",
+        "judged": "{name} was judged at {count} of {poses} poses: {reason}",
+        "points": "points",
+        "parameters": "parameters",
+        "vectors": "vectors",
+        "follows": "what follows from them",
+        "at": "at {place}",
+        "pivot": "pivot {place}",
+        "placeless": "without a place",
+        "slider": "slider",
+        "on": "on {body}",
+        "found": "found by a loop",
+        "open": "without a value{unit}",
+        "drive": "the drive",
+        "stroke": "the drive, from {low} to {high}",
+        "directionless": "a loop must give its direction",
+        "lengthless": "its length is open",
+        "from": "from {names}",
+        "result": "result",
+        "pose": "pose",
+        "power": "virtual power",
+        "statics": "equilibrium",
+        "error": "error",
+        "condition": "condition",
+        "differs": "disagrees",
+        "nothing": "Nothing was tried.",
+        "agree": "The two methods agree: worst relative error {error} in {count} {trials}.",
+        "disagree": "The two methods disagree: worst relative error {error} in {count} {trials}.",
+        "trial": "trial",
+        "trials": "trials",
+    },
+    pictured.WORDS,
+)

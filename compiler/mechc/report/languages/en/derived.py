@@ -1,0 +1,112 @@
+"""What the sentences of a derivation say of forces and friction."""
+
+from . import equilibrium
+
+WORDS = {
+    **equilibrium.WORDS,
+    "released": "Release of constraints: a constraint is taken away, its reaction becomes a "
+    "load, and the powers of all loads add up to zero in the motion that is left.{held}",
+    "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "
+    "{speed}; {force} is its reaction in this direction.",
+    "guide": "Let {point} leave its guide in the direction {direction} with the velocity "
+    "{speed}; {force} is the reaction of the guide.",
+    "pin": "Let the link {link} part from the pin {point} in the direction {direction} with "
+    "the velocity {speed}; {force} is the force between them.",
+    "touch": "Let {point} part from the surface that it touches in the direction {direction} "
+    "with the velocity {speed}; {force} is the force between them.",
+    "rope released": "Let the rope that begins at {point} grow shorter with the velocity "
+    "{speed}; {force} is its tension.",
+    "idle": "Let the constraint at {point} be released in the direction {direction}: no load "
+    "does work then, and this component is zero.",
+    "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
+    "line.",
+    "smooth": "The force of the guide of {point} is perpendicular to it.",
+    "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
+    "tightening": "The motion is along the arrow of {drive}; friction opposes the sliding in "
+    "every joint.",
+    "tightening, held back": "The motion is along the arrow of {drive}, which only just holds it "
+    "back; friction opposes the sliding in every joint.",
+    "releasing": "The motion is against the arrow of {drive}; friction opposes the sliding in "
+    "every joint.",
+    "releasing, held back": "The motion is against the arrow of {drive}, which only just holds "
+    "it back; friction opposes the sliding in every joint.",
+    "tightening, the return": "The motion is along the arrow of {drive}: at the values given the "
+    "mechanism is self-locking, so that {drive} has to drive it back; friction opposes the sliding "
+    "in every joint.",
+    "releasing, the return": "The motion is against the arrow of {drive}: at the values given the "
+    "mechanism is self-locking, so that {drive} has to drive it back; friction opposes the sliding "
+    "in every joint.",
+    "releasing, by the load": "{drive} drives, and the motion is against the arrow of {load}; "
+    "friction opposes the sliding in every joint.",
+    "pin friction": "The friction in a pin is a couple: the force on the pin times the radius "
+    "{radius} of the friction circle.",
+    "guide friction": "The friction of a guide is its coefficient times the normal force.",
+    "rod forces": "{force} is the magnitude of the whole force that a rod passes on from pin to "
+    "pin, whether compressive or tensile.",
+    "part": "By symmetry one of the equal parts is considered.",
+    "unit": "Forces are given per unit of {load}.",
+    "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",
+    "pressed": "The rod {link} is in compression.",
+    "pulled": "The rod {link} is in tension.",
+    "crossed": "The force in {link} acts along the internal common tangent of the friction "
+    "circles at its ends, as it turns the same way on both pins.",
+    "outer": "The force in {link} acts along an external common tangent of the friction "
+    "circles at its ends, as it turns on its pins in opposite ways.",
+    "parallel": "The force in {link} keeps its direction: the external common tangent of equal "
+    "friction circles is parallel to it.",
+    "single": "The force in {link} goes through the pin at one end and touches the friction "
+    "circle at the other.",
+    "face": "The whole force {force} of the face on {point}, the normal force with friction, "
+    "is turned from the normal by the angle of friction.",
+    "moments": "Moments about {point} of the forces on {link}:",
+    "turns left": "The link {link} turns counter-clockwise. Moments about {point} (on the right "
+    "that of the friction in the pivot):",
+    "turns right": "The link {link} turns clockwise. Moments about {point} (on the right that of "
+    "the friction in the pivot):",
+    "squared": "Squaring gives a quadratic equation:",
+    "along": "Forces on {point} along its guide:",
+    "along with friction": "Forces on {point} along its guide (on the right its friction):",
+    "pin of rods": "Forces on the pin {point}, across each of the rods:",
+    "first order": "To first order the joints carry the same forces as without friction. Each "
+    "joint with friction adds its coefficient times the force {force} times the sliding velocity, "
+    "per unit of the drive’s velocity.",
+    "first order, same": "To first order the joints carry the same forces as without friction, "
+    "which here gives the same result.",
+    "first order, less": "To first order the joints carry the same forces as without friction. "
+    "Each joint with friction takes away its coefficient times the force {force} times the "
+    "sliding velocity, per unit of the drive’s velocity.",
+    "slip of pin": "In a pin the relative angular velocity {turn} takes the place of the sliding "
+    "velocity, and the radius of the friction circle that of the coefficient.",
+    "slip of face": "On a sliding surface {speed} is the sliding velocity.",
+    "rope friction": "Where a rope or band slides around a pulley or drum, the tension on one "
+    "side is {ratio} times that on the other, {angle} being the angle of wrap (Euler, Eytelwein).",
+    "rope, smaller tension": "{force} is the smaller of the two, which the equilibrium of the "
+    "bodies gives; their difference is the friction on the pulley.",
+    "rope, mean": "The mean of both tensions counts as the normal force, with the coefficient "
+    "{part}.",
+    "ropes": "The power of friction is the difference of the tensions times the sliding velocity "
+    "{speed}, per unit of the drive’s velocity:",
+    "straight": "Each friction force is its coefficient times the normal force {force}, which "
+    "itself depends on the friction forces. Its power is this times the sliding velocity {speed}, "
+    "per unit of the drive’s velocity:",
+    "efficient": "The efficiency is given: the part of the driving power that reaches the load.",
+    "powers of friction": "Each joint with friction adds its coefficient times the force {force} "
+    "times the sliding velocity, per unit of the drive’s velocity.",
+    "pressing": "Each friction force is its coefficient times the normal force {force}, which "
+    "itself depends on the friction forces:",
+    "added by friction": "The force without friction, and what each friction force adds to it:",
+    "part along the rod": "{force} is the component along the rod of {whole}, the whole force that "
+    "it passes on, and is positive in tension:",
+    "whole of the rod": "The force on {link} at {point} is the whole force that the rod passes on; "
+    "its components are:",
+    "part along the normal": "{force} is the component along the normal of {whole}, the whole "
+    "force on {point}:",
+    "across": "Forces on {point} across its guide:",
+    "balance": "The force on {link} at {point} balances all other forces on it:",
+    "unloaded": "Nothing presses the joints that have friction, so friction changes nothing.",
+    "iterated again": "The forces {sizes} follow likewise.",
+    "iterated": "Here each friction force depends on the others. With {sizes} the forces at the "
+    "joints, {parts} their components without friction and {changes} the changes that all "
+    "friction makes in them, {sizes} = {whole}, which Newton’s method solves, starting from the "
+    "ideal forces.",
+}
