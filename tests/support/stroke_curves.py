@@ -96,12 +96,18 @@ def curves(compilation: Compilation, stroke: Stroke) -> Iterator[Curve]:
 
 
 def forces(compilation: Compilation, stroke: Stroke) -> Iterator[Curve]:
-    """Yield forces at joints, and what friction makes of results, that move along the stroke."""
+    """Yield forces at joints, and what friction makes of results, that move along the stroke.
+
+    Where a ratio without friction is infinite they may be, too; that is stated of the ratio.
+    """
     routine = {f.name: f for f in compilation.routine.functions}
+    infinite = [s.drive for s in stroke.singular if s.value == "infinite"]
     for result in compilation.results:
         inputs = routine[result.name].inputs if result.name in routine else ()
         if is_force(result.target) and stroke.drive in {i.name for i in inputs}:
-            yield Curve(compilation, stroke, result.name)
+            curve = Curve(compilation, stroke, result.name)
+            curve.poles += infinite
+            yield curve
 
 
 def is_force(target: Target | None) -> bool:
