@@ -196,6 +196,7 @@ def test_both_intensities_of_a_load_differ_on_paper() -> None:
 
 LEVER = """
 param a = 30 mm
+param b = 50 mm
 param q = 40 deg
 param m = 0.3
 pivot O
@@ -218,6 +219,10 @@ find k = P/F
         ("20 mm/cos(q)", "a*cos(q)/len_OA_0"),
         ("m*(a + 20 mm)", "a/(m*(a + len_OA_0))"),
         ("a*(1 + m)", "1/(1 + m)"),
+        ("20 mm*(1 + a/b)", "a*b/(len_OA_0*(a + b))"),
+        ("20 mm*max(a/b, 2)", "a/(len_OA_0*max(a/b, 2))"),
+        ("a*(b + 20 mm)/b", "b/(b + len_OA_0)"),
+        ("2*(2*a + 20 mm)", "a/(2*(2*a + len_OA_0))"),
     ],
 )
 def test_a_number_that_is_a_length_within_a_formula_has_a_name(length: str, k: str) -> None:

@@ -6,16 +6,28 @@ this vanish, are these relations independent?) is decided by the number. Each ha
 own: of two links that are as long as each other a formula names the one that is meant.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 
 from ...formula.names import another
-from ...formula.tree import ZERO, Call, Constant, Formula, Product, Sum, negative, number
+from ...formula.tree import (
+    ZERO,
+    Call,
+    Constant,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    negative,
+    number,
+)
 from ...formula.walk import substitute, symbols
 from ...frozen import fields, replace
 from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
-from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, si_unit
+from ...units import LENGTH, NUMBER, UNITS, Dimension, si_unit
 from ..mechanism import (
     Arrow,
     Force,
@@ -33,11 +45,15 @@ Key = tuple[str, str, Formula]
 """A number of metres: the kind of length, whose it is, and the number."""
 
 
+Measures = Mapping[str, Dimension]
+"""What names measure; an angle, as a factor, is a pure number."""
+
+
 class Names(NamedTuple):
-    """What stands for numbers of metres, and the ``plain`` names, of angles and pure numbers."""
+    """What stands for numbers of metres, and what names measure."""
 
     known: Mapping[Key, Formula]
-    plain: frozenset[str]
+    measures: Measures
 
 
 Lengths = Mapping[tuple[str, str], Formula]
@@ -69,8 +85,8 @@ def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -
     ``named`` are the numbers that have names already, with their places.
     """
     found = [*_lengths(mechanism), *_coordinates(mechanism), *_of_joints(mechanism)]
-    plain = _plain_names(mechanism)
-    literals = list({item.key: item for q in found for item in _numbers(q, plain)}.values())
+    measures = {p.name: p.dimension.joined(NUMBER) for p in mechanism.parameters}
+    literals = list({item.key: item for q in found for item in _numbers(q, measures)}.values())
     if not literals and not named:
         return mechanism
     taken, written = _names(mechanism) | {n.symbol.name for n in named}, tuple(_written(file))
@@ -80,7 +96,7 @@ def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -
         symbol = Constant(_free(literal.name, taken), literal.formula)
         known[literal.key] = symbol
         parameters.append(_parameter(symbol, LENGTH, literal.span, written))
-    return _put(replace(mechanism, literals=tuple(parameters)), Names(known, plain))
+    return _put(replace(mechanism, literals=tuple(parameters)), Names(known, measures))
 
 
 # ----------------------------------------------------------------------- what is a number
@@ -115,13 +131,7 @@ def _of_joints(mechanism: Mechanism) -> Iterator[Quantity]:
         yield from (Quantity(*size, joint.span) for size in joint.sizes)
 
 
-def _plain_names(mechanism: Mechanism) -> frozenset[str]:
-    """Return the names of angles and pure numbers: what they multiply keeps to its kind."""
-    kinds = (NUMBER, ANGLE)
-    return frozenset(p.name for p in mechanism.parameters if p.dimension in kinds)
-
-
-def _numbers(quantity: Quantity, plain: Set[str]) -> Iterator[Quantity]:
+def _numbers(quantity: Quantity, measures: Measures) -> Iterator[Quantity]:
     """Yield a length that is a number, or those in it that are: ``2*(d + 15 mm)``."""
     if _is_number(quantity.formula):
         yield quantity
@@ -132,40 +142,83 @@ def _numbers(quantity: Quantity, plain: Set[str]) -> Iterator[Quantity]:
         found.append(length)
         return length
 
-    with_numbers(quantity.formula, take, plain)
+    with_numbers(quantity.formula, take, measures)
     yield from (quantity._replace(of=f"{quantity.of}_0", formula=n) for n in found)
 
 
-def with_numbers(
-    length: Formula, put: Callable[[Formula], Formula], plain: Set[str] = frozenset()
-) -> Formula:
+def with_numbers(length: Formula, put: Callable[[Formula], Formula], measures: Measures) -> Formula:
     """Return a length in which ``put`` stands for the numbers that are lengths themselves.
 
-    Sums, ``hypot`` and the like are of lengths alone, and one factor of a product is, where the
-    others are numbers or functions of angles: ``plain`` names have no part in the dimension.
+    Sums, ``hypot`` and the like are of lengths alone. Of a product the number is a length where
+    all else is a pure number, and not where all else is a length by what its names measure.
 
     >>> from fractions import Fraction
-    >>> from ...formula.tree import Symbol
     >>> a, names = Symbol("a"), {number(Fraction(1, 50)): Symbol("b")}
     >>> whole = Product((number(2), Sum((a, number(Fraction(1, 50))))))
-    >>> with_numbers(whole, lambda n: names[n]) == Product((number(2), Sum((a, Symbol("b")))))
+    >>> found = with_numbers(whole, lambda n: names[n], {"a": LENGTH})
+    >>> found == Product((number(2), Sum((a, Symbol("b")))))
     True
     """
     if _is_number(length):
         return put(length)
     match length:
         case Sum(terms):
-            return Sum(tuple(with_numbers(term, put, plain) for term in terms))
+            return Sum(tuple(with_numbers(term, put, measures) for term in terms))
         case Call("hypot" | "min" | "max" | "abs" as function, arguments):
-            return Call(function, tuple(with_numbers(each, put, plain) for each in arguments))
+            return Call(function, tuple(with_numbers(each, put, measures) for each in arguments))
         case Product(factors):
-            carrying = [f for f in factors if not symbols(f) <= plain] or [
-                f for f in factors if _is_number(f)
-            ]
-            if len(carrying) == 1:
-                one = with_numbers(carrying[0], put, plain)
-                return Product(tuple(one if f is carrying[0] else f for f in factors))
+            return Product(tuple(_factors_with_numbers(factors, put, measures)))
     return length
+
+
+def _factors_with_numbers(
+    factors: Sequence[Formula], put: Callable[[Formula], Formula], measures: Measures
+) -> Iterator[Formula]:
+    """Yield the factors of a length, what stands for a number in place of one that is a length."""
+    others = _of_product(factors, measures)
+    is_one = others == NUMBER and sum(map(_is_number, factors)) == 1
+    for factor in factors:
+        if _is_number(factor):
+            yield put(factor) if is_one else factor
+        else:
+            is_length = others == LENGTH == _measure(factor, measures)
+            yield with_numbers(factor, put, measures) if is_length else factor
+
+
+OF_ANGLES = ("sin", "cos", "tan", "cot", "asin", "acos", "atan", "atan2", "exp", "ln", "sign")
+"""The functions whose value is a pure number, or an angle."""
+
+
+def _measure(formula: Formula, measures: Measures) -> Dimension | None:
+    """Return what a formula measures by its names; None where these do not say it."""
+    match formula:
+        case Symbol(name):
+            return measures.get(name)
+        case Sum(parts) | Call("hypot" | "min" | "max" | "abs", parts):
+            found = {m for part in parts if (m := _measure(part, measures)) is not None}
+            return found.pop() if len(found) == 1 else None
+        case Product(factors):
+            others = _of_product(factors, measures)
+            return None if others == NUMBER and any(map(_is_number, factors)) else others
+        case Power(base, Number(exponent)):
+            of_base = _measure(base, measures)
+            return None if of_base is None else of_base.scaled(exponent)
+        case Call(function) if function in OF_ANGLES:
+            return NUMBER
+        case _:
+            return None
+
+
+def _of_product(factors: Sequence[Formula], measures: Measures) -> Dimension | None:
+    """Return what all factors that are no numbers measure together, None where one is unknown."""
+    whole = NUMBER
+    for factor in factors:
+        if not _is_number(factor):
+            own = _measure(factor, measures)
+            if own is None:
+                return None
+            whole = whole.joined(own)
+    return whole
 
 
 def _is_number(formula: Formula) -> bool:
@@ -289,4 +342,4 @@ def _named(kind: str, of: str, length: Formula, names: Names) -> Formula:
     def put(found: Formula) -> Formula:
         return names.known.get((kind, f"{of}_0", found), found)
 
-    return length if _is_number(length) else with_numbers(length, put, names.plain)
+    return length if _is_number(length) else with_numbers(length, put, names.measures)
