@@ -239,6 +239,16 @@ def test_a_screw_along_the_mirror_line_is_in_both_halves(place, times, warned) -
     assert ("W208" in {d.code for d in compilation.report.diagnostics}) == warned
 
 
+def test_one_screw_that_moves_a_nut_in_each_part_is_no_part_of_one() -> None:
+    """The link SE is shared, the nut A is in each of three branches: nothing is there 0 times."""
+    branches = JACK.format(place="", times="").replace(
+        "mirror across x sharing A", "copies 3 sharing S, E"
+    )
+    compilation = Compilation(Source("jack.mech", branches))
+    assert compilation.mechanism
+    assert "W208" not in {d.code for d in compilation.report.diagnostics}
+
+
 @pytest.mark.parametrize(("speed", "doubted"), [("10 rad/s", False), ("0 rad/s", True)])
 def test_a_drive_of_no_speed_is_doubted(speed: str, doubted: bool) -> None:
     crank = slider_crank("find k = M/F", drive=f"from 0 deg to 90 deg speed {speed}")

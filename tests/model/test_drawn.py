@@ -354,3 +354,23 @@ def test_rods_drawn_in_one_line_close_where_their_lengths_are_others(drive):
         rocker = (1j * qb * ab.conjugate()).real / abs(ab)
         found = mechc.loads(IN_LINE.format(turn=turn, drive=drive)).evaluate()["k"]
         assert found == pytest.approx(-crank / rocker)
+
+
+COVERED = """
+pivot A at (0 mm, 400 mm)
+pivot B at (60 mm, 400 mm)
+slider K along x
+slider H along y
+K at (0 mm, 400 mm)
+H at (60 mm, 0 mm)
+rope A, K along {along}, B along x, H along -y
+force P at H along -y
+force F at K along -x
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize("along", ["x", "-x", "150 deg"])
+def test_a_fall_between_points_that_lie_on_one_another_runs_no_way(along):
+    """K is drawn on A, where its rope begins: no direction is against the way from A to K."""
+    assert not {"E345", "W351"}.intersection(codes(COVERED.format(along=along)))

@@ -222,6 +222,7 @@ find k = P/F
         ("20 mm*(1 + a/b)", "a*b/(len_OA_0*(a + b))"),
         ("20 mm*max(a/b, 2)", "a/(len_OA_0*max(a/b, 2))"),
         ("a*(b + 20 mm)/b", "b/(b + len_OA_0)"),
+        ("b/a*(20 mm + sqrt(a*b))", "a^2/(b*(len_OA_0 + sqrt(a*b)))"),
         ("2*(2*a + 20 mm)", "a/(2*(2*a + len_OA_0))"),
     ],
 )

@@ -224,7 +224,7 @@ def pins_overlap(span: Span, diameter: float, points: Sequence[str], apart: floa
 
 
 @coded("W211")
-def factor_between_units(span: Span, digits: str, speed: str) -> Message:
+def factor_between_units(span: Span, digits: str, speed: str, unit: str) -> Message:
     """A number stands in a formula that only changes the units of a speed, a torque and a power.
 
     Books have P = M·n/9550 for kW, N·m and revolutions per minute. Here a quantity brings its unit
@@ -235,4 +235,4 @@ def factor_between_units(span: Span, digits: str, speed: str) -> Message:
         let P = M*n in kW      # right
     """
     message = f"{digits} stands for units, and '{speed}' has its unit itself"
-    return Message(span, message, "leave the number out, and ask for a unit: … in kW")
+    return Message(span, message, f"leave the number out, and ask for a unit: … in {unit}")

@@ -32,10 +32,12 @@ def turned_falls(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
             turned = sketch.turned(along)
             if turned is not None and sketch.has_all((tail, head)):
                 x, y = sketch.way(tail, head)
+                if math.hypot(x, y) <= sketch.rounding:
+                    continue  # of points that lie on one another there is no way
                 ahead = math.cos(math.atan2(y, x) - turned)
                 if ahead < BACKWARDS:
                     yield messages.fall_drawn_backwards(along.span, tail, head)
-                elif ahead < ACROSS and math.hypot(x, y) > sketch.rounding:
+                elif ahead < ACROSS:
                     yield messages.fall_drawn_across(along.span, tail, head, math.acos(ahead))
 
 

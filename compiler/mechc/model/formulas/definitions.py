@@ -67,7 +67,7 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
                     if let := _let(statement, chosen.quantity, scope):
                         found.lets[name] = let
                         _note_turns(statement, let.dimension, statements, scope)
-                        note_unit_factor(statement, scope)
+                        note_unit_factor(statement, let.dimension, scope)
                         found.requires.extend(_within_range(statement, let, scope))
     return found
 

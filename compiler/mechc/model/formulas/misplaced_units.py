@@ -1,11 +1,12 @@
 """Units behind a number that are meant for the whole formula, and numbers that stand for units."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 
 from ...diagnostics.model import doubtful_sizes as doubts
 from ...diagnostics.model import sheets as messages
 from ...syntax import ast
-from ...units import FREQUENCY, LENGTH, NUMBER, UNITS, Dimension
+from ...units import FREQUENCY, LENGTH, NUMBER, POWER, TORQUE, UNITS, VELOCITY, Dimension
 from ..constants import expressions_in, leaves
 from ..names.scope import Scope
 
@@ -75,10 +76,13 @@ def _has_a_name(factor: ast.Expr) -> bool:
 FACTORS = frozenset(map(Fraction, ("9550", "9549", "9549.3", "974", "975", "716.2", "60000")))
 """Numbers by which formulas of speeds in 1/min have powers in kW, or torques in N·m and kgf·m."""
 
+BY_A_FACTOR: Mapping[Dimension, str] = {POWER: "kW", TORQUE: "N*m", VELOCITY: "m/s"}
+"""What has such a number in formulas of speeds, and the unit that it is to bring about."""
 
-def note_unit_factor(statement: ast.Let, scope: Scope) -> None:
+
+def note_unit_factor(statement: ast.Let, dimension: Dimension, scope: Scope) -> None:
     """Warn of a factor between units in a formula of a speed, which has its own unit here."""
-    if statement.value is None:
+    if statement.value is None or dimension not in BY_A_FACTOR:
         return
     parts = [leaf for each in expressions_in(statement.value) for leaf in leaves(each)]
     turning = [
@@ -90,5 +94,6 @@ def note_unit_factor(statement: ast.Let, scope: Scope) -> None:
     ]
     for leaf in parts:
         if turning and isinstance(leaf, ast.Number) and not leaf.unit and leaf.value in FACTORS:
-            scope.report.add(doubts.factor_between_units(leaf.span, leaf.digits, turning[0]))
+            found = (leaf.digits, turning[0], BY_A_FACTOR[dimension])
+            scope.report.add(doubts.factor_between_units(leaf.span, *found))
             return

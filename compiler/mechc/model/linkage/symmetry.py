@@ -138,7 +138,7 @@ def _check_screw(screw: Screw, mechanism: Mechanism, scope: Scope) -> None:
     own = mechanism.fixed & (placed | {d.point for d in mechanism.drawn}) & {*points}
     number = mechanism.repeats(points) / mechanism.repeats([screw.point])
     torques = [load for load in mechanism.loads if screw.link in load.links]
-    if number == 1 or own - mechanism.shared or any(load.times != 1 for load in torques):
+    if number <= 1 or own - mechanism.shared or any(load.times != 1 for load in torques):
         return
     name = next((load.name for load in torques), "")
     found = (screw.point, screw.link, name, int(number))

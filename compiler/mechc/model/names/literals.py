@@ -7,6 +7,7 @@ own: of two links that are as long as each other a formula names the one that is
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 
 from ...formula.names import another
 from ...formula.tree import (
@@ -152,7 +153,6 @@ def with_numbers(length: Formula, put: Callable[[Formula], Formula], measures: M
     Sums, ``hypot`` and the like are of lengths alone. Of a product the number is a length where
     all else is a pure number, and not where all else is a length by what its names measure.
 
-    >>> from fractions import Fraction
     >>> a, names = Symbol("a"), {number(Fraction(1, 50)): Symbol("b")}
     >>> whole = Product((number(2), Sum((a, number(Fraction(1, 50))))))
     >>> found = with_numbers(whole, lambda n: names[n], {"a": LENGTH})
@@ -185,7 +185,7 @@ def _factors_with_numbers(
             yield with_numbers(factor, put, measures) if is_length else factor
 
 
-OF_ANGLES = ("sin", "cos", "tan", "cot", "asin", "acos", "atan", "atan2", "exp", "ln", "sign")
+PURE = ("sin", "cos", "tan", "cot", "asin", "acos", "atan", "atan2", "exp", "log", "sign")
 """The functions whose value is a pure number, or an angle."""
 
 
@@ -203,7 +203,9 @@ def _measure(formula: Formula, measures: Measures) -> Dimension | None:
         case Power(base, Number(exponent)):
             of_base = _measure(base, measures)
             return None if of_base is None else of_base.scaled(exponent)
-        case Call(function) if function in OF_ANGLES:
+        case Call("sqrt", (base,)):
+            return _measure(Power(base, Number(Fraction(1, 2))), measures)
+        case Call(function) if function in PURE:
             return NUMBER
         case _:
             return None
