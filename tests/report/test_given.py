@@ -317,6 +317,40 @@ def test_quantities_without_a_text_are_called_by_what_they_are():
     }
 
 
+@pytest.mark.parametrize(
+    ("friction", "called"),
+    [
+        ("f diameter d", {"f": "coefficient of friction", "d": "diameter of the pin"}),
+        ("f diameter d coulomb", {"f": "coefficient of friction", "d": "diameter of the pin"}),
+        ("f diameter 2*d", {}),
+        ("f/2 diameter d", {}),
+        ("f diameter d + l0", {"c": "rate of the spring", "l0": "free length of the spring"}),
+        ("f diameter l0", {"f": "coefficient of friction", "c": "rate of the spring"}),
+    ],
+)
+def test_what_is_a_part_of_a_size_is_not_called_by_it(friction, called):
+    """The radius r in ``diameter 2*r`` is no diameter, and 2c, not c, is the rate of a spring."""
+    spring = "c" if "l0" in friction else "2*c"
+    source = f"""
+        mechanism spring
+        param c = 5 N/mm
+        param l0 = 80 mm
+        param d = 12 mm
+        param f = 0.1
+        pivot O at (0 mm, 0 mm)
+        pivot Q at (0 mm, 100 mm)
+        link OA
+        A at (80 mm, 30 mm)
+        force P at A along y
+        spring {spring} between Q and A free l0
+        friction pins {friction}
+        find P
+        """
+    mechanism = Compilation(Source("spring.mech", source)).mechanism
+    shown = with_roles(mechanism.parameters, mechanism, locale("en").roles)
+    assert {p.name: p.label for p in shown if p.label} == called
+
+
 def test_a_size_that_several_parts_share_is_called_after_none_of_them():
     """Two equal springs: their rate is c, and each free length has the spring's own name."""
     source = Source(

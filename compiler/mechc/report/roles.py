@@ -1,6 +1,5 @@
 """What quantities without a text are, by what the description does with them.
 
->>> from ..formula.tree import HALF, product
 >>> from ..source import Span
 >>> f, d = Symbol("f"), Symbol("d")
 >>> circle = product([(f, 1), (d, 1), (HALF, 1)])
@@ -12,8 +11,8 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Mapping, Set
 from typing import assert_never
 
-from ..formula.tree import Formula, Product, Sum, Symbol
-from ..formula.walk import symbols
+from ..formula.tree import HALF, Formula, Product, Sum, Symbol, product
+from ..formula.walk import walk
 from ..frozen import replace
 from ..model.mechanism import ForcePair, Geometry, Mechanism, Parameter, Turn
 from ..model.parts.friction import (
@@ -26,6 +25,7 @@ from ..model.parts.friction import (
     RopeFriction,
     ThreadFriction,
     WheelFriction,
+    coulomb,
 )
 from ..units import LENGTH
 
@@ -92,16 +92,17 @@ def _roles(mechanism: Mechanism) -> Iterator[Role]:
     met = Counter(r for f in mechanism.friction.joints for r in of_friction(f, lengths))
     ties = (k.tie for k in mechanism.loads if isinstance(k, ForcePair) and k.spring)
     met += Counter(role for tie in ties if tie for role in _of_spring(tie))
+    roles = Counter(name for name, _ in met)
     for (name, role), times in met.items():
-        yield name, SEVERAL.get(role, role) if times > 1 else role
+        if roles[name] == 1:  # what is a diameter here and a free length there is neither alone
+            yield name, SEVERAL.get(role, role) if times > 1 else role
 
 
 def of_friction(friction: JointFriction, lengths: Set[str]) -> list[Role]:
     """Return the quantities of a friction with their roles."""
     match friction:
         case PinFriction(radius=radius):
-            names = [name for part in _factors(radius) for name in _names(part)]
-            return [(name, "pin" if name in lengths else "coefficient") for name in names]
+            return _of_circle(radius, lengths)
         case GuideFriction() | FaceFriction() | CollarFriction() | PivotFriction():
             return _named(friction.factor, "coefficient")
         case RopeFriction(coefficient=coefficient, wrap=wrap):
@@ -114,23 +115,25 @@ def of_friction(friction: JointFriction, lengths: Set[str]) -> list[Role]:
             assert_never(friction)
 
 
+def _of_circle(radius: Formula, lengths: Set[str]) -> list[Role]:
+    """Return the coefficient and the diameter in f·d/2, or by Coulomb's law; of f·r neither."""
+    names = dict.fromkeys(part for part in walk(radius) if isinstance(part, Symbol))
+    diameters = [name for name in names if name.name in lengths]
+    others = [name for name in names if name.name not in lengths]
+    if len(diameters) != 1 or len(others) != 1:
+        return []
+    (d,), (f,) = diameters, others
+    circles = (product([(HALF, 1), (law, 1), (d, 1)]) for law in (f, coulomb(f)))
+    return [(f.name, "coefficient"), (d.name, "pin")] if radius in circles else []
+
+
 def _of_spring(tie: Formula) -> Iterator[Role]:
-    """Yield what is in the force of a spring: its rate, times its free length less what it has."""
-    for part in _factors(tie):
-        match part:
-            case Sum((Symbol(free), *_)):
-                yield free, "free length"
-            case Symbol(rate):
-                yield rate, "rate"
-
-
-def _names(part: Formula) -> Iterable[str]:
-    """Return the name of a quantity, also of a number that has one; of a formula its symbols."""
-    return (part.name,) if isinstance(part, Symbol) else symbols(part)
-
-
-def _factors(formula: Formula) -> tuple[Formula, ...]:
-    return formula.factors if isinstance(formula, Product) else (formula,)
+    """Yield the rate of a spring, and its free length, where names alone stand for them."""
+    match tie:
+        case Product((Symbol(rate), Sum((Symbol(free), _)))):
+            yield from ((rate, "rate"), (free, "free length"))
+        case Product((Symbol(rate), Sum())):
+            yield rate, "rate"
 
 
 def _named(formula: Formula, role: str) -> list[Role]:
