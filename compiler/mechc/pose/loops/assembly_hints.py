@@ -77,8 +77,11 @@ class AssemblyHints:
             return messages.no_line_decides(self._apart(alike), drive)
         if len(poses) > FEW and not refuted:
             return self._table(poses, lines)
-        found = (self._described(p, own) for p, own in zip(poses, lines, strict=True))
-        return messages.the_closures(list(found)) if refuted else messages.one_of(list(found))
+        found = [self._described(p, own) for p, own in zip(poses, lines, strict=True)]
+        if refuted:
+            each = (said or self._shown(p) for p, said in zip(poses, found, strict=True))
+            return messages.the_closures([*each])
+        return messages.one_of(found)
 
     def _is_one(self, poses: Sequence[Values]) -> bool:
         """Return whether poses are one, so that it is no matter of lines."""
