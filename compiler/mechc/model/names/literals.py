@@ -190,7 +190,7 @@ PURE = ("sin", "cos", "tan", "cot", "asin", "acos", "atan", "atan2", "exp", "log
 
 
 def _measure(formula: Formula, measures: Measures) -> Dimension | None:
-    """Return what a formula measures by its names; None where these do not say it."""
+    """Return the dimension of a formula by those of its names; None where they do not say it."""
     match formula:
         case Symbol(name):
             return measures.get(name)
@@ -212,7 +212,7 @@ def _measure(formula: Formula, measures: Measures) -> Dimension | None:
 
 
 def _of_product(factors: Sequence[Formula], measures: Measures) -> Dimension | None:
-    """Return what all factors that are no numbers measure together, None where one is unknown."""
+    """Return the dimension of the factors that are no numbers; None where one is unknown."""
     whole = NUMBER
     for factor in factors:
         if not _is_number(factor):
