@@ -157,20 +157,22 @@ def _of_kind(character: str) -> str:
     return f"names are written in Latin letters; this is {script(character)}" * character.isalpha()
 
 
-RESPELLED = {"lamda": "lambda", "final": "sigma"}
-"""Names of Greek letters that the tables of characters call otherwise."""
+BESIDE_NAMES = frozenset({"GREEK", "SMALL", "CAPITAL", "LETTER", "FINAL", "LUNATE", "REVERSED"})
+"""The words that stand before a Greek letter's name in the tables of characters."""
 
 
 def script(character: str) -> str:
     """Return which alphabet a letter is from; look-alikes are hard to see.
 
-    >>> script("А"), script("α"), script("é")
-    ('a Cyrillic letter', 'a Greek letter: write its name, alpha', 'another letter')
+    >>> script("А"), script("é")
+    ('a Cyrillic letter', 'another letter')
+    >>> [script(letter).rpartition(" ")[2] for letter in "αΛςϕϵ"]
+    ['alpha', 'lambda', 'sigma', 'phi', 'epsilon']
     """
     if "\u0400" <= character <= "\u04ff":
         return "a Cyrillic letter"
     if "\u0370" <= character <= "\u03ff":
-        name = unicodedata.name(character, "").partition("LETTER ")[2].split()
-        spelled = (name or ["alpha"])[0].lower()
-        return f"a Greek letter: write its name, {RESPELLED.get(spelled, spelled)}"
+        words = (w for w in unicodedata.name(character, "").split() if w not in BESIDE_NAMES)
+        name = next(words, "alpha").lower().replace("lamda", "lambda")
+        return f"a Greek letter: write its name, {name}"
     return "another letter"
