@@ -233,12 +233,15 @@ def multiple_of_sum(angle: Formula) -> Formula:
     >>> one, other = (product([(number(2), 1), (Symbol(name), 1)]) for name in ("phi", "mu_B"))
     >>> text(multiple_of_sum(total([one, negative(other)]))), text(multiple_of_sum(one))
     ('2*(phi - mu_B)', '2*phi')
+    >>> text(multiple_of_sum(total([negative(one), negative(other)])))
+    '-2*(phi + mu_B)'
     """
     sizes = [_multiple(t) for t in angle.terms] if isinstance(angle, Sum) else [1]
     if len({*sizes}) > 1 or sizes[0] == 1 or not isinstance(angle, Sum):
         return angle
-    once = [product([(number(Fraction(1, sizes[0])), 1), (term, 1)]) for term in angle.terms]
-    return Product((number(sizes[0]), Sum(tuple(once))))
+    times = -sizes[0] if all(map(has_minus, angle.terms)) else sizes[0]
+    once = [product([(number(Fraction(1, times)), 1), (term, 1)]) for term in angle.terms]
+    return Product((number(times), Sum(tuple(once))))
 
 
 def _multiple(term: Formula) -> int:
