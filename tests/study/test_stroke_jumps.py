@@ -13,7 +13,7 @@ import mechc
 from hunted import Hunted, made
 from mechc.report.text.stroke import to_table
 from mechc.study.stroke.jumps import changes_of_sign
-from small_mechanisms import slider_crank
+from small_mechanisms import four_bar, slider_crank
 from stroke_curves import refuted
 
 F, R, L = 100.0, 0.05, 0.2
@@ -51,6 +51,18 @@ def test_the_greatest_force_right_beside_a_jump_is_stated_as_an_extremum(mechani
     places = [math.radians(60 + 60 * i / 6000) for i in range(6001)]
     greatest = max(abs(mechanism.evaluate(phi=places)["N_AB_f"]))
     assert max(abs(e.value) for e in near) == pytest.approx(greatest, rel=1e-4)
+
+
+def test_a_direction_has_no_extrema_at_places_looked_at_beside_its_jumps():
+    """With friction in all pins of a crank-rocker R_C turns where a pin's slip turns round."""
+    asked = "let T = 10 N*m", "find k = M/T", "find R_C", "friction pins 0.1 diameter 20 mm"
+    stroke = mechc.loads(four_bar(*asked)).stroke(3)
+    jumps = [jump.drive for jump in of(stroke.singular, "R_C_x_f")]
+    turns = [turn.drive for turn in of(stroke.extrema, "R_C_direction_f")]
+    beside = (0.0, *jumps, math.tau)
+    assert jumps
+    assert turns
+    assert not [x for x in turns if any(abs(x - jump) < math.radians(0.75) for jump in beside)]
 
 
 def test_a_force_is_zero_where_its_sense_changes(stroke):

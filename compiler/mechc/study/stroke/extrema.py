@@ -6,6 +6,7 @@ from itertools import product
 from typing import Literal
 
 from ...formula.roots import lowest, roots
+from ...frozen import replace
 from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT, SAME_RATIO, SAME_VALUE
@@ -76,8 +77,21 @@ def _with(grid: Sequence[float], turns: Sequence[float]) -> list[float]:
 
 
 def _shared(run: Run, result: Analysis) -> set[str]:
-    """Return the names of results at whose breaks a result has its own: ratios, and itself."""
-    return {result.name, *(ratio.name for ratio in run.quotients)}
+    """Return the names of results at whose breaks a result has its own: ratios, and itself.
+
+    A direction has them where the components of its force have theirs.
+    """
+    alike = (r.name for r in run.results if _force(r) == _force(result) is not None)
+    return {result.name, *alike, *(ratio.name for ratio in run.quotients)}
+
+
+def _force(result: Analysis) -> WithFriction | None:
+    """Return the force with friction that a result is the size, a part or the direction of."""
+    match result.target:
+        case WithFriction(of=Reaction() as force):
+            return replace(result.target, of=replace(force, part="size"))
+        case _:
+            return None
 
 
 def parted(grid: Sequence[float], breaks: Mapping[float, float]) -> Iterator[list[float]]:
