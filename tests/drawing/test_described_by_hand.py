@@ -13,7 +13,7 @@ from mechc.figure.velocities import Velocities
 from mechc.frozen import replace
 from mechc.plot.plot import Axis, Curve, Mark, Panel, Plot, Value, Zone
 from mechc.pose.places import Plane
-from mechc.report.languages.pictured import EN
+from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.units import ANGLE, LENGTH, NUMBER
 from small_poses import lever
 

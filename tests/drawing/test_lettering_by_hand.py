@@ -6,7 +6,7 @@ from mechc.drawing.from_figure import scheme
 from mechc.drawing.lettering import box, figures, formula, measured, name, times
 from mechc.figure.from_pose import draw
 from mechc.frozen import replace
-from mechc.report.languages.pictured import EN
+from mechc.report.languages.en.pictured import WORDS as EN
 from small_poses import lever
 
 

@@ -11,7 +11,9 @@ from mechc.drawing.drawing import FORCE, RELATIVE, SYMBOL, VELOCITY, Arc, Polyli
 from mechc.drawing.moving import Marks
 from mechc.drawing.paper import on_paper
 from mechc.driver import Compilation
-from mechc.report.languages.pictured import EN, RU, UK
+from mechc.report.languages.en.pictured import WORDS as EN
+from mechc.report.languages.ru.pictured import WORDS as RU
+from mechc.report.languages.uk.pictured import WORDS as UK
 from mechc.source import Source
 from mechc.statics.diagram import friction_circles
 from readable_drawings import assert_readable, lettering, written

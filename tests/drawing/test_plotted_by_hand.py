@@ -6,7 +6,7 @@ from mechc.drawing.drawing import Polyline
 from mechc.drawing.from_plot import ROW, picture
 from mechc.plot.plot import Axis, Curve, Mark, Panel, Plot, Value
 from mechc.pose.places import Plane
-from mechc.report.languages.pictured import EN
+from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.units import ANGLE, LENGTH, NUMBER
 
 X, Y = Axis("alpha", ANGLE, "deg"), Axis("k", NUMBER)

@@ -39,7 +39,7 @@ from mechc.figure.figure import Actuator, Force, Spring, Torque
 from mechc.files import find, mechanisms, read
 from mechc.formula.names import split_points
 from mechc.model.values import range_of
-from mechc.report.languages.pictured import EN
+from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.source import Source
 from readable_drawings import assert_readable, lettering, places
 from sources import in_thirds

@@ -20,7 +20,7 @@ from mechc.driver import Compilation
 from mechc.emit.svg.picture import to_svg
 from mechc.frozen import replace
 from mechc.plot.query import usual
-from mechc.report.languages.pictured import EN
+from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.source import Source
 from paths import EXAMPLES
 from readable_drawings import assert_readable, lettering
