@@ -10,7 +10,7 @@ import pytest
 import good_mechanisms
 from mechc.cli import main
 from mechc.cli.checked import report
-from mechc.report.languages import checked, registry
+from mechc.report.languages import registry
 from mechc.statics.verdict import UNJUDGED, WITHOUT_FORCES
 from mechc.syntax.vocabulary import LANGUAGES
 from paths import EXAMPLES
@@ -30,7 +30,8 @@ def run(capsys: pytest.CaptureFixture[str]) -> Run:
 
 
 def test_check_speaks_three_languages(run: Run) -> None:
-    for language, words in (("en", checked.EN), ("uk", checked.UK), ("ru", checked.RU)):
+    for language in registry.LANGUAGES:
+        words = registry.locale(language).checked
         out = run("check", "--lang", language, str(EXAMPLES / "clamp.mech"), "crank_rocker")
         assert f": {words['proved'].split(': ')[1]}\n" in out
         value = "0.0670682245" if language == "en" else "0,0670682245"
@@ -98,9 +99,9 @@ def test_every_language_of_reports_can_be_asked_for() -> None:
 
 
 def test_every_language_has_the_words_of_check() -> None:
-    for words in (checked.EN, checked.UK, checked.RU):
-        assert words.keys() == checked.EN.keys()
-        assert words.keys() >= {*UNJUDGED, *WITHOUT_FORCES}
+    tables = [registry.locale(language).checked for language in registry.LANGUAGES]
+    assert all(words.keys() == tables[0].keys() for words in tables)
+    assert tables[0].keys() >= {*UNJUDGED, *WITHOUT_FORCES}
 
 
 def test_check_breaks_lines_at_the_width_of_a_terminal() -> None:
