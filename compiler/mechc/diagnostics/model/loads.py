@@ -72,7 +72,8 @@ def off_the_mirror(span: Span, what: str, mirror: Span) -> Message:
     """A direction does not lie along the mirror line, but symmetry wants it to.
 
     Gravity acts on both halves alike only along the line; so does a force on a point
-    that the halves share. Such a point can move along the line only, as a guide of it must.
+    that the halves share. Such a point can move along the line only, as a guide of it must, and
+    where several are drawn, they are on one line along it.
 
         mirror across 90 deg sharing K
         slider K along 45 deg         # wrong
