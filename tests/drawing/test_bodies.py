@@ -235,3 +235,24 @@ let M = {moment}
 def test_forces_are_in_the_unit_of_the_description(moment, shown):
     compilation = Compilation(Source("lever.mech", LEVER.format(moment=moment)))
     assert shown <= set(lettering(compilation.drawn_bodies("en")))
+
+
+SPINDLE = """
+param p = 4 mm
+pivot S at (-2 m, -0.06 m)
+slider A along x
+link SH
+A at (-0.09 m, -0.06 m)
+H at (-2 m, 0 mm)
+screw A pitch p on SH
+torque M on SH
+force F at A along -x
+force W = F/2000 at A along -x
+find k = M/F
+"""
+
+
+def test_what_is_small_beside_the_largest_force_is_drawn():
+    """M is a three thousandth of the moments that F could have: without it a link has no load."""
+    found = lettering(Compilation(Source("spindle.mech", SPINDLE)).drawn_bodies("en"))
+    assert {"M = 0.637\u2009mm·F", "MA = 0.637\u2009mm·F", "W = 0.0005\u2009F"} <= set(found)

@@ -7,7 +7,7 @@ import pytest
 
 from mechc.drawing.drawing import RELATIVE, VELOCITY
 from mechc.drawing.force_polygon import ASIDE, _sides, visible
-from mechc.drawing.vectors import Speeds
+from mechc.drawing.vectors import Forces, Speeds
 from mechc.drawing.velocity_polygon import LARGE, _behind, _Maker, _points, scale_of
 from mechc.figure.figure import Link, Slide, Slot
 from mechc.figure.velocities import Sliding, Velocities
@@ -95,10 +95,16 @@ def test_a_polygon_begins_with_a_load_and_goes_round_counter_clockwise():
     def acting(kind, *force):
         return SimpleNamespace(kind=kind, force=Plane(*force) if force else None)
 
-    up, left = acting("pin", 0, 2), acting("pin", -1, 0)
+    up, left, small = acting("pin", 0, 2), acting("pin", -1, 0), acting("pin", 1e-5, 0)
     load, nothing = acting("load", 0, -3), acting("pin", 1e-12, 0)
-    body = SimpleNamespace(forces=[left, nothing, load, up, acting("pin")])
-    assert visible(SimpleNamespace(largest=3.0), body) == [load, up, left]
+    body = SimpleNamespace(forces=[left, nothing, load, small, up, acting("pin")])
+    forces = Forces(SimpleNamespace(), SimpleNamespace(bodies=[body]), {})
+    assert visible(forces, body) == [load, small, up, left]
+
+
+def test_a_small_force_across_leaves_parallel_ones_beside_each_other():
+    sides = _sides([Plane(10.0, 0.0), Plane(0.0, 1e-4), Plane(-10.0, 0.0)])
+    assert [round(tail.y, 3) for tail, _ in sides] == [0, 0, ASIDE]
 
 
 def test_a_link_under_a_pin_is_named_by_its_points_and_a_slide_by_its_name():

@@ -10,21 +10,21 @@ from .labels import Beside
 from .occupied import LineSegment
 from .sheet import Layer, Sheet
 from .symbols import arrow, line
-from .vectors import LEAST, Forces
+from .vectors import Forces
 
 FLAT = 1e-3
-"""The sine of the angle between forces below which they are drawn as parallel."""
+"""Forces are drawn as parallel where none has more than this part of the largest across it."""
 
 ASIDE = 3.0
 """How far parallel forces of opposite senses are drawn from each other, in millimetres."""
 
 
 def visible(forces: Forces, body: FreeBody) -> list[Acting]:
-    """Return the forces on a body that are more than nothing, in the order of a polygon.
+    """Return the forces on a body that are more than rounding, in the order of a polygon.
 
     They go round counter-clockwise, the loads first, so that no side crosses another one.
     """
-    pushing = [a for a in body.forces if _size(a) > LEAST * forces.largest]
+    pushing = [a for a in body.forces if forces.pushes(a)]
     first = next((a for a in pushing if a.kind == "load"), pushing[0] if pushing else None)
     start = first.force.angle if first and first.force else 0.0
 
@@ -55,8 +55,9 @@ def force_polygon(forces: Forces, body: FreeBody, scale: float) -> Drawing:
 
 def _sides(steps: Sequence[Plane]) -> list[LineSegment]:
     """Return steps head to tail; where all are parallel, those back beside those ahead."""
-    along = max(steps, key=lambda step: math.hypot(*step)).unit() or Plane(1.0, 0.0)
-    flat = all(abs(along.turned().dot(step)) < FLAT * math.hypot(*step) for step in steps)
+    longest = max(steps, key=lambda step: math.hypot(*step))
+    along = longest.unit() or Plane(1.0, 0.0)
+    flat = all(abs(along.turned().dot(step)) < FLAT * math.hypot(*longest) for step in steps)
     at, sides = NOWHERE, list[LineSegment]()
     for step in steps:
         back = flat and along.dot(step) * along.dot(steps[0]) < 0
@@ -64,7 +65,3 @@ def _sides(steps: Sequence[Plane]) -> list[LineSegment]:
         sides.append((at.plus(aside), at.plus(step).plus(aside)))
         at = at.plus(step)
     return sides
-
-
-def _size(acting: Acting) -> float:
-    return math.hypot(*acting.force) if acting.force else 0.0

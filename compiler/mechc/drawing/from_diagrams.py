@@ -16,7 +16,7 @@ from .lettering import name
 from .paper import Paper, on_paper
 from .sheet import Layer, Sheet
 from .symbols import off
-from .vectors import LEAST, Forces, heading, in_words
+from .vectors import Forces, heading, in_words
 
 LARGEST = 24.0
 """The length of the largest force in millimetres."""
@@ -99,12 +99,11 @@ class _Maker:
             unknown = (*self.forces.name(body, acting), Run(" = ?"))
             sheet.name(Around(self._place(body, acting), unknown, FORCE, 0.0, symbols.PIN))
             return
-        size, unit = math.hypot(*acting.force), acting.force.unit()
-        pushes = bool(acting.point) and unit is not None and size > LEAST * self.forces.largest
+        unit = acting.force.unit()
+        pushes = bool(acting.point) and self.forces.pushes(acting)
         if pushes and unit is not None:
             self._draw_arrow(sheet, body, acting, unit)
-        turns = abs(acting.moment) > LEAST * self.forces.largest * self.paper.figure.size
-        if turns and not (pushes and acting.kind in AT_PINS):
+        if self.forces.turns(acting) and not (pushes and acting.kind in AT_PINS):
             self._draw_couple(sheet, body, acting)
 
     def _draw_arrow(self, sheet: Sheet, body: FreeBody, acting: Acting, unit: Plane) -> None:

@@ -39,3 +39,9 @@ ONE_VALUE = 1e-9
 
 ONE = 1e-9
 """A multiple nearer to 1 than this is 1, and not written in front of its unit."""
+
+NO_FORCE = 1e-9
+"""A force below this part of the largest is rounding, as a couple is below its moments.
+
+No other one is left out: a screw may turn by a thousandth of what its force has for a moment.
+"""

@@ -11,9 +11,7 @@ from ..statics.diagram import Acting, Diagram, FreeBody
 from ..units import UNITS
 from .drawing import Run
 from .lettering import enumerated, lowered, measured, name, times
-
-LEAST = 0.004
-"""A force below this part of the largest is nothing."""
+from .tolerances import NO_FORCE
 
 LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "F"}
 """The symbols of forces of joints, by their kind; others are R."""
@@ -61,6 +59,14 @@ class Forces:
         """Return the size of the largest force."""
         forces = (a.force for body in self.diagram.bodies for a in body.forces if a.force)
         return max((math.hypot(*force) for force in forces), default=0.0) or 1.0
+
+    def pushes(self, acting: Acting) -> bool:
+        """Return whether there is a known force that is more than rounding, however small."""
+        return math.hypot(*(acting.force or ())) > NO_FORCE * self.largest
+
+    def turns(self, acting: Acting) -> bool:
+        """Return whether there is a couple that is more than rounding of the largest moments."""
+        return abs(acting.moment) > NO_FORCE * self.largest * self.figure.size
 
     @property
     def described(self) -> Iterator[FreeBody]:
