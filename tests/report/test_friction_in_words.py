@@ -207,6 +207,22 @@ def test_a_thread_is_derived_from_its_force():
     assert "T = d · tan ψ / 2 + n_A_screw · v_A_screw · tan ρ" in shown
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "In a thread {} is the axial component of the normal force, and v is"),
+        ("ru", "В резьбе {} — осевая составляющая нормальной силы, v — скорость скольжения"),
+        ("uk", "У різьбі {} — осьова складова нормальної сили, v — швидкість ковзання"),
+    ],
+)
+def test_the_force_of_a_thread_is_no_normal_force_but_its_axial_component(language, said):
+    """N = n/cos ψ presses the flank, which slips at v·cos ψ: of both only the product is right."""
+    found = compile_source(read(find("screw_jack_with_collar")))
+    shown = " ".join(render(found.derivation, found.mechanism, language=language).split())
+    assert said.format("n") in shown
+    assert said.format("r") in shown
+
+
 def test_an_efficiency_that_is_given_is_put_in():
     assert "n_f = nη" in derived("d45_12_worm_sectors_with_efficiency")
 

@@ -23,16 +23,29 @@ _ONCE = {"internal", "external", "parallel", "single", "face", "iterated"}
 class EarlierSteps:
     """The names and lines of the steps entered so far, so that nothing is stated twice."""
 
-    def __init__(self, turns: Iterable[str], iterated: Iterable[Definition] = ()) -> None:
-        """Begin with the angles of friction, and the forces that results find by iteration."""
+    def __init__(
+        self,
+        turns: Iterable[str],
+        iterated: Iterable[Definition] = (),
+        threads: Iterable[str] = (),
+    ) -> None:
+        """Begin with the angles of friction, and the forces that results find by iteration.
+
+        ``threads`` are the points at which screws have friction in their threads.
+        """
         self.turns = set(turns)
         """Names of angles by which friction turns a force, those of friction itself."""
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
         self._found: dict[str, Formula] = dict(iterated)
-        self._sentences: set[SentenceKind] = set()
+        self._sentences: set[tuple[SentenceKind, tuple[tuple[str, Formula], ...]]] = set()
         self._equations: set[tuple[Formula, Formula]] = set()
         self._stated: set[Equation] = set()
+        self._threads = tuple(f"{point}_screw_" for point in threads)
+
+    def is_of_thread(self, name: str) -> bool:
+        """Return whether a force ``n_A_screw`` or a slip ``v_A_screw`` is that of a thread."""
+        return f"{name.partition('_')[2]}_".startswith(self._threads)
 
     def enter_forces(
         self, steps: Sequence[Step], asked: WithFriction, result: str
@@ -92,10 +105,11 @@ class EarlierSteps:
                 yield equation
 
     def enter_sentences(self, paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
-        """Enter paragraphs; yield those whose sentence no earlier one had."""
+        """Enter paragraphs; yield those whose sentence no earlier one had of the same formulas."""
         for paragraph in paragraphs:
-            if paragraph.sentence not in self._sentences:
-                self._sentences.add(paragraph.sentence)
+            said = paragraph.sentence, tuple(paragraph.formulas.items())
+            if said not in self._sentences:
+                self._sentences.add(said)
                 yield paragraph
 
 

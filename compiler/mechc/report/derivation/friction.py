@@ -13,6 +13,7 @@ from ...model.mechanism import (
     LoadForm,
     LoadRatio,
     RopeFriction,
+    ThreadFriction,
     WithFriction,
     tension_share,
 )
@@ -58,7 +59,8 @@ _ROPE: Mapping[str, Formula] = {"ratio": _RATIO, "angle": Symbol("theta")}
 _TENSIONS = Paragraph(SentenceKind.ROPE_FRICTION, formulas=_ROPE)
 _SMALLER = Paragraph(SentenceKind.ROPE_SMALLER, formulas={"force": Symbol("S")})
 _MEAN = Paragraph(SentenceKind.ROPE_MEAN, formulas={"part": tension_share(_RATIO)})
-_STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
+_SPEED = Symbol("v")
+_STRAIGHT = {"force": Symbol("n"), "speed": _SPEED}
 
 
 def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Explanation]:
@@ -69,7 +71,9 @@ def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Exp
     pose = solution.plan.graph.pose
     mechanism = pose.mechanism
     iterated = (d for r in results for d in r.where if d.name in r.inside)
-    earlier = EarlierSteps(mechanism.friction.parameters, iterated)
+    joints = mechanism.friction.joints
+    threads = (joint.point for joint in joints if isinstance(joint, ThreadFriction))
+    earlier = EarlierSteps(mechanism.friction.parameters, iterated, threads)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is not None and solved and solved[0].steps:
@@ -96,7 +100,7 @@ def _explanation(
     first = solved[0].result
     if steps[0].kind == "iterated" and driving(place):
         shown = next(r for r in results if r.name == names[0])
-        paragraphs += earlier.enter_sentences(_powers(place, [d.name for d in shown.where]))
+        paragraphs += earlier.enter_sentences(_powers(place, [d.name for d in shown.where], earlier))
     return Explanation(names, (*_opening(place, first, steps, pose, earlier), *paragraphs))
 
 
@@ -260,7 +264,12 @@ def _paragraphs(
     elif step.kind == "straight" or step.kind == "ropes":
         sentence = SentenceKind.ROPES if step.kind == "ropes" else SentenceKind.STRAIGHT
         lines = tuple(earlier.enter_lines(_by_name([*new, *equations])))
+        yield from earlier.enter_sentences(_of_threads(lines, _STRAIGHT, earlier))
         yield Paragraph(sentence, lines, formulas=_STRAIGHT)
+    elif step.kind == "pressing":
+        pressing = {"force": Symbol("n")}
+        yield from _of_threads(equations, pressing, earlier)
+        yield Paragraph(SentenceKind.PRESSING, tuple(equations), formulas=pressing)
     else:
         yield from _of_step(step, new, equations, found, isinstance(asked.of, Axial))
 
@@ -294,15 +303,12 @@ def _of_step(
             yield Paragraph(SentenceKind.PIN_OF_RODS, (*found, *new), {"point": (step.body,)})
         case "efficiency":
             yield Paragraph(SentenceKind.EFFICIENT, tuple(equations))
-        case "first order" | "straight" | "ropes":
+        case "first order" | "straight" | "ropes" | "pressing":
             raise AssertionError("what earlier steps have said counts there")
         case "iterated":
             yield Paragraph(SentenceKind.ITERATED, formulas=_ITERATED)
         case "unloaded":
             yield Paragraph(SentenceKind.UNLOADED)
-        case "pressing":
-            pressing = {"force": Symbol("n")}
-            yield Paragraph(SentenceKind.PRESSING, tuple(equations), formulas=pressing)
         case "added" | "rod part" | "normal part" | "across" | "balance":
             yield _of_joint(step, equations, of_rod)
         case _:
@@ -332,11 +338,14 @@ def _of_joint(step: Step, equations: Sequence[Equation], of_rod: bool) -> Paragr
     return Paragraph(sentence, tuple(equations), names, formulas)
 
 
-def _powers(asked: WithFriction, names: Sequence[str]) -> Iterator[Paragraph]:
+def _powers(
+    asked: WithFriction, names: Sequence[str], earlier: EarlierSteps
+) -> Iterator[Paragraph]:
     """Yield how the frictions that are iterated add up, and what their slips are."""
+    force = Symbol("n")
     if asked.sense == "tightening":
-        yield Paragraph(SentenceKind.POWERS, formulas={"force": Symbol("n")})
-    yield from _slips(names)
+        yield Paragraph(SentenceKind.POWERS, formulas={"force": force})
+    yield from _slips(names, force, earlier)
 
 
 def _first_order(
@@ -345,21 +354,34 @@ def _first_order(
     """Yield how the frictions of first order add up, and what their slips are."""
     less = asked.sense == "releasing"
     sentence = SentenceKind.FIRST_ORDER_LESS if less else SentenceKind.FIRST_ORDER
-    slips = earlier.enter_sentences(
-        _slips(e.left.name for e in equations if isinstance(e.left, Symbol))
-    )
-    paragraphs = (Paragraph(sentence, formulas={"force": Symbol("r")}), *slips)
+    names, force = (e.left.name for e in equations if isinstance(e.left, Symbol)), Symbol("r")
+    slips = earlier.enter_sentences(_slips([*names], force, earlier))
+    paragraphs = (Paragraph(sentence, formulas={"force": force}), *slips)
     yield from paragraphs[:-1]
     yield replace(paragraphs[-1], equations=tuple(equations))
 
 
-def _slips(names: Iterable[str]) -> Iterator[Paragraph]:
-    """Yield what the slips are that have names."""
-    kinds = {name.partition("_")[0] for name in names}
+def _slips(names: Sequence[str], force: Symbol, earlier: EarlierSteps) -> Iterator[Paragraph]:
+    """Yield what the slips are that have names, and what the ``force`` of a thread is."""
+    threads = [name for name in names if earlier.is_of_thread(name)]
+    kinds = {name.partition("_")[0] for name in names if name not in threads}
     if "Omega" in kinds:
         yield Paragraph(SentenceKind.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")})
     if "v" in kinds:
         yield Paragraph(SentenceKind.SLIP_OF_FACE, formulas={"speed": Symbol("v")})
+    if threads:
+        yield Paragraph(SentenceKind.SLIP_OF_THREAD, formulas={"force": force, "speed": _SPEED})
+
+
+def _of_threads(
+    equations: Iterable[Equation], formulas: Mapping[str, Formula], earlier: EarlierSteps
+) -> Iterator[Paragraph]:
+    """Yield what the force of a thread is, and its slip where that has a name."""
+    names = {name for equation in equations for side in equation for name in symbols(side)}
+    if any(map(earlier.is_of_thread, names)):
+        has_slip = "speed" in formulas
+        kind = SentenceKind.SLIP_OF_THREAD if has_slip else SentenceKind.PRESSING_OF_THREAD
+        yield Paragraph(kind, formulas=formulas)
 
 
 def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> Iterator[Paragraph]:

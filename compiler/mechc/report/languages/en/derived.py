@@ -78,6 +78,9 @@ WORDS = {
     "slip of pin": "In a pin the relative angular velocity {turn} takes the place of the sliding "
     "velocity, and the radius of the friction circle that of the coefficient.",
     "slip of face": "On a sliding surface {speed} is the sliding velocity.",
+    "pressing of thread": "In a thread {force} is the axial component of the normal force.",
+    "slip of thread": "In a thread {force} is the axial component of the normal force, and {speed} "
+    "is the sliding velocity divided by the cosine of the lead angle.",
     "rope friction": "Where a rope or band slides around a pulley or drum, the tension on one "
     "side is {ratio} times that on the other, {angle} being the angle of wrap (Euler, Eytelwein).",
     "rope, smaller tension": "{force} is the smaller of the two, which the equilibrium of the "
