@@ -100,7 +100,8 @@ def _explanation(
     first = solved[0].result
     if steps[0].kind == "iterated" and driving(place):
         shown = next(r for r in results if r.name == names[0])
-        paragraphs += earlier.enter_sentences(_powers(place, [d.name for d in shown.where], earlier))
+        powers = _powers(place, [d.name for d in shown.where], earlier)
+        paragraphs += earlier.enter_sentences(powers)
     return Explanation(names, (*_opening(place, first, steps, pose, earlier), *paragraphs))
 
 
