@@ -7,6 +7,7 @@ import pytest
 
 import mechc
 from mechc.algebra.equality import equal
+from mechc.formula.evaluate import evaluate
 from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
@@ -213,7 +214,9 @@ find k = P/F
     ("length", "k"),
     [
         ("2*(a + 20 mm)", "a/(2*(a + len_OA_0))"),
-        ("(a - 5 mm)/2 + 20 mm", "2*a/(a + len_OA_0 + 2*len_OA_1)"),
+        ("(a - 5 mm)/2 + 20 mm", "2*a/(a - len_OA_0 + 2*len_OA_1)"),
+        ("40 mm - 20 mm*sin(q) - m*a", "a/(len_OA_0 - len_OA_1*sin(q) - a*m)"),
+        ("max(a - 80 mm, 10 mm)", "a/max(a - len_OA_0, len_OA_1)"),
         ("hypot(a, 20 mm)", "a/hypot(a, len_OA_0)"),
         ("20 mm*m*sin(q)", "a/(len_OA_0*m*sin(q))"),
         ("20 mm/cos(q)", "a*cos(q)/len_OA_0"),
@@ -230,6 +233,7 @@ def test_a_number_that_is_a_length_within_a_formula_has_a_name(length: str, k: s
     found = mechc.loads(LEVER.format(length=length))._compilation
     assert text(found.results[0].formula) == k
     assert [p.name for p in found.mechanism.literals] == sorted(set(re.findall(r"len_\w+", k)))
+    assert all(evaluate(p.value, {}) > 0 for p in found.mechanism.literals)
 
 
 R, S, P = Symbol("r"), Symbol("s"), Symbol("p")

@@ -9,6 +9,7 @@ own: of two links that are as long as each other a formula names the one that is
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from ...formula.evaluate import evaluate
 from ...formula.names import another
 from ...formula.tree import (
     ZERO,
@@ -150,6 +151,7 @@ def _numbers(quantity: Quantity, measures: Measures) -> Iterator[Quantity]:
 def with_numbers(length: Formula, put: Callable[[Formula], Formula], measures: Measures) -> Formula:
     """Return a length in which ``put`` stands for the numbers that are lengths themselves.
 
+    It has them positive: of ``a - 20 mm`` the minus stands before what is put.
     Sums, ``hypot`` and the like are of lengths alone. Of a product the number is a length where
     all else is a pure number, and not where all else is a length by what its names measure.
 
@@ -160,7 +162,7 @@ def with_numbers(length: Formula, put: Callable[[Formula], Formula], measures: M
     True
     """
     if _is_number(length):
-        return put(length)
+        return negative(put(negative(length))) if _is_negative(length) else put(length)
     match length:
         case Sum(terms):
             return Sum(tuple(with_numbers(term, put, measures) for term in terms))
@@ -179,7 +181,7 @@ def _factors_with_numbers(
     is_one = others == NUMBER and sum(map(_is_number, factors)) == 1
     for factor in factors:
         if _is_number(factor):
-            yield put(factor) if is_one else factor
+            yield with_numbers(factor, put, measures) if is_one else factor
         else:
             is_length = others == LENGTH == _measure(factor, measures)
             yield with_numbers(factor, put, measures) if is_length else factor
@@ -225,6 +227,10 @@ def _of_product(factors: Sequence[Formula], measures: Measures) -> Dimension | N
 
 def _is_number(formula: Formula) -> bool:
     return formula != ZERO and not symbols(formula)
+
+
+def _is_negative(constant: Formula) -> bool:
+    return evaluate(constant, {}) < 0
 
 
 # ------------------------------------------------------------------------- what it becomes
