@@ -16,17 +16,17 @@ OF_A_LINK = Drive("phi", None, None, HERE, ends=("O", "A"))
 
 @pytest.mark.parametrize("of", [None, "phi", "x"])
 def test_a_value_of_the_drawing_lies_in_its_range(of):
-    drive = of and Drive(of, None, None, HERE)
+    drives = [Drive(of, None, None, HERE)] if of else []
     report = Report(Source("m.mech", "m"))
     with pytest.raises(MechcError) as error:
-        _in_range([OUTSIDE], (), drive, report)
+        _in_range([OUTSIDE], (), drives, report)
     assert [found.code for found in error.value.diagnostics] == ["E326"]
 
 
 def test_a_stroke_of_a_link_is_no_such_range():
-    (left,) = _in_range([OUTSIDE], (), OF_A_LINK, Report(Source("m.mech", "m")))
+    (left,) = _in_range([OUTSIDE], (), [OF_A_LINK], Report(Source("m.mech", "m")))
     assert left.range is None
 
 
 def test_what_is_given_is_no_value_of_the_drawing():
-    assert _in_range([OUTSIDE], {"phi"}, None, Report(Source("m.mech", "m"))) == (OUTSIDE,)
+    assert _in_range([OUTSIDE], {"phi"}, (), Report(Source("m.mech", "m"))) == (OUTSIDE,)

@@ -6,10 +6,12 @@ import pytest
 
 import mechc
 from mechc.cli.main import main
+from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
 from mechc.report.languages.registry import LANGUAGES
 from mechc.report.text.derivation import render
 from mechc.source import Source
+from mechc.syntax.settings import parse
 
 FIVE_BAR = """
 mechanism five_bar
@@ -231,3 +233,124 @@ def test_the_stroke_moves_the_drive_that_is_named(tmp_path, capsys) -> None:
     assert capsys.readouterr().out.startswith("q2 [deg]")
     assert main(["stroke", str(path), "--drive", "q3"]) == 2
     assert "has no drive 'q3'" in capsys.readouterr().err
+
+
+DRAWN = """
+mechanism five_bar
+pivot O at (0 mm, 0 mm)
+pivot C at (200 mm, 0 mm)
+link OA
+link AG
+link CB
+link BG
+A at (-40 mm, 90 mm)
+B at (250 mm, 80 mm)
+G at (100 mm, 220 mm)
+drive OA from 90 deg to 130 deg
+drive CB from 40 deg to 80 deg
+torque M on OA
+force F at G along x
+find k = M/F
+"""
+
+ARM_OF_TELESCOPES = """
+mechanism arm
+pivot O at (0 m, 0 m)
+pivot A at (0.2 m, -0.4 m)
+link OBCD
+link CFG
+telescope AB
+telescope DF
+B at (0.5 m, 0.4 m)
+D at (0.7 m, 0.9 m)
+C at (1.4 m, 0.9 m)
+F at (1.5 m, 1.15 m)
+G at (1.8 m, 0.1 m)
+drive AB from 0.75 m to 0.95 m
+drive DF from 0.75 m to 0.95 m
+actuator P between A and B
+weight W mass 200 kg at G
+find P
+"""
+
+
+def at_setting(text: str, name: str, value: str) -> Compilation:
+    found = Compilation(Source("a.mech", text), dict([parse(f"{name}={value}")]))
+    complete(found)
+    return found
+
+
+def of_five_bar(turn: float) -> float:
+    """Return M/F = -dx_G/dphi_OA in metres, by differences, where CB stands at an angle."""
+
+    def x(phi: float) -> float:
+        a = math.hypot(40, 90) * complex(math.cos(phi), math.sin(phi))
+        b = 200 + math.hypot(50, 80) * complex(math.cos(turn), math.sin(turn))
+        long, other, apart = math.hypot(140, 130), math.hypot(150, 140), abs(b - a)
+        along = (apart**2 + long**2 - other**2) / (2 * apart)
+        return (a + (b - a) / apart * complex(along, math.sqrt(long**2 - along**2))).real
+
+    phi = math.atan2(90, -40)
+    return (x(phi - 1e-6) - x(phi + 1e-6)) / 2e-6 / 1000
+
+
+def test_the_value_of_a_drawn_drive_that_is_held_may_be_set() -> None:
+    made = mechc.loads(DRAWN)
+    assert made.defaults["phi_CB"] == pytest.approx(math.atan2(80, 50), rel=1e-9)
+    assert made.evaluate()["k"] == pytest.approx(of_five_bar(math.atan2(80, 50)), rel=1e-7)
+    for degrees in (45, 57.5, 79):
+        expected = pytest.approx(of_five_bar(math.radians(degrees)), rel=1e-7)
+        assert made.evaluate(phi_CB=f"{degrees} deg")["k"] == expected
+        assert at_setting(DRAWN, "phi_CB", f"{degrees} deg").results[0].default == expected
+
+
+def test_the_length_of_a_drawn_telescope_that_is_held_may_be_set() -> None:
+    """P does the work of W while the stick stands fast at the boom."""
+
+    def height(longer: float, held: float) -> float:
+        made = mechc.loads(ARM_OF_TELESCOPES)
+        at = made.defaults["len_AB"] + longer
+        return made.points(len_AB=at, len_DF=held)[0]["y_G"]
+
+    made = mechc.loads(ARM_OF_TELESCOPES)
+    for held in (made.defaults["len_DF"], 0.8, 0.9):
+        slope = (height(1e-6, held) - height(-1e-6, held)) / 2e-6
+        expected = pytest.approx(200 * 9.80665 * slope, rel=1e-7)
+        assert made.evaluate(len_DF=held)["P"] == expected
+        assert at_setting(ARM_OF_TELESCOPES, "len_DF", f"{held} m").results[0].default == expected
+
+
+@pytest.mark.parametrize(("figure", "agrees"), [("65.4656 mm", True), ("63.734 mm", False)])
+def test_expectations_hold_at_the_value_of_a_held_drive(figure: str, agrees: bool) -> None:
+    expect = f"expect k = {figure} +- 0.001 mm at phi_CB = 45 deg\n"
+    found = Compilation(Source("a.mech", DRAWN + expect))
+    if agrees:
+        complete(found)
+    else:
+        with pytest.raises(MechcError, match=r"k is 65\.4656 mm where 63\.734 mm"):
+            complete(found)
+
+
+@pytest.mark.parametrize("name", ["phi_OA", "phi_CB"])
+def test_a_value_outside_the_stroke_of_what_is_drawn_is_remarked_upon(name: str) -> None:
+    found = at_setting(DRAWN, name, "85 deg")
+    assert [d.code for d in found.report.diagnostics] == ["W220"]
+    inside = {"phi_OA": "100 deg", "phi_CB": "40 deg"}[name]
+    assert not at_setting(DRAWN, name, inside).report.diagnostics
+    set_there = Compilation(
+        Source("a.mech", f"{DRAWN}expect k = 60 mm +- 30 mm at {name} = 85 deg\n")
+    )
+    complete(set_there)
+    assert [d.code for d in set_there.report.diagnostics] == ["W285"]
+
+
+def test_a_held_drawn_drive_is_named_as_a_quantity() -> None:
+    compilation = Compilation(Source("a.mech", DRAWN))
+    text = render(compilation.derivation, compilation.mechanism)
+    assert "Held at its value while the drive moves: φ_CB." in text
+    assert "φ_CB = 57.9946°, range 40° … 80°" in text
+
+
+def test_links_driven_twice_from_both_ends_are_refused() -> None:
+    with pytest.raises(MechcError, match="drives what a formula gives"):
+        mechc.loads(DRAWN.replace("drive CB from 40 deg to 80 deg", "drive AO"))

@@ -193,9 +193,7 @@ def _asked(mechanism: Mechanism, file: ast.File, found: Definitions, scope: Scop
 
 def _laid_out(mechanism: Mechanism, report: Report) -> Mechanism:
     """Return the mechanism with what its drawing gives, and fast what held drives would move."""
-    if mechanism.held:
-        mechanism = held.with_held_links(mechanism, report)
-    if mechanism.drawn or (mechanism.drive and mechanism.drive.ends):
+    if mechanism.drawn or any(drive.ends for drive in mechanism.drives):
         mechanism = drawn.with_drawn(mechanism, report)
     check_drives(mechanism, report)
     report.stop_on_errors()

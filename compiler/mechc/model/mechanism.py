@@ -264,16 +264,13 @@ class Mechanism:
 
     @property
     def moved(self) -> "Mechanism":
-        """Return it where its drive, and what has a value from outside, are set to.
+        """Return it where its drives, and what has a value from outside, are set to.
 
         It is drawn with the values of the description.
         """
-        drive = self.drive
+        starts = {drive.parameter: drive.start for drive in self.drives if drive.start}
         parameters = [
-            replace(p, outside=drive.start)
-            if drive and drive.start and p.name == drive.parameter
-            else p
-            for p in self.parameters
+            replace(p, outside=starts[p.name]) if p.name in starts else p for p in self.parameters
         ]
         if not any(p.outside for p in parameters):
             return self

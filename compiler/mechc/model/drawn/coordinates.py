@@ -20,7 +20,7 @@ from .sketch import Sketch
 def with_coordinates(mechanism: Mechanism, sketch: Sketch, report: Report) -> Mechanism:
     """Return the mechanism with all that moves it standing as drawn.
 
-    The drive has its value of the drawing, where it has none. Where all pins are drawn, so
+    Drives have their values of the drawing, where they have none. Where all pins are drawn, so
     has a parameter that no loop gives one; what wheels alone lead moves as they do, and a
     link that nothing turns has the direction of the drawing. Reports E516.
     """
@@ -28,10 +28,11 @@ def with_coordinates(mechanism: Mechanism, sketch: Sketch, report: Report) -> Me
     ranks = _in_general(sketch) if _is_elsewhere(mechanism, sketch) else sketch
     held = Independent(_held(mechanism, waiting, ranks))
     is_whole = sketch.has_all(_pins(mechanism))
+    driven = {drive.parameter for drive in mechanism.drives}
     found = {
         name: with_value(waiting[name], value)
         for name, value in _drawn_values(mechanism, waiting, held, sketch, ranks)
-        if is_whole or (mechanism.drive and name == mechanism.drive.parameter)
+        if is_whole or name in driven
     }
     parameters = tuple(found.get(p.name, p) for p in mechanism.parameters)
     valued = replace(mechanism, parameters=parameters)
@@ -79,19 +80,19 @@ def _drawn_values(
     sketch: Sketch,
     ranks: Sketch,
 ) -> Iterator[tuple[str, float]]:
-    """Yield parameters as measured in the drawing: the drive, and those that no loop gives.
+    """Yield parameters as measured in the drawing: drives, and those that no loop gives.
 
     What ``waiting`` parameters give is held from then on, as at the places of ``ranks``.
     """
-    drive = mechanism.drive_name
+    drives = [drive.parameter for drive in mechanism.drives]
     parts = [part for entry in mechanism.geometry for part in _parts(entry)]
     left = {n: _of(n, parts) for part in parts for n in sorted(mentioned(part) & set(waiting))}
     while left:
         by_loop = [n for n in left if any(_follows(part, held, ranks) for part in left[n])]
-        name = drive if drive in left else next(iter(by_loop or left))
+        name = next((d for d in drives if d in left), next(iter(by_loop or left)))
         given = left.pop(name)
         value = _measured(name, given, sketch)
-        if value is not None and (name == drive or name not in by_loop):
+        if value is not None and (name in drives or name not in by_loop):
             yield name, value
         for part in given:
             if mentioned(part).isdisjoint(left):

@@ -67,32 +67,35 @@ def _with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     for fault in _faults(mechanism, sketch):
         report.add(fault)
     report.stop_on_errors()
-    drive = mechanism.drive
-    if drive and drive.ends:
-        if undriven := fault_of(drive, drive.ends, mechanism, sketch):
-            raise report.fail(undriven)
-        mechanism = with_driven(mechanism, drive, drive.ends, sketch.unit)
+    for drive in mechanism.drives:
+        if drive.ends:
+            if undriven := fault_of(drive, drive.ends, mechanism, sketch):
+                raise report.fail(undriven)
+            mechanism = with_driven(mechanism, drive, drive.ends, sketch.unit)
     is_given = _is_given(mechanism, sketch)
     drawn = closing(mechanism, sketch, report) if is_given else _as_drawn(mechanism, sketch)
     for point in without_effect(mechanism, drawn):
         report.add(messages.place_unused(point.span, point.point, unplaced_pivot(mechanism)))
     parameters = (*drawn.parameters, *sketch.parameters.values())
     given = {p.name for p in mechanism.parameters if p.value}
-    return replace(drawn, parameters=_in_range(parameters, given, drive, report))
+    return replace(drawn, parameters=_in_range(parameters, given, mechanism.drives, report))
 
 
 def _in_range(
-    parameters: Iterable[Parameter], given: Collection[str], drive: Drive | None, report: Report
+    parameters: Iterable[Parameter],
+    given: Collection[str],
+    drives: Iterable[Drive],
+    report: Report,
 ) -> tuple[Parameter, ...]:
     """Report a value of the drawing outside the range given; a stroke is no such range.
 
     Values that are ``given`` are none of the drawing.
     """
     found = list[Parameter]()
+    strokes = {drive.parameter for drive in drives if drive.ends}
     for parameter in parameters:
         outside = parameter.name not in given and is_outside(parameter)
-        is_stroke = drive is not None and drive.ends and parameter.name == drive.parameter
-        if outside and not is_stroke:
+        if outside and parameter.name not in strokes:
             report.add(messages.drawn_outside_range(parameter.span, parameter.name))
         found.append(replace(parameter, range=None) if outside else parameter)
     report.stop_on_errors()

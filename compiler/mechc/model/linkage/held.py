@@ -21,7 +21,6 @@ from ..mechanism import (
     LoadForm,
     LoadRatio,
     Mechanism,
-    Offset,
     Pivot,
     Slider,
     SpeedRatio,
@@ -48,28 +47,6 @@ OUTSIDE = (LoadRatio, LoadForm, SpeedRatio)
 """What is asked for and does not rest on the forces by which something is held."""
 
 
-def with_held_links(mechanism: Mechanism, report: Report) -> Mechanism:
-    """Return the mechanism in which links that a held drive names by their points are fast.
-
-    The drawing says where they stand.
-    """
-    for drive in mechanism.held:
-        if drive.ends:
-            hold = next(_of_link(drive.ends, mechanism), None)
-            mechanism = _held(mechanism, hold, drive, report)
-            if isinstance(hold, Pinned):
-                mechanism = _placed(mechanism, hold.point)
-    return mechanism
-
-
-def _placed(mechanism: Mechanism, point: str) -> Mechanism:
-    """Return the mechanism in which a point is at the place in which it is drawn."""
-    own = [d for d in mechanism.drawn if d.point == point]
-    places = [Offset("", d.point, d.x, d.y, d.span) for d in own]
-    others = tuple(d for d in mechanism.drawn if d not in own)
-    return replace(mechanism, drawn=others, geometry=(*places, *mechanism.geometry))
-
-
 def with_held(mechanism: Mechanism, report: Report) -> Mechanism:
     """Return the mechanism in which what parameters of held drives would move is fast.
 
@@ -78,11 +55,10 @@ def with_held(mechanism: Mechanism, report: Report) -> Mechanism:
     """
     drives = [drive.parameter for drive in mechanism.drives]
     for drive in mechanism.held:
-        if not drive.ends:
-            others = frozenset(drives) - {drive.parameter}
-            entries = mechanism.geometry
-            found = (h for entry in entries for h in _holds(entry, drive, others, mechanism))
-            mechanism = _held(mechanism, next(found, None), drive, report)
+        others = frozenset(drives) - {drive.parameter}
+        entries = mechanism.geometry
+        found = (h for entry in entries for h in _holds(entry, drive, others, mechanism))
+        mechanism = _held(mechanism, next(found, None), drive, report)
     return mechanism
 
 
@@ -126,14 +102,6 @@ def _holds(
             yield from _of_direction((tail, head), symbols(angle) & others, others, mechanism)
         case Turn(first, vertex, second, angle) if moves(angle):
             yield _of_turn(first, vertex, second, mechanism)
-
-
-def _of_link(ends: tuple[str, str], mechanism: Mechanism) -> Iterator[Hold]:
-    """Yield the holds where a link, or a telescope, stays as it is drawn."""
-    if any(set(t.points) == set(ends) for t in mechanism.telescopes):
-        yield Joined(*ends)
-    else:
-        yield from _of_direction(ends, frozenset(), frozenset(), mechanism)
 
 
 def _of_length(tail: str, head: str, mechanism: Mechanism) -> Iterator[Hold]:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from ...diagnostics import Report, drawn, stroke
 from ...diagnostics.model import doubtful_sizes as sizes
-from ...diagnostics.model import doubts, held
+from ...diagnostics.model import doubts, held, quantities
 from ...diagnostics.model import joints as messages
 from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
@@ -23,7 +23,7 @@ from ..formulas.parameters import constant
 from ..mechanism import Absolute, Arrow, Assembly, Drive, Mechanism, Offset, Parameter, Turn
 from ..names.scope import DESCRIPTION, Entry, Scope
 from ..statements import every
-from ..tolerances import VANISHED
+from ..tolerances import SAME_VALUE, VANISHED
 from ..values import Chain, dependent
 
 MOST_TURNS = 100
@@ -64,6 +64,8 @@ def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
     speed = _speed(statement.speed, name, scope)
     _note_units(statement, (low, high), entry.dimension, scope)
     start = _end(statement.start, name, scope)
+    if ends and low is not None and high is not None:
+        _keep_stroke(statement, (evaluate(low, {}), evaluate(high, {})), start, name, scope)
     turns = entry.dimension == ANGLE
     if turns and statement.speed is not None:
         lines = {s.name.text: s for s in file.statements if isinstance(s, ast.Param | ast.Let)}
@@ -87,6 +89,23 @@ def _note_units(
     if measured != ANGLE or not is_beyond_a_turn(*sizes):
         written, what = (statement.low, statement.high), f"the stroke of {statement.name.text}"
         note_units(written, what, statement.span, scope)
+
+
+def _keep_stroke(
+    statement: ast.Drive,
+    ends: tuple[float, float],
+    start: Formula | None,
+    name: ast.Name,
+    scope: Scope,
+) -> None:
+    """Keep the stroke of what is driven by points for its range; remark on a start beyond it."""
+    low, high = min(ends), max(ends)
+    scope.ranges[name.text] = low, high
+    slack = SAME_VALUE * max(abs(low), abs(high))
+    if start is None or low - slack <= evaluate(start, {}) <= high + slack:
+        return
+    first, last, given = (e.span for e in (statement.low, statement.high, statement.start) if e)
+    scope.report.add(quantities.value_outside_range(given, name.text, first.to(last)))
 
 
 def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:

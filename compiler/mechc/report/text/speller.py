@@ -5,6 +5,7 @@ from types import MappingProxyType
 
 from ...formula.evaluate import evaluate
 from ...formula.layout import is_angle
+from ...formula.names import split_points
 from ...formula.tree import Formula, Symbol
 from ...frozen import replace
 from ...later import Later
@@ -107,8 +108,10 @@ class Speller(NamedTuple):
         return self.unit(printer.print_quantity(behind(unit), self.signs))
 
     def point(self, names: str) -> str:
-        """Return a point, a link or a vector."""
-        return printer.print_point(names, self.signs)
+        """Return a point, a link or a vector; what is named otherwise is a quantity."""
+        is_drawn = not names or split_points(names.partition("_")[0])
+        set_name = printer.print_point if is_drawn else printer.print_name
+        return set_name(names, self.signs)
 
     def text(self, text: str) -> str:
         """Return a text of the description in the language, where it is translated."""
