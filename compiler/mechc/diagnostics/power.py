@@ -210,7 +210,7 @@ def turn_round(forces: Sequence[str], touching: bool) -> str:
 
 
 @coded("W505")
-def drive_is_back_driven(at: Span, result: str, drive: str, is_force: bool) -> Message:
+def drive_is_back_driven(at: Span, result: str, drive: str, forces: Sequence[str]) -> Message:
     """A ratio with friction is negative, so that the drive acts against its own motion.
 
     With friction the drive moves along its arrow: a torque counter-clockwise, an actuator
@@ -223,15 +223,18 @@ def drive_is_back_driven(at: Span, result: str, drive: str, is_force: bool) -> M
         friction pins 0.1 diameter 10 mm
         find k = M/F                 # warned of
         motion releasing             # right: M moves against its arrow, clockwise
+
+    Where the arrow of one of the ``forces`` is wrong, turning it makes the ratio positive.
     """
     message = (
         f"{result} is negative at the default pose: with friction {drive} is back-driven, as it "
         "moves along its arrow"
     )
-    turned = (
-        "turn it round (add 180 deg to its direction)" if is_force else "write 'motion releasing'"
-    )
-    return Message(at, message, f"where {drive} is to drive, {turned}")
+    ways = [] if drive in forces else ["write 'motion releasing'"]
+    if forces:
+        what = "it" if drive in forces else forces[0]
+        ways.append(f"turn {what} round (add 180 deg to its direction)")
+    return Message(at, message, f"where {drive} is to drive, {' or '.join(ways)}")
 
 
 @coded("W503")

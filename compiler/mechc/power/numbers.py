@@ -337,8 +337,8 @@ class Arrows:
             self._report.add(messages.result_negative(find.span, find.name, hint))
         elif not friction.is_ideal and friction.sense == "tightening":
             drive = target.above
-            is_force = isinstance(self._loads.get(drive), Force)
-            self._report.add(messages.drive_is_back_driven(find.span, find.name, drive, is_force))
+            turned = [k.name for k in asked if isinstance(k, Force) and not k.weight]
+            self._report.add(messages.drive_is_back_driven(find.span, find.name, drive, turned))
 
     def _turns(self, result: Result) -> bool:
         """Return whether a result that is negative by default is positive along the stroke."""

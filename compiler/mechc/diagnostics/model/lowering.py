@@ -38,7 +38,7 @@ def radius_is_length(at: Span, points: str, slot: Span) -> Message:
 
 
 @coded("E239")
-def stretch_without_length(at: Span, tail: str, head: str) -> Message:
+def stretch_without_length(at: Span, tail: str, head: str, start: str = "") -> Message:
     """A load is spread over a stretch whose length the description does not give.
 
     Its resultant is the intensity times that length, and acts at a point in between::
@@ -46,12 +46,16 @@ def stretch_without_length(at: Span, tail: str, head: str) -> Message:
         load Q intensity q on OA along -y
         OA = 400 mm @ phi      # right
         OA = @ phi             # wrong
+
+    Where both ends are in one direction from a third point, ``start``, it is the difference of
+    their distances.
     """
-    return Message(
-        at,
-        f"nothing gives the length of {tail}{head}, over which the load is spread",
-        f"give it in one line: {tail}{head} = length @ direction",
-    )
+    message = f"nothing gives the length of {tail}{head}, over which the load is spread"
+    length, direction = "length", "direction"
+    if start:
+        length = f"(length of {start}{head}) - (length of {start}{tail})"
+        direction = f"direction of {start}{head}"
+    return Message(at, message, f"give it in one line: {tail}{head} = {length} @ {direction}")
 
 
 @coded("E249")

@@ -148,7 +148,9 @@ def _distributed(
         return None
     length = _length(ends[0], ends[1], built)
     if length is None:
-        scope.report.add(lowering_messages.stretch_without_length(statement.line.span, *ends[:2]))
+        ray, at = ray_through((ends[0], ends[1]), built.geometry), statement.line.span
+        start = ray.start if ray else ""
+        scope.report.add(lowering_messages.stretch_without_length(at, ends[0], ends[1], start))
         return None
     spread = Spread(link.name, ends[0], ends[1], length, _centroid(intensities), intensities)
     return Force(name, point, along, statement.span, spread.resultant, times, spread=spread)

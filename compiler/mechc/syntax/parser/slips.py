@@ -75,6 +75,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or _of_bracket(line, position, allowed)
         or _of_list(line, position)
         or _of_speed(line, position)
+        or _of_ends(line, position, allowed)
         or _of_perpendicular(line, position)
         or _of_slide(line, position)
         or _of_friction(line, position)
@@ -155,6 +156,13 @@ def _of_speed(line: Sequence[Token], position: int) -> str:
     if line[0].type != "DRIVE" or token != "at" or not (unit == "rpm" or unit.endswith("/s")):
         return ""
     return f"it is written: {' '.join(line[:position])} speed {value}"
+
+
+def _of_ends(line: Sequence[Token], position: int, allowed: set[str]) -> str:
+    """Return a hint where the ends of a stroke, or of a spread load, are written as a range."""
+    if line[position] != ".." or "to" not in {spelling().get(name) for name in allowed}:
+        return ""
+    return f"it is written: {' '.join([*line[:position], 'to', *line[position + 1 :][:1]])}"
 
 
 def _of_perpendicular(line: Sequence[Token], position: int) -> str:
