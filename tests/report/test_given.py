@@ -446,3 +446,32 @@ def test_every_row_of_a_drawing_says_what_it_is() -> None:
 def test_a_derivative_is_called_so_once() -> None:
     text = mechc.load("steering_trapezium").emit("latex")
     assert text.count("erivative with respect to the driving coordinate: $") == 1
+
+
+LETS = """
+mechanism m
+param a = 30 mm
+param b = 40 mm
+param phi = 0.3 rad
+let c = a + b
+let d = c + 1 cm in cm
+let psi = phi + 10 deg
+pivot O
+link OAB
+OA = c @ psi
+OB = d @ psi
+force P at A along psi + 90 deg
+force F at B along psi - 90 deg
+find k = P/F
+"""
+
+
+def test_what_follows_from_given_quantities_has_its_value_in_the_unit_it_uses():
+    found = mechc.loads(LETS)._compilation
+    assert [p.unit for p in found.mechanism.parameters] == ["mm", "mm", "rad", "mm", "cm", "deg"]
+    with_values = render(found.derivation, found.mechanism)
+    assert "c = a + b = 70 mm\n" in with_values
+    assert "d = c + 1 cm = 8 cm\n" in with_values
+    assert "ψ = φ + 10° = 27.1887°\n" in with_values
+    assert "c = a + b\n" in render(found.derivation, found.mechanism, numbers=False)
+    assert r"$c$ & $a+b$ $= 70\,\text{mm}$" in mechc.loads(LETS).emit("latex")

@@ -17,7 +17,7 @@ from ...formula.walk import substitute, symbols, walk
 from ...named import NamedTuple
 from ...source import Span
 from ...syntax import ast
-from ...units import DIMENSIONS, FREQUENCY, UNITS, Dimension
+from ...units import ANGLE, DIMENSIONS, FREQUENCY, UNITS, Dimension
 from ..constants import expressions_in, leaves, names_in_let_value
 from ..mechanism import Let, Parameter, Require, Subject
 from ..names.scope import Scope
@@ -213,15 +213,25 @@ def in_file_order(
             case ast.Param(name=name) if name.text in found.parameters:
                 parameters.append(found.parameters[name.text])
             case ast.Let(name=name) if name.text in scope.feeding and name.text in found.lets:
-                parameters.append(_as_parameter(found.lets[name.text]))
+                known = {p.name: p.unit for p in (*found.parameters.values(), *parameters)}
+                parameters.append(_as_parameter(found.lets[name.text], statement, known))
             case ast.Let(name=name) if name.text in found.lets:
                 lets.append(found.lets[name.text])
     return tuple(parameters), tuple(lets)
 
 
-def _as_parameter(let: Let) -> Parameter:
-    dependent = bool(symbols(let.value))
-    return Parameter(let.name, let.dimension, let.span, let.value, dependent=dependent)
+def _as_parameter(let: Let, line: ast.Let, known: Mapping[str, str]) -> Parameter:
+    """Return a let as a parameter, in the unit that is asked for, else the first one it uses.
+
+    An angle is in degrees unless its own line has another unit.
+    """
+    dependent, own = bool(symbols(let.value)), (let.name, let.dimension, let.span, let.value)
+    known = {} if let.dimension == ANGLE else known
+    written = (
+        known.get(k.name, "") if isinstance(k, ast.Symbol) else k.unit for k in _leaves(line)
+    )
+    units = (u for u in (let.unit, *written) if u and UNITS[u].dimension == let.dimension)
+    return Parameter(*own, dependent=dependent, unit=next(units, ""))
 
 
 def written_out(found: Definitions, scope: Scope) -> dict[str, Formula]:

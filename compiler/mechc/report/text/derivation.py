@@ -13,7 +13,7 @@ from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..by_parts import by_parts
 from ..definitions import Solved, grouped, looked_up, stated_above, without_minus
-from ..evaluated import Evaluated, evaluated, has_atan2, hides_units, named_directions
+from ..evaluated import Evaluated, evaluated, following, has_atan2, hides_units, named_directions
 from ..made_names import MadeNames, names_of, points_of
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.powers import power_remarks
@@ -55,17 +55,19 @@ def render(
     spell = spell.naming(_formulas(whole, derivation), _names(derivation, mechanism))
     tables = note.tables(mechanism.tables, spell)
     met = names_met(derivation, mechanism)
+    found = [*evaluated(whole, mechanism)] if numbers else []
+    values = following(mechanism, {item.left for item in found}) if numbers else {}
+    defined = {d.name for r in derivation.results for d in r.where}
     lines = [
         *_title(mechanism, spell),
-        *given(mechanism, met, spell, {d.name for r in derivation.results for d in r.where}),
+        *given(mechanism, met, spell, defined, values),
         *(["", *tables] if tables else []),
         *_conventions(whole, mechanism, met, spell),
         *_position(whole.position, spell),
     ]
     lines += [*_velocities(derivation, spell), *_power(derivation, mechanism, spell)]
     lines += _results(whole.results, spell)
-    if numbers:
-        lines += _numbers(evaluated(whole, mechanism), spell)
+    lines += _numbers(found, spell) if numbers else []
     if derivation.requires:
         demand = f"{spell.locale.requirements} {conditions(derivation.requires, spell)}."
         lines += ["", *spell.wrapped(demand, "")]

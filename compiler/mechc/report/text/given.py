@@ -1,6 +1,7 @@
 """What a description gives, for the terminal: quantities, angles that are numbers, the stroke."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
+from types import MappingProxyType
 
 from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
@@ -26,12 +27,17 @@ from .speller import SHOWN, Speller
 
 
 def given(
-    mechanism: Mechanism, met: Collection[str], spell: Speller, defined: Collection[str] = ()
+    mechanism: Mechanism,
+    met: Collection[str],
+    spell: Speller,
+    defined: Collection[str] = (),
+    values: Mapping[str, Formula] = MappingProxyType({}),
 ) -> list[str]:
     """Return the lines of what is given: quantities, lengths, angles and loads that are numbers.
 
     Lengths and angles of a drawing are among them as far as they are ``met`` in formulas, and so
-    are loads that follow from others, but for those that are ``defined`` elsewhere.
+    are loads that follow from others, but for those that are ``defined`` elsewhere. What follows
+    from given quantities may have one of the ``values`` behind its formula.
     """
     free = (p for p in mechanism.parameters if p.value is not None or p.range)
     chosen = (p for p in free if p.name in met or not is_constant(p))
@@ -39,7 +45,8 @@ def given(
     quantities = (*chosen, *literals, *given_loads(mechanism))
     tied = _tied(mechanism, spell, met, defined)
     angles = dict.fromkeys((*tied, *_angles(mechanism, met, spell)))
-    lines = note.given(with_roles(quantities, mechanism, spell.locale.roles), spell, angles)
+    known = with_roles(quantities, mechanism, spell.locale.roles)
+    lines = note.given(known, spell, angles, values)
     said = [line for each in _directions(mechanism, spell) for line in spell.wrapped(each, "  ")]
     heading = [spell.locale.given] if said and not lines else []
     return ["", *heading, *lines, *said, *_stroke(mechanism, spell)] if lines or said else []

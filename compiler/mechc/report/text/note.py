@@ -1,6 +1,7 @@
 """The calculation note of a sheet for the terminal."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 from ...formula.choices import is_choice
 from ...formula.evaluate import evaluate
@@ -96,13 +97,21 @@ def _aligned(rows: Iterable[Row], spell: Speller) -> Iterator[str]:
             yield from (*spell.broken(row.said, "  "), *spell.wrapped(row.label, " " * 6))
 
 
-def given(parameters: Iterable[Parameter], spell: Speller, angles: Iterable[str] = ()) -> list[str]:
-    """Return the given parameters under their heading, values, ranges, texts, and ``angles``."""
-    rows = [*(_given(p, spell) for p in parameters), *map(Row, angles)]
+def given(
+    parameters: Iterable[Parameter],
+    spell: Speller,
+    angles: Iterable[str] = (),
+    values: Mapping[str, Formula] = MappingProxyType({}),
+) -> list[str]:
+    """Return the given parameters under their heading, values, ranges, texts, and ``angles``.
+
+    One that follows from others may have one of the ``values`` behind its formula.
+    """
+    rows = [*(_given(p, spell, values.get(p.name)) for p in parameters), *map(Row, angles)]
     return _headed(spell.locale.given, rows, spell)
 
 
-def _given(parameter: Parameter, spell: Speller) -> Row:
+def _given(parameter: Parameter, spell: Speller, value: Formula | None = None) -> Row:
     signs = spell.signs
     unit = parameter.unit or si_unit(parameter.dimension)
     if parameter.value is None:
@@ -110,6 +119,9 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
     elif parameter.dependent and not is_constant(parameter):
         shown = parameter.written or Written(parameter.value)
         said = _asked(shown, shown.formula, signs, parameter.name in signs.angles)
+        if value is not None:
+            known = in_unit(evaluate(value, {}), _unit_of_value(parameter), SHOWN)
+            said += f" = {print_quantity(known, signs)}"
     else:
         size = evaluate(parameter.value, {})
         said = print_quantity(in_unit(size, unit, SHOWN), signs)
@@ -120,6 +132,11 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
         said += f", {spell.locale.range.lower()} {print_quantity(between.join(ends), signs)}"
     texts = (spell.text(text) for text in (parameter.label, parameter.about) if text)
     return Row(f"{print_name(parameter.name, signs)} = {said}", "; ".join(texts))
+
+
+def _unit_of_value(parameter: Parameter) -> str:
+    usual = "deg" if parameter.dimension == ANGLE else si_unit(parameter.dimension)
+    return parameter.unit or usual
 
 
 def as_given(parameter: Parameter, spell: Speller) -> str:
