@@ -243,6 +243,10 @@ class Mechanism:
         """Return the link of a name."""
         return next(link for link in self.links if link.name == name)
 
+    def arc_of(self, rod: str) -> ArcSlot | None:
+        """Return the circular slot that a rod stands for, None for what is a body."""
+        return next((link.arc for link in self.links if link.name == rod), None)
+
     def arc_at(self, pin: str) -> tuple[Link, ArcSlot] | None:
         """Return the circular slot in which a pin slides, behind the rod that stands for it."""
         found = ((k, k.arc) for k in self.links if k.arc and k.points[1] == pin)

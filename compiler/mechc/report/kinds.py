@@ -17,6 +17,12 @@ class Rule(StrEnum):
     """One point of a link that turns about a pivot: V = ω·r."""
     PROJECTION = "projection"
     """Equal projections of the end velocities on the line of a rod."""
+    CIRCULAR_SLOT = "circular_slot"
+    """Equal projections of a pin and the centre of its circular slot on the radius."""
+    RADIUS = "radius"
+    """The angular velocity of the radius of a circular slot from the velocities of its ends."""
+    TURNING_RADIUS = "turning_radius"
+    """The velocities of both ends of such a radius, which differ by its rotation."""
     ROTATION = "rotation"
     """The angular velocity of a link from the velocities of two of its points."""
     TRANSLATION = "translation"
@@ -68,9 +74,19 @@ class Rule(StrEnum):
 
 
 PositionKind = Literal[
-    LoopKind, "inclination", "length", "congruent", "sum", "angle", "cylinder", "telescope"
+    LoopKind,
+    "inclination",
+    "radius",
+    "radius and place",
+    "length",
+    "congruent",
+    "sum",
+    "angle",
+    "cylinder",
+    "telescope",
 ]
-"""How a loop is solved, or gives one ``length`` or the ``inclination`` of a link alone, that it is
+"""How a loop is solved, or gives one ``length`` or the ``inclination`` of a link alone, or of the
+``radius`` of a circular slot, alone or with the place of the pin on its guide; that it is
 a triangle ``congruent`` to an earlier one, that a vector is the ``sum`` of others, or that an
 ``angle`` of a link is given by a formula. A ``telescope`` between points that have places is a
 ``cylinder`` where an actuator works in it."""
@@ -89,6 +105,8 @@ class SentenceKind(StrEnum):
     """A link is released from a pin."""
     TOUCH = "touch"
     """A slot or contact is released."""
+    CIRCULAR_SLOT_RELEASED = "circular slot released"
+    """A circular slot is released."""
     ROPE_RELEASED = "rope released"
     """A rope is released: its falls grow shorter."""
     IDLE = "idle"
@@ -161,6 +179,8 @@ class SentenceKind(StrEnum):
     """Where they give what the exact forces give."""
     SLIP_OF_PIN = "slip of pin"
     """The slip and the coefficient of a pin."""
+    SLIP_OF_CIRCULAR_SLOT = "slip of circular slot"
+    """The slip and the coefficient of a circular slot."""
     SLIP_OF_FACE = "slip of face"
     """The slip of a guide, face or pair."""
     PRESSING_OF_THREAD = "pressing of thread"
@@ -207,6 +227,8 @@ class SentenceKind(StrEnum):
     """One of equal parts is looked at, and all that act on what they share."""
     FORCE_IN_ROD = "force in rod"
     """The name of the force in a rod."""
+    FORCE_OF_CIRCULAR_SLOT = "force of circular slot"
+    """The name of the force of a circular slot on its pin."""
     FORCE_OF_GROUND = "force of ground"
     """The names of the components of the force at a pivot."""
     FORCE_AT_PIN = "force at pin"
@@ -231,10 +253,14 @@ class SentenceKind(StrEnum):
     """Forces on a link in a direction."""
     FORCES_ACROSS = "forces across"
     """Forces on a link across a rod."""
+    FORCES_ACROSS_RADIUS = "forces across radius"
+    """The same across the radius of a circular slot."""
     PIN_ALONG = "pin along"
     """Forces on a pin in a direction."""
     PIN_ACROSS = "pin across"
     """Forces on a pin across a rod."""
+    PIN_ACROSS_RADIUS = "pin across radius"
+    """The same across the radius of a circular slot."""
     MADE_UP = "made up"
     """The force on a link at a pin, of those that act there."""
     MADE_UP_BY_GROUND = "made up by ground"

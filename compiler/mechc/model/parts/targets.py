@@ -67,12 +67,14 @@ class Reaction:
 class Axial:
     """``N_AB``: the force along a rod, or the tension of a rope that runs from A to B.
 
-    ``link`` is the rod, or the rope's id; tension is positive.
+    ``link`` is the rod, or the rope's id; tension is positive. ``slot`` is the pin in a
+    circular slot, which the rod stands for: the force on it is positive towards the centre.
     """
 
     link: str
     tail: str
     head: str
+    slot: str = ""
 
 
 @frozen

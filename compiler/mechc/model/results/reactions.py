@@ -107,7 +107,7 @@ def _in_arc(symbol: ast.Symbol, pin: str, ends: tuple[str, ...], scope: Scope) -
     if set(ends) != {pin, centre}:
         scope.report.add(lowering_messages.normal_of_arc(symbol.span, pin, centre))
         return None
-    return Axial(f"{centre}{pin}", ends[0], ends[1])
+    return Axial(f"{centre}{pin}", ends[0], ends[1], slot=pin)
 
 
 def check_rods(mechanism: Mechanism, scope: Scope) -> None:

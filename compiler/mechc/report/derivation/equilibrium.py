@@ -9,7 +9,7 @@ from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...frozen import replace
-from ...model.mechanism import Reaction
+from ...model.mechanism import ArcSlot, Mechanism, Reaction
 from ...model.parts.targets import whole
 from ...pose.pose import Pose
 from ...power.balance import Solved
@@ -41,6 +41,14 @@ _FORCES: Mapping[str, tuple[SentenceKind, Places]] = {
     "couple": (SentenceKind.COUPLE_IN_SLOT, ("link", "rest")),
 }
 """The sentence that says what a force is, and the places of its names in it."""
+
+_ACROSS: Mapping[tuple[bool, bool], SentenceKind] = {
+    (True, False): SentenceKind.FORCES_ACROSS,
+    (True, True): SentenceKind.FORCES_ACROSS_RADIUS,
+    (False, False): SentenceKind.PIN_ACROSS,
+    (False, True): SentenceKind.PIN_ACROSS_RADIUS,
+}
+"""The sentence of forces across a rod, on a link or a pin, or across a slot's radius."""
 
 
 def derive_by_equilibrium(
@@ -124,7 +132,7 @@ class _Writer:
         for force in forces:
             if mentioned & {*force.names} and not self._met >= {*force.names}:
                 self._met.update(force.names)
-                yield _force(force)
+                yield _force(force, self._pose)
 
     def _sums(self, step: Step, equilibrium: Equilibrium) -> Iterator[Paragraph]:
         """Yield the sums of a step, the last with what follows."""
@@ -178,12 +186,21 @@ def _merged(paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
         yield replace(first, equations=(*first.equations, *more)) if others else first
 
 
-def _force(force: JointForce) -> Paragraph:
+def _force(force: JointForce, pose: Pose) -> Paragraph:
+    if force.kind == "rod" and (arc := pose.mechanism.arc_of(force.subject[0])):
+        return _of_circular_slot(force, arc, pose.mechanism)
     kind = "crank" if force.kind == "pin" and force.subject[-1] else force.kind
     sentence, places = _FORCES[kind]
     names = {place: (name,) for place, name in zip(places, force.subject, strict=False)}
     letters = zip(("force", "other"), map(Symbol, force.names), strict=False)
     return Paragraph(sentence, (), names, dict(letters))
+
+
+def _of_circular_slot(force: JointForce, arc: ArcSlot, mechanism: Mechanism) -> Paragraph:
+    (rod,), (letter,) = force.subject, force.names
+    names = {"link": (arc.link,), "point": mechanism.link(rod).points[1:], "rest": (arc.centre,)}
+    formulas = {"force": Symbol(letter)}
+    return Paragraph(SentenceKind.FORCE_OF_CIRCULAR_SLOT, names=names, formulas=formulas)
 
 
 def _sum(balance: Balance, found: tuple[Equation, ...], pose: Pose) -> Paragraph:
@@ -196,7 +213,8 @@ def _sum(balance: Balance, found: tuple[Equation, ...], pose: Pose) -> Paragraph
         return Paragraph(SentenceKind.ALONG, equations, names)
     if balance.across:
         rod = {"rod": (balance.across,)}
-        sentence = SentenceKind.FORCES_ACROSS if body == "link" else SentenceKind.PIN_ACROSS
+        is_slot = pose.mechanism.arc_of(balance.across) is not None
+        sentence = _ACROSS[body == "link", is_slot]
         return Paragraph(sentence, equations, {**names, **rod})
     assert balance.along is not None, "a sum of forces has a direction"
     sentence = SentenceKind.FORCES_ALONG if body == "link" else SentenceKind.PIN_ALONG

@@ -169,6 +169,8 @@ class _Writer:
         powers += [_power(t, Symbol(t.load.name), _speed(t.load)) for t in working]
         power = Equation(total(positive_first(powers)), ZERO)
         kind = _BONDS.get(release.kind) or self._on_ground(release.point)
+        if arc := self._mechanism.arc_of(release.of):
+            kind, names = SentenceKind.CIRCULAR_SLOT_RELEASED, {**names, "link": (arc.link,)}
         formulas = {**direction, "speed": parting, "force": symbol}
         return Paragraph(kind, (*speeds, power, *found), names, formulas)
 

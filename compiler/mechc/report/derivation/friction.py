@@ -365,9 +365,12 @@ def _first_order(
 def _slips(names: Sequence[str], force: Symbol, earlier: EarlierSteps) -> Iterator[Paragraph]:
     """Yield what the slips are that have names, and what the ``force`` of a thread is."""
     threads = [name for name in names if earlier.is_of_thread(name)]
-    kinds = {name.partition("_")[0] for name in names if name not in threads}
-    if "Omega" in kinds:
+    slips = [(n.partition("_")[0], n.endswith("_face")) for n in names if n not in threads]
+    kinds = {kind for kind, _ in slips}
+    if ("Omega", False) in slips:
         yield Paragraph(SentenceKind.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")})
+    if ("Omega", True) in slips:
+        yield Paragraph(SentenceKind.SLIP_OF_CIRCULAR_SLOT, formulas={"turn": Symbol("Omega")})
     if "v" in kinds:
         yield Paragraph(SentenceKind.SLIP_OF_FACE, formulas={"speed": Symbol("v")})
     if threads:

@@ -61,7 +61,7 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
             shown = (Definition(d.name, led(d.formula)) for d in put_in)
             given = (Definition(n, formulas[n]) for n in names)
             found = (*given, *shown) if loop.kind == "mirrored" else (*shown, *given)
-            step = _introduced(loop, _kind(loop, found), found)
+            step = _of_radius(_introduced(loop, _kind(loop, found), found), pose.mechanism)
             yield _between_ends(step, pose.mechanism) if loop.kind in BETWEEN_ENDS else step
 
 
@@ -76,6 +76,15 @@ def _introduced(
         inclined = next(((name, _vector(name)) for name in named), None)
     step = PositionStep(kind, loop.points, loop.is_clockwise, found, loop.like, corners, inclined)
     return replace(step, pin=loop.pin, is_ahead=loop.is_ahead)
+
+
+def _of_radius(step: PositionStep, mechanism: Mechanism) -> PositionStep:
+    """Return a step as that of a circular slot's radius, if that is what it inclines."""
+    _, vector = step.inclined or ("", "")
+    ends = frozenset("".join(point) for point in split_points(vector))
+    if not any(link.arc and ends == frozenset(link.points) for link in mechanism.links):
+        return step
+    return replace(step, kind="radius" if step.kind == "inclination" else "radius and place")
 
 
 def _between_ends(step: PositionStep, mechanism: Mechanism) -> PositionStep:

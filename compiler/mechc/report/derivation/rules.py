@@ -5,12 +5,14 @@ from typing import assert_never
 
 from ...kinematics.graph import Graph, Kind, Relation
 from ...kinematics.graph import Rule as Law
-from ...model.mechanism import Joint, Meshing, WheelPair
+from ...model.mechanism import ArcSlot, Joint, Meshing, WheelPair
 from ..kinds import Rule
 
 
 def rule_of(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
     """Return the textbook's rule for a relation, and the points and links it is applied to."""
+    if arc := graph.pose.mechanism.arc_of(relation.link):
+        return _rule_of_circular_slot(relation, arc, graph)
     match relation.rule:
         case Law.PROJECTION:
             return Rule.PROJECTION, relation.points
@@ -36,6 +38,19 @@ def rule_of(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
             assert_never(relation.rule)
 
 
+def _rule_of_circular_slot(
+    relation: Relation, arc: ArcSlot, graph: Graph
+) -> tuple[Rule, tuple[str, ...]]:
+    """Return the rule of a relation on the rod that stands for a circular slot: its radius."""
+    radius = relation.link
+    turns = graph.spins.get(radius) in relation.form
+    if relation.rule is Law.PROJECTION or (relation.rule is Law.ROTATION and not turns):
+        pin = next(p for p in relation.points if p != arc.centre)
+        return Rule.CIRCULAR_SLOT, (radius, pin, arc.link, arc.centre)
+    rule = Rule.TURNING_RADIUS if relation.rule is Law.BODY else Rule.RADIUS
+    return rule, (radius, *relation.points)
+
+
 def _rule_of_mesh(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
     """Return the rule of what meshes and its points, with the link that turns if there is one."""
     joint = _joint_of(relation, graph)
@@ -52,6 +67,8 @@ def rule_of_component(point: str, load: str, graph: Graph) -> tuple[Rule, tuple[
     if all(graph.unknowns[flow.unknown].kind is Kind.COMPONENT for flow in velocity):
         return Rule.COMPONENT_OF_TWO, (point, load)
     for link, pole in _poles(point, graph):
+        if graph.pose.mechanism.arc_of(link):
+            continue
         if pole in graph.pose.mechanism.fixed:
             return Rule.COMPONENT_OF_ROTATION, (pole, point, load)
         return Rule.COMPONENT_OF_BODY, (link, pole, point, load)

@@ -163,7 +163,8 @@ class SpeedSteps:
         elif len(others) > 1 and others != {self._names[d] for d in self.plan.drives}:
             results.append(self._solved(unknown))
         rule, subject = rule_of(relation, self._graph)
-        ends = relation.points if rule is Rule.PROJECTION else ()
+        is_projection = rule in (Rule.PROJECTION, Rule.CIRCULAR_SLOT)
+        ends = relation.points if is_projection else ()
         reasons = tuple(r for point in ends for r in self._plane_motion(point, relation))
         yield Step(rule, subject, (said,), tuple(results), reasons)
 
@@ -175,7 +176,8 @@ class SpeedSteps:
         self._composed.add(point)
         link, pole = found
         yield from self._plane_motion(pole, relation)
-        yield Rule.PLANE, (link, pole, point)
+        is_radius = self._graph.pose.mechanism.arc_of(link) is not None
+        yield Rule.TURNING_RADIUS if is_radius else Rule.PLANE, (link, pole, point)
 
     def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
         for unknown in unknowns:

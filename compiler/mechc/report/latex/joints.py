@@ -55,10 +55,10 @@ def _in_two_parts(mechanism: Mechanism) -> frozenset[str]:
 
 
 def _arc(rod: Link, arc: ArcSlot, locale: Locale, style: Notation) -> str:
-    names = (rod.points[1], arc.link, arc.centre, rod.name)
-    pin, body, centre, line = (math(points(name)) for name in names)
-    radius = math(length_of(arc.radius, locale, style))
-    return locale.joints["arc"].format(point=pin, body=body, centre=centre, radius=radius, rod=line)
+    pin, body, centre = (math(points(name)) for name in (rod.points[1], arc.link, arc.centre))
+    line, length = points(rod.name), length_of(arc.radius, locale, style)
+    radius = math(line if length == line else f"{line}={length}")
+    return locale.joints["arc"].format(point=pin, body=body, centre=centre, radius=radius)
 
 
 def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:

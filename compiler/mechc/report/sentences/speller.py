@@ -108,6 +108,8 @@ def force_words(force: ForceAtJoint, locale: Locale, spell: Speller) -> str:
     """Return which force is meant: of which joint, on which link, in which rod."""
     said = locale.at_joints[carrier(force, spell.guided)]
     match force:
+        case Axial(slot=pin) if pin:
+            return said.format(point=spell.point(pin))
         case Axial(_, tail, head):
             return said.format(line=spell.point(f"{tail}{head}"))
         case Normal(point):
@@ -124,12 +126,14 @@ def component_words(force: ForceAtJoint, locale: Locale, spell: Speller) -> str:
 
 
 def carrier(force: ForceAtJoint, guided: Set[str] = frozenset()) -> str:
-    """Return the kind of part that passes a force on: a rope, a rod, or a guide by its normal.
+    """Return the kind of part that passes a force on: a rope, rod, slot, or guide by its normal.
 
     What the ground exerts on a ``guided`` point is the force of a guide, too; the force ``on``
     a link is that of a joint.
     """
     match force:
+        case Axial(slot=pin) if pin:
+            return "slot"
         case Axial(link):
             return "rope" if link.startswith(rope_id(())) else "rod"
         case Normal():

@@ -50,7 +50,7 @@ LOCALE = Locale(
         "slot of two": "the pin {point} slides along {body}",
         "guided": "the link {guided} is fast in the block at {point} and turns with {body}",
         "arc": "the pin {point} slides in a circular slot of {body} about {centre}, of radius "
-        "{radius}: the slot does what a rod {rod} would do",
+        "{radius}",
         "spread": "the load {load} is spread over {stretch} in the direction {direction}; its "
         "resultant acts at {point}, {reach}",
         "contact": "the point {point} touches {body}; the common normal has the direction {normal}",
@@ -110,6 +110,7 @@ LOCALE = Locale(
         "pins": "diameter of the pins",
         "wrap": "angle of wrap",
         "thread": "mean diameter of the thread",
+        "collar": "mean diameter of the collar",
         "rate": "rate of the spring",
         "rates": "rate of the springs",
         "free length": "free length of the spring",
@@ -127,6 +128,10 @@ LOCALE = Locale(
         " the place on the guide.",
         "inclination": "Loop {loop}: its projection across the guide gives the direction of the "
         "link.",
+        "radius": "Loop {loop}: its projection across the guide gives the direction of the radius "
+        "of the circular slot.",
+        "radius and place": "Loop {loop}: its projections across the guide and along it give the "
+        "direction of the radius of the circular slot and the place on the guide.",
         "slot": "Loop {loop}: its projections across the line of the slot and along it give the "
         "direction of that line and the place on it.",
         "aligned": "Loop {loop}: the slot has the direction of the vector {part}, whose length is "
@@ -182,6 +187,13 @@ LOCALE = Locale(
         "velocity times the arm.",
         "projection": "Equal-projection theorem (velocities of two points of a rigid body): on the "
         "line {joined} the velocities of {all} have equal projections.",
+        "circular_slot": "Circular slot of {point}: relative to this link the pin {second} moves "
+        "along the tangent, so that on the radius {first} the velocities of {last} and {second} "
+        "have equal projections.",
+        "radius": "Angular velocity of the radius {first} of the circular slot from the "
+        "velocities of its ends.",
+        "turning_radius": "The velocities of {rest} differ by that of the rotation of the radius "
+        "{first} of the circular slot.",
         "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
         "translation": "The velocities of {rest} are parallel, and their projections on the line "
         "between these points are equal: the link {first} translates.",
@@ -228,6 +240,8 @@ LOCALE = Locale(
     again={
         "projection": "Likewise on the line {joined} the velocities of {all} have equal "
         "projections.",
+        "circular_slot": "Likewise in the circular slot of {point} the velocities of {last} and "
+        "{second} have equal projections on the radius {first}.",
         "lever": "Likewise about the pivot {first} the velocities of {rest} are proportional to "
         "their arms.",
         "arm": "Likewise about the pivot {first} the velocity of {rest} is the angular velocity "
@@ -279,6 +293,7 @@ LOCALE = Locale(
         "guide": "force of the guide at {point}",
         "normal": "normal force at {point}",
         "rod": "force in the rod {line}",
+        "slot": "force of the circular slot at {point}",
         "rope": "tension of the rope {line}",
         "size": "{force}",
         "x": "{force}, x component",

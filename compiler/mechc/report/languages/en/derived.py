@@ -14,6 +14,8 @@ WORDS = {
     "the velocity {speed}; {force} is the force between them.",
     "touch": "Let {point} part from the surface that it touches in the direction {direction} "
     "with the velocity {speed}; {force} is the force between them.",
+    "circular slot released": "Let the circular slot of {link} give way in the direction "
+    "{direction} with the velocity {speed}; {force} is its force.",
     "rope released": "Let the rope that begins at {point} grow shorter with the velocity "
     "{speed}; {force} is its tension.",
     "idle": "Let the constraint at {point} be released in the direction {direction}: no load "
@@ -77,6 +79,9 @@ WORDS = {
     "sliding velocity, per unit of the drive’s velocity.",
     "slip of pin": "In a pin the relative angular velocity {turn} takes the place of the sliding "
     "velocity, and the radius of the friction circle that of the coefficient.",
+    "slip of circular slot": "In a circular slot the angular velocity {turn} of its radius "
+    "relative to the link with the slot takes the place of the sliding velocity, and the radius "
+    "of the friction circle about the centre of the slot that of the coefficient.",
     "slip of face": "On a sliding surface {speed} is the sliding velocity.",
     "pressing of thread": "In a thread {force} is the axial component of the normal force.",
     "slip of thread": "In a thread {force} is the axial component of the normal force, and {speed} "

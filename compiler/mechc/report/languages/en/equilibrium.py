@@ -5,6 +5,12 @@ WORDS = {
     "equal parts": "By symmetry one of the equal parts is considered; on what they share all of "
     "them act.",
     "force in rod": "{force} is the force in the rod {link}, positive in tension.",
+    "force of circular slot": "{force} is the force of the circular slot of {link} on {point}, "
+    "positive towards {rest}.",
+    "forces across radius": "Forces on {link} perpendicular to the radius {rod} of the circular "
+    "slot:",
+    "pin across radius": "Forces on the pin {point} perpendicular to the radius {rod} of the "
+    "circular slot:",
     "force of ground": "{force} and {other} are the components of the force of the ground on "
     "{link} at {point}.",
     "force at pin": "{force} and {other} are the components of the force on {link} at the pin "
