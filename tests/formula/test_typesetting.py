@@ -36,6 +36,7 @@ BOTH = {
     "hypot(a, -b)": ("√(a² + b²)", r"\sqrt{a^{2}+b^{2}}"),
     "cos(deg(40) - alpha)": ("cos(40° − α)", r"\cos(40^\circ-\alpha)"),
     "cos(-alpha)": ("cos(−α)", r"\cos(-\alpha)"),
+    "cos(0)**2": ("cos² 0°", r"\cos^{2}0^\circ"),
     "cos(pi/8)": ("cos 22.5°", r"\cos22.5^\circ"),
     "cos(pi/7)": ("cos(180/7°)", r"\cos\left(\frac{180^\circ}{7}\right)"),
     "0.3535*cos(alpha)*a/b": ("0.3535 · a/b · cos α", r"0.3535\,\frac{a}{b}\cos\alpha"),

@@ -351,6 +351,39 @@ def test_what_is_a_part_of_a_size_is_not_called_by_it(friction, called):
     assert {p.name: p.label for p in shown if p.label} == called
 
 
+@pytest.mark.parametrize(
+    ("size", "called"),
+    [
+        ("mean 26 mm", {"D_A": "mean diameter of the collar"}),
+        ("mean d + 8 mm", {}),
+        ("mean 2*b", {}),
+    ],
+)
+def test_the_mean_diameter_of_a_collar_is_called_so(size, called):
+    source = f"""
+        mechanism screw
+        param d = 18 mm
+        param b = 13 mm
+        pivot S at (-200 mm, 0 mm)
+        slider A along x
+        link SH
+        A at (0 mm, 0 mm)
+        H at (-200 mm, 60 mm)
+        screw A pitch 4 mm on SH
+        torque M on SH
+        force F at A along -x
+        friction screw A 0.12 thread d
+        friction collar A 0.1 {size}
+        find M/F
+        """
+    mechanism = Compilation(Source("screw.mech", source)).mechanism
+    known = (*mechanism.parameters, *mechanism.literals)
+    shown = with_roles(known, mechanism, locale("en").roles)
+    labels = {p.name: p.label for p in shown if p.label}
+    assert labels.items() >= called.items()
+    assert ("mean diameter of the collar" in labels.values()) == bool(called)
+
+
 def test_a_size_that_several_parts_share_is_called_after_none_of_them():
     """Two equal springs: their rate is c, and each free length has the spring's own name."""
     source = Source(

@@ -74,7 +74,7 @@ def test_a_unit_of_two_words_keeps_its_hyphen():
     """Of a negative number the sign is a minus, and the hyphen of its unit is none."""
     compilation = compile_source(Source("u.mech", WEIGHED))
     derived = render(compilation.derivation, compilation.mechanism, language="ru")
-    assert "P_уд = −120 фунт-сила · 0,5 = −60 фунт-сила" in derived
+    assert "P_уд = −120 фунт-сил · 0,5 = −60 фунт-сил" in derived
     assert "фунт−сила" not in derived
 
 

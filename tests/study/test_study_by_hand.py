@@ -14,6 +14,7 @@ from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.diagnostics import Report
+from mechc.driver import compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.rounding import Size
 from mechc.formula.to_text import text
@@ -177,6 +178,36 @@ def test_a_crank_drives_a_slider_and_stands_still_at_its_dead_centres():
     assert zero.cause == DeadCentre(still=Acted("B"), moving=Acted("OA"))
     causes = [p.cause for p in infinite]
     assert causes == [DeadCentre(still=Acted("OA"), moving=Acted("B"))]
+
+
+STEPPED = """
+mechanism stepped
+param r1 = 20 mm
+param r2 = 30 mm
+param r4 = 27 mm
+pivot O
+link OS
+link OA
+link AQ
+link OT
+OA = r1 + r2 @ 30 deg
+OS = @ 0 deg
+AQ = @ 0 deg
+OT = @ 0 deg
+gear O r1 on OS, A r2
+gear O r1 + 2*r2 on ground, A r2 inner
+gear O r1 + r2 + r4 on OT, A r4 inner
+torque M on OS
+torque L on OT
+find k = M/L
+"""
+
+
+def test_equal_radii_are_no_dead_centre():
+    """Where both wheels of the planet are as large, L can do nothing, wherever the arm is."""
+    (result,) = compile_source(Source("stepped.mech", STEPPED)).results
+    (zero,) = result.zeros
+    assert (text(zero.factor), zero.cause) == ("r2 - r4", "other")
 
 
 @pytest.mark.parametrize(("lengths", "is_zero"), [((0.3, 0.2), True), ((0.3, 0.3), False)])

@@ -284,7 +284,7 @@ class Typesetter(Look[Piece]):
             case Call(function, (argument,)), Number(value) if (
                 self.raised and function in TRIGONOMETRIC and value.denominator == 1
             ):
-                return self.applied(function, str(value), argument, self.whole(argument, True))
+                return self.applied(function, str(value), argument, self._angle(argument))
         raised = self.set(exponent, Around.SUM if self.built else Around.BASE, False)
         return self.power(self._base(base), raised)
 
@@ -328,11 +328,15 @@ class Typesetter(Look[Piece]):
             case "abs", (argument,):
                 return self.absolute(self.whole(argument))
             case _, (argument,):
-                inner = self.whole(argument, function in TRIGONOMETRIC)
-                if function in TRIGONOMETRIC and argument == ZERO:
-                    inner = self.degrees(self.numeral("0"))
+                is_turn = function in TRIGONOMETRIC
+                inner = self._angle(argument) if is_turn else self.whole(argument)
                 return self.applied(function, "", argument, inner)
         return self.called(function, [self.whole(a) for a in arguments])
+
+    def _angle(self, argument: Formula) -> Piece:
+        """Return the angle of a sine or cosine, its constants in degrees; 0 alone is 0°, too."""
+        is_zero = argument == ZERO
+        return self.degrees(self.numeral("0")) if is_zero else self.whole(argument, True)
 
     def _cases(self, parts: Row) -> tuple[list[tuple[Piece, Piece]], Piece | None]:
         """Return a choice as rows; a choice for what is left goes on with them."""

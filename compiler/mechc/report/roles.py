@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Mapping, Set
 from typing import assert_never
 
-from ..formula.tree import HALF, Formula, Product, Sum, Symbol, product
+from ..formula.tree import HALF, Formula, Number, Product, Sum, Symbol, product
 from ..formula.walk import walk
 from ..frozen import replace
 from ..model.mechanism import ForcePair, Geometry, Mechanism, Parameter, Turn
@@ -103,7 +103,9 @@ def of_friction(friction: JointFriction, lengths: Set[str]) -> list[Role]:
     match friction:
         case PinFriction(radius=radius):
             return _of_circle(radius, lengths)
-        case GuideFriction() | FaceFriction() | CollarFriction() | PivotFriction():
+        case CollarFriction(factor=factor, radius=radius):
+            return [*_named(factor, "coefficient"), *_of_mean(radius)]
+        case GuideFriction() | FaceFriction() | PivotFriction():
             return _named(friction.factor, "coefficient")
         case RopeFriction(coefficient=coefficient, wrap=wrap):
             return [*_named(coefficient, "coefficient"), *_named(wrap, "wrap")]
@@ -125,6 +127,19 @@ def _of_circle(radius: Formula, lengths: Set[str]) -> list[Role]:
     (d,), (f,) = diameters, others
     circles = (product([(HALF, 1), (law, 1), (d, 1)]) for law in (f, coulomb(f)))
     return [(f.name, "coefficient"), (d.name, "pin")] if radius in circles else []
+
+
+def _of_mean(radius: Formula) -> list[Role]:
+    """Return the mean diameter of a collar in D/2; where the radius is found otherwise nothing.
+
+    >>> _of_mean(product([(Symbol("D_A"), 1), (HALF, 1)])), _of_mean(Symbol("r"))
+    ([('D_A', 'collar')], [])
+    """
+    match radius:
+        case Product((Number() as part, Symbol(name))) if part == HALF:
+            return [(name, "collar")]
+        case _:
+            return []
 
 
 def _of_spring(tie: Formula) -> Iterator[Role]:

@@ -6,6 +6,7 @@ from ..algebra.factors import Factor
 from ..algebra.orders import Root, order
 from ..algebra.product import Product
 from ..algebra.sums import canonical
+from ..formula.walk import symbols
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force
@@ -17,13 +18,24 @@ from .analysis import Acted, Cause, DeadCentre
 def cause(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Cause:
     """Return whether the point of a load stands still or moves across it, if that is known."""
     ratio = across_of(item, balance, side)
-    if ratio is None or not _is_theirs(factor, at, item, balance, side):
+    if (
+        ratio is None
+        or _is_of_sizes(factor, balance)
+        or not _is_theirs(factor, at, item, balance, side)
+    ):
         return "other"
     if ratio and not _vanishes(ratio, factor, at):
         return "perpendicular load"
     loads = {t.load.name: t.load for t in balance.terms}
     still, moving = _still_and_moving(item, side)
     return DeadCentre(*(_acted(loads[name].against) for name in (still, moving)))
+
+
+def _is_of_sizes(factor: Factor, balance: Balance) -> bool:
+    """Return whether radii and pitches alone decide: equal ones are a choice, and no position."""
+    sizes = (size.formula() for size in balance.plan.graph.pose.radii.values())
+    names = symbols(factor.formula())
+    return bool(names) and names <= symbols(*sizes)
 
 
 def _is_theirs(
