@@ -1,5 +1,6 @@
 """What ``mechc check`` prints of a description, line by line, in each language."""
 
+import math
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
@@ -212,11 +213,21 @@ def _of_result(
     if result.default is not None:
         value = _measured(result.default, entry.unit, spell)
         yield f"    = {words['default'].format(value=value)}"
+    elif len(result.sides) > 1:
+        yield f"    {words['default'].format(value=_jump(result.sides, entry.unit, spell))}"
     elif result.undetermined:
         yield f"    {words['default'].format(value=f'{spell.locale.undetermined} (0/0)')}"
     yield from _of_conditions(result, before, spell)
     if result.independent:
         yield f"    {words['independent'].format(names=', '.join(result.independent))}"
+
+
+def _jump(sides: Sequence[float], unit: str, spell: Speller) -> str:
+    """Return between what a result jumps, or that it is undetermined where a side has no value."""
+    if any(map(math.isnan, sides)):
+        return spell.locale.undetermined
+    low, high = (_measured(side, unit, spell) for side in sides)
+    return spell.locale.checked["jumps"].format(low=low, high=high)
 
 
 def _of_literals(literals: Iterable[Parameter], spell: Speller) -> Iterator[str]:

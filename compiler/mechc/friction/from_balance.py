@@ -30,7 +30,9 @@ from ..power.loose import warn_of_idle_loads
 from ..power.numbers import DefaultNumbers, with_default
 from . import problem as problems
 from . import results
+from .at_rest import limits
 from .solution import Solution, SolvedWithFriction
+from .tolerances import SAME_RESULT
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -115,11 +117,14 @@ def _with_default(
 
     It ``grips`` where nothing but ropes has friction. Where a coefficient has no value nothing is
     said of that. Where the result without friction is 0/0 no slip has a direction, and this one
-    has no value either.
+    has no value either. Where a slip is 0 for once it has the limit of both sides, or jumps.
     """
     if ideal.undetermined:
         return with_default(result, Size(None, undetermined=True))
-    size = numbers.of(result)
+    size, sides = numbers.of(result), limits(result, numbers.pose)
+    if sides and not _are_alike(sides, size.number):
+        default = sides[0] if len(sides) == 1 else None
+        return replace(result, default=default, sides=sides)
     if size.undetermined and _is_all_lost(find, result, ideal, numbers):
         size = Size(0.0)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
@@ -127,6 +132,11 @@ def _with_default(
         report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips, idle))
         size = Size(None)
     return with_default(result, size)
+
+
+def _are_alike(sides: Sequence[float], number: float | None) -> bool:
+    """Return whether the limits on both sides are the number that there is without friction."""
+    return number is not None and all(math.isclose(s, number, rel_tol=SAME_RESULT) for s in sides)
 
 
 def _is_all_lost(find: Find, result: Result, ideal: Result, numbers: DefaultNumbers) -> bool:

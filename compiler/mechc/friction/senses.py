@@ -3,7 +3,9 @@
 A slip that is zero at the values given (a guide square to a link) comes out as a rounding of
 zero, of either sign. It has a sense where it is more than that against its size: what it would
 be were every sine 1 and all terms of one sign. Page and code have no friction in a joint without a
-sense, and nothing is said there of how a joint at rest may hold.
+sense, and nothing is said there of how a joint at rest may hold. Where a slip is zero for once
+along the drive, that is the limit of neither side: the value at the default pose is taken from
+:mod:`.at_rest`, that along a stroke from its sides.
 """
 
 from collections.abc import Iterator

@@ -31,7 +31,9 @@ class Result:
     ``coefficients`` gives the factor of every other load and ``formula`` their sum; a result
     with friction is none.
     ``target`` is None for a let. At the default pose it has the value ``default``, if any; it
-    is ``undetermined`` where it is 0/0 there. ``guards`` are conditions without which the
+    is ``undetermined`` where it is 0/0 there, and has ``sides``
+    where a slip is 0 for once: it jumps between two of them, NaN where nothing balances, and has
+    the value of one. ``guards`` are conditions without which the
     formula has no meaning; ``elsewhere`` is the result that takes its place where one of them
     fails, if there is one: being long, it is made when it is read. The ``label`` is the text that
     the description gives a let.
@@ -45,6 +47,7 @@ class Result:
     coefficients: Mapping[str, Formula] | None = None
     default: float | None = None
     undetermined: bool = False
+    sides: tuple[float, ...] = ()
     guards: tuple[Require, ...] = ()
     elsewhere: "Result | None" = field(default=None, on_demand=True)
     label: str = ""

@@ -43,6 +43,11 @@ class DefaultNumbers:
     def __init__(self, plan: Plan) -> None:
         self._plan = plan
 
+    @property
+    def pose(self) -> Pose:
+        """The pose."""
+        return self._plan.graph.pose
+
     @cached_property
     def values(self) -> dict[str, float]:
         """The values of parameters, intermediates and bound sums."""
@@ -149,6 +154,13 @@ def default_values(plan: Plan) -> dict[str, float]:
 def pose_values(pose: Pose) -> dict[str, float]:
     """Return the values that a pose has by default."""
     return _chain(pose).complete(_given(pose))
+
+
+def values_along(pose: Pose, step: float) -> dict[str, float]:
+    """Return the values of a pose whose drive is a step farther on than by default."""
+    assert pose.mechanism.drive is not None
+    given, drive = _given(pose), pose.mechanism.drive.parameter
+    return _chain(pose).complete({**given, drive: given.get(drive, 0.0) + step})
 
 
 def values_beside(pose: Pose, step: float) -> dict[str, float]:

@@ -203,10 +203,13 @@ def _is_as_printed(section: Section, given: Mapping[str, Quantity]) -> bool:
     """Return whether results with friction are what their printed formulas come to.
 
     Where a force is zero without friction, friction gives it a sign that no formula has: the
-    value is then that of the coupled equations, or of the sign that lets all forces balance.
+    value is then that of the coupled equations, or of the sign that lets all forces balance. Where
+    a slip is 0 for once, it is that beside it.
     """
     values = values_of(given)
     for result in section.results:
+        if result.sides:
+            return False
         if not isinstance(result.target, WithFriction) or result.default is None:
             continue
         known = completed(values, ((n, f) for n, f in result.where if n not in values))

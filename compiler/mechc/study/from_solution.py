@@ -265,6 +265,8 @@ def fails_here(result: Analysis, values: Values) -> bool:
     """
     if result.default is None or not isinstance(result.target, WithFriction | Efficiency):
         return False
+    if result.sides:
+        return False
     if not result.guards and not any(is_call(d.formula, "sign") for d in result.where):
         return False
     rounding = Rounding(values)

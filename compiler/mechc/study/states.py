@@ -25,7 +25,7 @@ from ..model.values import Values
 from ..named import NamedTuple
 from .intervals import Range, State
 from .sweep import VALUE, Sweep
-from .tolerances import NEGLIGIBLE
+from .tolerances import BESIDE_REST, NEGLIGIBLE
 
 
 class Found(NamedTuple):
@@ -223,6 +223,19 @@ class Moving:
         real = self._real(x)
         return Found(None, math.nan, driven) if real is None else self._state(real, x, driven)
 
+    def _beside_rest(self, x: float) -> float:
+        """Return a value beside one at which alone a slip is 0, any other value as it is.
+
+        Friction has no sense there, and what is without it is the limit of neither side.
+        """
+        real = self._ratios.real
+        rest = self.sweep.at_rest(real, x)
+        if not rest:
+            return x
+        step = BESIDE_REST * max(abs(x), 1.0)
+        sides = (side for side in (x - step, x + step) if self.sweep.values(side))
+        return next((side for side in sides if self.sweep.at_rest(real, side) < rest), x)
+
     def _state(self, real: float, x: float, driven: bool) -> Found:
         """Return the state in a pose by the ratio with friction there."""
         share = real / self.without(x)
@@ -232,7 +245,7 @@ class Moving:
 
     def _real(self, x: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
-        real = self._ratios.real
+        real, x = self._ratios.real, self._beside_rest(x)
         found = self._value(real, x)
         if found is None and real.elsewhere:
             return self._value(real.elsewhere, x)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from ..formula.rounding import Rounding, beyond_rounding
-from ..formula.tree import Formula
+from ..formula.tree import Formula, is_call
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..model.result import Result
@@ -53,6 +53,8 @@ class ResultCode:
         self._parts = [
             places[d.name] for d in result.where if d.name.startswith(VALUE) and d.name in places
         ]
+        senses = (d.name for d in result.where if is_call(d.formula, "sense"))
+        self._senses = [places[name] for name in senses if name in places]
 
     def following(self, values: Values) -> list[float]:
         """Return the values of the definitions, of the result and of the sides of its guards."""
@@ -70,6 +72,10 @@ class ResultCode:
     def parts(self, found: Sequence[float]) -> tuple[float, ...]:
         """Return the values of the definitions that are called parts, as far as they have any."""
         return tuple(map(found.__getitem__, self._parts))
+
+    def at_rest(self, found: Sequence[float]) -> int:
+        """Return how many slips are 0, so that their friction has no sense."""
+        return sum(found[i] == 0 for i in self._senses)
 
     def named(self, found: Sequence[float]) -> dict[str, float]:
         """Return all of them by name."""
@@ -149,6 +155,11 @@ class Sweep:
         """Return a result's value, NaN as well where a guard of it does not hold."""
         form, found = self._following(result, x)
         return form.guarded(found)
+
+    def at_rest(self, result: Result, x: float) -> int:
+        """Return how many slips in a result are 0, so that their friction has no sense."""
+        form, found = self._following(result, x)
+        return form.at_rest(found)
 
     def parts(self, result: Result, x: float) -> tuple[float, ...]:
         """Return the values of the definitions of a result that are called parts."""

@@ -100,6 +100,9 @@ SIDE = 1e-9
 JUMP_SIDES = (1e-9, 1e-8)
 """The parts of the stroke from a jump at which is seen what grows without end towards it."""
 
+BESIDE_REST = 1e-9
+"""How far, against its size or 1, a value is from one at which a slip is 0: it has a sense then."""
+
 VANISHING = 1e-3
 """What is left at a value, against half the distance, of what vanishes there, at most."""
 

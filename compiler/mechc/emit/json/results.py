@@ -214,7 +214,9 @@ RESULT: Kind[Analysis] = record(
     member(
         "courses", "Of an efficiency.", list_of(EFFICIENCY_RANGE), lambda r: r.efficiency_ranges
     ),
-    member("value", "At the default pose, SI; null at a pole.", FLOAT, lambda r: r.default),
+    member(
+        "value", "At the default pose, SI; null at a pole or a jump.", FLOAT, lambda r: r.default
+    ),
     member(
         "holds",
         "Conditions of the formula, where it is for the signs of the default pose.",

@@ -156,6 +156,7 @@ class Locale(NamedTuple):
     why_usual: str
     sampled: str
     fails_here: str
+    at_rest: Mapping[str, str]
     extents: Mapping[str, str]
     derivatives: str
     slope: str

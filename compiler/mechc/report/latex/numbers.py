@@ -1,7 +1,7 @@
 """The values of formulas at the default pose, as LaTeX."""
 
 from collections.abc import Collection, Iterable, Iterator
-from math import isfinite
+from math import isfinite, isnan
 
 from ...formula.layout import decimal
 from ...formula.operations import count_operations
@@ -92,6 +92,11 @@ def _number(result: Analysis, locale: Locale, style: Notation) -> str:
     symbol = latex(asked(result), style)
     if result.undetermined:
         return rf"${symbol}$ {locale.undetermined} ($0/0$)"
+    if len(result.sides) > 1 and not any(map(isnan, result.sides)):
+        low, high = (measured(s, result.dimension, locale, style) for s in result.sides)
+        return f"${symbol}$: {locale.checked['jumps'].format(low=f'${low}$', high=f'${high}$')}"
+    if len(result.sides) > 1:
+        return f"${symbol}$ {locale.undetermined}"
     if result.default is None or not isfinite(result.default):
         return ""
     return f"${symbol}={measured(result.default, result.dimension, locale, style)}$"

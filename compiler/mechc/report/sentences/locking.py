@@ -39,6 +39,8 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
 
     Before that, whether the formula holds at the values given.
     """
+    if result.sides:
+        yield locale.at_rest["limit" if len(result.sides) == 1 else "jump"]
     if result.fails_here:
         yield locale.fails_here
     if result.locking:

@@ -262,8 +262,14 @@ def _zero_part(part: ZeroInterval, shown: Written) -> str:
 
 
 def _extremum(found: Extremum, shown: Written) -> str:
+    """Return where a result is least or greatest, be it on one side of a jump alone."""
     value = _measured(found.value, found.result, shown, FIGURES)
-    return shown.says(found.kind, name=found.result, value=value, at=_at(found.drive, shown))
+    is_beside = any(
+        one.result == found.result and one.drive == found.drive and found.value in (one.sides or ())
+        for one in shown.stroke.singular
+    )
+    kind = f"{found.kind} beside jump" if is_beside else found.kind
+    return shown.says(kind, name=found.result, value=value, at=_at(found.drive, shown))
 
 
 def _measured(value: float, result: str, shown: Written, digits: int) -> str:

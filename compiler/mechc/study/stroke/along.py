@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TypeVar
 
 from ...algebra.product import Product
@@ -11,18 +11,22 @@ from ...formula.roots import Function
 from ...formula.rounded_columns import RoundedColumn, RoundedColumns
 from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.straight_line import in_order
-from ...formula.tree import Formula
+from ...formula.tree import Formula, is_call
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.result import Result
+from ...model.result import Definition, Result
 from ...model.values import Chain, Values, defaults, dependent
 from ..open_ranges import NOT_ASSEMBLED, why_open
+from ..tolerances import SAME_SIDES, SIDE
 from .forms import form, holding, together
 
 EXCLUDED = "excluded by a condition of use"
 
 
 T = TypeVar("T")
+
+Senses = Callable[[float], Sequence[float]]
+"""Returns the senses of slips at a value of the drive."""
 
 
 def _keeping(value: Callable[[Values], T], at: Callable[[float], Values]) -> Callable[[float], T]:
@@ -57,6 +61,8 @@ class Along:
         self._fixed = self._chain.complete(fixed)
         self._fixed_inside = self._inner.complete(self._fixed)
         self._near = 2 * EPS * max(map(abs, ends), default=0.0)
+        self._step = SIDE * (max(ends, default=1.0) - min(ends, default=0.0))
+        self._senses: dict[int, tuple[Sequence[Definition], Senses | None]] = {}
         self._known: dict[float, Values] = {}
         self._known_inside: dict[float, Values] = {}
         self._troubles: dict[float, str] = {}
@@ -108,7 +114,8 @@ class Along:
         """Return a formula's value, with the definitions of a result; NaN where it has none.
 
         It has none either where a condition of the result is broken; where the result has a
-        form for elsewhere, its value is that of the form that stands.
+        form for elsewhere, its value is that of the form that stands. Where a slip is 0 for once,
+        it is the limit, or one of both where the result jumps.
         """
         return self.function(formula, where)(x)
 
@@ -116,9 +123,48 @@ class Along:
         """Return a formula as a function of the drive, which keeps its values."""
         key = id(formula), id(where)
         if key not in self._functions:
-            value = form(formula, where, self._names)
-            self._functions[key] = formula, where, _keeping(value, self.values)
+            value = _keeping(form(formula, where, self._names), self.values)
+            senses = self._senses_of(where.where) if where else None
+            value = value if senses is None else partial(self._on_sides, value, senses)
+            self._functions[key] = formula, where, value
         return self._functions[key][2]
+
+    def _on_sides(self, value: Function, senses: Senses, x: float) -> float:
+        """Return a value, the limit of it where a slip is 0 for once."""
+        sides = self._sides(value, senses, x)
+        return sides[0] if sides else value(x)
+
+    def sides(self, value: Function, where: Sequence[Definition], x: float) -> Sequence[float]:
+        """Return the limits of a result where a slip is 0 for once, one where they are alike.
+
+        Friction has no sense there, and what is without it is the limit of neither side. There are
+        none where no slip is 0, or one is on both sides as well.
+        """
+        senses = self._senses_of(where)
+        return () if senses is None else self._sides(value, senses, x)
+
+    def _sides(self, value: Function, senses: Senses, x: float) -> Sequence[float]:
+        rest = senses(x).count(0)
+        if not rest:
+            return ()
+        steps = [s * self._step for s in (-1, 1)]
+        away = [step for step in steps if senses(x + step).count(0) < rest]
+        found = (2 * value(x + step) - value(x + 2 * step) for step in away)
+        limits = [limit for limit in found if math.isfinite(limit)]
+        low, high = min(limits, default=0.0), max(limits, default=0.0)
+        if high - low > SAME_SIDES * max(abs(low), abs(high)):
+            return limits
+        return [sum(limits) / len(limits)] if limits else ()
+
+    def _senses_of(self, where: Sequence[Definition]) -> Senses | None:
+        """Return the senses of slips in definitions as a function of the drive, if there are any.
+
+        Those without a value along it are left out.
+        """
+        if id(where) not in self._senses:
+            found = [d.formula for d in where if is_call(d.formula, "sense")]
+            self._senses[id(where)] = where, self.signs(found, where) if found else None
+        return self._senses[id(where)][1]
 
     def signs(
         self, formulas: Sequence[Formula], definitions: Sequence[tuple[str, Formula]]

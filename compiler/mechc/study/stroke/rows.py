@@ -95,6 +95,8 @@ class Sizes:
         self, filled: Filled, x: float, column: RoundedColumn | None, alone: Callable[[], Rounding]
     ) -> Size:
         number, formula, where = filled.at(x), filled.formula, filled.where
+        if filled.has_friction and len(self._run.along.sides(filled.at, where, x)) > 1:
+            return Size(None, undetermined=True)
         if formula is None:
             return Size(number + 0.0)
         if math.isnan(number) and not filled.has_friction:

@@ -375,6 +375,12 @@ LOCALE = Locale(
     sampled="These bounds are found by sampling and refined, not proved.",
     fails_here="At the values given this formula does not hold: with friction a force has another "
     "sense there than it assumes. The value follows from the equilibrium of all links together.",
+    at_rest={
+        "limit": "At the values given a joint does not slide for an instant, and its friction has "
+        "no sense there: the value is the limit from both sides.",
+        "jump": "At the values given a joint does not slide for an instant, and its friction has "
+        "no sense there: the result jumps.",
+    },
     extents={
         "whole": "For {span}, the rest at the values given, {parts} (found by sampling "
         "and refined).",

@@ -40,6 +40,8 @@ WORDS: Words = {
     "far": "a point that the loops close at is infinitely far away there",
     "minimum": "{name} has a minimum {value} at {at}",
     "maximum": "{name} has a maximum {value} at {at}",
+    "minimum beside jump": "{name} has a minimum {value} beside its jump at {at}",
+    "maximum beside jump": "{name} has a maximum {value} beside its jump at {at}",
     "free part": "{name}: from {span}{ends}",
     "locked part": "{name}: self-locking, the load alone moves nothing, from {span}{ends}",
     "driving part": "{name}: no force {load} can move the mechanism, from {span}{ends}",

@@ -8,6 +8,7 @@ WORDS: Words = with_reasons(
     {
         **{reason: reason for reason in verdict.UNJUDGED},
         "default": "{value} at the default pose",
+        "jumps": "jumps from {low} to {high}",
         "where": "where {formula}",
         "solve": "where {names} solve",
         "presses": "where {names} presses the joint: {equation} by Newton's method",

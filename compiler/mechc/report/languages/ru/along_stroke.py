@@ -41,6 +41,8 @@ WORDS: Words = {
     "far": "точка, в которой замыкаются контуры, там бесконечно удалена",
     "minimum": "{name} имеет минимум {value} при {at}",
     "maximum": "{name} имеет максимум {value} при {at}",
+    "minimum beside jump": "{name} имеет минимум {value} с одной стороны скачка при {at}",
+    "maximum beside jump": "{name} имеет максимум {value} с одной стороны скачка при {at}",
     "free part": "{name}: от {span}{ends}",
     "locked part": "{name}: самоторможение, нагрузка сама не может сдвинуть механизм, "
     "от {span}{ends}",

@@ -12,6 +12,7 @@ WORDS: Words = with_reasons(
         verdict.TOO_MUCH: "это требует слишком много вычислений",
         verdict.NO_SPEED: "скорость в знаменателе равна нулю",
         "default": "{value} при заданных значениях",
+        "jumps": "скачок от {low} до {high}",
         "where": "где {formula}",
         "solve": "где {names} — решение системы уравнений",
         "presses": "где {names} — сила давления в шарнире: {equation}, метод Ньютона",

@@ -41,6 +41,8 @@ WORDS: Words = {
     "far": "точка, у якій замикаються контури, там нескінченно віддалена",
     "minimum": "{name} має мінімум {value} при {at}",
     "maximum": "{name} має максимум {value} при {at}",
+    "minimum beside jump": "{name} має мінімум {value} з одного боку стрибка при {at}",
+    "maximum beside jump": "{name} має максимум {value} з одного боку стрибка при {at}",
     "free part": "{name}: від {span}{ends}",
     "locked part": "{name}: самогальмування, навантаження саме не може зрушити механізм, "
     "від {span}{ends}",

@@ -12,6 +12,7 @@ WORDS: Words = with_reasons(
         verdict.TOO_MUCH: "це потребує забагато обчислень",
         verdict.NO_SPEED: "швидкість у знаменнику дорівнює нулю",
         "default": "{value} за заданих значень",
+        "jumps": "стрибок від {low} до {high}",
         "where": "де {formula}",
         "solve": "де {names} — розв’язок системи рівнянь",
         "presses": "де {names} — сила тиску в шарнірі: {equation}, метод Ньютона",
