@@ -174,3 +174,14 @@ def test_of_the_drawn_pose_the_limit_is_stated_or_that_it_jumps(tmp_path, capsys
     assert one.count("the value is the limit from both sides") == 3
     two = stated(WEDGE, tmp_path, capsys, "check")
     assert two.count("    jumps from ") == two.count("the result jumps") == 3
+
+
+def test_of_the_drawn_pose_nothing_is_said_over_ranges_but_of_the_drive(tmp_path, capsys):
+    """Along an angle of the drawing the contact would be without friction all the while."""
+    ranged = WEDGE.replace("param phi", "param alpha = 12 deg in 4 deg .. 25 deg\nparam phi")
+    ranged = ranged.replace("168 deg", "180 deg - alpha")
+    sentences = stated(ranged, tmp_path, capsys, "check")
+    assert "<= phi <=" in sentences
+    assert "<= alpha <=" not in sentences
+    beside = stated(ranged.replace("phi = 0", "phi = 1"), tmp_path, capsys, "check")
+    assert "<= alpha <=" in beside

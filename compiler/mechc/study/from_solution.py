@@ -31,6 +31,7 @@ from ..units import LENGTH
 from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
+from .intervals import Locking
 from .ranges import with_range
 from .tolerances import SAME_RATIO
 from .trends import trend
@@ -160,19 +161,32 @@ def _sloping(
 def _with_friction(
     result: Result, balance: Balance, study: "Callable[[], ratios.Study]"
 ) -> Analysis:
-    """Return a result as it is printed, with where the mechanism moves at all."""
-    printed, friction = as_printed(result), balance.plan.graph.pose.mechanism.friction
+    """Return a result as it is printed, with where the mechanism moves at all.
+
+    Where a slip is 0 for once at the default pose that is said along the drive alone: whatever
+    else changes, friction has no sense there.
+    """
+    mechanism = balance.plan.graph.pose.mechanism
+    printed, friction = as_printed(result), mechanism.friction
+    only = mechanism.drive_name if result.sides else None
     if friction.efficiency is not None:
         return printed
     match result.target:
         case WithFriction(of=LoadRatio() | LoadForm(), order="exact"):
-            return replace(printed, locking=locking.locking(study(), result, printed))
+            found = locking.locking(study(), result, printed)
+            return replace(printed, locking=_along(only, found) if only and found else found)
         case Efficiency():
-            return replace(
-                printed, efficiency_ranges=tuple(ratios.efficiency_ranges(study(), result))
-            )
+            ranges = ratios.efficiency_ranges(study(), result)
+            shown = tuple(one for one in ranges if only in (None, one.parameter))
+            return replace(printed, efficiency_ranges=shown)
         case _:
             return printed
+
+
+def _along(drive: str, found: Locking) -> Locking:
+    """Return where nothing moves along the drive alone, without what is so at the default pose."""
+    reaches = tuple(reach for reach in found.reaches if reach.parameter == drive)
+    return replace(found, state=None, reaches=reaches)
 
 
 def _along_the_stroke(value: Product, result: Analysis, pose: Pose) -> Mapping[str, Formula] | None:
