@@ -35,10 +35,11 @@ def limits(result: Result, pose: Pose) -> tuple[float, ...]:
     found = [_limit(result, pose, step) for step in moving]
     if all(map(math.isnan, found)):
         return ()
-    low, high = min(found, default=0.0), max(found, default=0.0)
-    if high - low <= SAME_RESULT * max(abs(low), abs(high)):
+    low, high = min(found), max(found)
+    is_one = not any(map(math.isnan, found))
+    if is_one and high - low <= SAME_RESULT * max(abs(low), abs(high)):
         return (sum(found) / len(found),)
-    return tuple(found)
+    return tuple(found) if len(found) > 1 else ()
 
 
 def _at_rest(result: Result, values: Mapping[str, float]) -> int:

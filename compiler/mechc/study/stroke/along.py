@@ -137,8 +137,9 @@ class Along:
     def sides(self, value: Function, where: Sequence[Definition], x: float) -> Sequence[float]:
         """Return the limits of a result where a slip is 0 for once, one where they are alike.
 
-        Friction has no sense there, and what is without it is the limit of neither side. There are
-        none where no slip is 0, or one is on both sides as well.
+        Friction has no sense there, and what is without it is the limit of neither side; NaN
+        stands for one on which nothing balances. There are none where no slip is 0, or each is on
+        both sides as well.
         """
         senses = self._senses_of(where)
         return () if senses is None else self._sides(value, senses, x)
@@ -148,9 +149,12 @@ class Along:
         if not rest:
             return ()
         steps = [s * self._step for s in (-1, 1)]
-        away = [step for step in steps if senses(x + step).count(0) < rest]
-        found = (2 * value(x + step) - value(x + 2 * step) for step in away)
+        moving = (step for step in steps if senses(x + step).count(0) < rest)
+        away = [step for step in moving if not self.trouble(x + step)]
+        found = [2 * value(x + step) - value(x + 2 * step) for step in away]
         limits = [limit for limit in found if math.isfinite(limit)]
+        if limits and len(limits) < len(found):
+            return (*limits, math.nan)
         low, high = min(limits, default=0.0), max(limits, default=0.0)
         if high - low > SAME_SIDES * max(abs(low), abs(high)):
             return limits

@@ -1,0 +1,46 @@
+"""What results come to beside a default pose in which a slip is zero for once, by hand."""
+
+import pytest
+
+from mechc.driver import compile_source
+from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number
+from mechc.friction.at_rest import limits
+from mechc.model.result import Definition, Result
+from mechc.source import Source
+from mechc.units import NUMBER
+
+CRANK = """mechanism crank
+param phi = 0 deg
+pivot O
+link OA
+OA = 1 m @ 40 deg + phi
+force P at A along x
+force F at A along y
+find k = P/F
+"""
+SENSE = Definition("s", Call("sense", (Symbol("phi"), ONE)))
+"""The sense of a slip that has the sign of the drive's angle."""
+
+
+def found(formula, where=(SENSE,), drive="drive phi\n"):
+    pose = compile_source(Source("crank.mech", CRANK + drive)).pose
+    return limits(Result("k_f", None, NUMBER, formula, where), pose)
+
+
+def test_a_result_that_jumps_has_both_sides():
+    assert found(Symbol("s")) == pytest.approx((-1.0, 1.0))
+
+
+def test_one_that_does_not_has_one_limit():
+    """Friction goes by the square of its sense: at the pose alone there is none of it."""
+    assert found(Power(Symbol("s"), number(2))) == pytest.approx((1.0,))
+
+
+def test_a_side_on_which_nothing_balances_has_no_value():
+    assert found(Call("sqrt", (Symbol("s"),))) == pytest.approx((float("nan"), 1.0), nan_ok=True)
+
+
+def test_there_is_nothing_to_be_said_without_a_drive_or_a_slip_that_moves():
+    assert found(Symbol("s"), drive="") == ()
+    assert found(Symbol("phi"), where=()) == ()
+    assert found(Symbol("s"), where=(Definition("s", Call("sense", (ZERO, ONE))),)) == ()
