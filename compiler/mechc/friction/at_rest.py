@@ -19,7 +19,7 @@ STEP = 1e-8
 
 
 def limits(result: Result, pose: Pose) -> tuple[float, ...]:
-    """Return what a result comes to before and after the default pose, once if it is one value.
+    """Return the limits of a result before and after the default pose, one if they are alike.
 
     There is nothing where every slip has a sense, or has none along the drive either, where
     nothing balances on either side, and where no drive is named. NaN stands for a side on
