@@ -53,7 +53,7 @@ def test_the_derivation_has_units_tables_and_texts(lever: mechc.SolvedMechanism)
     compilation = lever._compilation
     said = [s.strip() for s in render(compilation.derivation, compilation.mechanism).splitlines()]
     for line in [
-        "arm = 10 · pin_d  arm of the lever",
+        "arm = 10 · pin_d = 80 mm  arm of the lever",
         "pin_impact = 0 m/s: 1.0, 1 m/s: 1.2  own",
         "force on it (pin):",
         "pin_K = pin_impact at 0.8 m/s",
