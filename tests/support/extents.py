@@ -18,7 +18,7 @@ BESIDE = 1e-6
 """How far from a zero or a pole it is looked at, as a part of the range."""
 
 
-ROUNDED = (1e-14, 1e-12, 1e-10)
+ROUNDED = (1e-14, 1e-12, 1e-10, 1e-8)
 """How far inside of its place an extremum is looked for, too, as parts of the range.
 
 A loop that is solved by iteration has no value any more so near its end: there two solutions are
