@@ -12,5 +12,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"closed_forces", "joint_forces", "linear", "problem", "results"}
+    SELDOM = {"at_rest", "closed_forces", "joint_forces", "linear", "problem", "results"}
     __getattr__ = waiting(__name__, SELDOM)

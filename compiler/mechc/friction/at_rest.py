@@ -18,6 +18,13 @@ STEP = 1e-8
 """How far from the default pose its sides are looked at, by the drive in SI."""
 
 
+def sides(result: Result, pose: Pose, number: float | None) -> tuple[float, ...]:
+    """Return the limits of a result beside the default pose, none where they are its number."""
+    found = limits(result, pose)
+    is_so = number is not None and all(math.isclose(s, number, rel_tol=SAME_RESULT) for s in found)
+    return () if is_so else found
+
+
 def limits(result: Result, pose: Pose) -> tuple[float, ...]:
     """Return the limits of a result before and after the default pose, one if they are alike.
 

@@ -28,11 +28,9 @@ from ..power.balance import Balance, Solved
 from ..power.definitions import let_results, open_lengths
 from ..power.loose import warn_of_idle_loads
 from ..power.numbers import DefaultNumbers, with_default
+from . import at_rest, results
 from . import problem as problems
-from . import results
-from .at_rest import limits
 from .solution import Solution, SolvedWithFriction
-from .tolerances import SAME_RESULT
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -121,8 +119,8 @@ def _with_default(
     """
     if ideal.undetermined:
         return with_default(result, Size(None, undetermined=True))
-    size, sides = numbers.of(result), limits(result, numbers.pose)
-    if sides and not _are_alike(sides, size.number):
+    size = numbers.of(result)
+    if sides := at_rest.sides(result, numbers.pose, size.number):
         default = sides[0] if len(sides) == 1 else None
         return replace(result, default=default, sides=sides)
     if size.undetermined and _is_all_lost(find, result, ideal, numbers):
@@ -132,11 +130,6 @@ def _with_default(
         report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips, idle))
         size = Size(None)
     return with_default(result, size)
-
-
-def _are_alike(sides: Sequence[float], number: float | None) -> bool:
-    """Return whether the limits on both sides are the number that there is without friction."""
-    return number is not None and all(math.isclose(s, number, rel_tol=SAME_RESULT) for s in sides)
 
 
 def _is_all_lost(find: Find, result: Result, ideal: Result, numbers: DefaultNumbers) -> bool:
