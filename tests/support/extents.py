@@ -79,7 +79,8 @@ def _not_there(extent: Extent, curve: Samples, usual: float) -> Iterator[str]:
         # the end of a closure is rounded: the last place may have no value any more
         inwards = [extreme.x + part * (middle - extreme.x) for part in ROUNDED]
         found = list(curve([extreme.x, *inwards]))
-        if not any(abs(value - extreme.value) <= 1e-6 * usual for value in found):
+        size = max(usual, abs(extreme.value))
+        if not any(abs(value - extreme.value) <= 1e-6 * size for value in found):
             yield f"{found[0]} at {extreme.x}, not {extreme.value}"
     far = BESIDE * (extent.range[1] - extent.range[0])
     for way, places in ((1, extent.zeros), (-1, extent.poles)):
