@@ -2,7 +2,7 @@
 
 from ....statics import verdict
 from ..locale import Words, with_reasons
-from . import pictured
+from .pictured import WORDS as PICTURED
 
 WORDS: Words = with_reasons(
     {
@@ -49,5 +49,5 @@ WORDS: Words = with_reasons(
         "trial": "trial",
         "trials": "trials",
     },
-    pictured.WORDS,
+    PICTURED,
 )

@@ -1,9 +1,9 @@
 """What the sentences of a derivation say of forces and friction."""
 
-from . import equilibrium
+from .equilibrium import WORDS as EQUILIBRIUM
 
 WORDS = {
-    **equilibrium.WORDS,
+    **EQUILIBRIUM,
     "released": "Release of constraints: a constraint is taken away, its reaction becomes a "
     "load, and the powers of all loads add up to zero in the motion that is left.{held}",
     "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "

@@ -1,9 +1,9 @@
 """What the sentences of a derivation say of forces and friction."""
 
-from . import equilibrium
+from .equilibrium import WORDS as EQUILIBRIUM
 
 WORDS = {
-    **equilibrium.WORDS,
+    **EQUILIBRIUM,
     "released": "Принцип освобождаемости от связей: связь отбрасываем, её реакция становится "
     "нагрузкой, и сумма мощностей всех сил в движении, которое стало возможным, равна "
     "нулю.{held}",

@@ -1,9 +1,9 @@
 """What the sentences of a derivation say of forces and friction."""
 
-from . import equilibrium
+from .equilibrium import WORDS as EQUILIBRIUM
 
 WORDS = {
-    **equilibrium.WORDS,
+    **EQUILIBRIUM,
     "released": "Принцип звільнення від в’язей: в’язь відкидаємо, її реакція стає "
     "навантаженням, і сума потужностей усіх сил у русі, який став можливим, дорівнює "
     "нулю.{held}",
