@@ -5,7 +5,7 @@ motion: where both sides come to one value that is the result, elsewhere the res
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ..formula.tree import is_call
 from ..model.result import Result
@@ -39,14 +39,26 @@ def limits(result: Result, pose: Pose) -> tuple[float, ...]:
         return ()
     sides = (s for s in (-STEP, STEP) if _is_pose(pose, values_along(pose, 2 * s)))
     moving = (s for s in sides if _at_rest(result, values_along(pose, s)) < rest)
-    found = [_limit(result, pose, step) for step in moving]
-    if all(map(math.isnan, found)):
-        return ()
-    low, high = min(found), max(found)
-    is_one = not any(map(math.isnan, found))
-    if is_one and high - low <= SAME_RESULT * max(abs(low), abs(high)):
-        return (sum(found) / len(found),)
-    return tuple(found) if len(found) > 1 else ()
+    return one_or_both([_limit(result, pose, step) for step in moving], SAME_RESULT)
+
+
+def one_or_both(limits: Sequence[float], same: float) -> tuple[float, ...]:
+    """Return the limits on the sides of a pose, one where they are the ``same`` but for that part.
+
+    NaN stands for a side on which nothing balances; there is nothing where that is so on all.
+
+    >>> one_or_both([2.0, 2.0], 1e-6), one_or_both([1.0, 2.0], 1e-6), one_or_both([3.0], 1e-6)
+    ((2.0,), (1.0, 2.0), (3.0,))
+    >>> one_or_both([math.nan, 1.0], 1e-6), one_or_both([math.nan], 1e-6)
+    ((nan, 1.0), ())
+    """
+    found = [limit for limit in limits if math.isfinite(limit)]
+    if found and len(found) < len(limits):
+        return tuple(x if math.isfinite(x) else math.nan for x in limits)
+    low, high = min(found, default=0.0), max(found, default=0.0)
+    if high - low > same * max(abs(low), abs(high)):
+        return tuple(found)
+    return (sum(found) / len(found),) if found else ()
 
 
 def _at_rest(result: Result, values: Mapping[str, float]) -> int:

@@ -13,6 +13,7 @@ from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.straight_line import in_order
 from ...formula.tree import Formula, is_call
 from ...formula.walk import symbols
+from ...friction.at_rest import one_or_both
 from ...kinematics.plan import Plan
 from ...model.result import Definition, Result
 from ...model.values import Chain, Values, defaults, dependent
@@ -131,8 +132,8 @@ class Along:
 
     def _on_sides(self, value: Function, senses: Senses, x: float) -> float:
         """Return a value, the limit of it where a slip is 0 for once."""
-        sides = self._sides(value, senses, x)
-        return sides[0] if sides else value(x)
+        limits = [side for side in self._sides(value, senses, x) if math.isfinite(side)]
+        return limits[0] if limits else value(x)
 
     def sides(self, value: Function, where: Sequence[Definition], x: float) -> Sequence[float]:
         """Return the limits of a result where a slip is 0 for once, one where they are alike.
@@ -151,14 +152,8 @@ class Along:
         steps = [s * self._step for s in (-1, 1)]
         moving = (step for step in steps if senses(x + step).count(0) < rest)
         away = [step for step in moving if not self.trouble(x + step)]
-        found = [2 * value(x + step) - value(x + 2 * step) for step in away]
-        limits = [limit for limit in found if math.isfinite(limit)]
-        if limits and len(limits) < len(found):
-            return (*limits, math.nan)
-        low, high = min(limits, default=0.0), max(limits, default=0.0)
-        if high - low > SAME_SIDES * max(abs(low), abs(high)):
-            return limits
-        return [sum(limits) / len(limits)] if limits else ()
+        limits = [2 * value(x + step) - value(x + 2 * step) for step in away]
+        return one_or_both(limits, SAME_SIDES)
 
     def _senses_of(self, where: Sequence[Definition]) -> Senses | None:
         """Return the senses of slips in definitions as a function of the drive, if there are any.
