@@ -67,6 +67,9 @@ READ = re.compile(f"{NAME.pattern}|({LITERAL.pattern})")
 FIGURES = 6
 """Numbers are rounded to so many figures."""
 
+DEGREES, HALF_OF_LAST_DECIMAL = r"^\circ", 0.5e-6
+"""Degrees have six decimals at most, however small they are."""
+
 NOTHING = 1e-12
 """What rounding leaves of a zero, in SI."""
 
@@ -363,6 +366,8 @@ class PrintedUnits:
             size = float(literal[1])
             if size:
                 half = 0.5 * 10.0 ** (math.floor(math.log10(size)) + 1 - FIGURES)
+                if tex.startswith(DEGREES, literal.end(1)):
+                    half = max(half, HALF_OF_LAST_DECIMAL)
                 moved = f"{tex[: literal.start(1)]}{size + half:.12f}{tex[literal.end(1) :]}"
                 total += abs((self.value(self.read(moved)) or 0.0) - here)
         return total

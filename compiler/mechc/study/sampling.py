@@ -73,6 +73,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     known = (x for x in (*jumps, *around) if low <= x <= high and moving.at(x).state)
     grid = _with(grid, known)
     grid = _with(grid, _where_nothing_moves(moving, grid, step / STUCK))
+    grid = _with(grid, _beside_ends(moving, grid))
     grid = _with(grid, _in_cells(_edge, moving, grid))
     grid = _with(
         grid, _bulging(moving, grid), _turning_beside_jumps(moving, grid), _loose(moving, grid)
@@ -278,9 +279,24 @@ def _where_nothing_moves(moving: Moving, grid: Sequence[float], step: float) -> 
     Where forces do not balance on either side no margin shows that they may in between.
     """
     for a, b in pairwise(grid):
-        state = moving.at(a).state
-        if state in ("locked", "jammed") and moving.at(b).state == state:
+        if _is_stuck(moving, a, b):
             yield from spaced(a, b, math.ceil((b - a) / step))[1:-1]
+
+
+def _beside_ends(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+    """Yield ever nearer values where nothing moves up to a dead centre, or to the end of a loop.
+
+    Two ratios that both grow without end there may change places once more.
+    """
+    for beyond, end, inside in (*_triples(grid), *_triples(grid[::-1])):
+        if moving.driven(beyond) != moving.driven(end) and _is_stuck(moving, end, inside):
+            yield from (end + (inside - end) * 0.5**i for i in range(1, HALVINGS + 1))
+
+
+def _is_stuck(moving: Moving, a: float, b: float) -> bool:
+    """Return whether nothing moves at two values, for one reason."""
+    state = moving.at(a).state
+    return state in ("locked", "jammed") and moving.at(b).state == state
 
 
 def _loose(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
