@@ -120,6 +120,23 @@ def test_a_zero_next_to_a_pole_parts_what_is_locked_from_what_jams():
     assert [s.state for s in reach.stretches] == ["locked", "jammed"]
 
 
+@pytest.mark.slow
+def test_between_an_end_of_a_loop_and_a_jam_it_moves():
+    """k_hold is infinite at the end, and smaller than any at -1.6415 rad, and again at -1.636."""
+    assert hold([closed(144000543)]) == 1
+
+
+@pytest.mark.slow
+def test_an_efficiency_is_lowest_two_places_after_it_is_highest():
+    compilation = Compilation(Source("stroke.mech", closed(144000543)))
+    turns = [e for e in compilation.stroke(0).extrema if e.result == "eta_k"]
+    least = next(e for e in turns if e.kind == "minimum")
+    assert (least.drive, least.value) == (
+        pytest.approx(-4.53108, abs=1e-5),
+        pytest.approx(0.879514, abs=1e-6),
+    )
+
+
 @cache
 def next_to_a_pole():
     return Compilation(Source("chain.mech", chain(79050003)))

@@ -29,7 +29,7 @@ from mechc.study import ranges
 from mechc.study.analysis import Acted, Break, DeadCentre, Vanishing
 from mechc.study.expectations import random_poses
 from mechc.study.ratios import sizes
-from mechc.study.sampling import _jumps, _loose
+from mechc.study.sampling import _beside_ends, _jumps, _loose
 from mechc.study.sampling import looked_at as values_looked_at
 from mechc.study.states import AgainstFriction, Found, Moving, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
@@ -551,6 +551,19 @@ def test_a_stretch_that_is_free_hides_among_values_at_which_nothing_moves(top, f
 
     looked = list(_loose(Parabola(math.cos), [0.0, 0.4, 1.0]))
     assert looked == pytest.approx(found, abs=0.02)
+
+
+def test_beside_the_end_of_a_loop_something_may_move_between_two_jammed_values():
+    """There is no pose up to 0, and it moves from 0.01 to 0.03 alone."""
+
+    class Island(ByHand):
+        def at(self, x: float) -> Found:
+            return Found("free" if 0.01 < x < 0.03 else "jammed", 0.5, False)
+
+    moving = Island(lambda x: 1.0 if x > 0 else 0.0)
+    grid = [-0.5, 0.0, 1e-6, 1.0, 2.0]
+    assert any(0.01 < x < 0.03 for x in _beside_ends(moving, grid))
+    assert list(_beside_ends(moving, [1e-6, 1.0, 2.0])) == []
 
 
 def test_what_definitions_share_is_gone_into_once_for_divisors():

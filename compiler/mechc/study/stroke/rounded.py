@@ -17,7 +17,7 @@ from .along import Along
 from .run import Run
 from .stroke import Branch, Extremum, Singular, StrokeInterval, ZeroInterval
 
-ASIDE = (2, 4)
+ASIDE = (1, 2, 4)
 """So many values away an extremum is compared with what is beside it, if nearer ones are equal."""
 
 FEW, MANY = 8, 180
