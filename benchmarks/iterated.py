@@ -17,7 +17,7 @@ from mechc.formula.newton import TINY
 from mechc.formula.to_text import text
 from mechc.formula.tree import Formula
 from mechc.routine.sharing import share
-from mechc.routine.steps import Pose, Solve, Solver
+from mechc.routine.steps import PoseProgram, Solve, Solver
 
 WANTED = 100
 """How many times as fast as ``fsolve`` an emitted solver should be."""
@@ -50,7 +50,9 @@ def implicit(rounds: int, name: str = "triad_closed") -> None:
     table(f"Time per pose of {name}; emitted C = 1", ("peer", "ratio", "wanted"), rows)
 
 
-def _poses(library_: ctypes.CDLL, name: str, pose: Pose, drive: Array) -> Callable[[], Array]:
+def _poses(
+    library_: ctypes.CDLL, name: str, pose: PoseProgram, drive: Array
+) -> Callable[[], Array]:
     found = np.empty((len(pose.outputs), len(drive)))
     status = np.empty(len(drive), dtype=np.intc)
     moving = len(pose.inputs) - 1

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from .emit.target import Emitted, Options, Target
     from .equilibrium.equilibrium import Equilibrium
     from .figure.figure import Figure
-    from .figure.velocities import Velocities
+    from .figure.velocities import MotionVelocities
     from .plot.from_routine import Watch
     from .plot.plot import Plot
     from .plot.query import Query
@@ -81,7 +81,7 @@ class Compilation(Pipeline):
         mechanism = Compilation(source, users=self.users).mechanism
         units = {let.name: let.unit for let in self.mechanism.lets}
         given = {
-            name: Given(value, units.get(here, ""))
+            name: GivenValue(value, units.get(here, ""))
             for name in (q.name for q in (*mechanism.parameters, *mechanism.loads))
             if (here := f"{prefix}_{name}") in self._given_names
             and (value := values.get(here)) is not None
@@ -208,7 +208,7 @@ class Compilation(Pipeline):
 
     @Stage
     @of_linkages
-    def velocities(self) -> "tuple[Velocities, ...]":
+    def velocities(self) -> "tuple[MotionVelocities, ...]":
         """How every point moves at the default pose, in each independent motion."""
         from .figure.from_balance import velocities
 
@@ -257,14 +257,14 @@ class Compilation(Pipeline):
             return with_dead_centres(found, self.pose, lambda: self.results)
 
 
-class Given(NamedTuple):
+class GivenValue(NamedTuple):
     """A value in SI that is given from outside, and the unit that it has there, if any."""
 
     value: float
     unit: str
 
 
-def settings_of(mechanism: Mechanism, given: Mapping[str, Given]) -> Settings:
+def settings_of(mechanism: Mechanism, given: Mapping[str, GivenValue]) -> Settings:
     """Return the settings that give a mechanism values, each in its own unit or that of its giver.
 
     What follows from something else in the mechanism stays open.

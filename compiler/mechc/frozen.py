@@ -28,7 +28,7 @@ def read_only(content: dict[Any, Any]) -> MappingProxyType[Any, Any]:
 pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))
 
 
-class Field(NamedTuple):
+class FrozenField(NamedTuple):
     """One field of a frozen class."""
 
     name: str
@@ -49,7 +49,7 @@ def field(
 
     The value of one ``on_demand`` may be given by :func:`on_demand`.
     """
-    return Field("", default, compare, kw_only, on_demand)
+    return FrozenField("", default, compare, kw_only, on_demand)
 
 
 class _OnDemand:
@@ -109,7 +109,7 @@ class Hashed:
     hash_kept: int
 
 
-def fields(of: object) -> tuple[Field, ...]:
+def fields(of: object) -> tuple[FrozenField, ...]:
     """Return the fields of a frozen class or object in the order of its arguments.
 
     What is neither has none.
@@ -137,13 +137,13 @@ def replace(value: T, /, **changes: Any) -> T:
 # ------------------------------------------------------------------- making the class
 
 
-def _declared(name: str, default: Any) -> Field:
-    if isinstance(default, Field):
+def _declared(name: str, default: Any) -> FrozenField:
+    if isinstance(default, FrozenField):
         return default._replace(name=name)
-    return Field(name, default)
+    return FrozenField(name, default)
 
 
-def _with_slots(cls: type[T], own: Iterable[Field], every: Iterable[Field]) -> type[T]:
+def _with_slots(cls: type[T], own: Iterable[FrozenField], every: Iterable[FrozenField]) -> type[T]:
     """Return the class made once more: slots can only be given to a new one."""
     names = tuple(f.name for f in own)
     compared = [f.name for f in every if f.compare]
@@ -193,7 +193,7 @@ def _first_init(self: object, /, *given: Any, **named: Any) -> None:
     made(self, *given, **named)
 
 
-def _init(cls: type, every: list[Field]) -> Callable[..., None]:
+def _init(cls: type, every: list[FrozenField]) -> Callable[..., None]:
     """Return ``__init__``, which goes past the refusal by way of the slots themselves.
 
     Formulas and angles have one field or two, and there are hundreds of thousands of them: of

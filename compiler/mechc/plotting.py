@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from .driver import Compilation
 from .frozen import replace
-from .plot.query import POINTS, Given, Query, condition
+from .plot.query import POINTS, GivenSetting, Query, condition
 from .syntax.settings import parse
 
 if TYPE_CHECKING:
@@ -23,9 +23,9 @@ class Plotting:
         x: str = "",
         y: str | Sequence[str] = (),
         *,
-        family: Mapping[str, Sequence[Given]] = MappingProxyType({}),
+        family: Mapping[str, Sequence[GivenSetting]] = MappingProxyType({}),
         along: Mapping[str, str] = MappingProxyType({}),
-        range: tuple[Given, Given] | None = None,
+        range: tuple[GivenSetting, GivenSetting] | None = None,
         path: str | Sequence[str] = (),
         where: str | Sequence[str] = (),
         points: int = POINTS,

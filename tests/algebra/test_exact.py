@@ -12,7 +12,7 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.derivative import derivative
 from mechc.algebra.equality import equal
 from mechc.algebra.from_formula import to_angle, to_product
-from mechc.algebra.modular import PARTS, PRIME, Point, direction
+from mechc.algebra.modular import PARTS, PRIME, ModularPoint, direction
 from mechc.algebra.product import Product, Sum
 from mechc.algebra.rank import independent_of
 from mechc.algebra.sums import add, canonical
@@ -133,7 +133,7 @@ def test_derivatives_agree_with_differences(above, below, name):
 @given(products(), products(), st.sampled_from(["alpha", "beta", "a"]))
 def test_the_rule_of_products_holds_exactly(p, q, name):
     sides = derivative(p * q, name), add([derivative(p, name) * q, p * derivative(q, name)])
-    point = Point(1)
+    point = ModularPoint(1)
     assert sides[0].residue(point) == sides[1].residue(point)
 
 

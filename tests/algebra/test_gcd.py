@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from mechc.algebra.angle import Angle
 from mechc.algebra.gcd import common, degrees, divided, times
 from mechc.algebra.laurent import Ring, size
-from mechc.algebra.modular import PRIME, Point
+from mechc.algebra.modular import PRIME, ModularPoint
 from mechc.algebra.product import Product, Sum
 from mechc.algebra.sums import LIMIT, add, canonical
 from mechc.algebra.trigonometry import cosine, sine
@@ -107,6 +107,6 @@ def test_coprime_sums_stay(angles, constant):
 def test_the_quotient_keeps_its_value():
     for shared in SHARED:
         upper, lower = (expanded(x * shared) for x in OTHERS[0])
-        point = Point(7)
+        point = ModularPoint(7)
         found = canonical(upper / lower).residue(point)
         assert found * lower.residue(point) % PRIME == upper.residue(point)

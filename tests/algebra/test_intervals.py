@@ -6,10 +6,10 @@ import pytest
 
 from mechc.algebra.angle import Angle
 from mechc.algebra.factors import Trig
-from mechc.algebra.intervals import Interval, angle_bounds, vanishing_values
+from mechc.algebra.intervals import NumberInterval, angle_bounds, vanishing_values
 from mechc.formula.to_text import text
 
-BOX = {"alpha": Interval(0.1, 0.3), "beta": Interval(-0.2, 0.5)}
+BOX = {"alpha": NumberInterval(0.1, 0.3), "beta": NumberInterval(-0.2, 0.5)}
 ALPHA, BETA = Angle.of("alpha"), Angle.of("beta")
 
 
@@ -37,8 +37,8 @@ def test_an_angle_without_a_range_may_be_any() -> None:
 # ------------------------------------------------------------------------------- roots
 
 PHI = Angle.of("phi")
-TURN, HALF = Interval(0.0, 2 * math.pi), Interval(0.0, math.pi)
-SMALL = Interval(0.0, 0.5)
+TURN, HALF = NumberInterval(0.0, 2 * math.pi), NumberInterval(0.0, math.pi)
+SMALL = NumberInterval(0.0, 0.5)
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ SMALL = Interval(0.0, 0.5)
         ("cos", PHI, {}, []),
         ("sin", PHI + BETA, {"phi": HALF, "beta": SMALL}, ["-beta + pi"]),
         ("sin", PHI - BETA, {"phi": HALF, "beta": SMALL}, ["beta"]),
-        ("sin", PHI - BETA, {"phi": TURN, "beta": Interval(-0.5, 0.5)},
+        ("sin", PHI - BETA, {"phi": TURN, "beta": NumberInterval(-0.5, 0.5)},
          ["beta", "beta + pi", "beta + 2*pi"]),
         ("sin", PHI - BETA, {"phi": HALF}, ["beta"]),
     ],

@@ -12,9 +12,9 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.factors import Trig
 from mechc.algebra.from_formula import to_product
 from mechc.algebra.laurent import Ring, size
-from mechc.algebra.modular import Point
+from mechc.algebra.modular import ModularPoint
 from mechc.algebra.product import ONE, ZERO, Product, Sum
-from mechc.algebra.sums import LIMIT, Bound, add, canonical
+from mechc.algebra.sums import LIMIT, BoundSum, add, canonical
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.to_text import text
 from mechc.formula.tree import Constant, Number
@@ -40,7 +40,7 @@ def value(terms):
 def test_a_sum_keeps_its_value(terms):
     total = add(terms)
     assert close(total.evaluate(VALUES), value(terms), sum(abs(t.coefficient) for t in terms))
-    point = Point(5)
+    point = ModularPoint(5)
     assert total.residue(point) == sum(t.residue(point) for t in terms) % point.prime
 
 
@@ -73,7 +73,7 @@ def test_a_sum_less_itself_vanishes(terms):
     total = add(terms)
     assert add([total, -total]) == ZERO
     assert add([*terms, -total]) == ZERO
-    assert bool(total) == bool(sum(t.residue(Point(5)) for t in terms) % Point.prime)
+    assert bool(total) == bool(sum(t.residue(ModularPoint(5)) for t in terms) % ModularPoint.prime)
 
 
 @law
@@ -132,7 +132,7 @@ def test_double_angles_are_split_only_to_cancel(angle, halvings):
 @given(products(), products(), st.integers(-3, 3))
 def test_products_multiply_like_numbers(p, q, n):
     assume(p.coefficient and q.coefficient)
-    point = Point(2)
+    point = ModularPoint(2)
     assume(p.residue(point) and q.residue(point))
     assert p * q == q * p
     assert (p * q) / q == p
@@ -145,7 +145,7 @@ def test_products_multiply_like_numbers(p, q, n):
 def test_a_sum_that_names_hide_is_seen_to_vanish():
     a, b, c = map(Product.symbol, "abc")
     long = add([a * b, c * c])
-    name = Product.of(Bound("s1", long))
+    name = Product.of(BoundSum("s1", long))
     assert add([name, -(a * b), -(c**2)]) == ZERO
     assert add([name, a * b]) != ZERO
 

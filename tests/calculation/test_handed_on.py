@@ -5,8 +5,7 @@ from mechc.formula.tree import ZERO, Symbol, number
 from mechc.frozen import replace
 from mechc.model.mechanism import Parameter, Require
 from mechc.model.result import Definition
-from mechc.pose.pose import Definition as LoopDefinition
-from mechc.pose.pose import Pose
+from mechc.pose.pose import Pose, PoseDefinition
 from mechc.units import ANGLE, LENGTH, NUMBER
 from small_poses import HERE, PARAMETERS, slider_crank
 
@@ -38,7 +37,7 @@ def test_definitions_of_the_pose_come_first_and_keep_their_order() -> None:
 
 def test_what_a_loop_defines_is_not_defined_twice() -> None:
     pose = handed_on(DRAWN)
-    both = replace(pose, definitions=(*pose.definitions, LoopDefinition("phi_AB", number(2))))
+    both = replace(pose, definitions=(*pose.definitions, PoseDefinition("phi_AB", number(2))))
     assert [d.name for d in solved(both, ()).definitions] == ["psi", "phi_AB"]
 
 

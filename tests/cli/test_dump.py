@@ -13,7 +13,7 @@ from mechc.cli.dump import WIDTH, dump
 from mechc.figure import figure
 from mechc.formula.tree import Symbol, degrees, number, product
 from mechc.frozen import field, frozen
-from mechc.kinematics.graph import Flow, Kind, Relation, Rule, Unknown
+from mechc.kinematics.graph import Flow, Relation, Rule, SpeedKind, UnknownSpeed
 from mechc.kinematics.plan import Binding, Block
 from mechc.model import mechanism as model
 from mechc.model.result import Definition
@@ -54,7 +54,7 @@ def shown(value: object, stage: str = "stage") -> list[str]:
             "Arrow(tail=O, head=A, length=a, direction=Absolute(angle=alpha))",
         ),
         (
-            model.Force("P", "A'", model.Along("A", "B", 1, AT), AT, times=Fraction(1, 2)),
+            model.Force("P", "A'", model.AlongLine("A", "B", 1, AT), AT, times=Fraction(1, 2)),
             "Force(name=P, point=A', along=Along(tail=A, head=B, quarter=1), times=1/2)",
         ),
         (
@@ -62,7 +62,7 @@ def shown(value: object, stage: str = "stage") -> list[str]:
             "A: (Arm(length=a, angle=alpha - 90 deg))",
         ),
         (
-            Unknown(Kind.SLIDE, "B", Angle.constant(180)),
+            UnknownSpeed(SpeedKind.SLIDE, "B", Angle.constant(180)),
             "Unknown(kind=slide, of=B, direction=180 deg)",
         ),
         (Flow(arm / Product(2), Angle(), 1), "Flow(size=a/2, direction=0, unknown=1)"),

@@ -3,7 +3,7 @@
 import pytest
 
 from mechc.drawing.arrange import WIDE, below_each_other, in_rows, joined, parted
-from mechc.drawing.drawing import SYMBOL, Arc, Drawing, Label, Run
+from mechc.drawing.drawing import SYMBOL, Arc, Drawing, Label, TextRun
 from mechc.drawing.panels import kept
 from mechc.pose.places import Plane
 
@@ -35,7 +35,7 @@ def test_a_line_is_drawn_by_the_places_that_another_would_miss():
 
 def ring(height: float, *names: float) -> Drawing:
     """A body around a height, names above or below it, and the margin of a sheet around all."""
-    labels = tuple(Label(Plane(0, y), (Run("O"),), SYMBOL, 3.9, 4.0, 4.0) for y in names)
+    labels = tuple(Label(Plane(0, y), (TextRun("O"),), SYMBOL, 3.9, 4.0, 4.0) for y in names)
     low, high = min((height - 4, *names)) - 5, max((height + 4, *names)) + 5
     return Drawing(
         "", "", (Arc(Plane(0, height), 4.0, SYMBOL),), labels, Plane(-4, low), Plane(4, high)

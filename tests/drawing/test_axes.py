@@ -2,15 +2,15 @@
 
 import pytest
 
-from mechc.drawing.axes import Frame, heading, label, numbers_below, numbers_beside
-from mechc.drawing.drawing import Run
+from mechc.drawing.axes import PanelFrame, heading, label, numbers_below, numbers_beside
+from mechc.drawing.drawing import TextRun
 from mechc.drawing.ticks import Scale
-from mechc.plot.plot import Axis
+from mechc.plot.plot import PlotAxis
 from mechc.pose.places import Plane
 from mechc.units import FORCE, LENGTH, NUMBER
 
-FRAME = Frame(Plane(10.0, 20.0), Plane(110.0, 70.0), Plane(0.0, -1.0), Plane(4.0, 1.0))
-K, I, H = Axis("k", NUMBER), Axis("i", NUMBER), Axis("h", LENGTH, "mm")  # noqa: E741
+FRAME = PanelFrame(Plane(10.0, 20.0), Plane(110.0, 70.0), Plane(0.0, -1.0), Plane(4.0, 1.0))
+K, I, H = PlotAxis("k", NUMBER), PlotAxis("i", NUMBER), PlotAxis("h", LENGTH, "mm")  # noqa: E741
 
 
 def written(runs):
@@ -24,7 +24,7 @@ def written(runs):
         ((K, I), 0, "k, i"),
         ((H,), 0, "h, mm"),
         ((K,), -3, "k, 10−3"),
-        ((Axis("P", FORCE, "kN"), Axis("F", FORCE, "kN")), 2, "P, F, 102\u2009kN"),
+        ((PlotAxis("P", FORCE, "kN"), PlotAxis("F", FORCE, "kN")), 2, "P, F, 102\u2009kN"),
     ],
 )
 def test_a_title_has_the_names_and_the_unit(axes, exponent, title):
@@ -57,6 +57,6 @@ def test_numbers_stand_below_and_beside_their_ticks():
 
 
 def test_a_label_begins_at_its_place_in_the_middle_of_its_height():
-    found = label(Plane(10.0, 5.0), (Run("k_f"),))
+    found = label(Plane(10.0, 5.0), (TextRun("k_f"),))
     assert found.at.x - found.width / 2 == pytest.approx(10.0)
     assert found.at.y == 5.0

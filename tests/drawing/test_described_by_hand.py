@@ -7,17 +7,17 @@ import pytest
 from mechc.drawing.describe import describe as say_scheme
 from mechc.drawing.describe import say_velocities
 from mechc.drawing.describe_plot import describe, shown
-from mechc.drawing.vectors import Speeds
+from mechc.drawing.vectors import VelocityVectors
 from mechc.figure.from_pose import draw
-from mechc.figure.velocities import Velocities
+from mechc.figure.velocities import MotionVelocities
 from mechc.frozen import replace
-from mechc.plot.plot import Axis, Curve, Mark, Panel, Plot, Value, Zone
+from mechc.plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis, Zone
 from mechc.pose.places import Plane
 from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.units import ANGLE, LENGTH, NUMBER
 from small_poses import lever
 
-PHI, K, A = Axis("phi", ANGLE, "deg"), Axis("k", NUMBER), Axis("a", LENGTH, "mm")
+PHI, K, A = PlotAxis("phi", ANGLE, "deg"), PlotAxis("k", NUMBER), PlotAxis("a", LENGTH, "mm")
 HALF, END = math.radians(30), math.radians(60)
 PIECE = (Plane(0.0, 2.0), Plane(END, 5.0))
 
@@ -48,7 +48,7 @@ def test_a_curve_that_is_infinite_at_an_end_says_so():
 
 def test_marks_poles_and_jumps_are_said_in_turn_and_stations_not():
     marks = (Mark("minimum", Plane(HALF, 1.25)), Mark("station", Plane(0.0, 0.0), HALF))
-    curve = Curve("k", (Value(A, 0.05),), (PIECE,), marks, (HALF,), (END,))
+    curve = Curve("k", (FamilyValue(A, 0.05),), (PIECE,), marks, (HALF,), (END,))
     assert said(curve)[2:] == [
         "k, a = 50 mm has a minimum of 1.25 at phi = 30°",
         "k, a = 50 mm is infinite at phi = 30°",
@@ -82,8 +82,8 @@ def test_a_scheme_says_its_parts_and_what_is_not_to_scale():
 
 
 def test_velocities_are_said_with_their_directions_and_rests_are_not():
-    found = Velocities("", {"A": Plane(0.0, -2.0), "O": Plane(0.0, 0.0)}, {}, ())
-    text = say_velocities(Speeds(found), {"velocities": "velocities"})
+    found = MotionVelocities("", {"A": Plane(0.0, -2.0), "O": Plane(0.0, 0.0)}, {}, ())
+    text = say_velocities(VelocityVectors(found), {"velocities": "velocities"})
     assert text.startswith("velocities: ")
     assert text.endswith("∠ 270°.")
     assert ";" not in text

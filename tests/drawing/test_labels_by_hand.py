@@ -5,13 +5,13 @@ from itertools import islice
 
 import pytest
 
-from mechc.drawing.drawing import AXIS, BODY, SYMBOL, Arc, Polyline, Run
-from mechc.drawing.labels import NEAR, Along, Around, Beside, next_to, write
+from mechc.drawing.drawing import AXIS, BODY, SYMBOL, Arc, Polyline, TextRun
+from mechc.drawing.labels import NEAR, AlongArc, AroundPoint, BesideLine, next_to, write
 from mechc.drawing.lettering import SIZE, box
-from mechc.drawing.occupied import Box, Occupied
+from mechc.drawing.occupied import Occupied, Rectangle
 from mechc.pose.places import Plane
 
-NAME = (Run("A", italic=True),)
+NAME = (TextRun("A", italic=True),)
 WIDTH, HEIGHT = box(NAME, SIZE)
 ORIGIN, EAST, NORTH = Plane(0.0, 0.0), Plane(40.0, 0.0), Plane(0.0, 40.0)
 
@@ -25,7 +25,7 @@ def first(name, number=1):
 
 
 def test_a_name_of_a_point_is_first_tried_where_it_is_wanted_then_on_either_side():
-    there, left, right = first(Around(ORIGIN, NAME, SYMBOL, 0.0, 1.0), 3)
+    there, left, right = first(AroundPoint(ORIGIN, NAME, SYMBOL, 0.0, 1.0), 3)
     assert there == near(1.0 + NEAR[0] + WIDTH / 2, 0.0)
     assert left == near(right[0], -right[1])
     assert left[1] > 0
@@ -41,28 +41,28 @@ def test_a_name_of_a_point_is_first_tried_where_it_is_wanted_then_on_either_side
     ],
 )
 def test_a_name_of_a_line_is_first_tried_above_it_or_left_whichever_way_it_leads(end, at):
-    one, opposite = first(Beside(ORIGIN, end, NAME, BODY), 2)
+    one, opposite = first(BesideLine(ORIGIN, end, NAME, BODY), 2)
     assert one == near(*at)
     assert [a + b for a, b in zip(one, opposite, strict=True)] == near(end.x, end.y)
 
 
 def test_a_name_of_an_arc_is_first_tried_outside_its_middle():
-    (found,) = first(Along(Arc(ORIGIN, 10.0, SYMBOL, 0.0, math.pi), NAME, SYMBOL))
+    (found,) = first(AlongArc(Arc(ORIGIN, 10.0, SYMBOL, 0.0, math.pi), NAME, SYMBOL))
     assert found == near(0.0, 10.0 + 0.6 + HEIGHT / 2)
 
 
 def test_a_name_is_written_beside_what_is_there_and_takes_its_place():
-    occupied, name = Occupied(), Around(ORIGIN, NAME, SYMBOL, 0.0)
+    occupied, name = Occupied(), AroundPoint(ORIGIN, NAME, SYMBOL, 0.0)
     one, other = write(name, occupied), write(name, occupied)
     assert tuple(one.label.at) == near(NEAR[0] + WIDTH / 2, 0.0)
     assert (one.leader, other.leader) == ((), ())
-    boxes = (Box(found.label.at, WIDTH, HEIGHT) for found in (one, other))
+    boxes = (Rectangle(found.label.at, WIDTH, HEIGHT) for found in (one, other))
     assert not next(boxes).overlaps(next(boxes))
 
 
 def test_a_line_leads_to_a_name_that_is_far_off():
     walls = [Arc(ORIGIN, radius, SYMBOL) for radius in (0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5, 6)]
-    found = write(Around(ORIGIN, NAME, SYMBOL, 0.0), Occupied(walls))
+    found = write(AroundPoint(ORIGIN, NAME, SYMBOL, 0.0), Occupied(walls))
     (leader,) = found.leader
     start, end = leader.points
     assert math.hypot(*start) == pytest.approx(1.5)
@@ -71,8 +71,8 @@ def test_a_line_leads_to_a_name_that_is_far_off():
 
 def test_there_is_no_room_next_to_a_line_that_others_run_beside():
     lines = [Polyline((Plane(-9.0, y), Plane(50.0, y)), BODY) for y in (-2.5, -1.5, 1.5, 2.5)]
-    assert next_to(Beside(ORIGIN, EAST, NAME, BODY), Occupied(lines)) is None
-    assert next_to(Beside(ORIGIN, EAST, NAME, BODY), Occupied()) is not None
+    assert next_to(BesideLine(ORIGIN, EAST, NAME, BODY), Occupied(lines)) is None
+    assert next_to(BesideLine(ORIGIN, EAST, NAME, BODY), Occupied()) is not None
 
 
 @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ def test_there_is_no_room_next_to_a_line_that_others_run_beside():
     ],
 )
 def test_a_line_passes_through_a_box_or_past_it(line, cuts):
-    assert Box(ORIGIN, 4.0, 2.0).cut_by(line) is cuts
+    assert Rectangle(ORIGIN, 4.0, 2.0).cut_by(line) is cuts
 
 
 def test_lines_that_others_may_cross_are_not_counted():

@@ -7,7 +7,7 @@ from mechc.drawing.moving import CROSS, Marks, draw_marks
 from mechc.drawing.paper import on_paper
 from mechc.drawing.sheet import Sheet
 from mechc.figure.from_pose import draw
-from mechc.figure.velocities import Velocities
+from mechc.figure.velocities import MotionVelocities
 from mechc.pose.places import NOWHERE, Plane
 from small_poses import VALUES, slider_crank
 
@@ -18,7 +18,7 @@ def drawn(centre):
     """Return the lines that mark the centre of the rod of a slider-crank, by their pens."""
     figure = draw(slider_crank(), VALUES)
     speeds = {p: figure.points[p].minus(centre).turned().times(SPIN) for p in "AB"}
-    velocities = Velocities("A", {"O": NOWHERE, **speeds}, {"OA": 0.0, "AB": SPIN}, ())
+    velocities = MotionVelocities("A", {"O": NOWHERE, **speeds}, {"OA": 0.0, "AB": SPIN}, ())
     sheet, paper = Sheet(), on_paper(figure)
     draw_marks(sheet, paper, Marks(centres=velocities, circles={"O": 0.01}))
     shapes = sheet.finished("", "").shapes

@@ -4,12 +4,12 @@ import pytest
 
 from mechc.drawing.drawing import Polyline
 from mechc.drawing.from_plot import ROW, picture
-from mechc.plot.plot import Axis, Curve, Mark, Panel, Plot, Value
+from mechc.plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis
 from mechc.pose.places import Plane
 from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.units import ANGLE, LENGTH, NUMBER
 
-X, Y = Axis("alpha", ANGLE, "deg"), Axis("k", NUMBER)
+X, Y = PlotAxis("alpha", ANGLE, "deg"), PlotAxis("k", NUMBER)
 ROOF = tuple(Plane(x / 10, 1.0 - abs(x / 10 - 0.5)) for x in range(11))
 
 
@@ -27,8 +27,8 @@ def test_a_value_beside_a_mark_stands_on_white_paper_that_is_larger_than_it():
 
 
 def test_a_legend_has_a_sample_of_each_line_and_its_name_row_by_row_downwards():
-    values = [Value(Axis("a", LENGTH, "mm"), size) for size in (0.05, 0.07)]
-    both = Value(Axis("b", LENGTH, "mm"), 0.1)
+    values = [FamilyValue(PlotAxis("a", LENGTH, "mm"), size) for size in (0.05, 0.07)]
+    both = FamilyValue(PlotAxis("b", LENGTH, "mm"), 0.1)
     curves = tuple(Curve("k", (both, value), (ROOF,)) for value in values)
     drawing = picture(Plot("", X, X, 0.0, 1.0, (Panel(Y, curves, 0.0, 1.2),), ()), EN)
     written = {

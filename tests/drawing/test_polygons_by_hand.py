@@ -7,15 +7,17 @@ import pytest
 
 from mechc.drawing.drawing import RELATIVE, VELOCITY
 from mechc.drawing.force_polygon import ASIDE, _sides, visible
-from mechc.drawing.vectors import Forces, Speeds
+from mechc.drawing.vectors import ForceVectors, VelocityVectors
 from mechc.drawing.velocity_polygon import LARGE, _behind, _Maker, _points, scale_of
 from mechc.figure.figure import Link, Slide, Slot
-from mechc.figure.velocities import Sliding, Velocities
+from mechc.figure.velocities import MotionVelocities, Sliding
 from mechc.pose.places import NOWHERE, Plane
 
 
 def velocities(slidings=(), **points):
-    return Velocities("", {name: Plane(*at) for name, at in points.items()}, {}, tuple(slidings))
+    return MotionVelocities(
+        "", {name: Plane(*at) for name, at in points.items()}, {}, tuple(slidings)
+    )
 
 
 @pytest.mark.parametrize(
@@ -34,7 +36,7 @@ BAR = Link("AB", ("A", "B"), ("A", "B"), (("A", "B"),), "")
 
 
 def maker(found, *parts):
-    return _Maker(SimpleNamespace(parts=parts), found, Speeds(found), 10.0)
+    return _Maker(SimpleNamespace(parts=parts), found, VelocityVectors(found), 10.0)
 
 
 def arrows(of):
@@ -98,7 +100,7 @@ def test_a_polygon_begins_with_a_load_and_goes_round_counter_clockwise():
     up, left, small = acting("pin", 0, 2), acting("pin", -1, 0), acting("pin", 1e-5, 0)
     load, nothing = acting("load", 0, -3), acting("pin", 1e-12, 0)
     body = SimpleNamespace(forces=[left, nothing, load, small, up, acting("pin")])
-    forces = Forces(SimpleNamespace(), SimpleNamespace(bodies=[body]), {})
+    forces = ForceVectors(SimpleNamespace(), SimpleNamespace(bodies=[body]), {})
     assert visible(forces, body) == [load, small, up, left]
 
 

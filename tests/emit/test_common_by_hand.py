@@ -3,7 +3,7 @@
 import mechc
 from mechc.emit.c import pose as in_c
 from mechc.emit.c.reserved import RESERVED as C_WORDS
-from mechc.emit.names import Names
+from mechc.emit.names import TargetNames
 from mechc.emit.python import pose as in_python
 from mechc.emit.python.printer import RESERVED as PYTHON_WORDS
 from mechc.formula.tree import Symbol, product, total
@@ -22,10 +22,10 @@ CALLED = {0: "common", 1: "common_2"}
 
 
 def test_c_takes_what_is_common_from_an_array_in_the_order_of_its_outputs():
-    found = in_c.taking(SECOND, CALLED, ARGUMENTS, Names(C_WORDS))
+    found = in_c.taking(SECOND, CALLED, ARGUMENTS, TargetNames(C_WORDS))
     assert found.body == ["double taken[2];", "common_2(a, b_, taken);"]
     assert found.names == {"u": "taken[0]", "v": "taken[1]"}
-    assert in_c.taking(None, CALLED, ARGUMENTS, Names(C_WORDS)) == ([], {})
+    assert in_c.taking(None, CALLED, ARGUMENTS, TargetNames(C_WORDS)) == ([], {})
 
 
 def test_c_fills_the_array_with_what_another_one_gave_among_that():
@@ -43,13 +43,13 @@ def test_c_fills_the_array_with_what_another_one_gave_among_that():
 
 
 def test_python_takes_what_is_common_by_its_name():
-    space = Names(PYTHON_WORDS, {*ARGUMENTS.values()})
+    space = TargetNames(PYTHON_WORDS, {*ARGUMENTS.values()})
     found = in_python.taken(FIRST, (SQUARE,), (V,), ARGUMENTS, space, {})
     assert [(line.name, line.code) for line in found.body] == [
         ("values", "_values_0(a, b_)"),
         ("v", 'values["u"]*values["u"]'),
     ]
-    alone = in_python.taken(None, (SUM,), (U,), ARGUMENTS, Names(PYTHON_WORDS), {})
+    alone = in_python.taken(None, (SUM,), (U,), ARGUMENTS, TargetNames(PYTHON_WORDS), {})
     assert [(line.name, line.code) for line in alone.body] == [("u", "a + b_")]
 
 

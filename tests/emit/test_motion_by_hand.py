@@ -6,14 +6,19 @@ import pytest
 
 from mechc.emit.json.document import moved
 from mechc.formula.tree import Symbol, product, total
-from mechc.pose.motion import Motion, Quantity
-from mechc.pose.pose import Definition
+from mechc.pose.motion import Motion, MotionQuantity
+from mechc.pose.pose import PoseDefinition
 from mechc.units import LENGTH
 
 A, B, T = map(Symbol, "abt")
-NEEDED = (Definition("one", total([A, B])), Definition("two", product([(Symbol("one"), 2)])))
-IDLE = Definition("idle", A)
-PLACE = Quantity("x_C", "x_C", "place", "C", "x", LENGTH, product([(Symbol("two"), 1), (T, 1)]))
+NEEDED = (
+    PoseDefinition("one", total([A, B])),
+    PoseDefinition("two", product([(Symbol("one"), 2)])),
+)
+IDLE = PoseDefinition("idle", A)
+PLACE = MotionQuantity(
+    "x_C", "x_C", "place", "C", "x", LENGTH, product([(Symbol("two"), 1), (T, 1)])
+)
 
 
 MOTION = Motion((PLACE,), (NEEDED[0], IDLE, NEEDED[1]))

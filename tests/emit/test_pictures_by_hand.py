@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from mechc.drawing.drawing import AXIS, BODY, FORCE, SYMBOL, Arc, Drawing, Label, Polyline, Run
+from mechc.drawing.drawing import AXIS, BODY, FORCE, SYMBOL, Arc, Drawing, Label, Polyline, TextRun
 from mechc.emit.svg.picture import to_svg
 from mechc.emit.tikz.picture import mathematics, tikzpicture, to_tikz
 from mechc.pose.places import Plane
@@ -73,7 +73,7 @@ def label(*runs, pen=SYMBOL):
 
 
 def test_the_foot_of_a_letter_is_below_its_middle_and_an_index_below_that():
-    runs = Run("F", italic=True), Run("A", level=-1), Run("2", level=1), Run(" < 1")
+    runs = TextRun("F", italic=True), TextRun("A", level=-1), TextRun("2", level=1), TextRun(" < 1")
     (text,) = re.findall("<text.*</text>", to_svg(drawn(labels=[label(*runs, pen=FORCE)])))
     assert text.startswith('<text x="6" y="5.28" font-size="4" fill="#b00020">')
     assert re.findall(r"<tspan([^>]*)>([^<]*)<", text) == [
@@ -103,14 +103,17 @@ def test_tikz_draws_in_millimetres_from_the_origin(shape, path):
 @pytest.mark.parametrize(
     ("runs", "tex"),
     [
-        ((Run("F", italic=True), Run("A", level=-1)), r"\mathit{F}_{\mathrm{A}}"),
+        ((TextRun("F", italic=True), TextRun("A", level=-1)), r"\mathit{F}_{\mathrm{A}}"),
         (
-            (Run("x", italic=True), Run("B", level=-1), Run("1", level=-2)),
+            (TextRun("x", italic=True), TextRun("B", level=-1), TextRun("1", level=-2)),
             r"\mathit{x}_{\mathrm{B}_{1}}",
         ),
-        ((Run("10"), Run("−3", level=1)), "10^{{-}3}"),
-        ((Run("α", italic=True), Run("=", level=0), Run("2,5°")), r"\alpha {=}2{,}5^{\circ}"),
-        ((Run("50%"),), r"50\text{\%}"),
+        ((TextRun("10"), TextRun("−3", level=1)), "10^{{-}3}"),
+        (
+            (TextRun("α", italic=True), TextRun("=", level=0), TextRun("2,5°")),
+            r"\alpha {=}2{,}5^{\circ}",
+        ),
+        ((TextRun("50%"),), r"50\text{\%}"),
     ],
 )
 def test_letters_become_mathematics(runs, tex):
@@ -118,5 +121,5 @@ def test_letters_become_mathematics(runs, tex):
 
 
 def test_fonts_for_cyrillic_letters_are_asked_for_where_there_are_any():
-    assert "fontenc" not in to_tikz(drawn(labels=[label(Run("N"))]))
-    assert "fontenc" in to_tikz(drawn(labels=[label(Run("Н"))]))
+    assert "fontenc" not in to_tikz(drawn(labels=[label(TextRun("N"))]))
+    assert "fontenc" in to_tikz(drawn(labels=[label(TextRun("Н"))]))

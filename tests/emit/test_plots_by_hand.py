@@ -9,19 +9,19 @@ from mechc.drawing.from_plot import picture
 from mechc.emit.pgfplots.to_pgfplots import to_pgfplots
 from mechc.emit.picture import Picture, PlotPicture
 from mechc.emit.tables import head, to_csv, values
-from mechc.plot.plot import Axis, Column, Curve, Mark, Panel, Plot, Value
+from mechc.plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis, PlotColumn
 from mechc.pose.places import Plane
 from mechc.report.languages.en.pictured import WORDS as EN
 from mechc.units import ANGLE, LENGTH, NUMBER
 
-PHI, K, A = Axis("phi", ANGLE, "deg"), Axis("k", NUMBER), Axis("a", LENGTH, "mm")
+PHI, K, A = PlotAxis("phi", ANGLE, "deg"), PlotAxis("k", NUMBER), PlotAxis("a", LENGTH, "mm")
 LOW, HALF, HIGH = (math.radians(degrees) for degrees in (0, 30, 60))
 RISE = (Plane(LOW, 1.0), Plane(HALF, 2.0))
 FALL = (Plane(math.radians(40), 3.0), Plane(HIGH, 2.5))
-SET = (Value(A, 0.05),)
+SET = (FamilyValue(A, 0.05),)
 COLUMNS = (
-    Column(PHI, (), (LOW, HALF, HIGH)),
-    Column(K, SET, (1.0, math.nan, math.inf)),
+    PlotColumn(PHI, (), (LOW, HALF, HIGH)),
+    PlotColumn(K, SET, (1.0, math.nan, math.inf)),
 )
 
 

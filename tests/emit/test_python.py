@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from mechc.driver import Compilation
-from mechc.emit.names import Names
+from mechc.emit.names import TargetNames
 from mechc.emit.python.printer import RESERVED
 from mechc.emit.python.to_python import TARGET, function_names
 from mechc.emit.target import Options
@@ -192,7 +192,7 @@ def test_many_poses_have_the_values_of_one(sample: str) -> None:
         if any(isinstance(p, Call) and p.function == "asin" for p in walk(function.formula)):
             continue
         columns = {i.name: random_values(i, poses) for i in function.inputs}
-        call = space[function_names(solved(sample).routine, Names(RESERVED))[function.name]]
+        call = space[function_names(solved(sample).routine, TargetNames(RESERVED))[function.name]]
         many = np.broadcast_to(call(*columns.values()), poses)
         moved = np.zeros(poses)
         few = parts_of(call, columns, poses)

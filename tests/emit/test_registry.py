@@ -13,7 +13,7 @@ from mechc.diagnostics import MechcError, Report
 from mechc.emit import registry
 from mechc.emit.c import reserved, to_c
 from mechc.emit.make_templates import EMIT, MADE, TARGETS, environment, written
-from mechc.emit.names import Names, mangle, transliterate
+from mechc.emit.names import TargetNames, mangle, transliterate
 from mechc.emit.python import to_python
 from mechc.source import Source
 
@@ -120,18 +120,18 @@ def _targets(loop: nodes.For) -> list[nodes.Name]:
 
 
 def test_a_name_that_needs_no_change_keeps_it() -> None:
-    assert mangle(["β", "beta", "class", "class_"], Names({"class"})) == {
+    assert mangle(["β", "beta", "class", "class_"], TargetNames({"class"})) == {
         "β": "beta_2", "beta": "beta", "class": "class_2", "class_": "class_",
     }  # fmt: skip
 
 
 @given(st.lists(st.text("aαAΑ_'1βbжЖé²x", min_size=1, max_size=5), unique=True, max_size=12))
 def test_no_two_names_become_one(names: list[str]) -> None:
-    found = mangle(names, Names(reserved.RESERVED))
+    found = mangle(names, TargetNames(reserved.RESERVED))
     assert len(set(found.values())) == len(names)
     assert all(n.isidentifier() and n.isascii() and "__" not in n for n in found.values())
     assert not any(name in reserved.RESERVED for name in found.values())
-    assert mangle(names, Names(reserved.RESERVED)) == found
+    assert mangle(names, TargetNames(reserved.RESERVED)) == found
 
 
 @given(st.text(min_size=1, max_size=20))

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import pytest
 
 from mechc.emit.c.reserved import HEADERS, LINKED, RESERVED
-from mechc.emit.names import Names
+from mechc.emit.names import TargetNames
 from mechc.emit.python import printer
 
 OURS = ("math", "stddef", "stdint", "string")
@@ -61,7 +61,7 @@ def test_every_name_of_our_headers_with_an_underscore_is_reserved_at_file_scope(
 
 
 def test_what_begins_with_an_underscore_is_given_to_nothing():
-    names = Names(RESERVED)
+    names = TargetNames(RESERVED)
     assert [names.claim(n) for n in ("_Foo", "__x", "_", "MECHC_PI", "mechc_sin")] == [
         "Foo", "x", "x_2", "x_MECHC_PI", "x_mechc_sin",
     ]  # fmt: skip

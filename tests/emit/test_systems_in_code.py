@@ -23,7 +23,7 @@ from mechc.report.text.derivation import render
 from mechc.routine.check import broken_promises
 from mechc.routine.evaluate import evaluate
 from mechc.routine.evaluate import pose as interpreted
-from mechc.routine.steps import Pose, Solve
+from mechc.routine.steps import PoseProgram, Solve
 from mechc.source import Source
 from routine_samples import solved
 from run_targets import assert_close, built, by_c_in_batch, by_c_singly, by_interpreter, by_python
@@ -63,7 +63,7 @@ find k = M/F
 """A triad on rods between A and P: the direction of AP passes 180 deg near the default."""
 
 
-def pose_of(found: Compiled) -> Pose:
+def pose_of(found: Compiled) -> PoseProgram:
     assert found.routine.pose is not None
     return found.routine.pose
 

@@ -3,7 +3,7 @@
 import pytest
 
 from mechc.algebra.product import Product
-from mechc.equilibrium.equilibrium import Balance
+from mechc.equilibrium.equilibrium import EquilibriumSum
 from mechc.equilibrium.order import candidates, steps_to
 from mechc.formula.to_text import text
 
@@ -12,7 +12,7 @@ P, Q, A, B, C, D = "PQABCD"
 
 def balance(**terms):
     """Return a sum in which each force counts so often."""
-    return Balance("body", {name: Product(n) for name, n in terms.items()})
+    return EquilibriumSum("body", {name: Product(n) for name, n in terms.items()})
 
 
 def steps(sums, load=P, known=(Q,), avoided=()):

@@ -424,7 +424,7 @@ def test_outlines_go_counter_clockwise(name):
 
 def test_measures_are_named_by_parameters():
     figure = begun("crank_rocker").figure
-    lengths = {(d.tail, d.head): (d.text, d.value) for d in parts(figure, drawn.Dimension)}
+    lengths = {(d.tail, d.head): (d.text, d.value) for d in parts(figure, drawn.DimensionLine)}
     assert lengths["O1", "A"] == ("a", pytest.approx(0.04))
     assert lengths["O2", "B"] == ("c", pytest.approx(0.08))
     angles = {(a.vertex, a.text): a for a in parts(figure, drawn.AngleMark)}
@@ -442,7 +442,7 @@ def test_a_coordinate_less_a_number_is_measured_in_its_unit():
         "C at (200 mm, 0 mm)\nD at (d/2, 50 mm)\nforce P at D along y\n"
         "force F at C along -y\nfind k = P/F\n"
     )
-    found = {(d.tail, d.head, d.text) for d in parts(figure, drawn.Dimension)}
+    found = {(d.tail, d.head, d.text) for d in parts(figure, drawn.DimensionLine)}
     assert ("A", "D", "h - 50 mm") in found
     assert not {tail for tail, _, _ in found} & {"", "A_0", "B_0"}
 
@@ -452,7 +452,7 @@ def test_a_length_between_varying_intensities_is_a_length():
         "mechanism f\npivot A at (0 mm, 0 mm)\npivot B at (0 mm, -400 mm)\nlink AC\nlink BC\n"
         "C at (900 mm, 0 mm)\nload Q intensity 2 N/mm to 1 N/mm on AC along -y\nfind N_BC\n"
     )
-    (to_resultant,) = [d for d in parts(figure, drawn.Dimension) if d.head == "M"]
+    (to_resultant,) = [d for d in parts(figure, drawn.DimensionLine) if d.head == "M"]
     assert (to_resultant.text, to_resultant.value) == ("400 mm", pytest.approx(0.4))
 
 

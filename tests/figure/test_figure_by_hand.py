@@ -8,18 +8,18 @@ import pytest
 
 from mechc.algebra.product import Product
 from mechc.figure import from_balance, layout, marks
-from mechc.figure.figure import AngleMark, Dimension, MirrorLine, Pivot, Rack
+from mechc.figure.figure import AngleMark, DimensionLine, MirrorLine, Pivot, Rack
 from mechc.figure.from_balance import _Maker
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
-from mechc.figure.linear_vectors import DrawnVector, Linear, Ways, open_way
-from mechc.figure.velocities import Velocities, rates
+from mechc.figure.linear_vectors import DrawnVector, Linear, LinearVectors, open_way
+from mechc.figure.velocities import MotionVelocities, rates
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
 from mechc.formula.tree import Constant, Symbol, degrees, negative, number, product, total
 from mechc.frozen import replace
 from mechc.model.mechanism import (
     Absolute,
-    Along,
+    AlongLine,
     Arrow,
     Force,
     ForcePair,
@@ -153,7 +153,7 @@ def test_a_pin_lies_in_its_slot():
 
 
 def test_a_slider_is_guided_along_its_direction():
-    ways = Ways(slider_crank(), VALUES)
+    ways = LinearVectors(slider_crank(), VALUES)
     assert ways.guide("B") == near(X)
     assert ways.unit(at(90)) == near(Y)
 
@@ -162,7 +162,7 @@ def test_a_given_length_is_measured_along_its_vector():
     pose = lever()
     entry = Arrow("O", "A", Symbol("a"), None, HERE)
     figure = draw(replace(pose, mechanism=replace(pose.mechanism, geometry=(entry,))))
-    (mark,) = [part for part in figure.parts if isinstance(part, Dimension)]
+    (mark,) = [part for part in figure.parts if isinstance(part, DimensionLine)]
     assert (mark.text, mark.value) == ("a", pytest.approx(A))
     assert mark.along == near(polar(1.0, ALPHA))
 
@@ -188,7 +188,7 @@ def test_an_angle_is_marked_from_its_constant_part_on(given, start, sweep, name)
     assert (mark.start, mark.sweep) == pytest.approx((start, sweep))
 
 
-@pytest.mark.parametrize("given", [Absolute(degrees(30), HERE), Along("O", "A", 0, HERE)])
+@pytest.mark.parametrize("given", [Absolute(degrees(30), HERE), AlongLine("O", "A", 0, HERE)])
 def test_no_angle_is_marked_where_none_has_a_name(given):
     pose = lever()
     load = Force("F", "A", given, HERE)
@@ -225,7 +225,7 @@ def test_gears_touch_on_the_line_of_their_centres_wherever_it_leads():
 def test_open_lengths_grow_until_twins_are_apart(monkeypatch, gaps, chosen):
     def laid_out(ways, factor):
         points = {"B": Plane(gaps.get(factor, 1.0), 0.0)}
-        return layout.Layout(points, MirrorLine(Plane(0.0, 0.0), Y), {"a": factor}, 1.0, 0.0)
+        return layout.FigureLayout(points, MirrorLine(Plane(0.0, 0.0), Y), {"a": factor}, 1.0, 0.0)
 
     monkeypatch.setattr(layout, "_laid_out", laid_out)
     mirror = SimpleNamespace(mirror=SimpleNamespace(sharing=()))
@@ -270,7 +270,7 @@ def test_the_drive_is_as_fast_as_the_coordinates_of_points_say():
         def _slopes(self):
             yield from [("A", "x", -3.0), ("A", "y", 4.0)]
 
-    here = Velocities("", {"A": Plane(-1.5, 2.0)}, {}, ())
+    here = MotionVelocities("", {"A": Plane(-1.5, 2.0)}, {}, ())
     assert Known(None, None, None, 0)._rate(here) == pytest.approx(2.0)
     assert _Maker(None, None, None, 0)._rate(here) == 0
 
@@ -331,13 +331,13 @@ def test_the_ground_of_a_pivot_is_down_unless_a_bar_hangs_there(phi, ground):
 )
 def test_the_unit_is_the_speed_of_the_first_point_of_the_load_that_moves(speeds, per):
     """A couple on OA: of O where it moves by more than rounding, of A, else of the fastest."""
-    here = Velocities("", {name: Plane(0.0, v) for name, v in speeds.items()}, {}, ())
+    here = MotionVelocities("", {name: Plane(0.0, v) for name, v in speeds.items()}, {}, ())
     assert Asked(torque("M", "OA"))._reference(here) == per
 
 
 @pytest.mark.parametrize("largest", [0.0, math.inf, math.nan])
 def test_there_are_no_velocities_where_the_drive_moves_nothing(monkeypatch, largest):
-    here = Velocities("", {"A": Plane(0.0, largest)}, {}, ())
+    here = MotionVelocities("", {"A": Plane(0.0, largest)}, {}, ())
     monkeypatch.setattr(from_balance, "rates", lambda *_: here)
     monkeypatch.setattr(_Maker, "_at_other_lengths", lambda self: VALUES)
     monkeypatch.setattr(_Maker, "_pace", lambda self, here: 1.0)

@@ -8,7 +8,7 @@ from hypothesis import given
 
 from formula_strategies import formulas
 from mechc.formula.tree import Call, Formula, Implicit, Number, Power, Product, Sum, Symbol, System
-from mechc.formula.typesetting import Row, Typesetter
+from mechc.formula.typesetting import FormulaRow, Typesetter
 from mechc.report.latex.notation import notation
 from mechc.report.latex.printer import latex
 from mechc.report.text.printer import print_formula
@@ -108,7 +108,7 @@ class Tokens(Typesetter[str]):
     def row(self, pieces: Sequence[str]) -> str:
         return "".join(pieces)
 
-    def factors(self, formulas: Row, pieces: Sequence[str]) -> str:
+    def factors(self, formulas: FormulaRow, pieces: Sequence[str]) -> str:
         return "*".join(pieces)
 
     def joined_by(self, sign: str, pieces: Sequence[str]) -> str:

@@ -18,7 +18,7 @@ from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives, _has_roots
 from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
 from mechc.friction.iterated import exact, first_order
-from mechc.friction.lever import Bearing, on_lever
+from mechc.friction.lever import LeverPivot, on_lever
 from mechc.friction.linear import LinearSolver
 from mechc.friction.naming import Endings, Meanings, OwnNames, renamed
 from mechc.friction.normal_forces import (
@@ -43,7 +43,7 @@ from mechc.model.parts.friction import (
     ThreadFriction,
     WheelFriction,
 )
-from mechc.model.result import Case, Definition, FrictionResult, Result
+from mechc.model.result import Definition, FrictionResult, Result, SignCase
 from mechc.model.values import completed
 from mechc.power.balance import equations_of
 from mechc.power.loads import terms
@@ -113,7 +113,7 @@ def test_a_lever_without_friction_balances_moments():
 def test_a_lever_lifts_against_the_friction_circle_of_its_pivot(signs, turn):
     """a·P − b·F = ±ρ·|R|, R the sum of both forces: more than without friction, or less."""
     at_pose = signs()
-    bearing = Bearing("O", Product.symbol("rho"), Product(turn))
+    bearing = LeverPivot("O", Product.symbol("rho"), Product(turn))
     size = value(on_lever(UP, [LOAD], ARMS, bearing, at_pose).size, at_pose)
     assert A * size - B == pytest.approx(turn * RHO * math.hypot(size, 1))
 
@@ -121,7 +121,7 @@ def test_a_lever_lifts_against_the_friction_circle_of_its_pivot(signs, turn):
 @pytest.mark.parametrize("turn", [1, -1])
 def test_a_force_the_other_way_on_a_lever_has_the_opposite_size(turn):
     """Its arm is negative, and friction at the pivot acts as before."""
-    bearing = Bearing("O", Product.symbol("rho"), Product(turn))
+    bearing = LeverPivot("O", Product.symbol("rho"), Product(turn))
     down = BodyForce("P", "A", at(270))
     up_size, down_size = (
         value(on_lever(force, [LOAD], ARMS, bearing, at_pose).size, at_pose)
@@ -134,7 +134,7 @@ def test_a_force_the_other_way_on_a_lever_has_the_opposite_size(turn):
 def test_the_force_on_a_lever_is_a_root_of_the_quadratic_that_is_shown(turn):
     """(a·P − b·F)² = ρ²·(P² + F²) with P in it by its name."""
     signs = one_pose()
-    bearing = Bearing("O", Product.symbol("rho"), Product(turn))
+    bearing = LeverPivot("O", Product.symbol("rho"), Product(turn))
     found = on_lever(UP, [LOAD], ARMS, bearing, signs)
     size = value(found.size, signs)
 
@@ -150,7 +150,7 @@ def test_the_force_on_a_lever_is_a_root_of_the_quadratic_that_is_shown(turn):
 def test_no_force_within_the_friction_circle_lifts_the_load(turn, turns):
     """With ρ > a the moment that friction adds outgrows that of the drive; it may still hold."""
     signs = one_pose(rho=0.5)
-    found = on_lever(UP, [LOAD], ARMS, Bearing("O", Product.symbol("rho"), Product(turn)), signs)
+    found = on_lever(UP, [LOAD], ARMS, LeverPivot("O", Product.symbol("rho"), Product(turn)), signs)
     known = completed({**VALUES, "rho": 0.5}, signs.definitions)
     assert (evaluate(found.turns.formula(), known) > 0) is turns
 
@@ -159,7 +159,7 @@ def test_no_force_within_the_friction_circle_lifts_the_load(turn, turns):
 def test_parallel_forces_on_a_lever_need_no_root(turn):
     """a·P − b·F = ±ρ·(P + F)."""
     arms, signs = {"A": arm("a", at(0)), "B": arm("b", at(180))}, one_pose()
-    bearing = Bearing("O", Product.symbol("rho"), Product(turn))
+    bearing = LeverPivot("O", Product.symbol("rho"), Product(turn))
     size = value(on_lever(UP, [UP._replace(name="F", point="B")], arms, bearing, signs).size, signs)
     assert A * size - B == pytest.approx(turn * RHO * (size + 1))
 
@@ -168,7 +168,7 @@ def test_a_couple_that_drives_a_lever_adds_the_friction_of_its_load():
     """M = b·F + ρ·F."""
     signs = one_pose()
     couple = BodyForce("M", "", None, ZERO, ONE)
-    bearing = Bearing("O", Product.symbol("rho"), ONE)
+    bearing = LeverPivot("O", Product.symbol("rho"), ONE)
     assert value(on_lever(couple, [LOAD], ARMS, bearing, signs).size, signs) == pytest.approx(
         B + RHO
     )
@@ -575,4 +575,4 @@ ROOT = Call("sqrt", (Symbol("a"),))
     ],
 )
 def test_a_ratio_is_a_root_where_one_is_in_it_or_in_what_it_rests_on(formula, where, has_roots):
-    assert _has_roots(Case(formula, where, ())) is has_roots
+    assert _has_roots(SignCase(formula, where, ())) is has_roots

@@ -7,14 +7,14 @@ from types import SimpleNamespace
 import pytest
 
 from mechc.algebra.angle import Angle
-from mechc.algebra.factors import Constant
+from mechc.algebra.factors import ConstantSymbol
 from mechc.algebra.product import ONE, ZERO, Product
-from mechc.algebra.sums import Bound, add
+from mechc.algebra.sums import BoundSum, add
 from mechc.diagnostics import MechcError, Report
 from mechc.formula.tree import Number, Symbol
 from mechc.frozen import replace
 from mechc.kinematics.from_pose import _check_frame, plan_velocities
-from mechc.kinematics.graph import Graph, Kind, Relation, Rule, Unknown
+from mechc.kinematics.graph import Graph, Relation, Rule, SpeedKind, UnknownSpeed
 from mechc.kinematics.locked import described, locked
 from mechc.kinematics.planning import _speeds_of, plan_of
 from mechc.kinematics.solving import LONG, Binder, Memory, by_one_other, solve
@@ -89,7 +89,7 @@ def test_what_moves_the_first_load_drives():
     loads = pose.mechanism.loads
     turned = replace(pose, mechanism=replace(pose.mechanism, loads=loads[::-1]))
     kinds = [plan(p).graph.unknowns[plan(p).drives[0]].kind for p in (pose, turned)]
-    assert kinds == [Kind.SPIN, Kind.SLIDE]
+    assert kinds == [SpeedKind.SPIN, SpeedKind.SLIDE]
 
 
 def test_mobility_is_unknowns_less_independent_relations():
@@ -122,7 +122,7 @@ def relation(place, **form):
 
 
 def of_relations(count, *relations):
-    unknowns = tuple(Unknown(Kind.SPIN, f"L{i}") for i in range(count))
+    unknowns = tuple(UnknownSpeed(SpeedKind.SPIN, f"L{i}") for i in range(count))
     spins = {u.of: i for i, u in enumerate(unknowns)}
     return Graph(lever(), unknowns, {}, spins, relations)
 
@@ -214,7 +214,7 @@ def test_a_speed_that_was_met_before_is_known_again_with_its_sign():
 
 def test_an_angular_velocity_is_no_speed_whatever_the_numbers():
     """An arm of a metre: V = r·ω is ω by number, and r is not 1."""
-    arm = Product.of(Constant("r", Number(1)))
+    arm = Product.of(ConstantSymbol("r", Number(1)))
     memory = Memory((0,), {0})
     memory.note(0, (ONE,))
     assert memory.recall({0: -arm, 1: ONE}, 1) is None
@@ -231,7 +231,7 @@ def test_a_long_sum_has_one_name_however_often_it_comes():
     whole, binder = long_sum("x", "y"), Binder(frozenset({"s1"}))
     once, again = binder.bound(whole), binder.bound(Product(2) * whole)
     assert [b.name for b in binder.bindings] == ["s2"]
-    assert once == Product.of(Bound("s2", whole))
+    assert once == Product.of(BoundSum("s2", whole))
     assert again == Product(2) * once
     assert binder.bindings[0].value == whole
 

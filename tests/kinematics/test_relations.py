@@ -6,7 +6,7 @@ import pytest
 
 from mechc.frozen import replace
 from mechc.kinematics.contacts import mesh_of, relations, slipping, spinning
-from mechc.kinematics.graph import Kind, Rule
+from mechc.kinematics.graph import Rule, SpeedKind
 from small_poses import (
     RACK,
     SCREW,
@@ -113,14 +113,17 @@ def test_a_mesh_is_found_by_its_id():
 
 def test_a_lever_has_one_unknown_and_no_relation():
     found = graph(lever())
-    assert [(u.kind, u.of) for u in found.unknowns] == [(Kind.SPIN, "OAB")]
+    assert [(u.kind, u.of) for u in found.unknowns] == [(SpeedKind.SPIN, "OAB")]
     assert found.relations == ()
     assert found.velocities["O"] == ()
 
 
 def test_a_slider_crank_has_the_equal_projections_of_its_rod():
     found = graph(slider_crank())
-    assert [(u.kind, u.of) for u in found.unknowns] == [(Kind.SPIN, "OA"), (Kind.SLIDE, "B")]
+    assert [(u.kind, u.of) for u in found.unknowns] == [
+        (SpeedKind.SPIN, "OA"),
+        (SpeedKind.SLIDE, "B"),
+    ]
     (relation,) = found.relations
     assert (relation.rule, relation.points) == (Rule.PROJECTION, ("A", "B"))
     turn = VALUES["phi"] - VALUES["psi"]
@@ -144,7 +147,11 @@ def test_a_pin_of_two_rods_moves_by_its_projections_on_them():
     pose = two_bars()
     guides = {"K": pose.guides["K"], "O": pose.guides["K"]}
     free = graph(replace(pose, guides=guides, mechanism=replace(pose.mechanism, joints=())))
-    assert [u.kind for u in free.unknowns] == [Kind.SLIDE, Kind.SLIDE, *[Kind.COMPONENT] * 2]
+    assert [u.kind for u in free.unknowns] == [
+        SpeedKind.SLIDE,
+        SpeedKind.SLIDE,
+        *[SpeedKind.COMPONENT] * 2,
+    ]
     for relation in free.relations:
         own = {u: p for u, p in form(relation.form).items() if u > 1}
         assert sorted(map(abs, own.values())) == [1]

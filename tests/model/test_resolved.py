@@ -13,7 +13,7 @@ from mechc.formula.tree import PI, ZERO, Constant, Number, Symbol
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import (
     Absolute,
-    Along,
+    AlongLine,
     Force,
     LoadForm,
     LoadRatio,
@@ -119,7 +119,7 @@ def test_a_rod_named_exactly_comes_before_a_body_through_its_points() -> None:
 )
 def test_directions_of_vectors(written: str, tail: str, head: str, quarter: int) -> None:
     along = model(f"force R at A along {written}").loads[-1].along  # type: ignore[union-attr]
-    assert isinstance(along, Along)
+    assert isinstance(along, AlongLine)
     assert (along.tail, along.head, along.quarter) == (tail, head, quarter)
 
 

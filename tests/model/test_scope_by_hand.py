@@ -2,8 +2,8 @@
 
 from mechc.diagnostics import Report
 from mechc.formula.tree import ZERO, Symbol, number
-from mechc.model.names.points import Points
-from mechc.model.names.scope import Scope
+from mechc.model.names.points import PointTable
+from mechc.model.names.scope import NameScope
 from mechc.source import Source, Span
 from mechc.units import LENGTH
 
@@ -12,7 +12,7 @@ HERE = Span(0, 0)
 
 def scope():
     report = Report(Source("a.mech", ""))
-    return Scope(report, Points(report))
+    return NameScope(report, PointTable(report))
 
 
 def test_a_number_has_one_name_for_each_kind_and_value():

@@ -6,7 +6,7 @@ import pytest
 
 from mechc.driver import Compilation
 from mechc.formula.tree import ONE
-from mechc.model.linkage.carriers import Adjacency, Carriers, Node, is_held, refined
+from mechc.model.linkage.carriers import Adjacency, CarrierNode, Carriers, is_held, refined
 from mechc.model.mechanism import WheelPair
 from mechc.source import Source
 from small_poses import HERE
@@ -18,7 +18,7 @@ def path(*labels: str) -> list[Adjacency]:
     return [(one, other, label) for one, other, label in zip(PATH, PATH[1:], labels, strict=False)]
 
 
-def ranks(edges: Sequence[Adjacency], nodes: Sequence[Node] = PATH) -> list[int]:
+def ranks(edges: Sequence[Adjacency], nodes: Sequence[CarrierNode] = PATH) -> list[int]:
     found = refined(dict.fromkeys(nodes, "pin"), edges)
     return [found[node] for node in nodes]
 

@@ -5,11 +5,11 @@ import math
 import pytest
 
 from mechc.driver import Compilation
-from mechc.formula.rounding import Size
+from mechc.formula.rounding import PrintedNumber
 from mechc.formula.tree import Symbol, number
 from mechc.frozen import fields, replace
 from mechc.model.mechanism import Parameter, Require
-from mechc.model.result import ClosedLoop, Definition, Result, Solved
+from mechc.model.result import ClosedLoop, Definition, Result, SolvedMechanism
 from mechc.model.values import Looked, of_sound_form, standing, usual_units, valued
 from mechc.source import Source, Span
 from mechc.units import LENGTH, NUMBER
@@ -58,29 +58,29 @@ def test_what_a_formula_needs_and_is_not_given_leaves_it_without_a_value():
 def test_what_is_zero_but_for_rounding_is_looked_at_in_the_form_for_elsewhere(value, size, found):
     def look(result: Result) -> Looked:
         is_here = result is HERE
-        return Looked(result, value if is_here else 2.0, Size(size if is_here else 2.0))
+        return Looked(result, value if is_here else 2.0, PrintedNumber(size if is_here else 2.0))
 
     assert of_sound_form(HERE, look).number == found
 
 
 def test_solutions_are_added_kind_by_kind():
-    def solution(name: str) -> Solved:
+    def solution(name: str) -> SolvedMechanism:
         loop, definition = ClosedLoop(name, frozenset(), X), Definition(name, X)
         parameter = Parameter(name, LENGTH, Span(0, 1))
-        return Solved(
+        return SolvedMechanism(
             (replace(HERE, name=name),), (definition,), (loop,), (POSITIVE,), (parameter,)
         )
 
     one, other = solution("a"), solution("b")
     both = one + other
-    assert both == Solved(
-        *((*getattr(one, f.name), *getattr(other, f.name)) for f in fields(Solved))
+    assert both == SolvedMechanism(
+        *((*getattr(one, f.name), *getattr(other, f.name)) for f in fields(SolvedMechanism))
     )
     assert [k.name for k in both.results] == [d.name for d in both.definitions] == ["a", "b"]
 
 
 def test_without_another_form_zero_stays_zero():
-    assert of_sound_form(ALONE, lambda r: Looked(r, 1e-17, Size(0.0))).number == 0
+    assert of_sound_form(ALONE, lambda r: Looked(r, 1e-17, PrintedNumber(0.0))).number == 0
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import pytest
 
 from mechc.algebra.angle import Angle
 from mechc.algebra.product import Product
-from mechc.pose.closure import ClosingEquations, Condition
+from mechc.pose.closure import ClosingEquations, ClosureCondition
 from mechc.pose.pose import Arm
 from mechc.source import Span
 
@@ -18,7 +18,7 @@ POSES = [{"a": 1.0, "b": 2.0, "alpha": 0.3, "beta": 0.7, "l": 1.0}]
 
 
 def loop(*arms, across=(X, Y), name="AB"):
-    return Condition(name, tuple(Arm(size, along) for size, along in arms), across, HERE)
+    return ClosureCondition(name, tuple(Arm(size, along) for size, along in arms), across, HERE)
 
 
 def codes(closure, *conditions):

@@ -12,13 +12,13 @@ from mechc.formula.tree import ZERO, Call, Symbol, number, product
 from mechc.model.values import completed
 from mechc.pose.loops.by_groups import in_closed_form
 from mechc.pose.loops.dyad_closures import dyad
-from mechc.pose.loops.dyad_sides import Sides
-from mechc.pose.loops.dyads import Loop, _end_from
+from mechc.pose.loops.dyad_sides import DyadSides
+from mechc.pose.loops.dyads import DyadLoop, _end_from
 from mechc.pose.loops.rated import given_rates, loop_rates, moved_by, rate
 from mechc.pose.loops.redundant import closure_of
 from mechc.pose.loops.triangle import along, common_turn, heron
-from mechc.pose.pose import Arm, Definition, Limit, gathered, reverse, turned_by
-from mechc.pose.rates import Rates
+from mechc.pose.pose import Arm, Limit, PoseDefinition, gathered, reverse, turned_by
+from mechc.pose.rates import NameRates
 from mechc.pose.samples import is_behind
 from mechc.pose.vector_graph import Edge, chained, known_span, loop_name, mentioned
 from small_poses import HERE, VALUES, arm, at, number_of, size
@@ -34,8 +34,8 @@ def edge(tail, head, *arms):
 def closures(cycle, *unknown, kept=(), fixed=("O", "Q")):
     """Return the group of a loop and each of its closures as numbers of all names."""
     names = frozenset(unknown)
-    sides = Sides(lambda name: name, frozenset(kept), frozenset(fixed), VALUES)
-    group = dyad(Loop.of(cycle, names), sides)
+    sides = DyadSides(lambda name: name, frozenset(kept), frozenset(fixed), VALUES)
+    group = dyad(DyadLoop.of(cycle, names), sides)
     found = []
     for closure in group.closures if group else ():
         known = completed(VALUES, closure.definitions)
@@ -142,7 +142,11 @@ def pq():
 
 def test_what_rests_on_a_root_ends_with_it():
     root = Call("sqrt", (Symbol("x"),))
-    definitions = (Definition("p", root), Definition("q", Symbol("p")), Definition("z", number(1)))
+    definitions = (
+        PoseDefinition("p", root),
+        PoseDefinition("q", Symbol("p")),
+        PoseDefinition("z", number(1)),
+    )
     found = in_closed_form("O-A", definitions, root)
     assert found.names == {"p", "q"}
     assert found.margin == Symbol("x")
@@ -171,9 +175,9 @@ def test_a_turning_vector_moves_across_itself_and_a_growing_one_along():
 
 def test_names_move_with_the_drive_as_their_formulas_do():
     definitions = [
-        Definition("u", Call("sin", (Symbol("phi"),))),
-        Definition("w", Symbol("u")),
-        Definition("v", Symbol("a")),
+        PoseDefinition("u", Call("sin", (Symbol("phi"),))),
+        PoseDefinition("w", Symbol("u")),
+        PoseDefinition("v", Symbol("a")),
     ]
     assert moved_by("phi", definitions) == {"phi", "u", "w"}
     rates = given_rates(definitions, "phi")
@@ -205,7 +209,7 @@ def test_a_negative_length_is_behind():
 
 
 def test_what_rests_on_a_name_without_a_rate_has_none():
-    rates = Rates({"phi": number(1)}, unknown=["psi"])
+    rates = NameRates({"phi": number(1)}, unknown=["psi"])
     assert rates.of(Symbol("psi")) is None
     assert rates.of(product([(Symbol("phi"), 1), (Symbol("psi"), 1)])) is None
     assert rates.of(Symbol("r")) == ZERO

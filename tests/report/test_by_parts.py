@@ -9,21 +9,23 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Symbol, number, product, total
 from mechc.model.values import UsualUnits
 from mechc.report.by_parts import by_parts
-from mechc.report.evaluated import Evaluated, Known
-from mechc.report.put_in import Quantity
+from mechc.report.evaluated import Evaluated, KnownQuantities
+from mechc.report.put_in import GivenQuantity
 from mechc.report.text.printer import print_formula
 from mechc.report.text.signs import UNICODE
 
 A, B, Z = map(Symbol, ("a", "b", "Z_1"))
 SUM = total([A, B])
-KNOWN = Known({"a": Quantity(0.04, "mm"), "b": Quantity(0.03, "mm")}, UsualUnits("mm"))
+KNOWN = KnownQuantities(
+    {"a": GivenQuantity(0.04, "mm"), "b": GivenQuantity(0.03, "mm")}, UsualUnits("mm")
+)
 
 
 VOLUME = product([(A, 1), (SUM, 2)])
 
 
 def item(name: str) -> Evaluated:
-    value = Quantity(evaluate(VOLUME, {"a": 0.04, "b": 0.03}), "m^3")
+    value = GivenQuantity(evaluate(VOLUME, {"a": 0.04, "b": 0.03}), "m^3")
     return Evaluated(Symbol(name), None, value, False, VOLUME, KNOWN)
 
 
@@ -60,7 +62,7 @@ def test_a_sum_has_the_values_of_its_terms_unless_rounding_would_be_seen():
     near = total([whole, product([(number(Fraction(-624999999, 10**10)), 1), (A, 1), (A, -1)])])
     values = {"a": 0.04, "b": 0.03}
     items = [
-        Evaluated(Symbol("R"), None, Quantity(evaluate(f, values), "mm"), False, f, KNOWN)
+        Evaluated(Symbol("R"), None, GivenQuantity(evaluate(f, values), "mm"), False, f, KNOWN)
         for f in (whole, near)
     ]
     first, second = by_parts(items, {}, numbers_fit)

@@ -14,7 +14,7 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Constant, Number, Symbol, number, product, total
 from mechc.formula.walk import children, rebuild, symbols
 from mechc.report.evaluated import evaluated
-from mechc.report.put_in import Quantity, put_in
+from mechc.report.put_in import GivenQuantity, put_in
 from mechc.report.sections import outline
 from mechc.report.text.derivation import render
 from mechc.source import Source
@@ -130,7 +130,7 @@ def test_a_ratio_of_some_fifty_operations_has_its_numbers_put_in():
 
 
 def test_a_negative_number_at_the_beginning_of_a_sum_has_no_bracket():
-    given = {"k": Quantity(-0.0157846, "mm"), "b": Quantity(-0.001, "mm")}
+    given = {"k": GivenQuantity(-0.0157846, "mm"), "b": GivenQuantity(-0.001, "mm")}
     whole = total([Symbol("k"), product([(Symbol("b"), 1), (number(2), 1)]), Symbol("b")])
     assert text(put_in(whole, given)) == "-15.7846 mm + 2*(-1 mm) - 1 mm"
 
@@ -184,7 +184,7 @@ def test_a_direction_that_mirrors_another_has_no_value_where_nothing_rests_on_it
 
 
 SINE = Call("sin", (Symbol("phi"),))
-AT = {"a": Quantity(0.05, "mm"), "phi": Quantity(math.radians(-100), "deg")}
+AT = {"a": GivenQuantity(0.05, "mm"), "phi": GivenQuantity(math.radians(-100), "deg")}
 
 
 @pytest.mark.parametrize(
@@ -207,9 +207,9 @@ def test_a_negative_angle_of_a_sine_is_a_minus_before_the_product(formula, expec
 
 def test_minuses_of_numbers_stand_before_the_product():
     force, arm = Symbol("F"), Symbol("a")
-    given = {"F": Quantity(-5.0, "N"), "a": Quantity(0.02, "mm")}
+    given = {"F": GivenQuantity(-5.0, "N"), "a": GivenQuantity(0.02, "mm")}
     sine = Call("sin", (Symbol("alpha"),))
-    given["alpha"] = Quantity(math.radians(30), "deg")
+    given["alpha"] = GivenQuantity(math.radians(30), "deg")
     turning = product([(force, 1), (sine, 1)])
     assert text(put_in(turning, given)) == "-5 N*sin(pi/6)"
     assert text(put_in(product([(force, 1), (force, 1), (arm, -1)]), given)) == "5 N*5 N/20 mm"

@@ -6,7 +6,7 @@ import pytest
 
 from mechc.formula.tree import Symbol
 from mechc.report.evaluated import Evaluated
-from mechc.report.put_in import Quantity
+from mechc.report.put_in import GivenQuantity
 from mechc.report.text.derivation import LINES, _fits
 
 K, NAMED, NUMBERS = Symbol("k"), Symbol("named"), Symbol("numbers")
@@ -36,5 +36,5 @@ def spell(length: int, parts=True):
 def test_a_formula_with_names_for_its_parts_has_its_numbers_where_they_are_short(
     numbers, formula, speller, fits
 ):
-    item = Evaluated(K, numbers, Quantity(1.0, ""), False, formula)
+    item = Evaluated(K, numbers, GivenQuantity(1.0, ""), False, formula)
     assert _fits(item, speller) is fits

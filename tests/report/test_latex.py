@@ -11,7 +11,7 @@ from jinja2 import meta
 
 import mechc
 from good_mechanisms import loaded
-from mechc.emit.latex.blocks import Report
+from mechc.emit.latex.blocks import ReportContext
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.make_templates import EMIT, environment
 from mechc.emit.target import Options
@@ -70,7 +70,7 @@ def test_output_depends_on_the_input_only() -> None:
 def test_template_uses_every_field_of_the_report() -> None:
     tree = environment("latex").parse(template("latex/body.jinja"))
     used = meta.find_undeclared_variables(tree)
-    assert used == set(Report._fields)
+    assert used == set(ReportContext._fields)
 
 
 def template(name: str) -> str:

@@ -16,7 +16,7 @@ from mechc.formula.tree import (
     total,
 )
 from mechc.frozen import replace
-from mechc.report.latex.display import LINE, Line, display
+from mechc.report.latex.display import LINE, DisplayLine, display
 from mechc.report.latex.notation import name, notation, points, spellings
 from mechc.report.latex.printer import Boxes, box, latex, plain
 from mechc.report.latex.text import escape
@@ -181,13 +181,13 @@ def widths(shown: str) -> list[float]:
 
 
 def test_a_short_equation_takes_one_line() -> None:
-    shown = display((Line(plain("k"), formula("a/b")),), notation("en"), "where")
+    shown = display((DisplayLine(plain("k"), formula("a/b")),), notation("en"), "where")
     assert shown == "\\[\nk=\\frac{a}{b}\n\\]"
 
 
 def test_a_long_sum_is_broken_between_terms() -> None:
     terms = " + ".join(f"l_{i}*V_{'ABCDEFGHKMNQ'[i]}*mu" for i in range(12))
-    shown = display((Line(plain("k"), formula(terms)),), notation("en"), "where")
+    shown = display((DisplayLine(plain("k"), formula(terms)),), notation("en"), "where")
     assert shown.count("\\\\") >= 1
     assert max(widths(shown)) <= LINE
 
@@ -195,7 +195,7 @@ def test_a_long_sum_is_broken_between_terms() -> None:
 def test_no_sign_stands_behind_a_sign_of_multiplication() -> None:
     factors = [formula(f"sin(l_{c}*m_{c} + alpha)") for c in "ABCDEFGHKMNPQRS"]
     below = Power(negative(Symbol("z")), number(-1))
-    shown = display((Line(plain("k"), Product((*factors, below))),), EN, "where")
+    shown = display((DisplayLine(plain("k"), Product((*factors, below))),), EN, "where")
     assert r"\times" in shown
     assert r"\times -" not in shown
     assert shown.startswith("\\begin{align*}\nk&=-")
@@ -207,7 +207,9 @@ def test_the_sign_of_a_value_is_printed_without_its_size() -> None:
 
 
 def test_sums_in_a_long_fraction_get_names() -> None:
-    shown = display((Line(plain("k"), formula(f"a*({LONG})/({LONG}+b)")),), notation("en"), "where")
+    shown = display(
+        (DisplayLine(plain("k"), formula(f"a*({LONG})/({LONG}+b)")),), notation("en"), "where"
+    )
     assert r"\frac{aZ_1}{Z_2}" in shown
     assert shown.count("where") == 1
     assert "Z_1&=" in shown
@@ -215,7 +217,7 @@ def test_sums_in_a_long_fraction_get_names() -> None:
 
 def test_made_up_names_avoid_those_in_use() -> None:
     shown = display(
-        (Line(plain("k"), formula(f"Z_1*({LONG})/({LONG}+b)")),), notation("en"), "where"
+        (DisplayLine(plain("k"), formula(f"Z_1*({LONG})/({LONG}+b)")),), notation("en"), "where"
     )
     assert "Z_3&=" in shown
     assert "Z_1&=" not in shown
@@ -223,8 +225,8 @@ def test_made_up_names_avoid_those_in_use() -> None:
 
 def test_a_made_up_name_has_one_meaning_in_a_document() -> None:
     style = notation("en")
-    first = display((Line(plain("k"), formula(f"a*({LONG})/({LONG}+b)")),), style, "where")
-    other = display((Line(plain("m"), formula(f"c*({LONG}+d)/({LONG})")),), style, "where")
+    first = display((DisplayLine(plain("k"), formula(f"a*({LONG})/({LONG}+b)")),), style, "where")
+    other = display((DisplayLine(plain("m"), formula(f"c*({LONG}+d)/({LONG})")),), style, "where")
     assert r"\frac{aZ_1}{Z_2}" in first
     assert r"\frac{cZ_3}{Z_1}" in other
     assert ("Z_3&=" in other, "Z_1&=" in other) == (True, False)

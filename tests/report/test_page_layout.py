@@ -10,7 +10,7 @@ from good_mechanisms import OF_LIBRARY, compiled, loaded
 from mechc.emit.latex.tables import tabular
 from mechc.formula.tree import Call, Symbol, product
 from mechc.plot.query import rows
-from mechc.report.latex.display import Line, display
+from mechc.report.latex.display import DisplayLine, display
 from mechc.report.latex.notation import notation
 from mechc.report.latex.printer import box, row
 
@@ -135,7 +135,7 @@ def test_a_long_chain_of_ratios_has_a_line_of_its_own() -> None:
     style = notation("en")
     long = product([(Call("sin", (Symbol(f"alpha_{i}"),)), 1) for i in range(8)])
     chain = row(tuple(box(Symbol(f"V_{i}"), style) for i in range(20)))
-    line = Line(box(Symbol("i"), style), long, chain=chain)
+    line = DisplayLine(box(Symbol("i"), style), long, chain=chain)
     shown = display((line,), style, "where")
     assert r"\times" not in shown
     assert len(re.findall(r"\\\*\[2pt]\n&\\quad\{\}=\\sin", shown)) == 1

@@ -13,7 +13,7 @@ from mechc.formula.names import direction_of, split_points
 from mechc.formula.to_text import text
 from mechc.formula.walk import symbols
 from mechc.model.values import completed, defaults
-from mechc.report.definitions import Solved, grouped, without_minus
+from mechc.report.definitions import SolvedSystem, grouped, without_minus
 from mechc.report.kinds import PositionKind
 from mechc.report.languages.registry import locale
 from mechc.report.sections import outline
@@ -261,7 +261,9 @@ def test_what_choices_and_lists_give_is_not_defined_again_without_its_units(brie
 def test_loops_that_close_together_stand_one_behind_the_other(name):
     """Each with its equation along x, then that along y; a term with a minus on the other side."""
     (solved,) = (
-        group for group in grouped(loaded(name).results["k"].where) if isinstance(group, Solved)
+        group
+        for group in grouped(loaded(name).results["k"].where)
+        if isinstance(group, SolvedSystem)
     )
     sides = [[text(side) for side in without_minus(zero)] for zero in solved.zeros]
     axes = ["cos" if "cos" in left else "sin" for left, _ in sides]

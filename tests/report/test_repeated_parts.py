@@ -10,7 +10,7 @@ from mechc.report.kinds import Rule
 from mechc.report.made_names import MadeNames
 from mechc.report.steps import Derivation, Equation, PowerTerm, Step
 from mechc.report.text.derivation import render
-from mechc.report.text.repeated import Repeated
+from mechc.report.text.repeated import RepeatedSums
 
 A, B, C, D = map(Symbol, "abcd")
 LONG = total(
@@ -21,8 +21,8 @@ LONG = total(
 
 def test_a_sum_is_named_where_it_stands_twice_and_never_as_a_whole():
     once, twice = [quotient(A, LONG)], [quotient(A, LONG), quotient(B, LONG)]
-    assert not Repeated(once, MadeNames(), lambda part: True).sums
-    parts = Repeated(twice, MadeNames(), lambda part: True)
+    assert not RepeatedSums(once, MadeNames(), lambda part: True).sums
+    parts = RepeatedSums(twice, MadeNames(), lambda part: True)
     assert text(parts.shown(twice[0])) == "a/Z_1"
     assert parts.shown(LONG) == LONG
     assert [text(side) for side in parts.sides((LONG, number(0)))] == ["Z_1", "0"]
@@ -32,24 +32,24 @@ def test_sums_are_numbered_in_the_order_in_which_a_page_has_them():
     """The longer one was the first, wherever it stands."""
     longer = total([LONG, product([(B, 1), (C, 1), (D, 1)])])
     page = [quotient(A, LONG), quotient(LONG, longer), quotient(longer, LONG)]
-    parts = Repeated(page[1:] * 2, MadeNames(), lambda part: True, page)
+    parts = RepeatedSums(page[1:] * 2, MadeNames(), lambda part: True, page)
     assert [text(parts.shown(one)) for one in page] == ["a/Z_1", "Z_1/Z_2", "Z_2/Z_1"]
 
 
 def test_the_opposite_of_a_sum_has_its_name_with_a_minus():
     opposite = total(product([(number(-1), 1), (term, 1)]) for term in LONG.terms)
-    parts = Repeated([quotient(A, LONG), quotient(B, LONG)], MadeNames(), lambda part: True)
+    parts = RepeatedSums([quotient(A, LONG), quotient(B, LONG)], MadeNames(), lambda part: True)
     assert text(parts.shown(quotient(C, opposite))) == "-c/Z_1"
 
 
 def test_what_is_short_or_a_letter_of_a_point_is_not_taken():
     short = total([A, B])
     formulas = [quotient(C, short), quotient(D, short)]
-    assert not Repeated(formulas, MadeNames(), lambda part: True).sums
+    assert not RepeatedSums(formulas, MadeNames(), lambda part: True).sums
     assert count_operations(short) < count_operations(LONG)
     made = MadeNames()
     made.take_points(["Z"])
-    parts = Repeated([quotient(A, LONG), quotient(B, LONG)], made, lambda part: True)
+    parts = RepeatedSums([quotient(A, LONG), quotient(B, LONG)], made, lambda part: True)
     assert text(parts.shown(quotient(A, LONG))) == "a/Y_1"
 
 

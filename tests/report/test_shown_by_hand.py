@@ -5,7 +5,7 @@ import pytest
 from mechc.formula.tree import Symbol, negative, product, total
 from mechc.model.result import Definition
 from mechc.report.kinds import SentenceKind
-from mechc.report.sections import Shown
+from mechc.report.sections import ShownNames
 from mechc.report.steps import Equation, Explanation, Paragraph
 
 A, B, S = map(Symbol, "abs")
@@ -18,7 +18,7 @@ LED, BEHIND = total([A, negative(B)]), total([negative(B), A])
 )
 def test_a_name_that_an_account_has_found_is_defined_again_only_as_something_else(formula, is_new):
     """The account leads by a; the definition, −b + a, was printed below it once more."""
-    shown = Shown()
+    shown = ShownNames()
     account = Paragraph(SentenceKind.SOLVED_TOGETHER, (Equation(S, LED),))
     shown.equations(Explanation(("k",), (account,)))
     found = shown.new_definitions([S], [Definition("s", formula)])

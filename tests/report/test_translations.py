@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 from good_mechanisms import compiled, loaded
-from mechc.drawing.drawing import Run
+from mechc.drawing.drawing import TextRun
 from mechc.drawing.lettering import name
 from mechc.drawing.letters import spelled
 from mechc.driver import Compilation
@@ -86,7 +86,7 @@ def test_names_and_the_words_in_them_are_translated() -> None:
 
 def test_names_in_pictures_are_those_of_the_page() -> None:
     known = letters(locale("uk"), {"far": "дал", "F_C": "F_ц", "довге плече": "arm"})
-    found = spelled((*name("P_far"), Run(", "), *name("F_C")), known)
+    found = spelled((*name("P_far"), TextRun(", "), *name("F_C")), known)
     assert [run.text for run in found] == ["P", "дал", ", ", "F", "ц"]
 
 

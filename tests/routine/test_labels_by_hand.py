@@ -6,7 +6,7 @@ import pytest
 
 from mechc.formula.tree import Number, Pi, Symbol
 from mechc.routine.sharing import words
-from mechc.routine.table import Apply, Leaf, Ratio, Scaled, Terms
+from mechc.routine.table import Apply, EntryTerms, Leaf, Ratio, Scaled
 
 ENTRIES = (
     Leaf(Symbol("phi")),
@@ -36,9 +36,9 @@ LABELS = {0: "phi", 1: "", 2: "2", 3: "", 4: "minus_phi", 5: "phi_2"}
         (Ratio((0, 0), ()), "phi_squared"),
         (Ratio((0, 2), ()), "phi_2"),
         (Ratio((0,), (2,)), ""),
-        (Terms((0, 2)), "phi_plus_2"),
-        (Terms((2, 4)), "2_minus_phi"),
-        (Terms((0, 5)), ""),
+        (EntryTerms((0, 2)), "phi_plus_2"),
+        (EntryTerms((2, 4)), "2_minus_phi"),
+        (EntryTerms((0, 5)), ""),
     ],
 )
 def test_an_entry_is_called_by_its_parts_where_all_of_them_have_names(entry, said):

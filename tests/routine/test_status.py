@@ -10,7 +10,7 @@ from mechc.driver import compile_source
 from mechc.formula.tree import ZERO, Symbol
 from mechc.model.result import DrivingLoad
 from mechc.routine.evaluate import evaluate, status
-from mechc.routine.steps import Function, Guard, Input, Status
+from mechc.routine.steps import Function, Guard, Input, ResultStatus
 from mechc.source import Source
 from mechc.units import NUMBER
 from small_mechanisms import lever
@@ -22,7 +22,7 @@ DRIVE, FORCE = Symbol("P"), Symbol("R")
 def result(sense: int = 1, guards: tuple[Guard, ...] = (), is_idle: bool = False) -> Function:
     """Return a force R that stands for itself; the drive is P without friction, P_f with it."""
     drive = DrivingLoad(Symbol("P"), Symbol("P_f"))
-    asked = Status("R_status", drive, sense, INPUTS, (), guards, is_idle)
+    asked = ResultStatus("R_status", drive, sense, INPUTS, (), guards, is_idle)
     return Function("R", "", INPUTS, (), (), FORCE, FORCE, (), NUMBER, 0, status=asked)
 
 

@@ -7,7 +7,7 @@ import pytest
 from mechc.algebra.angle import Angle
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Symbol
-from mechc.routine.unit import WANTED, Unit, plain, whole
+from mechc.routine.unit import WANTED, DirectionVector, plain, whole
 
 VALUES = {"alpha": 0.4, "beta": 1.1, "x": 3.0, "y": 4.0, "d": 5.0}
 EXACT = {
@@ -27,7 +27,7 @@ def test_each_function_is_that_of_the_sum_of_angles(function):
         [
             plain(Angle.of("alpha")),
             plain(Angle.of("beta") * -1),
-            Unit(Symbol("x"), Symbol("y"), Symbol("d")),
+            DirectionVector(Symbol("x"), Symbol("y"), Symbol("d")),
         ]
     )
     angle = VALUES["alpha"] - VALUES["beta"] + math.atan2(4, 3)

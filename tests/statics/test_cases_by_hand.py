@@ -7,7 +7,7 @@ from mechc.frozen import replace
 from mechc.model.mechanism import LoadForm, LoadRatio
 from mechc.model.parts.friction import Friction, PinFriction
 from mechc.model.result import Result
-from mechc.statics.cases import Case, cases
+from mechc.statics.cases import LoadCase, cases
 from mechc.units import FORCE, NUMBER
 from small_poses import HERE, force, lever
 
@@ -21,19 +21,25 @@ RATIO = Result("k", LoadRatio("P", "F"), NUMBER, ONE)
     ("given", "expected"),
     [
         # of no size: one by one, each as 1
-        ({}, [Case("P", {"F": 1.0}, BOTH, "F", ("G",)), Case("P", {"G": 1.0}, BOTH, "G", ("F",))]),
+        (
+            {},
+            [
+                LoadCase("P", {"F": 1.0}, BOTH, "F", ("G",)),
+                LoadCase("P", {"G": 1.0}, BOTH, "G", ("F",)),
+            ],
+        ),
         # what has a size acts first, the other one alone
         (
             {"F": 10.0},
             [
-                Case("P", {"F": 10.0}, BOTH, left_out=("G",)),
-                Case("P", {"G": 1.0}, BOTH, "G", ("F",)),
+                LoadCase("P", {"F": 10.0}, BOTH, left_out=("G",)),
+                LoadCase("P", {"G": 1.0}, BOTH, "G", ("F",)),
             ],
         ),
         # all have one: one case
-        ({"F": 10.0, "G": 2.0}, [Case("P", {"F": 10.0, "G": 2.0}, BOTH)]),
+        ({"F": 10.0, "G": 2.0}, [LoadCase("P", {"F": 10.0, "G": 2.0}, BOTH)]),
         # the size of what is sought is not taken
-        ({"P": 5.0, "F": 1.0, "G": 2.0}, [Case("P", {"F": 1.0, "G": 2.0}, BOTH)]),
+        ({"P": 5.0, "F": 1.0, "G": 2.0}, [LoadCase("P", {"F": 1.0, "G": 2.0}, BOTH)]),
     ],
 )
 def test_loads_of_a_linear_form_act_by_size_then_one_by_one(given, expected):
@@ -43,7 +49,7 @@ def test_loads_of_a_linear_form_act_by_size_then_one_by_one(given, expected):
 def test_a_load_that_is_tied_acts_with_the_others_and_never_alone():
     loads = (*MECHANISM.loads[:2], replace(MECHANISM.loads[2], tie=Symbol("F")))
     tied = replace(MECHANISM, loads=loads)
-    assert cases(tied, [FORM], {}) == [Case("P", {"F": 1.0}, BOTH, "F", ())]
+    assert cases(tied, [FORM], {}) == [LoadCase("P", {"F": 1.0}, BOTH, "F", ())]
 
 
 def test_friction_alone_is_a_case_without_loads():
@@ -52,15 +58,15 @@ def test_friction_alone_is_a_case_without_loads():
     form = replace(FORM, coefficients={})
     assert cases(alone, [form], {}) == []
     clutch = replace(alone, friction=Friction((PinFriction("O", "", ONE, HERE),)))
-    assert cases(clutch, [form], {}) == [Case("P", {}, frozenset())]
+    assert cases(clutch, [form], {}) == [LoadCase("P", {}, frozenset())]
 
 
 @pytest.mark.parametrize(
     ("given", "expected"),
     [
-        ({}, Case("k", {"F": 1.0}, frozenset("F"), "F", ())),
-        ({"F": 20.0}, Case("k", {"F": 20.0}, frozenset("F"))),
-        ({"P": 30.0}, Case("k", {"F": 1.0}, frozenset("F"), "", (), ("P", 30.0))),
+        ({}, LoadCase("k", {"F": 1.0}, frozenset("F"), "F", ())),
+        ({"F": 20.0}, LoadCase("k", {"F": 20.0}, frozenset("F"))),
+        ({"P": 30.0}, LoadCase("k", {"F": 1.0}, frozenset("F"), "", (), ("P", 30.0))),
     ],
 )
 def test_a_ratio_is_at_the_size_of_either_load(given, expected):

@@ -45,7 +45,7 @@ def test_a_pose_that_fits_has_no_gap():
         model.Arrow("O", "A", exact(math.sqrt(5)), absolute(math.atan2(2, 1)), HERE),
         model.Arrow("A", "B", None, absolute(math.atan2(1, 3)), HERE),
         model.Arrow("B", "C", exact(math.sqrt(10)), None, HERE),
-        model.Arrow("C", "B", None, model.Along("B", "C", 2, HERE), HERE),
+        model.Arrow("C", "B", None, model.AlongLine("B", "C", 2, HERE), HERE),
         model.Turn("O", "A", "B", exact(math.atan2(1, 3) - math.atan2(-2, -1)), HERE),
     )
     assert gap(four_bar(*entries)) is None
@@ -57,7 +57,7 @@ def test_a_pose_that_fits_has_no_gap():
         (model.Offset("O", "C", exact(6), exact(0), HERE), "the loop through A and B", 1),
         (model.Arrow("O", "A", exact(3), None, HERE), "the vector OA", 3 - math.sqrt(5)),
         (model.Arrow("O", "C", None, absolute(0.1), HERE), "the vector OC", 5 * math.sin(0.1)),
-        (model.Arrow("O", "B", None, model.Along("O", "C", 1, HERE), HERE), "the vector OB", 4),
+        (model.Arrow("O", "B", None, model.AlongLine("O", "C", 1, HERE), HERE), "the vector OB", 4),
         (model.Turn("C", "O", "A", exact(1), HERE), "the angle COA", 2 * math.cos(1) - math.sin(1)),
     ],
     ids=["components", "length", "direction", "perpendicular", "turn"],

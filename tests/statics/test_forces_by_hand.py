@@ -19,12 +19,12 @@ from mechc.model.mechanism import (
 from mechc.model.result import Result
 from mechc.pose.pose import PointContact
 from mechc.statics.acts import Acts
-from mechc.statics.assembly import Assembly, Cylinder, Plane, PointForce, Transfer
+from mechc.statics.assembly import AssembledBodies, Cylinder, Plane, PointForce, Transfer
 from mechc.statics.balanced import Balanced
 from mechc.statics.cases import sizes_of
 from mechc.statics.contacts import pulling
 from mechc.statics.counted import uncounted
-from mechc.statics.free_bodies import Unknown, equilibrium
+from mechc.statics.free_bodies import UnknownForce, equilibrium
 from mechc.statics.joint_forces import joint_force
 from mechc.statics.speeds import speed_ratio
 from mechc.statics.transfers import both, transfers
@@ -130,7 +130,7 @@ def test_a_pair_of_forces_pushes_its_second_point_ahead_and_the_first_one_back()
 
 def test_a_rod_in_tension_pulls_its_ends_together():
     acts = Acts(Unfolding(slider_crank(), ALL).assembly())
-    acts.unknown(Unknown("AB", "", "tension"), 2.0)
+    acts.unknown(UnknownForce("AB", "", "tension"), 2.0)
     (at_a,), (at_b,) = acts.on_pins["A"].values(), acts.on_pins["B"].values()
     along = 2 * math.cos(PSI), 2 * math.sin(PSI)
     assert at_a.force == pytest.approx(along)
@@ -139,7 +139,7 @@ def test_a_rod_in_tension_pulls_its_ends_together():
 
 def test_a_guide_acts_across_itself():
     acts = Acts(Unfolding(slider_crank(), ALL).assembly())
-    acts.unknown(Unknown("guide", "B", "normal"), 3.0)
+    acts.unknown(UnknownForce("guide", "B", "normal"), 3.0)
     (found,) = acts.on_pins["B"].values()
     assert found.force == pytest.approx((0, 3))
 
@@ -169,11 +169,11 @@ def test_a_pin_on_which_no_friction_acts_is_named():
 def test_the_parts_of_a_telescope_turn_one_another_oppositely():
     along = Plane(0.0, 1.0)
     cylinder = Cylinder("T", ("A", "B"), 0.5, along)
-    system = equilibrium(Assembly((), (), (), (), (), (), (cylinder,), {}, {}))
-    column = system.unknowns.index(Unknown("T", "", "couple"))
+    system = equilibrium(AssembledBodies((), (), (), (), (), (), (cylinder,), {}, {}))
+    column = system.unknowns.index(UnknownForce("T", "", "couple"))
     couples = sorted(row[column] for row in system.rows if column in row)
     assert couples == [-1.0, 1.0]
-    side = system.unknowns.index(Unknown("T", "", "side"))
+    side = system.unknowns.index(UnknownForce("T", "", "side"))
     arms = [row[side] for row in system.rows if abs(row.get(side, 0.0)) not in (0.0, 1.0)]
     assert arms == [-0.5]
 

@@ -9,14 +9,14 @@ import pytest
 
 import mechc
 from mechc.algebra.angle import Angle
-from mechc.algebra.intervals import Interval
+from mechc.algebra.intervals import NumberInterval
 from mechc.algebra.product import ONE, Product
 from mechc.algebra.sums import add
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.diagnostics import Report
 from mechc.driver import compile_source
 from mechc.formula.evaluate import evaluate
-from mechc.formula.rounding import Size
+from mechc.formula.rounding import PrintedNumber
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, power, product, quotient, total
 from mechc.frozen import replace
@@ -52,7 +52,7 @@ x, a = Product.symbol("x"), Product.symbol("a")
 
 
 def box(low, high):
-    return {"x": Interval(low, high), "a": Interval(1.0, 1.0)}
+    return {"x": NumberInterval(low, high), "a": NumberInterval(1.0, 1.0)}
 
 
 @pytest.mark.parametrize(
@@ -90,12 +90,12 @@ def test_a_cosine_moves_one_way_over_a_range_at_whose_end_its_derivative_is_zero
 
 def test_a_derivative_that_is_zero_for_one_value_of_another_parameter_says_nothing():
     """x sin a does not move with x where a is zero; cos(a + x) does, but at one end."""
-    ranges = {"x": Interval(0.0, 1.0), "a": Interval(0.0, 1.0)}
+    ranges = {"x": NumberInterval(0.0, 1.0), "a": NumberInterval(0.0, 1.0)}
     both = Angle.of("a") + Angle.of("x")
     still = sine(Angle.of("a"))
     assert trend(x * still, still, "x", ranges) == "unknown"
     assert trend(cosine(both), -sine(both), "x", ranges) == "falls"
-    given = {"x": Interval(0.0, 0.0), "a": Interval(0.0, 1.0)}
+    given = {"x": NumberInterval(0.0, 0.0), "a": NumberInterval(0.0, 1.0)}
     assert trend(cosine(both), -sine(both), "x", given) == "unknown"
 
 
@@ -355,9 +355,9 @@ def test_the_sides_of_a_place_are_continued_to_it():
         return True
 
     smooth = from_both_sides(lambda v: 3 + v, anywhere, 1.0, 1.0)
-    assert smooth == Size(pytest.approx(4.0))
+    assert smooth == PrintedNumber(pytest.approx(4.0))
     jump = from_both_sides(lambda v: math.copysign(2.0, v), anywhere, 0.0, 1.0)
-    assert jump == Size(None, undetermined=True)
+    assert jump == PrintedNumber(None, undetermined=True)
     pole = from_both_sides(lambda v: 1 / abs(v) if v else math.inf, anywhere, 0.0, 1.0)
     assert pole.number == math.inf
     onesided = from_both_sides(lambda v: math.copysign(2.0, v), lambda v: v > 0, 0.0, 1.0)

@@ -19,7 +19,7 @@ from mechc.formula.tree import (
 )
 from mechc.model.mechanism import (
     Absolute,
-    Along,
+    AlongLine,
     Arrow,
     Copies,
     Force,
@@ -220,7 +220,7 @@ def six_bar() -> Compiled:
         joints=(
             Pivot("O1", HERE),
             Pivot("O2", HERE),
-            Slider("B'", Along("O1", "A", 1, HERE), HERE),
+            Slider("B'", AlongLine("O1", "A", 1, HERE), HERE),
         ),
         links=(
             Link("O1A", ("O1", "A"), HERE),
@@ -234,7 +234,7 @@ def six_bar() -> Compiled:
         ),
         loads=(
             Torque("M", "O1A", HERE, times=Fraction(1, 2)),
-            Force("Q", "D", Along("O2", "D", 3, HERE), HERE, formula("2*F")),
+            Force("Q", "D", AlongLine("O2", "D", 3, HERE), HERE, formula("2*F")),
             Force("G", "C", along("deg(270)"), HERE, weight=True),
         ),
         copies=Copies(Fraction(3), ("O1",), HERE),

@@ -12,7 +12,7 @@ from mechc.kinematics.graph import Graph
 from mechc.kinematics.plan import Plan
 from mechc.kinematics.planning import plan_of
 from mechc.model import mechanism as model
-from mechc.pose.pose import Arm, Definition, PointContact, Pose, Vector
+from mechc.pose.pose import Arm, PointContact, Pose, PoseDefinition, Vector
 from mechc.source import Source, Span
 from mechc.units import ANGLE, LENGTH
 
@@ -78,7 +78,7 @@ def pose(frames, *, pivots=(), guides=(), joints=(), loads=(), lines=(), slides=
         guides,
         lines,
         more.pop("axis", None),
-        tuple(Definition(*d) for d in more.pop("definitions", ())),
+        tuple(PoseDefinition(*d) for d in more.pop("definitions", ())),
         {},
         tuple(p.name for p in PARAMETERS),
         slides=slides,

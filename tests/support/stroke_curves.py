@@ -17,12 +17,12 @@ from mechc.model.parts.targets import (
     LoadRatio,
     Normal,
     Reaction,
+    ResultTarget,
     SpeedRatio,
-    Target,
     WithFriction,
 )
 from mechc.routine.evaluate import evaluate, pose
-from mechc.routine.steps import Function, Pose
+from mechc.routine.steps import Function, PoseProgram
 from mechc.study.stroke.run import SAMPLES
 from mechc.study.stroke.stroke import Stroke
 
@@ -67,7 +67,9 @@ class Curve:
         inside = [(self.places >= n.low) & (self.places <= n.high) for n in parts]
         return np.any(inside, axis=0) if inside else np.zeros(PLACES, bool)
 
-    def inputs(self, part: Function | Pose, places: Array) -> dict[str, Array | float | None]:
+    def inputs(
+        self, part: Function | PoseProgram, places: Array
+    ) -> dict[str, Array | float | None]:
         drive = self.stroke.drive
         return {i.name: places if i.name == drive else i.default for i in part.inputs}
 
@@ -110,7 +112,7 @@ def forces(compilation: Compilation, stroke: Stroke) -> Iterator[Curve]:
             yield curve
 
 
-def is_force(target: Target | None) -> bool:
+def is_force(target: ResultTarget | None) -> bool:
     match target:
         case Reaction(part="direction") | WithFriction(Reaction(part="direction")):
             return False
@@ -130,7 +132,7 @@ def refuted(compilation: Compilation, stroke: Stroke) -> Iterator[str]:
         yield from said_of(curve, checks)
 
 
-def is_of_size(target: Target | None) -> bool:
+def is_of_size(target: ResultTarget | None) -> bool:
     """Return whether nothing is said of where a result is zero."""
     of = target.of if isinstance(target, WithFriction) else target
     is_first = isinstance(target, WithFriction) and target.order == "first"

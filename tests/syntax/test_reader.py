@@ -9,7 +9,7 @@ from lark import Token as LarkToken
 
 from mechc.data import data
 from mechc.syntax.parser import grammar, make_tables
-from mechc.syntax.parser.lalr import END, Parser, Reading, Token
+from mechc.syntax.parser.lalr import END, Parser, ParserState, Token
 from mechc.syntax.parser.lines import lines
 from mechc.syntax.parser.tokens import tokens
 from notations import CONSTRUCTS, WHOLE_MECH
@@ -53,7 +53,10 @@ def all_lines():
 def test_the_reader_builds_the_tree_that_lark_builds():
     plain = Parser(grammar.tables(), PlainRules())
     for line in all_lines():
-        theirs, ours = by_lark().parse_interactive(start="statement"), Reading(plain, "statement")
+        theirs, ours = (
+            by_lark().parse_interactive(start="statement"),
+            ParserState(plain, "statement"),
+        )
         for token in line:
             assert ours.accepted() == theirs.accepts()
             theirs.feed_token(LarkToken(token.type, str(token)))

@@ -19,7 +19,7 @@ from .angle import Angle, rational
 from .constants import is_constant, without_relations
 from .factors import Trig
 from .multiples import joined, without_parts
-from .product import Product, Sum, Written, as_product
+from .product import Product, Sum, WrittenProduct, as_product
 from .trigonometry import cosine, sine
 
 LIMIT = 96
@@ -39,7 +39,7 @@ def canonical(product: Product) -> Product:
 
 
 @kept
-def _cancelled(written: Written) -> Product:
+def _cancelled(written: WrittenProduct) -> Product:
     product, before = as_product(written), None
     while product is not before:
         spend(10 * len(product.factors))

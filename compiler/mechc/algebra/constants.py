@@ -26,7 +26,7 @@ Sines = Mapping[Rational, int]
 """Degrees between 0 and 90 → exponent of their sine."""
 
 
-class Relation(NamedTuple):
+class SineRelation(NamedTuple):
     """The product of powers of sines that is a rational number."""
 
     sines: Sines
@@ -65,7 +65,7 @@ def _degrees(trig: Factor) -> Rational:
     return trig.angle.degrees if trig.function == "sin" else rational(90 - trig.angle.degrees)
 
 
-def _fewer(sines: Sines) -> Relation | None:
+def _fewer(sines: Sines) -> SineRelation | None:
     """Return fewer sines and the number that goes with them; None if no relation helps."""
     count = sum(map(abs, sines.values()))
     for degrees in sorted(sines):
@@ -73,20 +73,20 @@ def _fewer(sines: Sines) -> Relation | None:
             for way in (1, -1):
                 left = _times(sines, relation, -way)
                 if sum(map(abs, left.values())) < count:
-                    return Relation(left, value**way)
+                    return SineRelation(left, value**way)
     return None
 
 
 @lru_cache(maxsize=1024)
-def _relations(degrees: Rational) -> tuple[Relation, ...]:
+def _relations(degrees: Rational) -> tuple[SineRelation, ...]:
     """Return the relations in which the sine of an angle occurs."""
     doubled = [_of_multiple(2, x) for x in (Fraction(degrees), Fraction(degrees) / 2)]
     trebled = [_of_multiple(3, x) for x in (Fraction(degrees), Fraction(degrees) / 3)]
-    found = [*doubled, *trebled, Relation({60: 2}, Fraction(3, 4))]
+    found = [*doubled, *trebled, SineRelation({60: 2}, Fraction(3, 4))]
     return tuple(r for r in found if r is not None and degrees in r.sines)
 
 
-def _of_multiple(n: int, x: Fraction) -> Relation | None:
+def _of_multiple(n: int, x: Fraction) -> SineRelation | None:
     """Return sin(n·x) / Π sin(x + i·180°/n) = 2^(n − 1); None where these are zero."""
     if n * x % 180 == 0:
         return None
@@ -100,7 +100,7 @@ def _of_multiple(n: int, x: Fraction) -> Relation | None:
             value /= known**e
         else:
             sines = _times(sines, {degrees: 1}, e)
-    return Relation(sines, value) if sines else None
+    return SineRelation(sines, value) if sines else None
 
 
 def _acute(angle: Fraction) -> tuple[Rational, int]:

@@ -18,7 +18,7 @@ from functools import lru_cache
 Gaussian = tuple[int, int]
 """A Gaussian integer (real part, imaginary part)."""
 
-Directions = dict[int, Gaussian]
+GaussianDirections = dict[int, Gaussian]
 """Direction, 0 … parts - 1, → coefficient, without zero coefficients."""
 
 _PRIMES = (3, 5, 7, 11, 13)
@@ -62,7 +62,7 @@ def stars(parts: int) -> tuple[tuple[int, int], ...]:
     return tuple(found)
 
 
-def unique(terms: Directions, parts: int) -> Directions:
+def unique(terms: GaussianDirections, parts: int) -> GaussianDirections:
     """Return the one form of a sum in which no star's last direction occurs."""
     for prime, power in stars(parts):
         last = power - power // prime
@@ -74,7 +74,7 @@ def unique(terms: Directions, parts: int) -> Directions:
     return terms
 
 
-def short(terms: Directions, parts: int) -> Directions:
+def short(terms: GaussianDirections, parts: int) -> GaussianDirections:
     """Return a form of a sum in its unique form that has few sines and cosines.
 
     With parts of 15° twice sin 15° is -i·exp(i·15°) + exp(i·75°), one sine and not three:
@@ -87,10 +87,10 @@ def short(terms: Directions, parts: int) -> Directions:
     return terms
 
 
-def _shortened(terms: Directions, parts: int, prime: int) -> Directions:
+def _shortened(terms: GaussianDirections, parts: int, prime: int) -> GaussianDirections:
     """Subtract from each star the real part that occurs in it most often, the imaginary one too."""
     span = parts // prime
-    result: Directions = {}
+    result: GaussianDirections = {}
     for first in sorted({direction % span for direction in terms}):
         star = [divmod(first + 4 * span * step, parts) for step in range(prime)]
         values = [rotated(terms.get(to, (0, 0)), -turns) for turns, to in star]

@@ -14,21 +14,21 @@ from ..formula.operations import count_operations
 from .product import ONE, Product
 from .sums import add, shortest
 
-Matrix = Sequence[Sequence[Product]]
+ProductMatrix = Sequence[Sequence[Product]]
 
 
-def determinant(matrix: Matrix) -> Product:
+def determinant(matrix: ProductMatrix) -> Product:
     """Return a determinant by expansion along rows, each minor computed once."""
     return _expanded(matrix, add)
 
 
-def with_column(matrix: Matrix, place: int, column: Sequence[Product]) -> Matrix:
+def with_column(matrix: ProductMatrix, place: int, column: Sequence[Product]) -> ProductMatrix:
     """Return a matrix with one column replaced, as Cramer's rule takes it."""
     rows = zip(matrix, column, strict=True)
     return [[*row[:place], value, *row[place + 1 :]] for row, value in rows]
 
 
-def shortest_determinant(matrix: Matrix) -> Product:
+def shortest_determinant(matrix: ProductMatrix) -> Product:
     """Return a determinant as it is shortest to read, of all orders of its rows and columns.
 
     >>> from ..formula.to_text import text
@@ -42,7 +42,7 @@ def shortest_determinant(matrix: Matrix) -> Product:
     return min(forms, key=lambda form: count_operations(form.formula()))
 
 
-def _orders(matrix: Matrix) -> Iterator[tuple[Matrix, int]]:
+def _orders(matrix: ProductMatrix) -> Iterator[tuple[ProductMatrix, int]]:
     """Yield a matrix with its rows, or its columns, in every order, and the sign of that."""
     for turned in (matrix, list(zip(*matrix, strict=True))):
         for order in permutations(range(len(matrix))):
@@ -50,7 +50,7 @@ def _orders(matrix: Matrix) -> Iterator[tuple[Matrix, int]]:
             yield [turned[i] for i in order], (-1) ** swaps
 
 
-def _expanded(matrix: Matrix, added: Callable[[Iterable[Product]], Product]) -> Product:
+def _expanded(matrix: ProductMatrix, added: Callable[[Iterable[Product]], Product]) -> Product:
     @cache
     def minor(row: int, columns: tuple[int, ...]) -> Product:
         if not columns:

@@ -27,7 +27,7 @@ from ..formula.tree import (
 from ..formula.walk import children, rebuild
 from .angle import Angle
 from .from_formula import to_angle
-from .modular import Point
+from .modular import ModularPoint
 
 _TRIES = 3
 
@@ -67,7 +67,7 @@ class _Place:
     """A random point of a finite field, and what defined names are there."""
 
     def __init__(self, seed: int) -> None:
-        self._point = Point(seed)
+        self._point = ModularPoint(seed)
         self._values: dict[str, int] = {}
         self._angles: dict[str, Angle] = {}
 

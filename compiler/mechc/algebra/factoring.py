@@ -17,9 +17,9 @@ from math import gcd, lcm
 
 from ..work import kept
 from .angle import Angle, Rational, rational
-from .factors import Factor, Place, Trig
+from .factors import Factor, FactorRank, Trig
 from .laurent import Polynomial, Ring, Terms
-from .product import ONE, ZERO, Product, Sum, Written, as_product
+from .product import ONE, ZERO, Product, Sum, WrittenProduct, as_product
 from .trigonometry import cosine, sine
 
 MULTIPLES = 8
@@ -35,7 +35,7 @@ def factored(products: Sequence[Product], deep: bool = True) -> Product:
 
 
 @kept
-def _factored(written: tuple[Written, ...], deep: bool) -> Product:
+def _factored(written: tuple[WrittenProduct, ...], deep: bool) -> Product:
     products = list(map(as_product, written))
     ring = Ring(products, deep)
     return factor(ring, ring.expand(products))
@@ -202,7 +202,7 @@ def _readable(ring: Ring, terms: Terms) -> list[Product]:
     return sorted(read, key=_place)
 
 
-def _place(term: Product) -> tuple[int, list[tuple[Place, int]]]:
+def _place(term: Product) -> tuple[int, list[tuple[FactorRank, int]]]:
     degree = sum(e for f, e in term.factors.items() if not isinstance(f, Trig))
     return degree, sorted((f.order(), e) for f, e in term.factors.items())
 

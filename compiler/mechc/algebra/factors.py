@@ -10,11 +10,11 @@ from ..formula.tree import Call, Formula, Number, Pi, Symbol
 from ..formula.tree import Constant as ConstantFormula
 from ..frozen import Hashed, frozen
 from .angle import Angle
-from .modular import Point
+from .modular import ModularPoint
 
-Function = Literal["sin", "cos"]
+SineOrCosine = Literal["sin", "cos"]
 
-Place = tuple[int, Any]
+FactorRank = tuple[int, Any]
 """A place in reading order: a number for each kind of factor, then what is compared within it."""
 
 
@@ -25,7 +25,7 @@ class Factor(Hashable, Protocol):
         """Return the value on floats."""
         ...
 
-    def residue(self, point: Point) -> int:
+    def residue(self, point: ModularPoint) -> int:
         """Return the value at a random point of a finite field."""
         ...
 
@@ -33,7 +33,7 @@ class Factor(Hashable, Protocol):
         """Return the factor as a formula."""
         ...
 
-    def order(self) -> Place:
+    def order(self) -> FactorRank:
         """Return the place in reading order: lengths, sines and cosines, sums."""
         ...
 
@@ -48,7 +48,7 @@ class Length:
         """Return the symbol's value."""
         return values[self.name]
 
-    def residue(self, point: Point) -> int:
+    def residue(self, point: ModularPoint) -> int:
         """Return the symbol's random value."""
         return point.length(self.name)
 
@@ -62,7 +62,7 @@ class Length:
 
 
 @frozen
-class Constant(Length):
+class ConstantSymbol(Length):
     """A symbol that has a value: what is decided about it is decided by that."""
 
     value: Formula
@@ -77,7 +77,7 @@ class Constant(Length):
             return self.value.value.numerator / self.value.value.denominator
         return evaluate(self.value, {})
 
-    def residue(self, point: Point) -> int:
+    def residue(self, point: ModularPoint) -> int:
         """Return the value in the field; of a root, a random value of its own."""
         if isinstance(self.value, Number):
             return point.rational(self.value.value)
@@ -92,7 +92,7 @@ class Constant(Length):
 class Trig(Hashed):
     """A sine or cosine of a canonical angle; made by ``sine`` and ``cosine`` only."""
 
-    function: Function
+    function: SineOrCosine
     angle: Angle
 
     def evaluate(self, values: Mapping[str, float]) -> float:
@@ -100,7 +100,7 @@ class Trig(Hashed):
         turn = self.angle.evaluate(values)
         return math.sin(turn) if self.function == "sin" else math.cos(turn)
 
-    def residue(self, point: Point) -> int:
+    def residue(self, point: ModularPoint) -> int:
         """Return the value at a random point of a finite field."""
         return point.trig(self.function, self.angle)
 
@@ -133,7 +133,7 @@ class Opaque:
         """Return the value on floats."""
         return evaluate(self.inside, values)
 
-    def residue(self, point: Point) -> int:
+    def residue(self, point: ModularPoint) -> int:
         """Return a random value of its own."""
         return point.length(_text(self.inside))
 

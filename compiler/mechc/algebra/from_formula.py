@@ -24,8 +24,7 @@ from ..formula.tree import (
     Symbol,
 )
 from .angle import RADIAN, Angle, rational
-from .factors import Constant as Known
-from .factors import Opaque
+from .factors import ConstantSymbol, Opaque
 from .modular import PARTS
 from .product import Product as Factored
 from .sums import add
@@ -94,7 +93,7 @@ def to_product(formula: Formula) -> Factored:
         case Number(value):
             return Factored(rational(value))
         case Constant(name, value):
-            return Factored.of(Known(name, value))
+            return Factored.of(ConstantSymbol(name, value))
         case Symbol(name):
             return Factored.symbol(name)
         case Sum(terms):

@@ -11,7 +11,7 @@ from fractions import Fraction
 from ..formula.tree import Call, Formula
 from ..named import NamedTuple
 from .angle import RADIAN, Angle
-from .factors import CIRCLE, Constant, Factor, Length, Opaque, Trig
+from .factors import CIRCLE, ConstantSymbol, Factor, Length, Opaque, Trig
 from .from_formula import to_product
 from .product import Product, Sum
 
@@ -25,22 +25,22 @@ SAME_ANGLE = 1e-12
 """An angle beyond a bound by less than this, in radians, was rounded, and lies within it."""
 
 
-class Interval(NamedTuple):
+class NumberInterval(NamedTuple):
     """All numbers from ``low`` to ``high``."""
 
     low: float
     high: float
 
 
-Box = Mapping[str, Interval]
+IntervalBox = Mapping[str, NumberInterval]
 
 
-def widened(low: float, high: float) -> Interval:
+def widened(low: float, high: float) -> NumberInterval:
     """Return an interval rounded outwards."""
-    return Interval(low - SLACK * abs(low) - LEAST, high + SLACK * abs(high) + LEAST)
+    return NumberInterval(low - SLACK * abs(low) - LEAST, high + SLACK * abs(high) + LEAST)
 
 
-def sign(product: Product, box: Box) -> int | None:
+def sign(product: Product, box: IntervalBox) -> int | None:
     """Return +1 or −1 if a product has that sign everywhere in a box, else None."""
     result = 1 if product.coefficient > 0 else -1
     for factor, exponent in product.factors.items():
@@ -52,7 +52,7 @@ def sign(product: Product, box: Box) -> int | None:
     return result
 
 
-def bounds(product: Product, box: Box) -> Interval:
+def bounds(product: Product, box: IntervalBox) -> NumberInterval:
     """Return an interval that holds all values of a product in a box."""
     result = widened(float(product.coefficient), float(product.coefficient))
     for factor, exponent in product.factors.items():
@@ -60,13 +60,13 @@ def bounds(product: Product, box: Box) -> Interval:
     return result
 
 
-def factor_bounds(factor: Factor, box: Box) -> Interval:
+def factor_bounds(factor: Factor, box: IntervalBox) -> NumberInterval:
     """Return an interval that holds all values of a factor in a box."""
     match factor:
-        case Constant():
+        case ConstantSymbol():
             return widened(factor.evaluate({}), factor.evaluate({}))
         case Length(name):
-            return box.get(name, Interval(-math.inf, math.inf))
+            return box.get(name, NumberInterval(-math.inf, math.inf))
         case Trig(function, angle):
             low, high = angle_bounds(angle, box)
             return _sine(low, high) if function == "sin" else _sine(*_quarter(low, high))
@@ -76,30 +76,30 @@ def factor_bounds(factor: Factor, box: Box) -> Interval:
         case _ if factor == CIRCLE:
             return widened(math.pi, math.pi)
         case Opaque(Call("exp")):
-            return Interval(LEAST, math.inf)
+            return NumberInterval(LEAST, math.inf)
         case Opaque(Call("asin" | "acos" as function, (argument,))):
             return _arc(function, bounds(to_product(argument), box))
         case _:
-            return Interval(-math.inf, math.inf)
+            return NumberInterval(-math.inf, math.inf)
 
 
-def angle_bounds(angle: Angle, box: Box) -> Interval:
+def angle_bounds(angle: Angle, box: IntervalBox) -> NumberInterval:
     constant = math.radians(angle.degrees)
     result = widened(constant, constant)
     for name, c in angle.terms:
-        turn = Interval(1.0, 1.0) if name == RADIAN else box.get(name)
+        turn = NumberInterval(1.0, 1.0) if name == RADIAN else box.get(name)
         if turn is None:
-            return Interval(-math.inf, math.inf)
+            return NumberInterval(-math.inf, math.inf)
         part = _times(widened(float(c), float(c)), turn)
         result = widened(result.low + part.low, result.high + part.high)
     return result
 
 
-def spans_no_zero(factor: Trig, box: Box) -> bool:
+def spans_no_zero(factor: Trig, box: IntervalBox) -> bool:
     """Return whether a sine or cosine is zero at most where its angle has its bounds in a box.
 
     >>> alpha = Angle.of("alpha")
-    >>> quarter, more = ({"alpha": Interval(0.0, high)} for high in (math.pi / 2, 2.0))
+    >>> quarter, more = ({"alpha": NumberInterval(0.0, high)} for high in (math.pi / 2, 2.0))
     >>> [spans_no_zero(Trig(name, alpha), quarter) for name in ("sin", "cos")]
     [True, True]
     >>> [spans_no_zero(Trig(name, alpha), more) for name in ("sin", "cos")]
@@ -114,21 +114,21 @@ def spans_no_zero(factor: Trig, box: Box) -> bool:
     return high <= (half_turns + 1) * math.pi + SAME_ANGLE
 
 
-def _quarter(low: float, high: float) -> Interval:
+def _quarter(low: float, high: float) -> NumberInterval:
     return widened(low + math.pi / 2, high + math.pi / 2)
 
 
-def _sine(low: float, high: float) -> Interval:
+def _sine(low: float, high: float) -> NumberInterval:
     """Return the range of the sine over an interval."""
     if not high - low < 2 * math.pi:
-        return Interval(-1.0, 1.0)
+        return NumberInterval(-1.0, 1.0)
     a, b = math.sin(low), math.sin(high)
     top = 1.0 if _holds(low, high, math.pi / 2) else max(a, b) + SLACK
     bottom = -1.0 if _holds(low, high, -math.pi / 2) else min(a, b) - SLACK
-    return Interval(max(bottom, -1.0), min(top, 1.0))
+    return NumberInterval(max(bottom, -1.0), min(top, 1.0))
 
 
-def _arc(function: str, argument: Interval) -> Interval:
+def _arc(function: str, argument: NumberInterval) -> NumberInterval:
     """Return the range of an arc sine or cosine, which beyond -1 and 1 has no values."""
     low, high = (min(max(end, -1.0), 1.0) for end in argument)
     if function == "asin":
@@ -142,21 +142,21 @@ def _holds(low: float, high: float, peak: float) -> bool:
     return peak + turns * 2 * math.pi <= high + SAME_ANGLE
 
 
-def _times(a: Interval, b: Interval) -> Interval:
+def _times(a: NumberInterval, b: NumberInterval) -> NumberInterval:
     corners = [x * y if x and y else 0.0 for x in a for y in b]
     return widened(min(corners), max(corners))
 
 
-def _raised(a: Interval, exponent: int) -> Interval:
+def _raised(a: NumberInterval, exponent: int) -> NumberInterval:
     if exponent < 0:
         if a.low <= 0 <= a.high:
-            return Interval(-math.inf, math.inf)
+            return NumberInterval(-math.inf, math.inf)
         a, exponent = widened(1 / a.high, 1 / a.low), -exponent
     result = a
     for _ in range(exponent - 1):
         result = _times(result, a)
     if exponent % 2 == 0:
-        result = Interval(max(result.low, 0.0), result.high)
+        result = NumberInterval(max(result.low, 0.0), result.high)
     return result
 
 
@@ -180,7 +180,7 @@ FEW = 5
 
 
 def vanishing_values(
-    factor: Trig, near: Mapping[str, float], box: Box, order: Sequence[str] = ()
+    factor: Trig, near: Mapping[str, float], box: IntervalBox, order: Sequence[str] = ()
 ) -> Roots | None:
     """Return the roots of a sine or cosine by a symbol of its angle.
 
@@ -209,7 +209,11 @@ def vanishing_values(
 
 
 def _turns_within(
-    root: Angle, period: float, reach: Interval | None, near: Mapping[str, float], box: Box
+    root: Angle,
+    period: float,
+    reach: NumberInterval | None,
+    near: Mapping[str, float],
+    box: IntervalBox,
 ) -> range:
     """Return how many periods may be added to a root for it to lie within a symbol's range.
 
@@ -218,7 +222,7 @@ def _turns_within(
     """
     where = angle_bounds(root, box)
     if not math.isfinite(where.high - where.low) and root.names <= near.keys():
-        where = Interval(*[root.evaluate(near)] * 2)
+        where = NumberInterval(*[root.evaluate(near)] * 2)
     if reach is None or not math.isfinite(reach.high - reach.low + where.high - where.low):
         return range(0)
     touch = SAME_ANGLE if where.high - where.low < SAME_ANGLE else -SAME_ANGLE

@@ -14,7 +14,7 @@ from math import gcd, lcm
 from ..named import NamedTuple
 from ..work import spend
 from .angle import Angle, Rational, rational
-from .cyclotomic import Directions, Gaussian, accumulate, rotated, short, stars, unique
+from .cyclotomic import Gaussian, GaussianDirections, accumulate, rotated, short, stars, unique
 from .exponents import Exponents
 from .factors import Factor, Trig
 from .product import Product, Sum
@@ -65,11 +65,13 @@ class Ring(Exponents):
         """Return a sum of terms in unique form with fewer constants, for reading."""
         return self._rewritten(terms, short)
 
-    def _rewritten(self, terms: Terms, rule: Callable[[Directions, int], Directions]) -> Terms:
+    def _rewritten(
+        self, terms: Terms, rule: Callable[[GaussianDirections, int], GaussianDirections]
+    ) -> Terms:
         """Rewrite the constants that stand before each monomial."""
         if not self.wrap or not stars(self.wrap):
             return terms
-        groups: dict[int, Directions] = {}
+        groups: dict[int, GaussianDirections] = {}
         for key, value in terms.items():
             constant = self.constant(key)
             groups.setdefault(key - constant, {})[constant] = value

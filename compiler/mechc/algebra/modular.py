@@ -45,7 +45,7 @@ def _half_over_i() -> int:
     return pow(2 * direction(1), -1, PRIME)
 
 
-class Point:
+class ModularPoint:
     """Random values for all symbols, made up as they are first asked for.
 
     Two points of the same seed give equal values to equal names, whatever the order.

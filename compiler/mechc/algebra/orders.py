@@ -22,9 +22,9 @@ from ..work import kept, spend
 from .angle import RADIAN, Angle, Rational
 from .factors import Factor, Length, Opaque, Trig
 from .halving import Anything
-from .modular import PARTS, PRIME, Point
+from .modular import PARTS, PRIME, ModularPoint
 from .product import Product, Sum
-from .sums import Bound
+from .sums import BoundSum
 from .trigonometry import sine
 
 TERMS = (2, 8)
@@ -41,7 +41,7 @@ POLE = 1e-5
 """Terms that grow by more than its inverse may have a pole."""
 
 
-class Root(NamedTuple):
+class AngleRoot(NamedTuple):
     """One of the values, half turns apart, at which a sine or cosine vanishes.
 
     ``factor`` vanishes there only; ``name`` is a symbol of its angle and ``value`` what
@@ -53,7 +53,7 @@ class Root(NamedTuple):
     value: Angle
 
 
-def roots(trig: Trig, *products: Product) -> list[Root]:
+def roots(trig: Trig, *products: Product) -> list[AngleRoot]:
     """Return the roots of a sine or cosine, as far as products may distinguish them.
 
     Next to sin a, cos 3a has three, at 30°, 90° and 150°; next to sin(a/2) six, up to 360°. A sum
@@ -77,7 +77,7 @@ def roots(trig: Trig, *products: Product) -> list[Root]:
     for i in range(parts):
         place = (offset + Angle.constant(180 * i)) * Fraction(1, parts)
         value = (place - unit + Angle(((name, c),))) * (1 / Fraction(c))
-        found.append(Root(_sine(unit - place), name, value))
+        found.append(AngleRoot(_sine(unit - place), name, value))
     return found
 
 
@@ -88,7 +88,7 @@ def _sine(angle: Angle) -> Trig:
     return factor
 
 
-def half_turns(root: Root) -> tuple[Root, Root]:
+def half_turns(root: AngleRoot) -> tuple[AngleRoot, AngleRoot]:
     """Return the two within a whole turn of its angle that a root stands for.
 
     >>> from .trigonometry import cosine
@@ -100,8 +100,8 @@ def half_turns(root: Root) -> tuple[Root, Root]:
     angle, name = root.factor.angle, root.name
     turn = Angle.constant(180 / Fraction(dict(angle.terms)[name]))
 
-    def at(value: Angle) -> Root:
-        return Root(_sine((angle - angle.put({name: value})) * Fraction(1, 2)), name, value)
+    def at(value: Angle) -> AngleRoot:
+        return AngleRoot(_sine((angle - angle.put({name: value})) * Fraction(1, 2)), name, value)
 
     return at(root.value), at(root.value + turn)
 
@@ -111,7 +111,7 @@ def _common_step(trig: Trig, product: Product) -> Fraction:
     names = trig.angle.names
     inside = [a for a in angles(product) if not names.isdisjoint(n for n, _ in a.terms)]
     step = _gcd(c for a in (trig.angle, *inside) for n, c in a.terms if n != RADIAN)
-    return step / 2 if any(isinstance(f, Sum | Bound) for f in product.factors) else step
+    return step / 2 if any(isinstance(f, Sum | BoundSum) for f in product.factors) else step
 
 
 def _gcd(values: Iterable[Rational]) -> Fraction:
@@ -140,7 +140,7 @@ def angles(product: Product) -> tuple[Angle, ...]:
                     found[angle] = None
                 case Sum(terms=terms):
                     waiting.extend(terms)
-                case Bound(name=name) if name not in bound:
+                case BoundSum(name=name) if name not in bound:
                     bound.add(name)
                     waiting.append(factor.definition)
     return tuple(found)
@@ -212,7 +212,7 @@ class _Place:
 
     def __init__(self, name: str, value: Angle, terms: int) -> None:
         self._name, self._value, self._terms = name, {name: value}, terms
-        self._point = Point()
+        self._point = ModularPoint()
         self._bound: dict[str, Series] = {}
 
     def series(self, product: Product) -> Series:
@@ -228,7 +228,7 @@ class _Place:
                 return self._trig(function == "cos", angle)
             case Sum(terms=terms):
                 return _sum([self.series(t) for t in terms])
-            case Bound(name=name):
+            case BoundSum(name=name):
                 if name not in self._bound:
                     self._bound[name] = self.series(factor.definition)
                 return self._bound[name]

@@ -13,8 +13,8 @@ from fractions import Fraction
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, number, product, total
 from .angle import Rational, rational
-from .factors import Factor, Length, Place, Trig
-from .modular import Point
+from .factors import Factor, FactorRank, Length, Trig
+from .modular import ModularPoint
 
 
 class Product:
@@ -87,7 +87,7 @@ class Product:
     def __repr__(self) -> str:
         return f"Product({self.coefficient}, {dict(self.factors)!r})"
 
-    def written(self) -> "Written":
+    def written(self) -> "WrittenProduct":
         """Return coefficient and factors in their order, in which equal products may differ."""
         return self.coefficient, tuple(self.factors.items())
 
@@ -130,7 +130,7 @@ class Product:
             result *= factor.evaluate(values) ** exponent
         return result * Product(1, ratio).evaluate(values) ** power if ratio else result
 
-    def residue(self, point: Point) -> int:
+    def residue(self, point: ModularPoint) -> int:
         """Return the value at a random point of a finite field."""
         result = point.rational(self.coefficient)
         for factor, exponent in self.factors.items():
@@ -145,11 +145,11 @@ class Product:
 
 ONE, ZERO = Product(1), Product(0)
 
-Written = tuple[Rational, tuple[tuple[Factor, int], ...]]
+WrittenProduct = tuple[Rational, tuple[tuple[Factor, int], ...]]
 """What a product is made of, in order."""
 
 
-def as_product(written: Written) -> Product:
+def as_product(written: WrittenProduct) -> Product:
     """Return the product that is made of factors in an order."""
     return Product(written[0], dict(written[1]))
 
@@ -183,7 +183,7 @@ class Sum:
         """Return the value on floats."""
         return math.fsum(t.evaluate(values) for t in self.terms)
 
-    def residue(self, point: Point) -> int:
+    def residue(self, point: ModularPoint) -> int:
         """Return the value at a random point of a finite field."""
         return sum(t.residue(point) for t in self.terms) % point.prime
 
@@ -329,7 +329,7 @@ def _turned(factor: Factor) -> Factor | None:
 
 def _with_tangents(
     factors: Mapping[Factor, int],
-) -> Iterable[tuple[Place, Formula, int]]:
+) -> Iterable[tuple[FactorRank, Formula, int]]:
     """Yield (place, formula, exponent), a sine over its own cosine being a tangent."""
     left = dict(factors)
     cosines = {f.angle: f for f in factors if isinstance(f, Trig) and f.function == "cos"}

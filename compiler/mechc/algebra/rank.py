@@ -5,7 +5,7 @@ Rows are sparse: column → entry.
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from .modular import PRIME, Point
+from .modular import PRIME, ModularPoint
 from .product import Product
 
 Residues = dict[int, int]
@@ -14,7 +14,7 @@ DEPENDENT = 1e-9
 """A pivot below this part of a row is rounding: the row follows from the others."""
 
 
-def residues(row: Mapping[int, Product], point: Point) -> Residues:
+def residues(row: Mapping[int, Product], point: ModularPoint) -> Residues:
     """Return the entries of a row at a random point of a finite field."""
     values = {u: p.residue(point) for u, p in row.items()}
     return {u: v for u, v in values.items() if v}
@@ -63,7 +63,7 @@ def independent(rows: Iterable[Residues]) -> list[bool]:
 
 def independent_of(rows: Sequence[Mapping[int, Product]]) -> list[bool]:
     """Return which rows of products are independent of those before; a single one if not zero."""
-    point = Point()
+    point = ModularPoint()
     if len(rows) == 1:
         return [any(entry.residue(point) for entry in rows[0].values())]
     return independent(residues(row, point) for row in rows)

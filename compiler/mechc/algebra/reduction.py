@@ -25,10 +25,10 @@ CONJUGATES = 16
 Cofactors = tuple[list[Poly], ...]
 """Numerator and denominator, each under every choice of ζ."""
 
-Place = tuple[int, ...]
+Monomial = tuple[int, ...]
 """The exponents of a term."""
 
-Quotient = tuple[Polynomial, Polynomial]
+PolynomialQuotient = tuple[Polynomial, Polynomial]
 
 
 class Images(NamedTuple):
@@ -38,7 +38,7 @@ class Images(NamedTuple):
     lowest: tuple[int, ...]
 
 
-def reduced(ring: Ring, upper: Polynomial, lower: Polynomial) -> Quotient | None:
+def reduced(ring: Ring, upper: Polynomial, lower: Polynomial) -> PolynomialQuotient | None:
     """Return two real sums of the same quotient, without their common divisor.
 
     None if there is none, or none that is real in these angles, or the search is too long.
@@ -88,7 +88,7 @@ def _images(ring: Ring, p: Polynomial, units: Sequence[int]) -> Images:
     return Images([_image(ring, p, places, unit) for unit in units], lowest)
 
 
-def _image(ring: Ring, p: Polynomial, places: Mapping[int, Place], unit: int) -> Poly:
+def _image(ring: Ring, p: Polynomial, places: Mapping[int, Monomial], unit: int) -> Poly:
     """Return a sum under one choice of ζ: i is ζ turned by as many parts as a quarter has."""
     image: Poly = {}
     for key, (re, im) in p.terms.items():
@@ -140,7 +140,7 @@ def _made_real(ring: Ring, cofactors: Cofactors, units: Sequence[int]) -> Cofact
 
 
 def _ratios(
-    ring: Ring, images: Sequence[Poly], ends: tuple[Place, Place], units: Sequence[int]
+    ring: Ring, images: Sequence[Poly], ends: tuple[Monomial, Monomial], units: Sequence[int]
 ) -> list[int]:
     """Return, image by image, the mirrored coefficient of one end over the other's."""
     end, other_end = ends
@@ -218,7 +218,7 @@ def _rational(residue: int) -> Fraction:
     return Fraction(b, t)
 
 
-def _is_proved(ring: Ring, whole: Quotient, parts: Quotient) -> bool:
+def _is_proved(ring: Ring, whole: PolynomialQuotient, parts: PolynomialQuotient) -> bool:
     """Return whether the quotients are equal, multiplied out over one denominator."""
     (upper, lower), (above, below) = whole, parts
     left = ring.unique(ring.times(upper.terms, below.terms))

@@ -22,12 +22,12 @@ from ..work import spend
 from . import factoring, laurent, pairing
 from .angle import Rational, rational
 from .cancelling import LIMIT, canonical
-from .factors import Constant, Factor, Length
-from .modular import Point
+from .factors import ConstantSymbol, Factor, Length
+from .modular import ModularPoint
 from .product import ZERO, Product, Sum
 
 
-class Bound:
+class BoundSum:
     """A sum bound to a name, so that what is built on it stays small.
 
     It counts as a symbol; numeric values of the name are put into ``values`` by whoever
@@ -41,7 +41,7 @@ class Bound:
         self._residues: dict[int, int] = {}
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Bound) and self.name == other.name
+        return isinstance(other, BoundSum) and self.name == other.name
 
     def __hash__(self) -> int:
         return hash(self.name)
@@ -53,7 +53,7 @@ class Bound:
         """Return the value bound to the name."""
         return values[self.name]
 
-    def residue(self, point: Point) -> int:
+    def residue(self, point: ModularPoint) -> int:
         """Return the residue of the definition, computed once for each random point."""
         if point.seed not in self._residues:
             self._residues[point.seed] = self.definition.residue(point)
@@ -189,7 +189,7 @@ def put(product: Product, values: Mapping[str, Product]) -> Product:
 def _rests_on_names(product: Product) -> bool:
     """Return whether a product has a bound sum in it, about which the name says nothing."""
     return any(
-        isinstance(f, Bound) or (isinstance(f, Sum) and any(map(_rests_on_names, f.terms)))
+        isinstance(f, BoundSum) or (isinstance(f, Sum) and any(map(_rests_on_names, f.terms)))
         for f in product.factors
     )
 
@@ -197,7 +197,7 @@ def _rests_on_names(product: Product) -> bool:
 def _has_constants(product: Product) -> bool:
     """Return whether a product has a named number in it, which may cancel another one."""
     return any(
-        isinstance(f, Constant) or (isinstance(f, Sum) and any(map(_has_constants, f.terms)))
+        isinstance(f, ConstantSymbol) or (isinstance(f, Sum) and any(map(_has_constants, f.terms)))
         for f in product.factors
     )
 
@@ -221,7 +221,7 @@ def _left(terms: Sequence[Product]) -> list[Product]:
     alike: dict[Product, list[Product]] = {}
     for term in terms:
         numbers: dict[Factor, int] = {
-            f: e for f, e in term.factors.items() if isinstance(f, Constant) and e > 0
+            f: e for f, e in term.factors.items() if isinstance(f, ConstantSymbol) and e > 0
         }
         alike.setdefault(term / Product(term.coefficient, numbers), []).append(term)
     cancelled = (rest for rest, found in alike.items() if len(found) > 1)
@@ -231,7 +231,7 @@ def _left(terms: Sequence[Product]) -> list[Product]:
 
 def _vanishes(terms: Sequence[Product]) -> bool:
     """Return whether a sum that is not multiplied out vanishes at a random point."""
-    point = Point()
+    point = ModularPoint()
     return sum(t.residue(point) for t in terms) % point.prime == 0
 
 

@@ -11,17 +11,17 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Require
-from ..model.result import ClosedLoop, Result, Solved
+from ..model.result import ClosedLoop, Result, SolvedMechanism
 from ..model.results import failures
 from ..model.values import Chain, Values, compare, defaults, dependent
-from ..pose.pose import Definition, Pose
+from ..pose.pose import Pose, PoseDefinition
 from ..power.definitions import let_results
 from .calculation import Calculation, Check
 from .signs import doubtful, negative_sizes
 from .taken import taken, with_values
 
 
-def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
+def calculate(pose: Pose, solved: SolvedMechanism, report: Report) -> Calculation:
     """Return the results of a sheet with their values, those of the mechanisms that it uses first.
 
     E550 where a condition fails at the values of the sheet, E551 where a formula has no value
@@ -50,10 +50,10 @@ def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
     return Calculation(pose, (*brought, *found), checks)
 
 
-def _with(pose: Pose, solved: Solved) -> Pose:
+def _with(pose: Pose, solved: SolvedMechanism) -> Pose:
     """Return the pose of a sheet with what the results of used mechanisms rest on."""
     requires = (*pose.mechanism.requires, *solved.requires)
-    definitions = (Definition(*d) for d in solved.definitions)
+    definitions = (PoseDefinition(*d) for d in solved.definitions)
     return replace(
         pose,
         mechanism=replace(pose.mechanism, requires=requires),

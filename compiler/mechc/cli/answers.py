@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Event = tuple[str, str, bytes]
 """What happened (``read``, ``absent``, ``wrote``, ``out``, ``err``), to which file; the bytes."""
 
-Answer = tuple[int, list[Event]]
+KeptAnswer = tuple[int, list[Event]]
 """The exit status and the events."""
 
 OFF = "--no-cache"
@@ -97,7 +97,7 @@ def place(asked: bytes) -> str:
     return os.path.join(folder(), name)
 
 
-def find(asked: bytes) -> Answer | None:
+def find(asked: bytes) -> KeptAnswer | None:
     """Return the answer to a question, if it is known and holds."""
     try:
         with open(place(asked), "rb") as file:
@@ -146,7 +146,7 @@ def _number(status: os.stat_result) -> tuple[int, int]:
 # ------------------------------------------------------------------- given once more
 
 
-def give(answer: Answer) -> int | None:
+def give(answer: KeptAnswer) -> int | None:
     """Write and print what was written and printed before; return the exit status.
 
     None where a file cannot be written: nothing was, and nothing is printed then.

@@ -11,7 +11,7 @@ from ..frozen import replace
 from ..version import VERSION
 from . import session
 from .commands import COMMANDS, found
-from .usage import Argument, BadParameter, Command, Complete, Option, UsageError, Whole, Word
+from .usage import Argument, BadParameter, Command, Complete, Option, UsageError, WholeNumber, Word
 
 if TYPE_CHECKING:
     Choice = click.Choice[str]
@@ -136,7 +136,7 @@ def _type(kind: Any) -> click.ParamType[Any] | None:
     match kind:
         case Word(choices):
             return _Word(choices)
-        case Whole(low, high):
+        case WholeNumber(low, high):
             return click.IntRange(low, high)
         case None:
             return None

@@ -23,8 +23,8 @@ from ..model.mechanism import (
 from ..model.result import Definition, Result
 from ..named import NamedTuple
 from ..report.definitions import (
-    Letters,
-    Solved,
+    NameLetters,
+    SolvedSystem,
     as_written,
     grouped,
     letters,
@@ -32,12 +32,12 @@ from ..report.definitions import (
     without_minus,
 )
 from ..report.note import NoteLine, own_lines
-from ..report.sections import Shown, in_short
+from ..report.sections import ShownNames, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import kind, own_conditions, reaction, says_what_drives
 from ..report.text import note, overview
 from ..report.text.signs import WRITTEN, tens
-from ..report.text.speller import Speller, speller
+from ..report.text.speller import TextSpeller, speller
 from ..report.text.verdict import agreement, said, trials, untried
 from ..source import Source
 from ..statics.verdict import Verdict
@@ -97,7 +97,7 @@ def report(
         yield from _of_used(prefix, used, spell, verbose)
 
 
-def _of_used(prefix: str, used: Compilation, spell: Speller, verbose: bool) -> Iterator[str]:
+def _of_used(prefix: str, used: Compilation, spell: TextSpeller, verbose: bool) -> Iterator[str]:
     """Yield the lines on a mechanism that a sheet uses: what it comes to, and whether that agrees.
 
     Its formulas stand in the calculation, under the prefix.
@@ -117,13 +117,15 @@ def _is_ratio(result: Analysis) -> bool:
     return isinstance(asked, LoadRatio | SpeedRatio | LoadForm)
 
 
-def _speller(mechanism: Mechanism, results: Iterable[Result], language: str, width: int) -> Speller:
+def _speller(
+    mechanism: Mechanism, results: Iterable[Result], language: str, width: int
+) -> TextSpeller:
     """Return the speller of sentences; formulas are written as in descriptions."""
     spell = speller(results, mechanism, False, language, width)
     return spell._replace(signs=replace(spell.signs, functions={}, choices=WRITTEN))
 
 
-def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
+def _of_results(compilation: Compilation, spell: TextSpeller) -> Iterator[str]:
     """Yield the lines on each result, and on the outcome of every expectation."""
     if compilation.calculation:
         yield from note.in_brief(compilation.mechanism, compilation.results, spell)
@@ -150,10 +152,10 @@ class _Entry(NamedTuple):
     looked_up: Sequence[Parameter]
 
 
-def _entries(compilation: Compilation, spell: Speller) -> Iterator[_Entry]:
+def _entries(compilation: Compilation, spell: TextSpeller) -> Iterator[_Entry]:
     """Yield the entries of all results."""
     mechanism, results = compilation.mechanism, compilation.results
-    earlier, own = Shown(), own_lines(mechanism, results)
+    earlier, own = ShownNames(), own_lines(mechanism, results)
     given = {result.name for result in results if _is_given(result)}
     for result in results:
         fresh = earlier.of(result)
@@ -167,7 +169,7 @@ def _entries(compilation: Compilation, spell: Speller) -> Iterator[_Entry]:
         yield _Entry(shown, formula, scale_of(result, mechanism), where, literals, read_up)
 
 
-def _in_language(line: NoteLine, spell: Speller) -> str:
+def _in_language(line: NoteLine, spell: TextSpeller) -> str:
     """Return a user-defined formula as a description has it, and its text as readers have it."""
     assert line.formula
     inner = text(line.formula)
@@ -184,7 +186,7 @@ def _in_language(line: NoteLine, spell: Speller) -> str:
     return f"{said}  # {spell.text(line.label)}" if line.label else said
 
 
-def _described(formula: Formula, spell: Speller) -> str:
+def _described(formula: Formula, spell: TextSpeller) -> str:
     """Return a formula in the notation of descriptions, constant angles in degrees."""
     return spell.as_described(text_in_degrees(formula))
 
@@ -195,7 +197,7 @@ def _is_given(result: Analysis) -> bool:
 
 
 def _of_result(
-    entry: _Entry, before: Analysis | None, known: Letters, spell: Speller
+    entry: _Entry, before: Analysis | None, known: NameLetters, spell: TextSpeller
 ) -> Iterator[str]:
     """Yield the lines on a result, without those that the one before has just shown."""
     words, result = spell.locale.checked, entry.result
@@ -222,7 +224,7 @@ def _of_result(
         yield f"    {words['independent'].format(names=', '.join(result.independent))}"
 
 
-def _jump(sides: Sequence[float], unit: str, spell: Speller) -> str:
+def _jump(sides: Sequence[float], unit: str, spell: TextSpeller) -> str:
     """Return between what a result jumps, or that it is undetermined where a side has no value."""
     if any(map(math.isnan, sides)):
         return spell.locale.undetermined
@@ -230,7 +232,7 @@ def _jump(sides: Sequence[float], unit: str, spell: Speller) -> str:
     return spell.locale.checked["jumps"].format(low=low, high=high)
 
 
-def _of_literals(literals: Iterable[Parameter], spell: Speller) -> Iterator[str]:
+def _of_literals(literals: Iterable[Parameter], spell: TextSpeller) -> Iterator[str]:
     for literal in literals:
         assert literal.value
         value = spell.measured(evaluate(literal.value, {}), literal.unit, 6)
@@ -247,7 +249,7 @@ def _of_iterated(
         yield f"    {found.format(names=', '.join(names), equation='n = |r + D*n|')}"
 
 
-def _of_conditions(result: Analysis, before: Analysis | None, spell: Speller) -> Iterator[str]:
+def _of_conditions(result: Analysis, before: Analysis | None, spell: TextSpeller) -> Iterator[str]:
     held = own_conditions(result)
     if held and not (before and reaction(before) and held == own_conditions(before)):
         each = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)
@@ -255,16 +257,18 @@ def _of_conditions(result: Analysis, before: Analysis | None, spell: Speller) ->
         yield f"    {spell.locale.checked['holds'].format(conditions=holds)}"
 
 
-def _measured(value: float, unit: str, spell: Speller) -> str:
+def _measured(value: float, unit: str, spell: TextSpeller) -> str:
     return spell.measured(value, unit, 9)
 
 
-def _where(formula: str, spell: Speller) -> str:
+def _where(formula: str, spell: TextSpeller) -> str:
     return f"    {spell.locale.checked['where'].format(formula=formula)}"
 
 
-def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -> Iterator[str]:
-    if isinstance(group, Solved):
+def _of_definition(
+    group: Definition | SolvedSystem, known: NameLetters, spell: TextSpeller
+) -> Iterator[str]:
+    if isinstance(group, SolvedSystem):
         yield f"    {spell.locale.checked['solve'].format(names=', '.join(group.names))}"
         both = ([_described(side, spell) for side in without_minus(zero)] for zero in group.zeros)
         yield from (f"      {' = '.join(sides)}" for sides in both)
@@ -278,7 +282,7 @@ def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -
     yield _where(f"{group.name} = {_described(group.formula, spell)}{g}", spell)
 
 
-def _of_findings(compilation: Compilation, spell: Speller) -> Iterator[str]:
+def _of_findings(compilation: Compilation, spell: TextSpeller) -> Iterator[str]:
     """Yield a line on the outcome of every expectation."""
     results = {result.name: result for result in compilation.found}
     for finding in compilation.findings:
@@ -286,7 +290,7 @@ def _of_findings(compilation: Compilation, spell: Speller) -> Iterator[str]:
         yield f"  {_of_finding(finding, unit, compilation.source, spell)}"
 
 
-def _of_finding(finding: Finding, unit: str, source: Source, spell: Speller) -> str:
+def _of_finding(finding: Finding, unit: str, source: Source, spell: TextSpeller) -> str:
     written = " ".join(source.written(finding.expect.span).split()).removeprefix("expect ")
     words, written = spell.locale.checked, spell.as_described(written)
     if finding.outcome == "proved":
@@ -294,7 +298,7 @@ def _of_finding(finding: Finding, unit: str, source: Source, spell: Speller) -> 
     return words["agrees"].format(formula=written, value=_measured(finding.found, unit, spell))
 
 
-def _of_verdict(verdict: Verdict, spell: Speller, verbose: bool) -> Iterator[str]:
+def _of_verdict(verdict: Verdict, spell: TextSpeller, verbose: bool) -> Iterator[str]:
     """Yield the lines on the second opinion; the rows of its table are not broken."""
     words = spell.locale.checked
     if verbose:

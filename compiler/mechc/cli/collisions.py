@@ -12,14 +12,14 @@ from ..files import resolved
 from ..named import NamedTuple
 from . import usage
 
-Key = tuple[object, ...]
+FileKey = tuple[object, ...]
 """The identity of a file, whatever path leads to it."""
 
 
 class Claim(NamedTuple):
     """A file that is read or written, and what messages call it."""
 
-    key: Key | None
+    key: FileKey | None
     name: str
 
 
@@ -68,7 +68,7 @@ def streams(stream: TextIO | None) -> Iterator[Claim]:
             yield Claim(_number(os.fstat(stream.fileno())), stream.name.strip("<>"))
 
 
-def _number(status: os.stat_result) -> Key | None:
+def _number(status: os.stat_result) -> FileKey | None:
     return (status.st_dev, status.st_ino) if stat.S_ISREG(status.st_mode) else None
 
 

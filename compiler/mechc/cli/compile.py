@@ -22,7 +22,7 @@ from .inputs import (
     settings_option,
     stdin_option,
 )
-from .output_paths import Output, makefile_rule, outputs, placed, refuse_idle
+from .output_paths import OutputPath, makefile_rule, outputs, placed, refuse_idle
 from .session import session, session_options
 from .terminal import give
 from .usage import Word, beginning, paths
@@ -162,7 +162,7 @@ def command(
     _deliver(texts, printed, [output.path for output in wanted if output.folder])
 
 
-def _emitted(compilation: Compilation, output: Output, options: Options) -> tuple[Emitted, ...]:
+def _emitted(compilation: Compilation, output: OutputPath, options: Options) -> tuple[Emitted, ...]:
     if output.target not in registry.BUILT_IN:
         witness.report("asked another package", output.target)
     stem = output.stem(compilation.mechanism.name)

@@ -47,7 +47,7 @@ EQUATIONS = {
 _BARE = pattern(r"[^\s,:=()\[\]{}'\"]([^,:=()\[\]{}\"\n]*[^\s,:=()\[\]{}\"])?")
 
 
-class Printed(NamedTuple):
+class DumpedValue(NamedTuple):
     """A value as text: all of it on one line, and its parts, each with its name or key.
 
     ``kind`` is the name of a record's type, empty for a tuple or a mapping. What is never
@@ -56,10 +56,10 @@ class Printed(NamedTuple):
 
     line: str
     kind: str = ""
-    parts: tuple[tuple[str, "Printed"], ...] = ()
+    parts: tuple[tuple[str, "DumpedValue"], ...] = ()
 
 
-Names = dict[tuple[str, str], str]
+FormulaNames = dict[tuple[str, str], str]
 """Where the values that took more than a line were printed, by their kinds and lines."""
 
 
@@ -75,7 +75,7 @@ def dump(stage: str, value: object, earlier: Mapping[str, object] | None = None)
     pins: as in model.pivots
     free: (a, b)
     """
-    names: Names = {}
+    names: FormulaNames = {}
     for name, whole in (earlier or {}).items():
         for way, key in _long(printed(whole), name):
             names.setdefault(key, way)
@@ -85,14 +85,16 @@ def dump(stage: str, value: object, earlier: Mapping[str, object] | None = None)
 # ------------------------------------------------------------------------- lines
 
 
-def _whole(value: Printed, stage: str, names: Names) -> Iterator[str]:
+def _whole(value: DumpedValue, stage: str, names: FormulaNames) -> Iterator[str]:
     """Yield the lines of a stage's value; what is no record has no heading."""
     if value.kind or not value.parts:
         return _lines("", value, "", stage, names)
     return _inside(value, "", stage, names)
 
 
-def _lines(lead: str, value: Printed, indent: str, way: str, names: Names) -> Iterator[str]:
+def _lines(
+    lead: str, value: DumpedValue, indent: str, way: str, names: FormulaNames
+) -> Iterator[str]:
     """Yield the lines of a value: one where it fits, else a heading and those of its parts."""
     if _is_short(value, len(indent + lead)):
         yield indent + lead + value.line
@@ -104,33 +106,33 @@ def _lines(lead: str, value: Printed, indent: str, way: str, names: Names) -> It
         yield from _inside(value, indent + INDENT, way, names)
 
 
-def _inside(value: Printed, indent: str, way: str, names: Names) -> Iterator[str]:
+def _inside(value: DumpedValue, indent: str, way: str, names: FormulaNames) -> Iterator[str]:
     for name, inner in _ways(value, way):
         yield from _lines(_lead(*inner), inner[1], indent, name, names)
 
 
-def _ways(value: Printed, way: str) -> Iterator[tuple[str, tuple[str, Printed]]]:
+def _ways(value: DumpedValue, way: str) -> Iterator[tuple[str, tuple[str, DumpedValue]]]:
     """Yield the parts of a value with the way to each: by its name, or by its number."""
     for i, (name, part) in enumerate(value.parts):
         own = next((p.line for key, p in part.parts if part.kind and key == "name"), str(i))
         yield f"{way}.{name or own}", (name, part)
 
 
-def _lead(name: str, part: Printed) -> str:
+def _lead(name: str, part: DumpedValue) -> str:
     """Return the prefix of a part that has a line of its own."""
     if name:
         return f"{name}: "
     return "- " if part.parts and not part.kind else ""
 
 
-def _is_short(value: Printed, before: int) -> bool:
+def _is_short(value: DumpedValue, before: int) -> bool:
     """Return whether a value stands on one line; several records have a line each."""
     several = not value.kind and len(value.parts) > 1
     records = several and all(part.kind and not name for name, part in value.parts)
     return not value.parts or (before + len(value.line) <= WIDTH and not records)
 
 
-def _long(value: Printed, way: str) -> Iterator[tuple[str, tuple[str, str]]]:
+def _long(value: DumpedValue, way: str) -> Iterator[tuple[str, tuple[str, str]]]:
     """Yield the way to every value that has parts, and by what it is known again."""
     if value.parts:
         yield way, (value.kind, value.line)
@@ -141,7 +143,7 @@ def _long(value: Printed, way: str) -> Iterator[tuple[str, tuple[str, str]]]:
 # ------------------------------------------------------------------------ values
 
 
-def printed(value: object) -> Printed:
+def printed(value: object) -> DumpedValue:
     """Return a value as text.
 
     >>> printed({"O": (Fraction(1, 2), "slider K", "a, b")}).line
@@ -149,15 +151,15 @@ def printed(value: object) -> Printed:
     """
     plain = leaf(value)
     if plain is not None:
-        return Printed(plain)
+        return DumpedValue(plain)
     kind = type(value).__name__ if _declared(value) else ""
     if (said := _equation(value)) is not None:
-        return Printed(said, kind)
+        return DumpedValue(said, kind)
     parts = tuple((name, printed(part)) for name, part in _parts(value))
     sign = "=" if kind else ": "
     shown = ", ".join(f"{name}{sign if name else ''}{part.line}" for name, part in parts)
     line = f"{{{shown}}}" if isinstance(value, Mapping) else f"{kind}({shown})"
-    return Printed(line, kind, parts)
+    return DumpedValue(line, kind, parts)
 
 
 def nested(value: object) -> Any:

@@ -19,7 +19,7 @@ from .session import session, session_options
 from .terminal import give, warn
 from .usage import Word, paths
 
-Notation = Literal["mech", "yaml"]
+SourceNotation = Literal["mech", "yaml"]
 
 
 class Formatted(NamedTuple):
@@ -43,7 +43,7 @@ class Formatted(NamedTuple):
 @stdin_option
 @session_options
 def command(
-    files: tuple[str, ...], check: bool, diff: bool, to: Notation | None, stdin_name: str
+    files: tuple[str, ...], check: bool, diff: bool, to: SourceNotation | None, stdin_name: str
 ) -> int:
     """Lay out descriptions in place; turn one notation into the other.
 
@@ -78,13 +78,13 @@ def command(
     return worst
 
 
-def _formatted(name: str, stdin_name: str, to: Notation | None) -> Formatted:
+def _formatted(name: str, stdin_name: str, to: SourceNotation | None) -> Formatted:
     source = source_of(name, stdin_name)
     path = Path(name) if name != "-" and Path(name).exists() else None
     return Formatted(path, source, layout(source, to))
 
 
-def layout(source: Source, to: Notation | None = None) -> str:
+def layout(source: Source, to: SourceNotation | None = None) -> str:
     """Return the description in the usual layout, in its own notation or another.
 
     The result is read again, and must be the same tree: nothing is lost by formatting.
@@ -131,7 +131,7 @@ def _remarked(file: Formatted, diff: bool) -> int:
     return int(file.changed)
 
 
-def _put(files: list[Formatted], to: Notation | None) -> None:
+def _put(files: list[Formatted], to: SourceNotation | None) -> None:
     """Print what was asked for on standard output; write the others where they changed."""
     write_all({f.path: f.text for f in files if f.path and f.changed and not to})
     for file in files:

@@ -28,7 +28,7 @@ TITLE = 20
 """The narrowest column that titles are broken to."""
 
 
-class Row(NamedTuple):
+class ListedMechanism(NamedTuple):
     """A mechanism or a sheet; ``k`` is its first result."""
 
     name: str
@@ -62,21 +62,23 @@ def command(long: bool, as_json: bool, language: str) -> None:
         say(line)
 
 
-def _listed(found: Callable[[str, Path], Row], name: str, path: Path) -> Row:
+def _listed(
+    found: Callable[[str, Path], ListedMechanism], name: str, path: Path
+) -> ListedMechanism:
     """Return a row; of a description that is wrong, the code that says why."""
     try:
         return found(name, path)
     except MechcError as error:
-        return Row(name, "", "", f"({error.diagnostics[0].code})")
+        return ListedMechanism(name, "", "", f"({error.diagnostics[0].code})")
 
 
-def _titled(name: str, path: Path, language: str) -> Row:
+def _titled(name: str, path: Path, language: str) -> ListedMechanism:
     """Return a row with the title alone, the one that was noted if the text is still the same."""
     source = read(path)
     made_from, *noted = _noted().get(name, (0,))
     is_same = made_from == checksum(source.text) and len(noted) == len(LANGUAGES)
     in_each = noted if is_same else compilations.titles(source)
-    return Row(name, in_each[LANGUAGES.index(language)], "", "")
+    return ListedMechanism(name, in_each[LANGUAGES.index(language)], "", "")
 
 
 @cache
@@ -101,33 +103,33 @@ def noted() -> str:
     return "{\n" + ",\n".join(shown) + "\n}\n"
 
 
-def _row(name: str, path: Path, language: str) -> Row:
-    return Row(name, *compilations.title_source_and_result(read(path), language))
+def _row(name: str, path: Path, language: str) -> ListedMechanism:
+    return ListedMechanism(name, *compilations.title_source_and_result(read(path), language))
 
 
-def _json(row: Row) -> str:
+def _json(row: ListedMechanism) -> str:
     return json.dumps(row._asdict(), ensure_ascii=False)
 
 
-def table(rows: Iterable[Row], columns: int) -> Iterator[str]:
+def table(rows: Iterable[ListedMechanism], columns: int) -> Iterator[str]:
     r"""Yield a heading and the rows in their first columns.
 
-    >>> print(*table([Row("jack", "Scissor jack", "a book", "k = tan(alpha)")], 4), sep="\n")
+    >>> print(*table([ListedMechanism("jack", "Scissor jack", "a book", "k = tan(alpha)")], 4), sep="\n")
     NAME  TITLE         SOURCE  RESULT
     jack  Scissor jack  a book  k = tan(alpha)
     """
     short = (row._replace(source=_cut(row.source)) for row in rows)
-    lines = [Row("NAME", "TITLE", "SOURCE", "RESULT"), *short]
+    lines = [ListedMechanism("NAME", "TITLE", "SOURCE", "RESULT"), *short]
     widths = [max(len(row[i]) for row in lines) for i in range(columns)]
     for row in lines:
         cells = zip(row, widths, strict=False)
         yield "  ".join(cell.ljust(width) for cell, width in cells).rstrip()
 
 
-def titles(rows: Sequence[Row], width: int) -> Iterator[str]:
+def titles(rows: Sequence[ListedMechanism], width: int) -> Iterator[str]:
     r"""Yield a heading, names and titles, these in several lines where one is too wide.
 
-    >>> print(*titles([Row("jack", "Scissor jack of two tiers", "", "")], 26), sep="\n")
+    >>> print(*titles([ListedMechanism("jack", "Scissor jack of two tiers", "", "")], 26), sep="\n")
     NAME  TITLE
     jack  Scissor jack of two
           tiers
@@ -137,10 +139,10 @@ def titles(rows: Sequence[Row], width: int) -> Iterator[str]:
     yield from table((line for row in rows for line in _lines(row, room)), 2)
 
 
-def _lines(row: Row, room: int) -> Iterator[Row]:
+def _lines(row: ListedMechanism, room: int) -> Iterator[ListedMechanism]:
     first, *more = wrap(row.title, room) or [row.k]
     yield row._replace(title=first)
-    yield from (Row("", line, "", "") for line in more)
+    yield from (ListedMechanism("", line, "", "") for line in more)
 
 
 def _cut(source: str) -> str:

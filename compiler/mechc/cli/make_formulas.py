@@ -21,7 +21,7 @@ FORMULAS = "## Formulas of the papers\n"
 MADE = "Made by `python -m mechc.cli.make_formulas`"
 
 
-class Formula(NamedTuple):
+class PaperFormula(NamedTuple):
     """Where the library computes a formula of the papers."""
 
     file: str
@@ -30,14 +30,14 @@ class Formula(NamedTuple):
     """Our names by those of the formula."""
 
 
-def formulas() -> dict[str, Formula]:
+def formulas() -> dict[str, PaperFormula]:
     """Return where each formula is, by its id."""
     text = (data("library") / "seeds.json").read_text(encoding="utf-8")
     return {seed: _formula(entry) for seed, entry in json.loads(text).items()}
 
 
-def _formula(entry: Mapping[str, Any]) -> Formula:
-    return Formula(entry["file"], entry["result"], entry["inputs"])
+def _formula(entry: Mapping[str, Any]) -> PaperFormula:
+    return PaperFormula(entry["file"], entry["result"], entry["inputs"])
 
 
 def sheets() -> str:
@@ -57,7 +57,7 @@ def section() -> str:
     return "\n".join((FORMULAS, intro, *heading, *rows, ""))
 
 
-def _row(seed: str, formula: Formula) -> str:
+def _row(seed: str, formula: PaperFormula) -> str:
     renamed = (f"{theirs} → `{ours}`" for theirs, ours in formula.inputs.items() if theirs != ours)
     return f"| {seed} | `{formula.file}` | `{formula.result}` | {', '.join(renamed)} |"
 

@@ -19,7 +19,7 @@ PICTURES = (".pdf", ".png", ".svg", ".ps", ".eps", ".dvi", ".docx", ".html")
 """Suffixes of what other programs make of LaTeX, or `mechc draw` of a mechanism."""
 
 
-class Output(NamedTuple):
+class OutputPath(NamedTuple):
     """One ``-o``: the target, and a file, a folder, or None for standard output."""
 
     target: str
@@ -31,16 +31,16 @@ class Output(NamedTuple):
         return mechanism if self.path is None or self.folder else self.path.stem
 
 
-def outputs(paths: tuple[str, ...], target: str | None) -> list[Output]:
+def outputs(paths: tuple[str, ...], target: str | None) -> list[OutputPath]:
     """Return the outputs asked for; a usage error where a format is missing or unknown."""
     return [_output(path, target) for path in paths or ("-",)]
 
 
-def _output(path: str, target: str | None) -> Output:
+def _output(path: str, target: str | None) -> OutputPath:
     if path == "-":
-        return Output(target or _choose("standard output has no suffix"), None)
+        return OutputPath(target or _choose("standard output has no suffix"), None)
     if path.endswith("/") or Path(path).is_dir():
-        return Output(target or _choose(f"the folder {path!r} has no suffix"), Path(path), True)
+        return OutputPath(target or _choose(f"the folder {path!r} has no suffix"), Path(path), True)
     refuse_pictures(Path(path))
     suffix = Path(path).suffix
     ours = registry.own_by_suffix(suffix)
@@ -49,7 +49,7 @@ def _output(path: str, target: str | None) -> Output:
             f"{path!r} is a file of {ours} by its suffix, and --emit asks for {target}"
         )
     chosen = target or registry.by_suffix(suffix) or _choose(f"no format has the suffix {suffix!r}")
-    return Output(chosen, Path(path))
+    return OutputPath(chosen, Path(path))
 
 
 def refuse_pictures(path: Path) -> None:
@@ -81,7 +81,7 @@ OF_TARGETS: Mapping[str, frozenset[str]] = {
 """The formats that options are about; any other one is the same without them."""
 
 
-def refuse_idle(given: Mapping[str, bool], wanted: Iterable[Output]) -> None:
+def refuse_idle(given: Mapping[str, bool], wanted: Iterable[OutputPath]) -> None:
     """Raise a usage error for an option that is about none of the formats that are written."""
     targets = {output.target for output in wanted}
     if not targets <= registry.BUILT_IN.keys():
@@ -98,7 +98,7 @@ def _choose(reason: str) -> str:
     raise usage.UsageError(f"{reason}: choose a format with --emit, one of {formats}")
 
 
-def placed(output: Output, emitted: tuple[Emitted, ...]) -> dict[Path, str]:
+def placed(output: OutputPath, emitted: tuple[Emitted, ...]) -> dict[Path, str]:
     """Return texts by path: the first at the path asked for, the others beside it."""
     if output.path is None:
         return {}

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from .usage import Argument, BadParameter, Command, Option, Whole, Word
+from .usage import Argument, BadParameter, Command, Option, WholeNumber, Word
 
 EXPANDED = set("*?[~$%")
 """What a word is expanded for on Windows, where the shell does not do it."""
@@ -24,7 +24,7 @@ def read(command: Command, words: Sequence[str]) -> dict[str, Any] | None:
     >>> from .usage import argument, command, option
     >>> @command("try")
     ... @argument("file")
-    ... @option("-n", "--points", kind=Whole(2, 100), default=19)
+    ... @option("-n", "--points", kind=WholeNumber(2, 100), default=19)
     ... @option("--csv", is_flag=True)
     ... def example(file, points, csv): ...
     >>> read(example, ["--csv", "clamp.mech", "-n", "5"])
@@ -112,14 +112,14 @@ def _checked(option: Option, value: Any) -> Any:
     return option.check(value) if option.check else value
 
 
-def _of_kind(kind: Word | Whole | type[Path] | None, text: str) -> Any:
+def _of_kind(kind: Word | WholeNumber | type[Path] | None, text: str) -> Any:
     """Return a word as what it is to be."""
     match kind:
         case Word(choices):
             if text not in choices:
                 raise _NotPlainError
             return text
-        case Whole(low, high):
+        case WholeNumber(low, high):
             if not text.isdecimal() or not low <= int(text) <= high:
                 raise _NotPlainError
             return int(text)

@@ -11,8 +11,8 @@ from ..emit.svg.picture import to_svg
 from ..files import write_all
 from ..frozen import replace
 from ..patterns import pattern
-from ..plot.narrowing import Function
-from ..plot.query import POINTS, Condition, Query, condition
+from ..plot.narrowing import ArrayFunction
+from ..plot.query import POINTS, Query, ZoneCondition, condition
 from ..report.languages.letters import letters
 from ..report.languages.registry import locale
 from ..syntax.settings import Settings, parse
@@ -23,7 +23,7 @@ from .compilations import check_names, opened
 from .inputs import claim_of, description_argument, settings_option, stdin_option
 from .session import session, session_options
 from .terminal import give, watched
-from .usage import Whole, Word
+from .usage import WholeNumber, Word
 
 STANDARD_OUTPUT = Path("-")
 
@@ -68,7 +68,7 @@ def _ends(text: str | None) -> tuple[str, str] | None:
     return low.strip(), high.strip()
 
 
-def _zone(given: tuple[str, ...]) -> tuple[Condition, ...]:
+def _zone(given: tuple[str, ...]) -> tuple[ZoneCondition, ...]:
     try:
         return tuple(map(condition, given))
     except ValueError as error:
@@ -115,7 +115,7 @@ def _constraints(given: tuple[str, ...]) -> Settings:
     help='Shade where this holds: "gamma >= 1.5 rad".',
 )  # fmt: skip
 @usage.option(
-    "-n", "--points", kind=Whole(2, 100_000), default=POINTS, show_default=True,
+    "-n", "--points", kind=WholeNumber(2, 100_000), default=POINTS, show_default=True,
     help="How many rows a table has.",
 )  # fmt: skip
 @usage.option(
@@ -137,7 +137,7 @@ def command(
     family: tuple[tuple[str, tuple[str, ...]], ...],
     along: Settings,
     ends: tuple[str, str] | None,
-    zone: tuple[Condition, ...],
+    zone: tuple[ZoneCondition, ...],
     points: int,
     outputs: tuple[Path, ...],
     language: str,
@@ -177,6 +177,6 @@ def command(
         give(to_svg(plotted.shown))
 
 
-def _watched(functions: Sequence[Function]) -> Iterator[Function]:
+def _watched(functions: Sequence[ArrayFunction]) -> Iterator[ArrayFunction]:
     """Return the functions of several curves, watched by a bar."""
     return watched(functions, "plotting") if len(functions) > 1 else iter(functions)

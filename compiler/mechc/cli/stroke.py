@@ -12,7 +12,7 @@ from .compilations import opened
 from .inputs import description_argument, settings_option, stdin_option
 from .session import session, session_options
 from .terminal import give, line_width, say, watched
-from .usage import Whole, Word
+from .usage import WholeNumber, Word
 
 MANY = 200
 """More rows than this take long enough to be watched."""
@@ -21,7 +21,7 @@ MANY = 200
 @usage.command("stroke", repeatable=True)
 @description_argument
 @usage.option(
-    "-n", "--points", kind=Whole(2, 100_000), default=19, show_default=True,
+    "-n", "--points", kind=WholeNumber(2, 100_000), default=19, show_default=True,
     help="How many places along the stroke.",
 )  # fmt: skip
 @usage.option("--csv", "as_csv", is_flag=True, help="Print comma-separated values.")

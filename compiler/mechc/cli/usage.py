@@ -36,7 +36,7 @@ class Word:
 
 
 @frozen
-class Whole:
+class WholeNumber:
     """A whole number from ``low`` to ``high``."""
 
     low: int
@@ -64,7 +64,7 @@ class Option:
 
     name: str
     flags: tuple[str, ...]
-    kind: Word | Whole | type[Path] | None = field(default=None, kw_only=True)
+    kind: Word | WholeNumber | type[Path] | None = field(default=None, kw_only=True)
     default: Any = field(default=None, kw_only=True)
     is_flag: bool = field(default=False, kw_only=True)
     against: str = field(default="", kw_only=True)

@@ -6,7 +6,7 @@ from typing import Literal
 from ..source import Span
 from .diagnostic import Message, coded
 
-Slip = Literal["", "sign", "inverse", "twice", "unit", "degrees", "figure"]
+LikelySlip = Literal["", "sign", "inverse", "twice", "unit", "degrees", "figure"]
 """What two numbers differ by, where that shows what was taken for what."""
 
 
@@ -21,7 +21,7 @@ def expectation_refuted(
     found: str,
     expected: str,
     at: Mapping[str, str],
-    slip: Slip = "",
+    slip: LikelySlip = "",
     load: str = "",
 ) -> Message:
     """An ``expect`` does not hold: a pose was found where the two numbers differ.
@@ -47,7 +47,7 @@ def expectation_refuted(
     return Message(span, message, hint)
 
 
-_SLIPS: Mapping[Slip, str] = {
+_SLIPS: Mapping[LikelySlip, str] = {
     "": "fix the expectation, or the geometry it was written for",
     "sign": "only the sign differs: look which way the loads are directed",
     "inverse": "the one is the inverse of the other: look which load stands above the line",

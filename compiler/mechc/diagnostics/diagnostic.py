@@ -74,7 +74,7 @@ class Diagnostic:
         return Severity.ERROR if self.code.startswith("E") else Severity.WARNING
 
 
-class Entry(NamedTuple):
+class CatalogueEntry(NamedTuple):
     """A kind of diagnostic in the catalogue: its name, and the docstring that explains it."""
 
     code: str
@@ -87,7 +87,7 @@ class Entry(NamedTuple):
         return inspect.cleandoc(self.docstring)
 
 
-CATALOGUE: dict[str, Entry] = {}
+CATALOGUE: dict[str, CatalogueEntry] = {}
 """Every kind of diagnostic by its code, filled by :func:`coded` as modules load."""
 
 P = ParamSpec("P")
@@ -100,7 +100,7 @@ def coded(code: str) -> Callable[[Callable[P, Message]], Callable[P, Diagnostic]
         name = words.__name__.replace("_", "-")
         assert code not in CATALOGUE, f"{code} is taken"
         assert words.__doc__, f"{code} has no explanation"
-        CATALOGUE[code] = Entry(code, name, words.__doc__)
+        CATALOGUE[code] = CatalogueEntry(code, name, words.__doc__)
 
         @wraps(words)
         def make(*args: P.args, **kwargs: P.kwargs) -> Diagnostic:

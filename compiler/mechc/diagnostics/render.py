@@ -23,7 +23,7 @@ else:
 
     click = Later("click")
 
-Form = Literal["full", "concise", "json"]
+MessageFormat = Literal["full", "concise", "json"]
 
 LINE = 72
 """Longest excerpt of a line, in characters; a longer line is cut around the caret."""
@@ -34,7 +34,7 @@ Paint = Callable[..., str]
 
 
 def render(
-    diagnostic: Diagnostic, source: Source | None, form: Form = "full", color: bool = False
+    diagnostic: Diagnostic, source: Source | None, form: MessageFormat = "full", color: bool = False
 ) -> str:
     r"""Return the text of a diagnostic; ``source`` is None where no text was read.
 

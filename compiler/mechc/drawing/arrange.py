@@ -6,18 +6,18 @@ from typing import Literal, assert_never
 
 from ..frozen import replace
 from ..pose.places import Plane
-from .drawing import SYMBOL, Arc, Drawing, Label, Polyline, Run, Shape
+from .drawing import SYMBOL, Arc, Drawing, Label, Polyline, Shape, TextRun
 from .lettering import SIZE, box
 
 WIDE = 180.0
 """How wide a row may become, in millimetres."""
 
 
-Level = Literal["middle", "top"]
+LabelLevel = Literal["middle", "top"]
 """What of drawings beside each other is at one height."""
 
 
-def in_rows(drawings: Sequence[Drawing], level: Level = "middle") -> Drawing:
+def in_rows(drawings: Sequence[Drawing], level: LabelLevel = "middle") -> Drawing:
     """Return drawings beside each other, in rows that are not too wide; no title."""
     rows: list[list[Drawing]] = []
     for drawing in drawings:
@@ -28,7 +28,7 @@ def in_rows(drawings: Sequence[Drawing], level: Level = "middle") -> Drawing:
     return below_each_other([_beside(row, level) for row in rows])
 
 
-def line_of_text(runs: tuple[Run, ...]) -> Drawing:
+def line_of_text(runs: tuple[TextRun, ...]) -> Drawing:
     """Return a line of text by itself."""
     width, height = box(runs, SIZE)
     label = Label(Plane(width / 2, 0.0), runs, SYMBOL, SIZE, width, height)
@@ -61,7 +61,7 @@ def _lowered(drawings: Iterable[Drawing]) -> Iterator[Drawing]:
         yield moved
 
 
-def _beside(drawings: Sequence[Drawing], level: Level) -> Drawing:
+def _beside(drawings: Sequence[Drawing], level: LabelLevel) -> Drawing:
     right, moved = 0.0, list[Drawing]()
     for drawing in drawings:
         top = drawing.high.y

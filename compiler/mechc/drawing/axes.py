@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 
 from ..frozen import frozen
-from ..plot.plot import Axis
+from ..plot.plot import PlotAxis
 from ..pose.places import Plane
-from .drawing import SYMBOL, Fill, Label, Pen, Polyline, Run, Shape
+from .drawing import SYMBOL, Fill, Label, Pen, Polyline, Shape, TextRun
 from .lettering import SIZE, box, name
 from .ticks import Scale
 
@@ -21,7 +21,7 @@ BELOW, BESIDE = 2.0, 1.2
 
 
 @frozen
-class Frame:
+class PanelFrame:
     """A panel on paper: its lower left and upper right corner, and the values there."""
 
     low: Plane
@@ -46,7 +46,7 @@ def _between(value: float, least: float, most: float, low: float, high: float) -
     return low + (value - least) / (most - least) * (high - low)
 
 
-def outline(frame: Frame) -> Polyline:
+def outline(frame: PanelFrame) -> Polyline:
     """Return the frame of a panel."""
     return rectangle(frame.low, frame.high, "", SYMBOL)
 
@@ -57,7 +57,7 @@ def rectangle(low: Plane, high: Plane, fill: Fill, pen: Pen = PAPER) -> Polyline
     return Polyline(corners, pen, closed=True, fill=fill)
 
 
-def grid(frame: Frame, across: Scale, up: Scale) -> Iterator[Shape]:
+def grid(frame: PanelFrame, across: Scale, up: Scale) -> Iterator[Shape]:
     """Yield the lines at ticks, and that at 0 if it lies inside."""
     for value in across.ticks:
         x = frame.at(Plane(value, frame.least.y)).x
@@ -70,21 +70,21 @@ def grid(frame: Frame, across: Scale, up: Scale) -> Iterator[Shape]:
     yield from at_zero(frame)
 
 
-def at_zero(frame: Frame) -> Iterator[Polyline]:
+def at_zero(frame: PanelFrame) -> Iterator[Polyline]:
     """Yield the line at 0, if it lies inside."""
     y = frame.at(Plane(frame.least.x, 0.0)).y
     if frame.low.y < y < frame.high.y:
         yield Polyline((Plane(frame.low.x, y), Plane(frame.high.x, y)), ZERO)
 
 
-def numbers_below(frame: Frame, across: Scale) -> Iterator[Label]:
+def numbers_below(frame: PanelFrame, across: Scale) -> Iterator[Label]:
     """Yield the numbers at the ticks of the lower side."""
     for value in across.ticks:
         at = frame.at(Plane(value, frame.least.y))
         yield _number(across.text(value), at.minus(Plane(0.0, BELOW)), Plane(0.0, -0.5))
 
 
-def numbers_beside(frame: Frame, up: Scale) -> Iterator[Label]:
+def numbers_beside(frame: PanelFrame, up: Scale) -> Iterator[Label]:
     """Yield the numbers at the ticks of the left side."""
     for value in up.ticks:
         at = frame.at(Plane(frame.least.x, value))
@@ -93,32 +93,34 @@ def numbers_beside(frame: Frame, up: Scale) -> Iterator[Label]:
 
 def _number(text: str, at: Plane, away: Plane) -> Label:
     """Return a number whose box has its middle so many widths and heights away from a place."""
-    runs = (Run(text),)
+    runs = (TextRun(text),)
     width, height = box(runs, _SMALL)
     middle = at.plus(Plane(away.x * width, away.y * height))
     return Label(middle, runs, SYMBOL, _SMALL, width, height)
 
 
-def label(at: Plane, runs: tuple[Run, ...], pen: Pen = SYMBOL) -> Label:
+def label(at: Plane, runs: tuple[TextRun, ...], pen: Pen = SYMBOL) -> Label:
     """Return a label whose box begins at a place, in the middle of its height."""
     width, height = box(runs, SIZE)
     return Label(Plane(at.x + width / 2, at.y), runs, pen, SIZE, width, height)
 
 
-def heading(axes: tuple[Axis, ...], scale: Scale) -> tuple[Run, ...]:
+def heading(axes: tuple[PlotAxis, ...], scale: Scale) -> tuple[TextRun, ...]:
     """Return the title of an axis: names, and the unit with a power of ten."""
-    runs: tuple[Run, ...] = ()
+    runs: tuple[TextRun, ...] = ()
     for i, axis in enumerate(axes):
-        runs += ((Run(", "),) if i else ()) + name(axis.name)
-    factor = (Run("10"), Run(str(scale.exponent).replace("-", "−"), level=1)) * bool(scale.exponent)
+        runs += ((TextRun(", "),) if i else ()) + name(axis.name)
+    factor = (TextRun("10"), TextRun(str(scale.exponent).replace("-", "−"), level=1)) * bool(
+        scale.exponent
+    )
     unit = in_words(axes[0].unit)
     if not factor and not unit:
         return runs
-    space = (Run("\u2009"),) if factor and unit else ()
-    return (*runs, Run(", "), *factor, *space, *unit)
+    space = (TextRun("\u2009"),) if factor and unit else ()
+    return (*runs, TextRun(", "), *factor, *space, *unit)
 
 
-def in_words(unit: str) -> tuple[Run, ...]:
+def in_words(unit: str) -> tuple[TextRun, ...]:
     """Return a unit as it is set: upright, a power raised.
 
     >>> [(run.text, run.level) for run in in_words("N*m^2")], in_words("deg")[0].text
@@ -127,12 +129,12 @@ def in_words(unit: str) -> tuple[Run, ...]:
     [('m', 0), ('−1', 1)]
     """
     if unit in ("deg", ""):
-        return (Run("°"),) if unit else ()
+        return (TextRun("°"),) if unit else ()
     if unit.startswith("1/") and unit[2:].isalpha():
-        return Run(unit[2:], unit=True), Run("−1", level=1)
+        return TextRun(unit[2:], unit=True), TextRun("−1", level=1)
     pieces = unit.replace("*", "·").split("^")
-    runs = [Run(pieces[0], unit=True)]
+    runs = [TextRun(pieces[0], unit=True)]
     for piece in pieces[1:]:
-        runs.append(Run(piece[0], level=1))
-        runs += [Run(piece[1:], unit=True)] if piece[1:] else []
+        runs.append(TextRun(piece[0], level=1))
+        runs += [TextRun(piece[1:], unit=True)] if piece[1:] else []
     return tuple(runs)

@@ -17,7 +17,7 @@ ROLLER = 1.9
 THICK = 2.4
 """Half the thickness of a body behind the face that it pushes with."""
 
-Outline = tuple[Plane, ...]
+BodyOutline = tuple[Plane, ...]
 
 
 def link(paper: Paper, body: Link) -> Iterator[Shape]:
@@ -84,19 +84,19 @@ def _edge(paper: Paper, face: Contact) -> tuple[Plane, Plane]:
     return start, end
 
 
-def _cut(shape: Outline, paper: Paper, faces: Sequence[Contact]) -> Polyline:
+def _cut(shape: BodyOutline, paper: Paper, faces: Sequence[Contact]) -> Polyline:
     """Return a body of which no part is before one of its faces."""
     for face in faces:
         shape = _behind(shape, _edge(paper, face)[0], face.normal)
     return Polyline(shape, BODY, closed=True, fill="light")
 
 
-def _hull(places: Sequence[Plane]) -> Outline:
+def _hull(places: Sequence[Plane]) -> BodyOutline:
     named = {str(i): at for i, at in enumerate(places)}
     return tuple(named[name] for name in outline(named, named))
 
 
-def _behind(shape: Outline, edge: Plane, normal: Plane) -> Outline:
+def _behind(shape: BodyOutline, edge: Plane, normal: Plane) -> BodyOutline:
     """Return the part of a polygon that is not before an edge."""
     found: list[Plane] = []
     for here, there in zip(shape, (*shape[1:], shape[0]), strict=True):

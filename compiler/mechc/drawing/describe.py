@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from ..figure.figure import Figure, Force, Link, Part, Pivot, Slide, Slider, SpreadLoad, Torque
 from ..formula.names import split_points
 from ..pose.places import Plane
-from .drawing import Run
+from .drawing import TextRun
 from .force_polygon import visible
 from .lettering import figures
-from .vectors import Forces, Speeds, heading, in_words
+from .vectors import ForceVectors, VelocityVectors, heading, in_words
 
 Words = Mapping[str, str]
 
@@ -57,13 +57,13 @@ def _loads(parts: Iterable[Part], words: Words) -> Iterator[str]:
             yield words["couple_on"].format(load=part.name, link=part.link)
 
 
-def say_velocities(speeds: Speeds, words: Mapping[str, str]) -> str:
+def say_velocities(speeds: VelocityVectors, words: Mapping[str, str]) -> str:
     """Return how fast every point moves, and in which direction."""
     said = "; ".join(_velocities(speeds))
     return f"{words['velocities']}: {said}."
 
 
-def _velocities(speeds: Speeds) -> Iterator[str]:
+def _velocities(speeds: VelocityVectors) -> Iterator[str]:
     velocities = speeds.velocities
     for point, velocity in velocities.points.items():
         if split_points(point) and velocities.speed(point) > 0:
@@ -71,13 +71,13 @@ def _velocities(speeds: Speeds) -> Iterator[str]:
             yield _towards((*speeds.name(point), *size), velocity)
 
 
-def say_forces(forces: Forces) -> str:
+def say_forces(forces: ForceVectors) -> str:
     """Return the forces on every body in the order of its polygon."""
     said = "; ".join(_bodies(forces))
     return f"{in_words(heading(forces.diagram, forces.words))}: {said}." if said else ""
 
 
-def _bodies(forces: Forces) -> Iterator[str]:
+def _bodies(forces: ForceVectors) -> Iterator[str]:
     for body in forces.described:
         acting = visible(forces, body)
         sides = ", ".join(
@@ -89,6 +89,6 @@ def _bodies(forces: Forces) -> Iterator[str]:
             yield f"{forces.called(body.name)}: {sides}"
 
 
-def _towards(runs: tuple[Run, ...], vector: Plane) -> str:
+def _towards(runs: tuple[TextRun, ...], vector: Plane) -> str:
     angle = round(math.degrees(vector.angle) % 360, 1) % 360
     return f"{in_words(runs)} ∠ {figures(angle)}°"

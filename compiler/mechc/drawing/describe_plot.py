@@ -3,17 +3,17 @@
 from collections.abc import Iterator, Mapping
 
 from ..formula.names import split_ratio
-from ..plot.plot import Axis, Curve, Mark, Plot
+from ..plot.plot import Curve, Mark, Plot, PlotAxis
 from ..units import behind
 
 Words = Mapping[str, str]
 
 
-def shown(value: float, axis: Axis, digits: int = 4) -> str:
+def shown(value: float, axis: PlotAxis, digits: int = 4) -> str:
     """Return an SI value in the unit of an axis, as people write it.
 
     >>> from mechc.units import ANGLE
-    >>> shown(-0.5, Axis("alpha", ANGLE, "deg"))
+    >>> shown(-0.5, PlotAxis("alpha", ANGLE, "deg"))
     '−28.65°'
     """
     number = f"{value / axis.size:.{digits}g}".replace("-", "−")
@@ -44,7 +44,7 @@ def _sentences(plot: Plot, words: Words) -> Iterator[str]:
             yield from _of_curve(curve, plot, panel.y, words)
 
 
-def _of_curve(curve: Curve, plot: Plot, y: Axis, words: Words) -> Iterator[str]:
+def _of_curve(curve: Curve, plot: Plot, y: PlotAxis, words: Words) -> Iterator[str]:
     settings = (f"{v.axis.name} = {shown(v.value, v.axis)}" for v in curve.setting)
     what = ", ".join([_plain(curve.name), *settings])
     if not plot.equal and curve.pieces:
@@ -60,7 +60,7 @@ def _of_curve(curve: Curve, plot: Plot, y: Axis, words: Words) -> Iterator[str]:
         yield words["jump"].format(what=what, at=_at(place, curve, plot, words))
 
 
-def _of_mark(mark: Mark, what: str, curve: Curve, plot: Plot, y: Axis, words: Words) -> str:
+def _of_mark(mark: Mark, what: str, curve: Curve, plot: Plot, y: PlotAxis, words: Words) -> str:
     at = _at(mark.at.x, curve, plot, words)
     return words[mark.kind].format(what=what, y=shown(mark.at.y, y), at=at)
 

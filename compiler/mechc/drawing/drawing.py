@@ -73,7 +73,7 @@ class Arc(NamedTuple):
 Shape = Polyline | Arc
 
 
-class Run(NamedTuple):
+class TextRun(NamedTuple):
     """A piece of text in one type.
 
     ``level`` is −1 in an index, −2 in an index of that, +1 in an exponent.
@@ -91,7 +91,7 @@ class Label(NamedTuple):
     """Text in the middle of a box around ``at``; ``width`` and ``height`` are those of the box."""
 
     at: Plane
-    runs: tuple[Run, ...]
+    runs: tuple[TextRun, ...]
     pen: Pen
     size: float
     width: float

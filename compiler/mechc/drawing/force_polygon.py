@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import Acting, FreeBody
 from .drawing import FORCE, HATCH, Drawing
-from .labels import Beside
+from .labels import BesideLine
 from .occupied import LineSegment
 from .sheet import Layer, Sheet
 from .symbols import arrow, line
-from .vectors import Forces
+from .vectors import ForceVectors
 
 FLAT = 1e-3
 """Forces are drawn as parallel where none has more than this part of the largest across it."""
@@ -19,7 +19,7 @@ ASIDE = 3.0
 """How far parallel forces of opposite senses are drawn from each other, in millimetres."""
 
 
-def visible(forces: Forces, body: FreeBody) -> list[Acting]:
+def visible(forces: ForceVectors, body: FreeBody) -> list[Acting]:
     """Return the forces on a body that are more than rounding, in the order of a polygon.
 
     They go round counter-clockwise, the loads first, so that no side crosses another one.
@@ -40,13 +40,13 @@ def is_known(body: FreeBody) -> bool:
     return all(acting.force is not None for acting in body.forces)
 
 
-def force_polygon(forces: Forces, body: FreeBody, scale: float) -> Drawing:
+def force_polygon(forces: ForceVectors, body: FreeBody, scale: float) -> Drawing:
     """Return the polygon of the forces on a body, in millimetres to a newton."""
     sheet, acting = Sheet(), visible(forces, body)
     sides = _sides([(one.force or NOWHERE).times(scale) for one in acting])
     for one, (tail, tip) in zip(acting, sides, strict=True):
         sheet.draw(Layer.LOADS, arrow(tail, tip))
-        sheet.name(Beside(tail, tip, (*forces.name(body, one), *forces.size(one)), FORCE))
+        sheet.name(BesideLine(tail, tip, (*forces.name(body, one), *forces.size(one)), FORCE))
     for (_, tip), (tail, _) in zip(sides, (*sides[1:], sides[0]), strict=True):
         if math.dist(tip, tail) > ASIDE / 2:
             sheet.draw(Layer.AXES, [line(tip, tail, HATCH)])

@@ -10,13 +10,13 @@ from ..statics.diagram import AT_PINS, Acting, Diagram, FreeBody
 from . import symbols
 from .arrange import below_each_other, in_rows, joined, line_of_text
 from .bodies import link, slide
-from .drawing import AXIS, FORCE, SYMBOL, Arc, Drawing, Run, Shape
-from .labels import Around, Beside
+from .drawing import AXIS, FORCE, SYMBOL, Arc, Drawing, Shape, TextRun
+from .labels import AroundPoint, BesideLine
 from .lettering import name
 from .paper import Paper, on_paper
 from .sheet import Layer, Sheet
 from .symbols import off
-from .vectors import Forces, heading, in_words
+from .vectors import ForceVectors, heading, in_words
 
 LARGEST = 24.0
 """The length of the largest force in millimetres."""
@@ -41,7 +41,7 @@ def free_bodies(
     if not diagrams:
         return None
     paper = on_paper(figure)
-    drawn = [_Maker(paper, Forces(figure, d, words)).drawing() for d in diagrams]
+    drawn = [_Maker(paper, ForceVectors(figure, d, words)).drawing() for d in diagrams]
     title = words["bodies_of"].format(name=figure.title or figure.name)
     about = _description(diagrams, words, figure.mirror is not None)
     return replace(below_each_other(drawn), title=title, description=about)
@@ -57,7 +57,7 @@ class _Maker:
     """One set of loads and the forces under it."""
 
     paper: Paper
-    forces: Forces
+    forces: ForceVectors
 
     def drawing(self) -> Drawing:
         """Return a heading over all bodies."""
@@ -72,7 +72,7 @@ class _Maker:
             self._draw_force(sheet, body, acting)
         for point in dict.fromkeys(a.point for a in body.forces if a.point):
             at = self.paper.at(point)
-            sheet.name(Around(at, name(point), SYMBOL, math.pi / 2, symbols.PIN))
+            sheet.name(AroundPoint(at, name(point), SYMBOL, math.pi / 2, symbols.PIN))
         return sheet.finished("", "")
 
     def _shapes(self, body: FreeBody) -> Iterator[Shape]:
@@ -96,8 +96,8 @@ class _Maker:
 
     def _draw_force(self, sheet: Sheet, body: FreeBody, acting: Acting) -> None:
         if acting.force is None:
-            unknown = (*self.forces.name(body, acting), Run(" = ?"))
-            sheet.name(Around(self._place(body, acting), unknown, FORCE, 0.0, symbols.PIN))
+            unknown = (*self.forces.name(body, acting), TextRun(" = ?"))
+            sheet.name(AroundPoint(self._place(body, acting), unknown, FORCE, 0.0, symbols.PIN))
             return
         unit = acting.force.unit()
         pushes = bool(acting.point) and self.forces.pushes(acting)
@@ -122,7 +122,7 @@ class _Maker:
             sheet.draw(Layer.AXES, [symbols.line(*reach, AXIS)])
         sheet.draw(Layer.LOADS, symbols.arrow(tail, tip))
         runs = (*self.forces.name(body, acting), *self.forces.size(acting))
-        sheet.name(Beside(tail, tip, runs, FORCE))
+        sheet.name(BesideLine(tail, tip, runs, FORCE))
 
     def _draw_couple(self, sheet: Sheet, body: FreeBody, acting: Acting) -> None:
         at, sense = self._place(body, acting), acting.moment > 0
@@ -131,7 +131,7 @@ class _Maker:
         start, radius = min(ways, key=lambda way: sheet.occupied.crossed(drawn[way]))
         sheet.draw(Layer.LOADS, drawn[start, radius])
         runs = (*self.forces.name(body, acting, couple=True), *self.forces.turning(acting))
-        sheet.name(Around(off(at, direction(start), radius + 1), runs, FORCE, start))
+        sheet.name(AroundPoint(off(at, direction(start), radius + 1), runs, FORCE, start))
 
     def _place(self, body: FreeBody, acting: Acting) -> Plane:
         """Return where a force or couple is: at its point, or in the middle of the body."""

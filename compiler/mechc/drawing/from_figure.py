@@ -11,7 +11,7 @@ from .bodies import bars_at, link, slide
 from .describe import describe
 from .drawing import AXIS, COPY, SYMBOL, Drawing, Shape
 from .joints import draw_slide_guides, joint, pins
-from .labels import Around
+from .labels import AroundPoint
 from .lettering import name
 from .loads import draw_forces, draw_pairs, meets
 from .measures import draw_measures
@@ -112,7 +112,7 @@ def _write_points(sheet: Sheet, paper: Paper) -> None:
     for point in sorted(named, key=lambda point: point not in pinned):
         towards = _away(paper, point)
         at = paper.at(point)
-        sheet.name(Around(at, name(point), SYMBOL, towards, symbols.PIN))
+        sheet.name(AroundPoint(at, name(point), SYMBOL, towards, symbols.PIN))
 
 
 def _away(paper: Paper, point: str) -> float:

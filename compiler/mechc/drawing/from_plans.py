@@ -4,21 +4,21 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from ..figure.figure import Figure
-from ..figure.velocities import Velocities
+from ..figure.velocities import MotionVelocities
 from ..frozen import replace
 from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import Diagram, FreeBody
 from .arrange import below_each_other, in_rows, joined, line_of_text
 from .describe import say_forces, say_velocities
-from .drawing import SYMBOL, Drawing, Run
+from .drawing import SYMBOL, Drawing, TextRun
 from .force_polygon import force_polygon, is_known, visible
-from .labels import Around
+from .labels import AroundPoint
 from .lettering import name
 from .sheet import Layer, Sheet
 from .symbols import line
 from .ticks import STEPS
 from .tolerances import WHOLE
-from .vectors import Forces, Speeds, heading
+from .vectors import ForceVectors, VelocityVectors, heading
 from .velocity_polygon import scale_of, velocity_polygon
 
 LARGEST = 34.0
@@ -30,7 +30,7 @@ ROW = 5
 
 def plans(
     figure: Figure,
-    velocities: Sequence[Velocities],
+    velocities: Sequence[MotionVelocities],
     diagrams: Sequence[Diagram],
     words: Mapping[str, str],
 ) -> Drawing | None:
@@ -39,12 +39,12 @@ def plans(
     ``words`` are those of a language.
     """
     motions = [_of_velocities(figure, velocities, i, words) for i in range(len(velocities))]
-    forces = [_of_forces(Forces(figure, diagram, words)) for diagram in diagrams]
+    forces = [_of_forces(ForceVectors(figure, diagram, words)) for diagram in diagrams]
     if not motions and not forces:
         return None
     title = words["plans_of"].format(name=figure.title or figure.name)
-    about = [say_velocities(Speeds(v), words) for v in velocities]
-    about += [say_forces(Forces(figure, diagram, words)) for diagram in diagrams]
+    about = [say_velocities(VelocityVectors(v), words) for v in velocities]
+    about += [say_forces(ForceVectors(figure, diagram, words)) for diagram in diagrams]
     return replace(
         below_each_other([*motions, *forces]),
         title=title,
@@ -53,18 +53,18 @@ def plans(
 
 
 def _of_velocities(
-    figure: Figure, all_: Sequence[Velocities], number: int, words: Mapping[str, str]
+    figure: Figure, all_: Sequence[MotionVelocities], number: int, words: Mapping[str, str]
 ) -> Drawing:
     """Return the plan of one motion, its scale, and how fast links turn."""
     velocities = all_[number]
-    speeds, polygon = Speeds(velocities), velocity_polygon(figure, velocities)
+    speeds, polygon = VelocityVectors(velocities), velocity_polygon(figure, velocities)
     several = words["motion"].format(number=number + 1, count=len(all_)) if len(all_) > 1 else ""
     head = words["velocities"] + (f", {several}" if several else "")
-    unit = speeds.name(velocities.per) if velocities.per else (Run("m/s", unit=True),)
+    unit = speeds.name(velocities.per) if velocities.per else (TextRun("m/s", unit=True),)
     spins = filter(None, map(speeds.spin, velocities.spins))
     return joined(
         [
-            line_of_text((Run(head),)),
+            line_of_text((TextRun(head),)),
             polygon.drawing,
             scale_bar(scale_of(velocities), unit),
             *_rows(polygon.left),
@@ -73,33 +73,35 @@ def _of_velocities(
     )
 
 
-def _rows(parts: Sequence[tuple[Run, ...]]) -> Iterator[Drawing]:
+def _rows(parts: Sequence[tuple[TextRun, ...]]) -> Iterator[Drawing]:
     """Yield lines of what is said, a few things in each."""
     for i in range(0, len(parts), ROW):
-        said = (run for part in parts[i : i + ROW] for run in (Run(",   "), *part))
+        said = (run for part in parts[i : i + ROW] for run in (TextRun(",   "), *part))
         yield line_of_text(tuple(said)[1:])
 
 
-def _of_forces(forces: Forces) -> Drawing:
+def _of_forces(forces: ForceVectors) -> Drawing:
     """Return the polygons of all bodies under one set of loads, to one scale."""
     scale = LARGEST / forces.largest
     found = [_polygon(forces, body, scale) for body in _drawn(forces)]
     bar = scale_bar(scale * forces.measure, forces.unit)
     polygons = [in_rows(found, "top"), bar] if found else []
     open_ = ", ".join(forces.called(b.name) for b in forces.described if not is_known(b))
-    left_out = [line_of_text((Run(forces.words["open"].format(bodies=open_)),))] if open_ else []
+    left_out = (
+        [line_of_text((TextRun(forces.words["open"].format(bodies=open_)),))] if open_ else []
+    )
     head = line_of_text(heading(forces.diagram, forces.words))
     return joined([head, *polygons, *left_out])
 
 
-def _drawn(forces: Forces) -> Iterator[FreeBody]:
+def _drawn(forces: ForceVectors) -> Iterator[FreeBody]:
     """Yield the bodies whose forces are all known, and more than one."""
     for body in forces.described:
         if is_known(body) and len(visible(forces, body)) > 1:
             yield body
 
 
-def _polygon(forces: Forces, body: FreeBody, scale: float) -> Drawing:
+def _polygon(forces: ForceVectors, body: FreeBody, scale: float) -> Drawing:
     title = line_of_text(name(forces.called(body.name)))
     return joined([title, force_polygon(forces, body, scale)])
 
@@ -111,7 +113,7 @@ TICK = 1.2
 """Half the height of the strokes at its ends."""
 
 
-def scale_bar(size: float, unit: tuple[Run, ...]) -> Drawing:
+def scale_bar(size: float, unit: tuple[TextRun, ...]) -> Drawing:
     """Return a bar as long as a round number of units, one of which is ``size`` millimetres."""
     units = _round(LONGEST / size)
     end = Plane(units * size, 0.0)
@@ -119,7 +121,7 @@ def scale_bar(size: float, unit: tuple[Run, ...]) -> Drawing:
     up = Plane(0.0, TICK)
     bar = [line(at.minus(up), at.plus(up), SYMBOL) for at in (NOWHERE, end)]
     sheet.draw(Layer.MEASURES, [line(NOWHERE, end, SYMBOL), *bar])
-    sheet.name(Around(end, (Run(f"{units:g}\u2009"), *unit), SYMBOL, 0.0, TICK))
+    sheet.name(AroundPoint(end, (TextRun(f"{units:g}\u2009"), *unit), SYMBOL, 0.0, TICK))
     return sheet.finished("", "")
 
 

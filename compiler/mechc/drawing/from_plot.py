@@ -12,7 +12,7 @@ from .describe_plot import describe
 from .drawing import Drawing, Polyline, Shape
 from .lettering import SIZE, box
 from .marks import curves, dots, poles, values_beside
-from .panels import Layout, common_entry, entry, laid_out
+from .panels import PanelLayout, common_entry, entry, laid_out
 from .sheet import Layer, Sheet
 
 SAMPLE = 9.0
@@ -33,7 +33,7 @@ def picture(plot: Plot, words: Mapping[str, str]) -> Drawing:
     return replace(whole, title=plot.title, description=describe(plot, words))
 
 
-def _drawn(layout: Layout) -> Drawing:
+def _drawn(layout: PanelLayout) -> Drawing:
     sheet, frame = Sheet(), layout.frame
     sheet.shade(Layer.COPIES, [*_shaded(layout), *grid(frame, layout.across, layout.up)])
     sheet.draw(Layer.AXES, poles(layout))
@@ -45,7 +45,7 @@ def _drawn(layout: Layout) -> Drawing:
     return sheet.finished("", "")
 
 
-def _write_axes(sheet: Sheet, layout: Layout) -> None:
+def _write_axes(sheet: Sheet, layout: PanelLayout) -> None:
     """Write the numbers of both axes and their headings."""
     frame = layout.frame
     numbers = numbers_below(frame, layout.across), numbers_beside(frame, layout.up)
@@ -59,7 +59,7 @@ def _write_axes(sheet: Sheet, layout: Layout) -> None:
     sheet.write(label(Plane(frame.low.x - LEFT, frame.high.y + ABOVE), beside))
 
 
-def _shaded(layout: Layout) -> Iterator[Shape]:
+def _shaded(layout: PanelLayout) -> Iterator[Shape]:
     """Yield the zone that is marked, or the range of the description."""
     frame = layout.frame
     for ends in layout.shaded:
@@ -67,7 +67,7 @@ def _shaded(layout: Layout) -> Iterator[Shape]:
         yield rectangle(Plane(left, frame.low.y), Plane(right, frame.high.y), "light")
 
 
-def _draw_marks(sheet: Sheet, layout: Layout) -> None:
+def _draw_marks(sheet: Sheet, layout: PanelLayout) -> None:
     sheet.draw(Layer.PINS, (dot for dot, *_ in dots(layout)))
     for written in values_beside(layout):
         half = Plane(written.width / 2 + 0.5, written.height / 2 + 0.3)
@@ -76,7 +76,7 @@ def _draw_marks(sheet: Sheet, layout: Layout) -> None:
         sheet.write(written)
 
 
-def _draw_legend(sheet: Sheet, layout: Layout) -> None:
+def _draw_legend(sheet: Sheet, layout: PanelLayout) -> None:
     """Draw which line is which, and under them what they have in common."""
     corner = layout.frame.high
     at = Plane(corner.x + 4.0, corner.y - 3.0)

@@ -7,9 +7,9 @@ from itertools import count, product
 from ..frozen import frozen
 from ..named import NamedTuple
 from ..pose.places import Plane, direction
-from .drawing import HATCH, Arc, Label, Pen, Polyline, Run
+from .drawing import HATCH, Arc, Label, Pen, Polyline, TextRun
 from .lettering import SIZE, box
-from .occupied import Box, Occupied, stretches
+from .occupied import Occupied, Rectangle, stretches
 from .tolerances import HORIZONTAL
 
 TURNS, TURNS_FAR = 16, 64
@@ -31,14 +31,14 @@ PATIENCE = 6400
 """After so many places a line may lead to a label across another one."""
 
 
-class Candidate(NamedTuple):
+class LabelPlace(NamedTuple):
     """A place for a label; where ``far``, a line must lead from it to what it names."""
 
     at: Plane
     far: bool = False
 
 
-class Written(NamedTuple):
+class PlacedLabel(NamedTuple):
     """A label in its place, and the line that leads to it if there is one."""
 
     label: Label
@@ -46,30 +46,30 @@ class Written(NamedTuple):
 
 
 @frozen
-class Around:
+class AroundPoint:
     """A name next to a point, as near to the direction ``towards`` as there is room.
 
     ``gap`` is the radius of what is drawn at the point.
     """
 
     at: Plane
-    runs: tuple[Run, ...]
+    runs: tuple[TextRun, ...]
     pen: Pen
     towards: float
     gap: float = 0.0
 
-    def candidates(self, width: float, height: float) -> Iterator[Candidate]:
+    def candidates(self, width: float, height: float) -> Iterator[LabelPlace]:
         """Yield places for a box, the best first."""
         return _rings(self.at, self.towards, self.gap, width, height)
 
 
 @frozen
-class Beside:
+class BesideLine:
     """A name beside a line, as near to its middle as there is room; above rather than below."""
 
     start: Plane
     end: Plane
-    runs: tuple[Run, ...]
+    runs: tuple[TextRun, ...]
     pen: Pen
 
     @property
@@ -77,18 +77,18 @@ class Beside:
         """Return the middle of the line."""
         return self.start.plus(self.end).times(0.5)
 
-    def candidates(self, width: float, height: float) -> Iterator[Candidate]:
+    def candidates(self, width: float, height: float) -> Iterator[LabelPlace]:
         """Yield places for a box, the best first."""
         yield from _sides(self.start, self.end, width, height)
         yield from _rings(self.at, math.pi / 2, 0.0, width, height)
 
 
 @frozen
-class Along:
+class AlongArc:
     """A name beside an arc, as near to its middle as there is room; outside rather than in."""
 
     arc: Arc
-    runs: tuple[Run, ...]
+    runs: tuple[TextRun, ...]
     pen: Pen
 
     @property
@@ -96,17 +96,17 @@ class Along:
         """Return the middle of the arc."""
         return self.arc.at(0.5)
 
-    def candidates(self, width: float, height: float) -> Iterator[Candidate]:
+    def candidates(self, width: float, height: float) -> Iterator[LabelPlace]:
         """Yield places for a box, the best first."""
         yield from _round(self.arc, width, height)
         yield from _rings(self.at, self.arc.start + self.arc.sweep / 2, 0.0, width, height)
 
 
-Name = Around | Beside | Along
+PlacedName = AroundPoint | BesideLine | AlongArc
 """What is to be written, and where it wants to be."""
 
 
-def write(name: Name, occupied: Occupied) -> Written:
+def write(name: PlacedName, occupied: Occupied) -> PlacedLabel:
     """Return a label in the first free place, which is then taken."""
     width, height = box(name.runs, SIZE)
     for tried, (place, far) in enumerate(name.candidates(width, height)):
@@ -117,17 +117,17 @@ def write(name: Name, occupied: Occupied) -> Written:
         ways = (stretch for line in leader for stretch in stretches(line))
         if tried > PATIENCE or not any(occupied.written_on(*way) for way in ways):
             break
-    occupied.write(Box(label.at, width, height))
+    occupied.write(Rectangle(label.at, width, height))
     occupied.add(*leader)
-    return Written(label, leader)
+    return PlacedLabel(label, leader)
 
 
-def next_to(name: Beside, occupied: Occupied) -> Label | None:
+def next_to(name: BesideLine, occupied: Occupied) -> Label | None:
     """Return a label next to its line, which is then taken; None where there is no room."""
     width, height = box(name.runs, SIZE)
     for place, _ in _sides(name.start, name.end, width, height):
         if occupied.free(place, width, height):
-            occupied.write(Box(place, width, height))
+            occupied.write(Rectangle(place, width, height))
             return Label(place, name.runs, name.pen, SIZE, width, height)
     return None
 
@@ -139,7 +139,7 @@ def _support(towards: Plane, width: float, height: float) -> float:
 
 def _rings(
     at: Plane, towards: float, gap: float, width: float, height: float
-) -> Iterator[Candidate]:
+) -> Iterator[LabelPlace]:
     """Yield places around a point, the near ones first; there is no end to them."""
     for number in count():
         late = number - len(NEAR) + 1
@@ -147,7 +147,7 @@ def _rings(
         turns = TURNS_FAR if late > 0 else TURNS
         for unit in (direction(towards + math.tau / turns * _alternating(i)) for i in range(turns)):
             place = at.plus(unit.times(distance + _support(unit, width, height)))
-            yield Candidate(place, late > 0)
+            yield LabelPlace(place, late > 0)
 
 
 def _alternating(number: int) -> int:
@@ -169,7 +169,7 @@ def above(along: Plane) -> Plane:
     return left if is_there else left.times(-1)
 
 
-def _sides(start: Plane, end: Plane, width: float, height: float) -> Iterator[Candidate]:
+def _sides(start: Plane, end: Plane, width: float, height: float) -> Iterator[LabelPlace]:
     along = end.minus(start).unit()
     if along is None:
         return
@@ -178,19 +178,19 @@ def _sides(start: Plane, end: Plane, width: float, height: float) -> Iterator[Ca
         for part in ALONG:
             for side in (1, -1):
                 out = upper.times(side * (distance + _support(upper, width, height)))
-                yield Candidate(start.plus(end.minus(start).times(part)).plus(out))
+                yield LabelPlace(start.plus(end.minus(start).times(part)).plus(out))
 
 
-def _round(arc: Arc, width: float, height: float) -> Iterator[Candidate]:
+def _round(arc: Arc, width: float, height: float) -> Iterator[LabelPlace]:
     for parts, distance, side in product((ALONG, AT_ENDS), (0.6, 1.6, 3.0), (1, -1)):
         for part in parts:
             out = direction(arc.start + part * arc.sweep).times(side)
-            yield Candidate(arc.at(part).plus(out.times(distance + _support(out, width, height))))
+            yield LabelPlace(arc.at(part).plus(out.times(distance + _support(out, width, height))))
 
 
-def _leaders(name: Name, label: Label) -> tuple[Polyline, ...]:
+def _leaders(name: PlacedName, label: Label) -> tuple[Polyline, ...]:
     """Return the line from a label to what it names: none to an arc that is next to it."""
-    if not isinstance(name, Along):
+    if not isinstance(name, AlongArc):
         return (_leader(name.at, label),)
     nearest = min(name.arc.way(), key=lambda at: math.dist(at, label.at))
     way = nearest.minus(label.at)

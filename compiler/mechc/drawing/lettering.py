@@ -5,10 +5,17 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import groupby
 
-from ..formula.names import GREEK, JointForce, split_force, split_name, split_points, split_ratio
+from ..formula.names import (
+    GREEK,
+    JointForceName,
+    split_force,
+    split_name,
+    split_points,
+    split_ratio,
+)
 from ..patterns import pattern
 from ..units import LENGTH, UNITS
-from .drawing import Run
+from .drawing import TextRun
 from .tolerances import ONE
 
 SIZE = 3.9
@@ -50,7 +57,7 @@ _FUNCTIONS = frozenset(
 _WIDE, _NARROW = frozenset("mwMWΩ"), frozenset("ijlftrI.,:;'()[]|/ ")
 
 
-def name(written: str) -> tuple[Run, ...]:
+def name(written: str) -> tuple[TextRun, ...]:
     """Return a point or a quantity as it is lettered, points and letters of an index in italics.
 
     >>> [run.text for run in name("O1'")], [run.text for run in name("alpha_max")]
@@ -61,22 +68,22 @@ def name(written: str) -> tuple[Run, ...]:
     (['M', '/', 'F'], ['A', 'B'])
     """
     above, *below = (tuple(_one(n)) for n in split_ratio(written))
-    return (*above, *(run for part in below for run in (Run("/"), *part)))
+    return (*above, *(run for part in below for run in (TextRun("/"), *part)))
 
 
-def times(count: float, written: str) -> tuple[Run, ...]:
+def times(count: float, written: str) -> tuple[TextRun, ...]:
     """Return a load's name after how often it acts.
 
     >>> [run.text for run in times(2.0, "P")], [run.text for run in times(1 / 3, "P")]
     (['2', 'P'], ['P', '/3'])
     """
     exact = Fraction(count).limit_denominator(1000)
-    above = (Run(f"{exact.numerator}"),) if exact.numerator != 1 else ()
-    below = (Run(f"/{exact.denominator}"),) if exact.denominator != 1 else ()
+    above = (TextRun(f"{exact.numerator}"),) if exact.numerator != 1 else ()
+    below = (TextRun(f"/{exact.denominator}"),) if exact.denominator != 1 else ()
     return (*above, *name(written), *below)
 
 
-def _one(written: str) -> Iterator[Run]:
+def _one(written: str) -> Iterator[TextRun]:
     if split_points(written.removeprefix("len_")):
         yield from _points(written.removeprefix("len_"))
     elif force := split_force(written):
@@ -85,10 +92,10 @@ def _one(written: str) -> Iterator[Run]:
         yield from _quantity(written)
 
 
-def _force(force: JointForce) -> Iterator[Run]:
+def _force(force: JointForceName) -> Iterator[TextRun]:
     """Yield a force with its link above, its direction as an angle."""
     if force.is_direction:
-        yield Run(GREEK["phi"], italic=True)
+        yield TextRun(GREEK["phi"], italic=True)
         yield from lowered(_quantity(force.name))
     else:
         yield from _quantity(force.name)
@@ -96,37 +103,41 @@ def _force(force: JointForce) -> Iterator[Run]:
         yield from (run._replace(level=1) for run in _points(force.link))
 
 
-def _points(written: str) -> Iterator[Run]:
+def _points(written: str) -> Iterator[TextRun]:
     for letter, number, primes in split_points(written):
-        yield Run(letter + primes, italic=True)
+        yield TextRun(letter + primes, italic=True)
         if number:
-            yield Run(number, level=-1)
+            yield TextRun(number, level=-1)
 
 
-def _quantity(written: str) -> Iterator[Run]:
+def _quantity(written: str) -> Iterator[TextRun]:
     head, primes, indices = split_name(written)
-    yield Run(GREEK.get(head, head) + primes, italic=True)
+    yield TextRun(GREEK.get(head, head) + primes, italic=True)
     yield from enumerated(map(_index, indices))
 
 
-def _index(written: str) -> tuple[Run, ...]:
+def _index(written: str) -> tuple[TextRun, ...]:
     """Return one index: points, a letter, a number, a word."""
     if split_points(written):
         return tuple(_points(written))
     head, primes, numbers = split_name(written)
-    letter = Run(GREEK.get(head, head) + primes, italic=head in GREEK or len(head) == 1)
-    return (Run(written),) if written.isdigit() else (letter, *(Run(n, level=-1) for n in numbers))
+    letter = TextRun(GREEK.get(head, head) + primes, italic=head in GREEK or len(head) == 1)
+    return (
+        (TextRun(written),)
+        if written.isdigit()
+        else (letter, *(TextRun(n, level=-1) for n in numbers))
+    )
 
 
-def enumerated(parts: Iterable[Iterable[Run]]) -> tuple[Run, ...]:
+def enumerated(parts: Iterable[Iterable[TextRun]]) -> tuple[TextRun, ...]:
     """Return text as one index, commas between its parts."""
-    runs: list[Run] = []
+    runs: list[TextRun] = []
     for part in parts:
-        runs += [*([Run(",")] if runs else []), *part]
+        runs += [*([TextRun(",")] if runs else []), *part]
     return lowered(_joined(runs))
 
 
-def lowered(runs: Iterable[Run]) -> tuple[Run, ...]:
+def lowered(runs: Iterable[TextRun]) -> tuple[TextRun, ...]:
     """Return text as an index."""
     return tuple(run._replace(level=run.level - 1) for run in runs)
 
@@ -143,7 +154,7 @@ def figures(value: float) -> str:
     return written.replace("-", "−")
 
 
-def measured(value: float, of_another: bool = False) -> tuple[Run, ...]:
+def measured(value: float, of_another: bool = False) -> tuple[TextRun, ...]:
     """Return that something is a number, to three figures, as it stands before a unit.
 
     Before the name of another quantity, 1 is not written, and what is nearly 1 has its figures.
@@ -154,16 +165,16 @@ def measured(value: float, of_another: bool = False) -> tuple[Run, ...]:
     ' = 1.00\u2009'
     """
     if of_another and math.isclose(value, 1.0, rel_tol=ONE):
-        return (Run(" = "),)
+        return (TextRun(" = "),)
     digits, _, power = figures(value).partition("e")
     if not power:
         nearly = of_another and digits == "1"
-        return (Run(f" = {'1.00' if nearly else digits}{_THIN}"),)
+        return (TextRun(f" = {'1.00' if nearly else digits}{_THIN}"),)
     exponent = str(int(power.replace(_MINUS, "-"))).replace("-", _MINUS)
-    return Run(f" = {digits}{_THIN}·{_THIN}10"), Run(exponent, level=1), Run(_THIN)
+    return TextRun(f" = {digits}{_THIN}·{_THIN}10"), TextRun(exponent, level=1), TextRun(_THIN)
 
 
-def formula(text: str) -> tuple[Run, ...]:
+def formula(text: str) -> tuple[TextRun, ...]:
     """Return a formula in the notation of the language as it is lettered.
 
     A whole number stands close to its letter: 2 N with a space would be two newtons.
@@ -175,20 +186,20 @@ def formula(text: str) -> tuple[Run, ...]:
     return tuple(_joined(_runs(_TOKEN.findall(spaced))))
 
 
-def _runs(tokens: list[str]) -> Iterator[Run]:
+def _runs(tokens: list[str]) -> Iterator[TextRun]:
     level = 0
     for before, token in zip(["", *tokens], tokens, strict=False):
         if token == "^":
             level = 1
             continue
         if token in _UNITS and before[-1:].isdigit():
-            yield Run(_UNITS[token])
+            yield TextRun(_UNITS[token])
         elif token == "pi" or token in _FUNCTIONS:
-            yield Run("π" if token == "pi" else token, level=level)
+            yield TextRun("π" if token == "pi" else token, level=level)
         elif token[0].isalpha() and token != "sqrt":
             yield from (run._replace(level=run.level or level) for run in name(token))
         else:
-            yield Run(_sign(token, before), level=level)
+            yield TextRun(_sign(token, before), level=level)
         level = 0
 
 
@@ -199,14 +210,14 @@ def _sign(token: str, before: str) -> str:
     return "√" if token == "sqrt" else _SIGNS.get(token, token)
 
 
-def _joined(runs: Iterable[Run]) -> Iterator[Run]:
+def _joined(runs: Iterable[TextRun]) -> Iterator[TextRun]:
     """Yield runs of the same type as one."""
     for _, group in groupby(runs, key=lambda run: (run.italic, run.level)):
         first, *others = group
         yield first._replace(text="".join(run.text for run in (first, *others)))
 
 
-def box(runs: tuple[Run, ...], size: float) -> tuple[float, float]:
+def box(runs: tuple[TextRun, ...], size: float) -> tuple[float, float]:
     """Return the width and the height of text, on the safe side in every usual type."""
     width = sum(_width(c) * (SMALL if r.level else 1.0) for r in runs for c in r.text)
     height = 0.95 + 0.2 * any(r.level for r in runs)

@@ -6,7 +6,7 @@ from types import MappingProxyType
 from ..frozen import replace
 from ..named import NamedTuple
 from ..patterns import pattern
-from .drawing import Drawing, Run
+from .drawing import Drawing, TextRun
 from .lettering import name
 
 _BEHIND_A_NUMBER = pattern(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[²³]?[*·/^][A-Za-z0-9]+)*")
@@ -24,7 +24,7 @@ class Letters(NamedTuple):
 
 LATIN = Letters({}, ".")
 
-Runs = tuple[Run, ...]
+Runs = tuple[TextRun, ...]
 
 
 def in_letters(drawing: Drawing, letters: Letters) -> Drawing:
@@ -40,11 +40,11 @@ def in_letters(drawing: Drawing, letters: Letters) -> Drawing:
     return replace(drawing, labels=tuple(labels), description=description)
 
 
-def spelled(runs: Iterable[Run], letters: Letters) -> tuple[Run, ...]:
+def spelled(runs: Iterable[TextRun], letters: Letters) -> tuple[TextRun, ...]:
     """Return text with its numbers and units in the letters of a language.
 
     >>> russian = Letters({"mm": "мм", "s": "с"}, ",")
-    >>> [r.text for r in spelled([Run("r = 1.5\u2009mm"), Run("mm/s", unit=True)], russian)]
+    >>> [r.text for r in spelled([TextRun("r = 1.5\u2009mm"), TextRun("mm/s", unit=True)], russian)]
     ['r = 1,5\u2009мм', 'мм/с']
     """
     shown = tuple(runs)
@@ -58,7 +58,7 @@ def _renamed(runs: Runs, called: Runs, there: Runs) -> Runs:
 
     >>> [r.text for r in _renamed(name("P_far"), name("far"), name("дал"))]
     ['P', 'дал']
-    >>> both = *name("F_C_1"), Run(", "), *name("F_C")
+    >>> both = *name("F_C_1"), TextRun(", "), *name("F_C")
     >>> [r.text for r in _renamed(both, name("F_C"), name("F_ц"))]
     ['F', 'C', ',1', ', ', 'F', 'ц']
     """
@@ -75,7 +75,7 @@ def _ends(runs: Runs) -> bool:
     return not runs or runs[0].level == 0
 
 
-def _spelled(run: Run, letters: Letters) -> str:
+def _spelled(run: TextRun, letters: Letters) -> str:
     return of_unit(run.text, letters) if run.unit else lettered(run.text, letters)
 
 

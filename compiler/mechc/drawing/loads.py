@@ -13,7 +13,7 @@ from ..figure.figure import (
 from ..pose.places import Plane
 from .drawing import FORCE, SYMBOL, VELOCITY, Arc
 from .joints import reach
-from .labels import Along, Beside
+from .labels import AlongArc, BesideLine
 from .lettering import name, times
 from .occupied import LineSegment, Occupied
 from .paper import Paper
@@ -77,7 +77,7 @@ def draw_forces(sheet: Sheet, paper: Paper, avoided: Occupied) -> list[LineSegme
             case Actuator() | Spring():
                 ends = paper.at(part.first), paper.at(part.second)
                 pen = FORCE if isinstance(part, Actuator) else SYMBOL
-                sheet.name(Beside(*ends, name(part.name), pen))
+                sheet.name(BesideLine(*ends, name(part.name), pen))
             case _:
                 pass
     return drawn
@@ -89,7 +89,7 @@ def _draw_force(sheet: Sheet, paper: Paper, force: Force, avoided: Occupied) -> 
         sheet.draw(Layer.PINS, centre_of_gravity(at))
     tail, tip = _free_arrow(sheet.occupied, avoided, paper, force)
     sheet.draw(Layer.LOADS, arrow(tail, tip))
-    sheet.name(Beside(tail, tip, times(force.times, force.name), FORCE))
+    sheet.name(BesideLine(tail, tip, times(force.times, force.name), FORCE))
     return tail, tip
 
 
@@ -136,7 +136,7 @@ def _draw_spread(sheet: Sheet, paper: Paper, load: SpreadLoad) -> None:
         if abs(size) > LEAST:
             sheet.draw(Layer.LOADS, arrow(tails[-1], tip))
     sheet.draw(Layer.LOADS, [line(tails[0], tails[-1], FORCE)])
-    sheet.name(Beside(tails[0], tails[-1], times(load.times, load.name), FORCE))
+    sheet.name(BesideLine(tails[0], tails[-1], times(load.times, load.name), FORCE))
 
 
 def _draw_torque(sheet: Sheet, paper: Paper, torque: Torque) -> None:
@@ -146,4 +146,4 @@ def _draw_torque(sheet: Sheet, paper: Paper, torque: Torque) -> None:
     found = min(shapes, key=lambda s: sheet.occupied.crossed(s))
     sheet.draw(Layer.LOADS, found)
     arc = next(shape for shape in found if isinstance(shape, Arc))
-    sheet.name(Along(arc, times(torque.times, torque.name), FORCE))
+    sheet.name(AlongArc(arc, times(torque.times, torque.name), FORCE))

@@ -8,11 +8,11 @@ from ..named import NamedTuple
 from ..plot.plot import Curve, Mark
 from ..pose.places import Plane
 from .axes import at_zero, outline
-from .drawing import AXIS, SYMBOL, Arc, Fill, Label, Pen, Polyline, Run
-from .labels import Around
+from .drawing import AXIS, SYMBOL, Arc, Fill, Label, Pen, Polyline, TextRun
+from .labels import AroundPoint
 from .lettering import SIZE, box
-from .occupied import Box, Occupied
-from .panels import Layout, place_of, steps, values_at, ways
+from .occupied import Occupied, Rectangle
+from .panels import PanelLayout, place_of, steps, values_at, ways
 
 NAMED = 6
 """How many marks of a panel have their values written beside them; more are only dots."""
@@ -24,7 +24,7 @@ DOT, THIN = 0.9, 0.3
 """The radius of a mark, and how wide the lines of marks and jumps are."""
 
 
-def curves(layout: Layout) -> Iterator[Polyline]:
+def curves(layout: PanelLayout) -> Iterator[Polyline]:
     """Yield the curves as lines on paper, thin ones where they jump."""
     for curve, pen in layout.pens.items():
         for step in steps(curve, layout):
@@ -38,7 +38,7 @@ def thin(pen: Pen) -> Pen:
     return pen._replace(width=THIN, dashes=())
 
 
-def poles(layout: Layout) -> Iterator[Polyline]:
+def poles(layout: PanelLayout) -> Iterator[Polyline]:
     """Yield a broken line where a curve is infinite, from edge to edge."""
     frame = layout.frame
     for pole in _poles(layout):
@@ -46,14 +46,14 @@ def poles(layout: Layout) -> Iterator[Polyline]:
         yield Polyline((Plane(x, frame.low.y), Plane(x, frame.high.y)), AXIS)
 
 
-def _poles(layout: Layout) -> list[float]:
+def _poles(layout: PanelLayout) -> list[float]:
     """Return where a curve is infinite inside the frame."""
     frame = layout.frame
     every = sorted({pole for curve in layout.panel.curves for pole in curve.poles})
     return [p for p in every if frame.low.x < layout.at(Plane(p, 0.0)).x < frame.high.x]
 
 
-def dots(layout: Layout) -> Iterator[tuple[Arc, Mark, Curve]]:
+def dots(layout: PanelLayout) -> Iterator[tuple[Arc, Mark, Curve]]:
     """Yield the marks inside the frame, and of which curve: rings, and dots for poses."""
     frame = layout.frame
     for curve, pen in layout.pens.items():
@@ -63,7 +63,7 @@ def dots(layout: Layout) -> Iterator[tuple[Arc, Mark, Curve]]:
                 yield Arc(layout.at(mark.at), DOT, thin(pen), fill=fill), mark, curve
 
 
-def values_beside(layout: Layout) -> tuple[Label, ...]:
+def values_beside(layout: PanelLayout) -> tuple[Label, ...]:
     """Return the values at marks and poles, off curves and dots, as far as there is room."""
     marked, frame = list(dots(layout)), layout.frame
     lettered = [
@@ -87,12 +87,12 @@ class _Lettered(NamedTuple):
     towards: float
 
 
-def _at_mark(dot: Arc, mark: Mark, curve: Curve, layout: Layout) -> _Lettered:
+def _at_mark(dot: Arc, mark: Mark, curve: Curve, layout: PanelLayout) -> _Lettered:
     towards = -math.pi / 2 if mark.kind == "minimum" else math.pi / 2
     return _Lettered(dot.centre, values_at(mark, curve, layout), dot.pen, towards)
 
 
-def _at_poles(layout: Layout) -> Iterator[_Lettered]:
+def _at_poles(layout: PanelLayout) -> Iterator[_Lettered]:
     """Yield where curves are infinite, to be written beside the upper end of the broken line."""
     dead = {place for curve in layout.panel.curves for place in curve.dead_centres}
     for pole in _poles(layout):
@@ -100,15 +100,15 @@ def _at_poles(layout: Layout) -> Iterator[_Lettered]:
         yield _Lettered(at, place_of(pole, pole in dead, layout), SYMBOL, 0.0)
 
 
-def _beside(lettered: _Lettered, layout: Layout, occupied: Occupied) -> Label | None:
+def _beside(lettered: _Lettered, layout: PanelLayout, occupied: Occupied) -> Label | None:
     """Return a text at a place in the first free room near it, which is then taken."""
     for text in lettered.texts:
-        name = Around(lettered.at, (Run(text),), lettered.pen, lettered.towards, DOT)
+        name = AroundPoint(lettered.at, (TextRun(text),), lettered.pen, lettered.towards, DOT)
         width, height = box(name.runs, SIZE)
         half = Plane(width / 2 + 0.5, height / 2 + 0.3)
         for place, _ in takewhile(lambda c: not c.far, name.candidates(width, height)):
             inside = layout.frame.holds(place.minus(half)) and layout.frame.holds(place.plus(half))
             if inside and occupied.free(place, width, height):
-                occupied.write(Box(place, width, height))
+                occupied.write(Rectangle(place, width, height))
                 return Label(place, name.runs, lettered.pen, SIZE, width, height)
     return None

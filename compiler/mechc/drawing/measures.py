@@ -3,12 +3,12 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from ..figure.figure import AngleMark, Dimension, Link, Telescope
+from ..figure.figure import AngleMark, DimensionLine, Link, Telescope
 from ..named import NamedTuple
 from ..pose.places import Plane, direction
 from .bodies import bars_at
 from .drawing import MEASURE, Arc, Polyline, Shape
-from .labels import Along, Beside, above
+from .labels import AlongArc, BesideLine, above
 from .lettering import formula
 from .paper import Paper
 from .sheet import Layer, Sheet
@@ -43,7 +43,7 @@ SAME = 0.9998
 """The cosine between directions above which they are drawn as one."""
 
 
-class Line(NamedTuple):
+class MeasureLine(NamedTuple):
     """A dimension line, between its witness lines."""
 
     start: Plane
@@ -66,7 +66,7 @@ def draw_measures(sheet: Sheet, paper: Paper) -> list[Shape]:
     The lines of lengths come back.
     """
     parts = paper.figure.parts
-    lengths = [part for part in parts if isinstance(part, Dimension)]
+    lengths = [part for part in parts if isinstance(part, DimensionLine)]
     known, drawn = set[str](), list[Shape]()
     for dimension in sorted(lengths, key=lambda d: d.value):
         drawn += _draw_length(sheet, paper, dimension, dimension.text in known)
@@ -80,7 +80,9 @@ def draw_measures(sheet: Sheet, paper: Paper) -> list[Shape]:
 # ---------------------------------------------------------------------------- lengths
 
 
-def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension, known: bool) -> Iterable[Shape]:
+def _draw_length(
+    sheet: Sheet, paper: Paper, dimension: DimensionLine, known: bool
+) -> Iterable[Shape]:
     """Draw a length; one of a name that is ``known`` already only where nothing is in the way.
 
     Its lines come back, if it has any.
@@ -88,34 +90,34 @@ def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension, known: bool) 
     tail, tip = paper.at(dimension.tail), paper.at(dimension.head)
     runs = formula(dimension.text)
     if _is_rod(paper, dimension):
-        sheet.name(Beside(tail, tip, runs, MEASURE))
+        sheet.name(BesideLine(tail, tip, runs, MEASURE))
         return ()
     lines = list(_lines(tail, tip, dimension.along))
     best = min(lines, key=lambda found: _cost(sheet, found, tail, tip))
     if _crossed(sheet, best) and _is_bar(paper, dimension):
-        sheet.name(Beside(tail, tip, runs, MEASURE))
+        sheet.name(BesideLine(tail, tip, runs, MEASURE))
         return ()
     if known and _in_the_way(sheet, best) > SPARED:
         return ()
     sheet.draw(Layer.MEASURES, best.shapes())
-    sheet.name(Beside(best.start, best.end, runs, MEASURE))
+    sheet.name(BesideLine(best.start, best.end, runs, MEASURE))
     return best.shapes()
 
 
-def _is_rod(paper: Paper, dimension: Dimension) -> bool:
+def _is_rod(paper: Paper, dimension: DimensionLine) -> bool:
     """Return whether a dimension is the length of a body that is a single bar."""
     ends = {dimension.tail, dimension.head}
     bodies = (part for part in paper.figure.parts if isinstance(part, Link | Telescope))
     return _is_lengthwise(paper, dimension) and any(ends == {*body.points} for body in bodies)
 
 
-def _is_lengthwise(paper: Paper, dimension: Dimension) -> bool:
+def _is_lengthwise(paper: Paper, dimension: DimensionLine) -> bool:
     """Return whether a dimension is taken along the line between its points."""
     way = paper.at(dimension.head).minus(paper.at(dimension.tail)).unit()
     return way is not None and abs(way.dot(dimension.along)) > SAME
 
 
-def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[Line]:
+def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[MeasureLine]:
     """Yield dimension lines on both sides of two points, the near ones first."""
     across = along.turned()
     heights = across.dot(tail), across.dot(tip)
@@ -128,22 +130,22 @@ def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[Line]:
                 line(off(p, across, side * WITNESS), off(foot, across, side * BEYOND), MEASURE)
                 for p, foot in zip(feet, (start, end), strict=True)
             )
-            yield Line(start, end, tuple(witnesses))
+            yield MeasureLine(start, end, tuple(witnesses))
 
 
-def _cost(sheet: Sheet, found: Line, tail: Plane, tip: Plane) -> float:
+def _cost(sheet: Sheet, found: MeasureLine, tail: Plane, tip: Plane) -> float:
     """Return the cost of a dimension line: lines that it crosses, and its distance."""
     distance = math.dist(found.start, tail) + math.dist(found.end, tip)
     return _in_the_way(sheet, found) + NEAR * distance
 
 
-def _in_the_way(sheet: Sheet, found: Line) -> int:
+def _in_the_way(sheet: Sheet, found: MeasureLine) -> int:
     """Return how many lines a dimension would cross, those across its number counted more."""
     witnesses = sum(sheet.occupied.crossed((witness,)) for witness in found.witnesses)
     return 3 * _crossed(sheet, found) + witnesses
 
 
-def _crossed(sheet: Sheet, found: Line) -> int:
+def _crossed(sheet: Sheet, found: MeasureLine) -> int:
     """Return how many lines a dimension and its number would cross."""
     start, end = found.start, found.end
     return sum(
@@ -152,7 +154,7 @@ def _crossed(sheet: Sheet, found: Line) -> int:
     )
 
 
-def _is_bar(paper: Paper, dimension: Dimension) -> bool:
+def _is_bar(paper: Paper, dimension: DimensionLine) -> bool:
     """Return whether a dimension measures a bar between neighbouring points of a link."""
     ends = {dimension.tail, dimension.head}
     for part in paper.figure.parts:
@@ -163,7 +165,7 @@ def _is_bar(paper: Paper, dimension: Dimension) -> bool:
     return False
 
 
-def _between(paper: Paper, dimension: Dimension, point: str) -> bool:
+def _between(paper: Paper, dimension: DimensionLine, point: str) -> bool:
     tail, tip, at = (paper.at(p) for p in (dimension.tail, dimension.head, point))
     return math.dist(tail, at) + math.dist(at, tip) < (1 + DETOUR) * math.dist(tail, tip)
 
@@ -197,7 +199,7 @@ def _draw_angle(sheet: Sheet, paper: Paper, mark: AngleMark) -> None:
             )
             sheet.draw(Layer.AXES, [ray])
     sheet.draw(Layer.MEASURES, _with_heads(arc))
-    sheet.name(Along(arc, formula(mark.text), MEASURE))
+    sheet.name(AlongArc(arc, formula(mark.text), MEASURE))
 
 
 def _lines_at(paper: Paper, point: str) -> Iterable[Plane]:

@@ -6,17 +6,17 @@ from types import MappingProxyType
 
 from ..figure.figure import Link
 from ..figure.tolerances import NO_SPEED
-from ..figure.velocities import Velocities
+from ..figure.velocities import MotionVelocities
 from ..formula.names import split_points
 from ..frozen import frozen
 from ..named import NamedTuple
 from ..pose.places import Plane
 from . import symbols
-from .drawing import AXIS, FORCE, SYMBOL, VELOCITY, Arc, Run
-from .labels import Around
+from .drawing import AXIS, FORCE, SYMBOL, VELOCITY, Arc, TextRun
+from .labels import AroundPoint
 from .paper import Paper
 from .sheet import Layer, Sheet
-from .vectors import Speeds, index
+from .vectors import VelocityVectors, index
 
 LONGEST, SHORTEST = 20.0, 1.0
 """How long the largest velocity is drawn, and how long one is that is drawn at all."""
@@ -32,8 +32,8 @@ CROSS = 1.6
 class Marks:
     """What is marked: the velocities and the centres of a motion, circles by their points."""
 
-    velocities: Velocities | None = None
-    centres: Velocities | None = None
+    velocities: MotionVelocities | None = None
+    centres: MotionVelocities | None = None
     circles: Mapping[str, float] = MappingProxyType({})
 
 
@@ -67,8 +67,8 @@ def say_marks(paper: Paper, marks: Marks, words: Mapping[str, str]) -> Iterator[
         yield words["far_centres"].format(links=", ".join(far))
 
 
-def _draw_velocities(sheet: Sheet, paper: Paper, velocities: Velocities) -> None:
-    speeds, scale = Speeds(velocities), LONGEST / velocities.largest
+def _draw_velocities(sheet: Sheet, paper: Paper, velocities: MotionVelocities) -> None:
+    speeds, scale = VelocityVectors(velocities), LONGEST / velocities.largest
     for point, velocity in velocities.points.items():
         step = velocity.times(scale)
         if not split_points(point) or math.hypot(*step) < SHORTEST:
@@ -77,10 +77,10 @@ def _draw_velocities(sheet: Sheet, paper: Paper, velocities: Velocities) -> None
         tip = tail.plus(step)
         sheet.draw(Layer.LOADS, symbols.arrow(tail, tip, VELOCITY))
         size = speeds.size(velocities.speed(point), point)
-        sheet.name(Around(tip, (*speeds.name(point), *size), VELOCITY, step.angle, 0.5))
+        sheet.name(AroundPoint(tip, (*speeds.name(point), *size), VELOCITY, step.angle, 0.5))
 
 
-def _centres(paper: Paper, velocities: Velocities) -> Iterator[Centre]:
+def _centres(paper: Paper, velocities: MotionVelocities) -> Iterator[Centre]:
     """Yield the centres of links that turn about no point of their own."""
     least = NO_SPEED * velocities.largest / paper.figure.size
     for part in paper.figure.parts:
@@ -107,5 +107,5 @@ def _draw_centre(sheet: Sheet, paper: Paper, centre: Centre) -> None:
     for along in (Plane(CROSS, CROSS), Plane(CROSS, -CROSS)):
         ends = centre.at.minus(along), centre.at.plus(along)
         sheet.draw(Layer.LOADS, [symbols.line(*ends, SYMBOL)])
-    runs = (Run("P", italic=True), *index(*centre.link.points))
-    sheet.name(Around(centre.at, runs, SYMBOL, math.pi / 4, CROSS))
+    runs = (TextRun("P", italic=True), *index(*centre.link.points))
+    sheet.name(AroundPoint(centre.at, runs, SYMBOL, math.pi / 4, CROSS))

@@ -24,14 +24,14 @@ LineSegment = tuple[Plane, Plane]
 Square = tuple[int, int]
 
 
-class Box:
+class Rectangle:
     """A rectangle with upright sides, around its middle."""
 
     def __init__(self, at: Plane, width: float, height: float) -> None:
         self.low = Plane(at.x - width / 2, at.y - height / 2)
         self.high = Plane(at.x + width / 2, at.y + height / 2)
 
-    def overlaps(self, other: "Box") -> bool:
+    def overlaps(self, other: "Rectangle") -> bool:
         """Return whether two boxes have a point in common."""
         return (
             self.low.x < other.high.x
@@ -71,7 +71,7 @@ class Occupied:
         self._lines: list[LineSegment] = []
         self._pens: list[Pen] = []
         self._squares: dict[Square, list[int]] = {}
-        self._boxes: list[Box] = []
+        self._boxes: list[Rectangle] = []
         self.add(*shapes)
 
     def add(self, *shapes: Shape) -> None:
@@ -83,13 +83,13 @@ class Occupied:
                 self._lines.append(line)
                 self._pens.append(shape.pen)
 
-    def write(self, box: Box) -> None:
+    def write(self, box: Rectangle) -> None:
         """Take in the box of a label."""
         self._boxes.append(box)
 
     def free(self, at: Plane, width: float, height: float) -> bool:
         """Return whether a box has neither lines nor labels in it, nor next to it."""
-        box = Box(at, width + 2 * CLEAR, height + 2 * CLEAR)
+        box = Rectangle(at, width + 2 * CLEAR, height + 2 * CLEAR)
         if any(box.overlaps(other) for other in self._boxes):
             return False
         return not any(box.cut_by(self._lines[i]) for i in self._near(box.low, box.high))

@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from ..frozen import frozen
-from ..plot.plot import Axis, Curve, Mark, Panel, Plot, Value
+from ..plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis
 from ..pose.places import Plane
-from .axes import Frame
+from .axes import PanelFrame
 from .describe_plot import shown
-from .drawing import Pen, Run
+from .drawing import Pen, TextRun
 from .lettering import name
 from .ticks import Scale, scale, widened
 from .tolerances import WHOLE
@@ -32,12 +32,12 @@ CURVES = tuple(
 
 
 @frozen
-class Layout:
+class PanelLayout:
     """A panel with its frame, whose corners have values in the units shown, and its ticks."""
 
     plot: Plot
     panel: Panel
-    frame: Frame
+    frame: PanelFrame
     across: Scale
     up: Scale
     words: Mapping[str, str]
@@ -66,7 +66,7 @@ class Layout:
         return dict(zip(self.panel.curves, CURVES, strict=False))
 
     @property
-    def headed(self) -> tuple[Axis, ...]:
+    def headed(self) -> tuple[PlotAxis, ...]:
         """Return the quantities on the vertical axis: the results, or the coordinate."""
         if self.plot.equal:
             return (self.panel.y,)
@@ -79,13 +79,13 @@ class Layout:
         return len(self.panel.curves) > 1 or self.plot.equal
 
     @property
-    def common(self) -> tuple[Value, ...]:
+    def common(self) -> tuple[FamilyValue, ...]:
         """Return the setting of all curves; nothing where they have several."""
         settings = {curve.setting for curve in self.panel.curves}
         return settings.pop() if len(settings) == 1 else ()
 
 
-def laid_out(plot: Plot, panel: Panel, words: Mapping[str, str]) -> Layout:
+def laid_out(plot: Plot, panel: Panel, words: Mapping[str, str]) -> PanelLayout:
     """Return the layout of a panel, in words of a language; axes of a path have one scale."""
     most = UP if len(plot.panels) == 1 else UP_LOWER
     frame = _equal(plot, panel) if plot.equal else _frame(plot, panel, most)
@@ -94,18 +94,18 @@ def laid_out(plot: Plot, panel: Panel, words: Mapping[str, str]) -> Layout:
     if plot.equal:
         step = max(across.step, up.step)
         across, up = _every(across, step), _every(up, step)
-    return Layout(plot, panel, frame, across, up, words)
+    return PanelLayout(plot, panel, frame, across, up, words)
 
 
-def _frame(plot: Plot, panel: Panel, most: int) -> Frame:
+def _frame(plot: Plot, panel: Panel, most: int) -> PanelFrame:
     y, x = panel.y, plot.x
     low, high = widened(panel.low / y.size, panel.high / y.size, most, y.unit == "deg")
     height = HIGH if len(plot.panels) == 1 else LOWER
     corners = Plane(0.0, 0.0), Plane(WIDE, height)
-    return Frame(*corners, Plane(plot.low / x.size, low), Plane(plot.high / x.size, high))
+    return PanelFrame(*corners, Plane(plot.low / x.size, low), Plane(plot.high / x.size, high))
 
 
-def _equal(plot: Plot, panel: Panel) -> Frame:
+def _equal(plot: Plot, panel: Panel) -> PanelFrame:
     places = [p for curve in panel.curves for piece in curve.pieces for p in piece]
     xs, ys = [p.x / plot.x.size for p in places], [p.y / panel.y.size for p in places]
     extent = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
@@ -116,7 +116,7 @@ def _equal(plot: Plot, panel: Panel) -> Frame:
     )
     one = min(WIDE / (right - left), WIDE / (high - low))
     corners = Plane(0.0, 0.0), Plane(one * (right - left), one * (high - low))
-    return Frame(*corners, Plane(left, low), Plane(right, high))
+    return PanelFrame(*corners, Plane(left, low), Plane(right, high))
 
 
 def _every(found: Scale, step: float) -> Scale:
@@ -128,7 +128,7 @@ def _every(found: Scale, step: float) -> Scale:
 # -------------------------------------------------------------------------------- curves
 
 
-def ways(curve: Curve, layout: Layout) -> Iterator[tuple[Plane, ...]]:
+def ways(curve: Curve, layout: PanelLayout) -> Iterator[tuple[Plane, ...]]:
     """Yield a curve as far as it lies inside the panel, in the units shown, by few places."""
     frame = layout.frame
     for piece in curve.pieces:
@@ -137,7 +137,7 @@ def ways(curve: Curve, layout: Layout) -> Iterator[tuple[Plane, ...]]:
             yield tuple(inside[i] for i in kept(on_paper))
 
 
-def steps(curve: Curve, layout: Layout) -> Iterator[tuple[Plane, ...]]:
+def steps(curve: Curve, layout: PanelLayout) -> Iterator[tuple[Plane, ...]]:
     """Yield the jumps of a curve as far as they lie inside the panel, in the units shown."""
     frame = layout.frame
     for ends in curve.steps:
@@ -200,7 +200,7 @@ def _leaves_out(places: Sequence[Plane], start: int, end: int, off: float) -> bo
 # ------------------------------------------------------------------------- what it says
 
 
-def values_at(mark: Mark, curve: Curve, layout: Layout) -> tuple[str, ...]:
+def values_at(mark: Mark, curve: Curve, layout: PanelLayout) -> tuple[str, ...]:
     """Return the possible labels of a mark, the longest first."""
     plot = layout.plot
     if mark.kind == "station":
@@ -212,28 +212,28 @@ def values_at(mark: Mark, curve: Curve, layout: Layout) -> tuple[str, ...]:
     return f"({x}; {y})", y
 
 
-def place_of(x: float, is_dead_centre: bool, layout: Layout) -> tuple[str, ...]:
+def place_of(x: float, is_dead_centre: bool, layout: PanelLayout) -> tuple[str, ...]:
     """Return the possible labels of a zero or a pole, the longest first."""
     at = shown(x, layout.plot.x)
     return (f"{layout.words['dead_centre']}, {at}", at) if is_dead_centre else (at,)
 
 
-def entry(curve: Curve, layout: Layout) -> tuple[Run, ...]:
+def entry(curve: Curve, layout: PanelLayout) -> tuple[TextRun, ...]:
     """Return a curve's entry in the legend: its name if there are several, its setting."""
     several = len({c.name for c in layout.panel.curves}) > 1 or layout.plot.equal
     settings = () if layout.common else curve.setting
     return _listed([*([name(curve.name)] if several else []), *map(_set_to, settings)])
 
 
-def common_entry(layout: Layout) -> tuple[Run, ...]:
+def common_entry(layout: PanelLayout) -> tuple[TextRun, ...]:
     """Return the legend's entry for all curves: the setting that they have in common."""
     return _listed(list(map(_set_to, layout.common)))
 
 
-def _listed(parts: Sequence[tuple[Run, ...]]) -> tuple[Run, ...]:
-    runs = [run for part in parts for run in (Run(", "), *part)]
+def _listed(parts: Sequence[tuple[TextRun, ...]]) -> tuple[TextRun, ...]:
+    runs = [run for part in parts for run in (TextRun(", "), *part)]
     return tuple(runs[1:])
 
 
-def _set_to(value: Value) -> tuple[Run, ...]:
-    return (*name(value.axis.name), Run(f" = {shown(value.value, value.axis)}"))
+def _set_to(value: FamilyValue) -> tuple[TextRun, ...]:
+    return (*name(value.axis.name), TextRun(f" = {shown(value.value, value.axis)}"))

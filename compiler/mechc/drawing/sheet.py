@@ -5,8 +5,8 @@ from enum import IntEnum
 
 from ..pose.places import Plane
 from .drawing import Arc, Drawing, Label, Shape
-from .labels import Beside, Name, next_to, write
-from .occupied import Box, Occupied, stretches
+from .labels import BesideLine, PlacedName, next_to, write
+from .occupied import Occupied, Rectangle, stretches
 
 MARGIN = 3.0
 """How much paper there is around a drawing, in millimetres."""
@@ -31,7 +31,7 @@ class Sheet:
 
     def __init__(self) -> None:
         self._shapes: list[tuple[Layer, Shape]] = []
-        self._names: list[Name] = []
+        self._names: list[PlacedName] = []
         self._labels: list[Label] = []
         self.occupied = Occupied()
 
@@ -45,18 +45,18 @@ class Sheet:
         """Draw shapes in a layer that labels may cover."""
         self._shapes += [(layer, shape) for shape in shapes]
 
-    def name(self, name: Name) -> None:
+    def name(self, name: PlacedName) -> None:
         """Take what is to be written when all is drawn, so that no line crosses it."""
         self._names.append(name)
 
-    def name_next_to(self, name: Beside) -> bool:
+    def name_next_to(self, name: BesideLine) -> bool:
         """Write a name next to its line over what is drawn so far; return whether there is room."""
         label = next_to(name, self.occupied)
         if label is not None:
             self._labels.append(label)
         return label is not None
 
-    def name_now(self, name: Name) -> None:
+    def name_now(self, name: PlacedName) -> None:
         """Write a name where there is room for it over what is drawn so far."""
         label, leader = write(name, self.occupied)
         self._labels.append(label)
@@ -65,7 +65,7 @@ class Sheet:
     def write(self, label: Label) -> None:
         """Write a label where it is."""
         self._labels.append(label)
-        self.occupied.write(Box(label.at, label.width, label.height))
+        self.occupied.write(Rectangle(label.at, label.width, label.height))
 
     def extent(self, labels: Iterable[Label] = ()) -> tuple[Plane, Plane]:
         """Return the lower left and the upper right corner of all that is drawn, and of labels."""
@@ -94,5 +94,5 @@ class Sheet:
 
 
 def _corners(label: Label) -> tuple[Plane, Plane]:
-    box = Box(label.at, label.width, label.height)
+    box = Rectangle(label.at, label.width, label.height)
     return box.low, box.high

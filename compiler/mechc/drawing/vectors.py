@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 
 from ..figure.figure import Figure, Link, Slide, Torque
 from ..figure.tolerances import NO_SPEED
-from ..figure.velocities import Velocities
+from ..figure.velocities import MotionVelocities
 from ..frozen import frozen
 from ..statics.diagram import Acting, Diagram, FreeBody
 from ..units import UNITS
-from .drawing import Run
+from .drawing import TextRun
 from .lettering import enumerated, lowered, measured, name, times
 from .tolerances import NO_FORCE
 
@@ -27,27 +27,27 @@ KILO, MEGA = 1e4, 1e7
 """From which largest force on they are in kilonewtons, and in meganewtons."""
 
 
-def heading(diagram: Diagram, words: Mapping[str, str]) -> tuple[Run, ...]:
+def heading(diagram: Diagram, words: Mapping[str, str]) -> tuple[TextRun, ...]:
     """Return under which loads the bodies are, in the words of a language."""
-    runs = (*name(diagram.result), Run(f", {words['with' if diagram.motion else 'without']}"))
+    runs = (*name(diagram.result), TextRun(f", {words['with' if diagram.motion else 'without']}"))
     if diagram.per:
         before, behind = words["per"].split("{load}")
-        runs += (Run(f", {before}"), *name(diagram.per), *([Run(behind)] if behind else []))
+        runs += (TextRun(f", {before}"), *name(diagram.per), *([TextRun(behind)] if behind else []))
     if diagram.trouble:
-        return (*runs, Run(f": {words.get(diagram.trouble, diagram.trouble)}"))
+        return (*runs, TextRun(f": {words.get(diagram.trouble, diagram.trouble)}"))
     acting = (acting for body in diagram.bodies for acting in body.forces)
     if any(one.force is None for one in acting):
-        return (*runs, Run(f"; {words['undetermined']}"))
+        return (*runs, TextRun(f"; {words['undetermined']}"))
     return runs
 
 
-def in_words(runs: tuple[Run, ...]) -> str:
+def in_words(runs: tuple[TextRun, ...]) -> str:
     """Return lettering as plain text."""
     return "".join(run.text for run in runs)
 
 
 @frozen
-class Forces:
+class ForceVectors:
     """The forces of one diagram, in the words of a language."""
 
     figure: Figure
@@ -82,7 +82,7 @@ class Forces:
                 return "".join(part.points)
         return body.replace("-", "")
 
-    def name(self, body: FreeBody, acting: Acting, couple: bool = False) -> tuple[Run, ...]:
+    def name(self, body: FreeBody, acting: Acting, couple: bool = False) -> tuple[TextRun, ...]:
         """Give the symbol of a force or couple: a load's name, others by their point.
 
         A couple that is of no point is called after friction, or after the nut of a screw.
@@ -90,13 +90,13 @@ class Forces:
         if acting.kind == "load":
             return times(self._part(acting), acting.by)
         letter = "M" if couple else LETTERS.get(acting.kind, "R")
-        return (Run(letter, italic=True), *enumerated(self._indices(body, acting)))
+        return (TextRun(letter, italic=True), *enumerated(self._indices(body, acting)))
 
-    def _indices(self, body: FreeBody, acting: Acting) -> Iterator[tuple[Run, ...]]:
+    def _indices(self, body: FreeBody, acting: Acting) -> Iterator[tuple[TextRun, ...]]:
         """Yield what tells a force from others: friction, its point, what it comes from."""
         of_friction = acting.kind == "friction"
         if of_friction:
-            yield (Run(self.words["of_friction"]),)
+            yield (TextRun(self.words["of_friction"]),)
         if acting.point:
             yield name(acting.point)
         elif not of_friction:
@@ -105,12 +105,12 @@ class Forces:
         if len(alike) > 1 and acting.by and acting.point:
             yield self._source(acting, alone=[a.kind for a in alike].count("rope") == 1)
 
-    def _source(self, acting: Acting, *, alone: bool) -> tuple[Run, ...]:
+    def _source(self, acting: Acting, *, alone: bool) -> tuple[TextRun, ...]:
         """Return the origin of a force: a body by its points, the one rope there as the rope."""
         if acting.kind == "rope" and alone:
-            return (Run(self.words["of_rope"]),)
+            return (TextRun(self.words["of_rope"]),)
         called = self.called(acting.by)
-        return (Run(called),) if acting.by in FIXED else name(called)
+        return (TextRun(called),) if acting.by in FIXED else name(called)
 
     def _part(self, acting: Acting) -> float:
         """Return how often a load acts here: twice as 2P, a third where three branches share it."""
@@ -119,11 +119,11 @@ class Forces:
         return size / whole if size and whole else 1.0
 
     @property
-    def unit(self) -> tuple[Run, ...]:
+    def unit(self) -> tuple[TextRun, ...]:
         """Return in what forces are measured: newtons or more, or the load that they are per."""
         if not self.diagram.per:
-            return (Run(self._unit[0], unit=True),)
-        return (*name(self.diagram.per), *([Run("/m", unit=True)] if self._turning else []))
+            return (TextRun(self._unit[0], unit=True),)
+        return (*name(self.diagram.per), *([TextRun("/m", unit=True)] if self._turning else []))
 
     @property
     def _unit(self) -> tuple[str, float]:
@@ -147,11 +147,11 @@ class Forces:
         """Return the size of what forces are measured in."""
         return 1.0 if self.diagram.per else self._unit[1]
 
-    def size(self, acting: Acting) -> tuple[Run, ...]:
+    def size(self, acting: Acting) -> tuple[TextRun, ...]:
         """Return how large a force is, in its unit, or in the load that it is per."""
         return self._value(acting, math.hypot(*(acting.force or ())), None, -self._turning)
 
-    def turning(self, acting: Acting) -> tuple[Run, ...]:
+    def turning(self, acting: Acting) -> tuple[TextRun, ...]:
         """Return how large a couple is."""
         return self._value(acting, abs(acting.moment), self._arm, not self._turning)
 
@@ -163,7 +163,7 @@ class Forces:
 
     def _value(
         self, acting: Acting, size: float, by: tuple[str, float] | None, metres: int
-    ) -> tuple[Run, ...]:
+    ) -> tuple[TextRun, ...]:
         """Return a size in a unit of forces, or that ``by`` a length, or in units of a load.
 
         That load itself has none, nor has what depends on lengths that were chosen.
@@ -175,12 +175,16 @@ class Forces:
             unit, newtons = self._unit
             arm, length = by or ("", 1.0)
             shown = f"{unit}·{arm}" if arm else unit
-            return (*measured(size / (newtons * length)), Run(shown, unit=True))
+            return (*measured(size / (newtons * length)), TextRun(shown, unit=True))
         if metres > 0:
             number, unit = (size, "m") if size >= 1.0 else (size * 1e3, "mm")
-            return (*measured(number), Run(f"{unit}·", unit=True), *name(self.diagram.per))
+            return (*measured(number), TextRun(f"{unit}·", unit=True), *name(self.diagram.per))
         times_load = measured(size, of_another=True)
-        return (*times_load, *name(self.diagram.per), *([Run("/m", unit=True)] if metres else []))
+        return (
+            *times_load,
+            *name(self.diagram.per),
+            *([TextRun("/m", unit=True)] if metres else []),
+        )
 
 
 def _kind(acting: Acting) -> str:
@@ -189,40 +193,42 @@ def _kind(acting: Acting) -> str:
     return acting.kind if of_load_or_friction else LETTERS.get(acting.kind, "R")
 
 
-def index(*points: str) -> tuple[Run, ...]:
+def index(*points: str) -> tuple[TextRun, ...]:
     """Return points as an index."""
     return lowered(run for point in points for run in name(point))
 
 
 @frozen
-class Speeds:
+class VelocityVectors:
     """The velocities of one motion."""
 
-    velocities: Velocities
+    velocities: MotionVelocities
 
-    def name(self, *points: str) -> tuple[Run, ...]:
+    def name(self, *points: str) -> tuple[TextRun, ...]:
         """Return the symbol of a point's velocity, or of that relative to another point."""
-        return (Run("V", italic=True), *index(*points))
+        return (TextRun("V", italic=True), *index(*points))
 
-    def spin_name(self, link: str) -> tuple[Run, ...]:
+    def spin_name(self, link: str) -> tuple[TextRun, ...]:
         """Return the symbol of a link's angular velocity."""
-        return (Run("ω", italic=True), *index(link))
+        return (TextRun("ω", italic=True), *index(link))
 
-    def size(self, speed: float, *of: str) -> tuple[Run, ...]:
+    def size(self, speed: float, *of: str) -> tuple[TextRun, ...]:
         """Return how large a speed is that depends on some points; nothing where that is open."""
         per = self.velocities.per
         if of == (per,) or not self.velocities.chosen.isdisjoint(of):
             return ()
-        unit = self.name(per) if per else (Run("m/s", unit=True),)
+        unit = self.name(per) if per else (TextRun("m/s", unit=True),)
         return (*measured(speed, of_another=bool(per)), *unit)
 
-    def spin(self, link: str) -> tuple[Run, ...]:
+    def spin(self, link: str) -> tuple[TextRun, ...]:
         """Return the angular velocity of a link; nothing where that is open."""
         if link in self.velocities.chosen:
             return ()
         per, spin = self.velocities.per, self.velocities.spins[link]
         least = NO_SPEED * max(map(abs, self.velocities.spins.values()))
         if abs(spin) <= least:
-            return (*self.spin_name(link), Run(" = 0"))
-        unit = (*self.name(per), Run("/m", unit=True)) if per else (Run("rad/s", unit=True),)
+            return (*self.spin_name(link), TextRun(" = 0"))
+        unit = (
+            (*self.name(per), TextRun("/m", unit=True)) if per else (TextRun("rad/s", unit=True),)
+        )
         return (*self.spin_name(link), *measured(spin, of_another=bool(per)), *unit)

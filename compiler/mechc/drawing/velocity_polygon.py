@@ -5,17 +5,17 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from ..figure.figure import Contact, Figure, Link, Slide, Slot, Telescope
-from ..figure.velocities import Velocities
+from ..figure.velocities import MotionVelocities
 from ..formula.names import split_points
 from ..frozen import frozen
 from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane
-from .drawing import RELATIVE, SYMBOL, VELOCITY, Arc, Drawing, Pen, Run
-from .labels import Around, Beside
+from .drawing import RELATIVE, SYMBOL, VELOCITY, Arc, Drawing, Pen, TextRun
+from .labels import AroundPoint, BesideLine
 from .lettering import enumerated, name
 from .sheet import Layer, Sheet
 from .symbols import arrow
-from .vectors import Speeds, index
+from .vectors import VelocityVectors, index
 
 LARGE = 62.0
 """How wide or high the polygon is, in millimetres."""
@@ -33,7 +33,7 @@ AHEAD = math.radians(2.0)
 """Arrows from the pole with less than this between them lie on each other."""
 
 
-class Node(NamedTuple):
+class PolygonPoint(NamedTuple):
     """A place in the polygon, the points whose velocities end there, and those under a pin."""
 
     at: Plane
@@ -44,24 +44,24 @@ class Node(NamedTuple):
 class Side(NamedTuple):
     """A velocity of ``points[1]`` relative to ``points[0]``, which is a point or a body."""
 
-    start: Node
-    end: Node
+    start: PolygonPoint
+    end: PolygonPoint
     points: tuple[str, str]
 
 
-def scale_of(velocities: Velocities) -> float:
+def scale_of(velocities: MotionVelocities) -> float:
     """Return how many millimetres a unit of speed is."""
     ends = [NOWHERE, *velocities.points.values()]
     xs, ys = [end.x for end in ends], [end.y for end in ends]
     return LARGE / max(max(xs) - min(xs), max(ys) - min(ys))
 
 
-class Arrow(NamedTuple):
+class VelocityArrow(NamedTuple):
     """An arrow and what it is called."""
 
     tail: Plane
     tip: Plane
-    runs: tuple[Run, ...]
+    runs: tuple[TextRun, ...]
     pen: Pen
 
 
@@ -69,12 +69,12 @@ class Polygon(NamedTuple):
     """The polygon, and what is said of arrows beside which there is no room."""
 
     drawing: Drawing
-    left: tuple[tuple[Run, ...], ...]
+    left: tuple[tuple[TextRun, ...], ...]
 
 
-def velocity_polygon(figure: Figure, velocities: Velocities) -> Polygon:
+def velocity_polygon(figure: Figure, velocities: MotionVelocities) -> Polygon:
     """Return the polygon of the velocities of one motion."""
-    maker = _Maker(figure, velocities, Speeds(velocities), scale_of(velocities))
+    maker = _Maker(figure, velocities, VelocityVectors(velocities), scale_of(velocities))
     return maker.polygon()
 
 
@@ -83,8 +83,8 @@ class _Maker:
     """One motion at a scale in millimetres to a unit of speed."""
 
     figure: Figure
-    velocities: Velocities
-    speeds: Speeds
+    velocities: MotionVelocities
+    speeds: VelocityVectors
     scale: float
 
     def polygon(self) -> Polygon:
@@ -97,39 +97,39 @@ class _Maker:
         for node in nodes:
             towards = node.at.angle if node is not nodes[0] else -math.pi / 2
             runs = self._named(node, node is nodes[0])
-            sheet.name_now(Around(node.at, runs, SYMBOL, towards, DOT))
+            sheet.name_now(AroundPoint(node.at, runs, SYMBOL, towards, DOT))
         left = [one.runs for one in arrows if not _is_named(sheet, one, nodes)]
         return Polygon(sheet.finished("", ""), tuple(left))
 
-    def _arrows(self, nodes: list[Node]) -> Iterator[Arrow]:
+    def _arrows(self, nodes: list[PolygonPoint]) -> Iterator[VelocityArrow]:
         """Yield the arrows from the pole, then those between other points."""
         for node in nodes[1:]:
             if node.points:
-                yield Arrow(NOWHERE, node.at, self._absolute(node), VELOCITY)
+                yield VelocityArrow(NOWHERE, node.at, self._absolute(node), VELOCITY)
         for side in self._sides(nodes):
-            yield Arrow(side.start.at, side.end.at, self._relative(side), RELATIVE)
+            yield VelocityArrow(side.start.at, side.end.at, self._relative(side), RELATIVE)
 
     # --------------------------------------------------------------------------- nodes
 
-    def _nodes(self) -> list[Node]:
+    def _nodes(self) -> list[PolygonPoint]:
         """Return the pole, which has what stands still, and where the other velocities end."""
-        nodes = [Node(NOWHERE, ())]
+        nodes = [PolygonPoint(NOWHERE, ())]
         for point, velocity in self.velocities.points.items():
             if split_points(point):
-                self._join(nodes, Node(velocity.times(self.scale), (point,)))
+                self._join(nodes, PolygonPoint(velocity.times(self.scale), (point,)))
         for point, body, velocity in self.velocities.slidings:
             under = self.velocities.points[point].minus(velocity)
-            self._join(nodes, Node(under.times(self.scale), (), ((point, body),)))
+            self._join(nodes, PolygonPoint(under.times(self.scale), (), ((point, body),)))
         return nodes
 
-    def _join(self, nodes: list[Node], new: Node) -> None:
+    def _join(self, nodes: list[PolygonPoint], new: PolygonPoint) -> None:
         for i, node in enumerate(nodes):
             if math.dist(node.at, new.at) < NEAR:
-                nodes[i] = Node(node.at, node.points + new.points, node.under + new.under)
+                nodes[i] = PolygonPoint(node.at, node.points + new.points, node.under + new.under)
                 return
         nodes.append(new)
 
-    def _sides(self, nodes: list[Node]) -> Iterator[Side]:
+    def _sides(self, nodes: list[PolygonPoint]) -> Iterator[Side]:
         """Yield the relative velocities, one where several are between the same nodes."""
         known = set[frozenset[int]]()
         for points in self._pairs():
@@ -167,32 +167,32 @@ class _Maker:
                 case _:
                     pass
 
-    def _node(self, nodes: list[Node], point: str) -> Node:
+    def _node(self, nodes: list[PolygonPoint], point: str) -> PolygonPoint:
         return next(node for node in nodes if point in node.points)
 
     # ------------------------------------------------------------------------- lettering
 
-    def _named(self, node: Node, is_pole: bool) -> tuple[Run, ...]:
+    def _named(self, node: PolygonPoint, is_pole: bool) -> tuple[TextRun, ...]:
         """Return the small letters of the points that a node stands for."""
         taken = any(run.text == "P" for p in self.velocities.points for run in name(p))
-        pole = [(Run("p", italic=True), *([Run("v", level=-1)] if taken else []))]
+        pole = [(TextRun("p", italic=True), *([TextRun("v", level=-1)] if taken else []))]
         parts = [
             *(pole if is_pole else []),
             *(_small(point) for point in node.points),
             *((*_small(point), *index(*_points(self.figure, body))) for point, body in node.under),
         ]
-        return tuple(run for part in parts for run in (Run(", "), *part))[1:]
+        return tuple(run for part in parts for run in (TextRun(", "), *part))[1:]
 
-    def _absolute(self, node: Node) -> tuple[Run, ...]:
+    def _absolute(self, node: PolygonPoint) -> tuple[TextRun, ...]:
         """Return the name and the size of the velocity from the pole to a node."""
         names = [self.speeds.name(point) for point in node.points]
-        equal = tuple(run for named in names for run in (Run(" = "), *named))[1:]
+        equal = tuple(run for named in names for run in (TextRun(" = "), *named))[1:]
         first = node.points[0]
         if self.velocities.per in node.points:
             return equal
         return (*equal, *self.speeds.size(self.velocities.speed(first), first))
 
-    def _relative(self, side: Side) -> tuple[Run, ...]:
+    def _relative(self, side: Side) -> tuple[TextRun, ...]:
         """Return the name and the size of a relative velocity."""
         base, point = side.points
         speed = math.dist(side.start.at, side.end.at) / self.scale
@@ -200,10 +200,10 @@ class _Maker:
             return (*self.speeds.name(point, base), *self.speeds.size(speed, point, base))
         link = (run for end in _points(self.figure, base) for run in name(end))
         named = enumerated((name(point), link))
-        return (Run("V", italic=True), *named, *self.speeds.size(speed, point, base))
+        return (TextRun("V", italic=True), *named, *self.speeds.size(speed, point, base))
 
 
-def _small(point: str) -> tuple[Run, ...]:
+def _small(point: str) -> tuple[TextRun, ...]:
     return tuple(run._replace(text=run.text.lower()) for run in name(point))
 
 
@@ -212,15 +212,15 @@ def _points(figure: Figure, body: str) -> tuple[str, ...]:
     return next((link.points for link in links), (body,))
 
 
-def _is_named(sheet: Sheet, one: Arrow, nodes: list[Node]) -> bool:
+def _is_named(sheet: Sheet, one: VelocityArrow, nodes: list[PolygonPoint]) -> bool:
     """Write the name of an arrow next to it; return whether it is long enough, with room."""
     start = one.tail if one.tail != NOWHERE else _behind(one.tip, nodes)
     if math.dist(start, one.tip) < SHORT:
         return False
-    return sheet.name_next_to(Beside(start, one.tip, one.runs, one.pen))
+    return sheet.name_next_to(BesideLine(start, one.tip, one.runs, one.pen))
 
 
-def _behind(tip: Plane, nodes: list[Node]) -> Plane:
+def _behind(tip: Plane, nodes: list[PolygonPoint]) -> Plane:
     """Return the end of the next shorter arrow that lies on one, else the pole."""
     length = math.hypot(*tip)
     on = [

@@ -12,12 +12,12 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Definition
-from ..report.definitions import Solved, grouped
+from ..report.definitions import SolvedSystem, grouped
 from ..routine.steps import Checks, Function, Guard, Input, Routine
 from ..units import DIMENSIONS, Dimension, in_unit, si_unit
 
 if TYPE_CHECKING:
-    from ..pose.motion import Quantity
+    from ..pose.motion import MotionQuantity
 
 
 def one_line(words: str) -> str:
@@ -70,7 +70,7 @@ POINTS = "coordinates of points and directions of links"
 """What the function of a mechanism's points returns."""
 
 
-def quantity_words(quantity: "Quantity") -> str:
+def quantity_words(quantity: "MotionQuantity") -> str:
     """Return one line on what a number of a motion is, with its SI unit."""
     point = one_line(quantity.of)
     match quantity.kind, quantity.axis:
@@ -87,7 +87,7 @@ def quantity_words(quantity: "Quantity") -> str:
     return measured_words(words, quantity.dimension)
 
 
-def quantity_lines(quantities: "Iterable[Quantity]") -> list[str]:
+def quantity_lines(quantities: "Iterable[MotionQuantity]") -> list[str]:
     """Return a line on each number of a motion."""
     return [f"{q.name}: {quantity_words(q)}" for q in quantities]
 
@@ -141,7 +141,7 @@ def _case_lines(function: Function) -> Iterator[str]:
         yield "and elsewhere with the signs of the pose"
 
 
-def _group_lines(group: Definition | Solved, units: Mapping[str, str]) -> list[str]:
+def _group_lines(group: Definition | SolvedSystem, units: Mapping[str, str]) -> list[str]:
     if isinstance(group, Definition):
         unit = units.get(group.name, "")
         return [f"where {group.name} = {_value(group.formula)} {unit}".rstrip()]

@@ -8,7 +8,7 @@ from .c.library import functions
 from .c.reserved import LINKED
 from .c.to_c import TARGET as C
 from .c.to_c import linked_names
-from .names import Names
+from .names import TargetNames
 from .python.printer import RESERVED
 from .python.to_python import TARGET as PYTHON
 from .python.to_python import function_names
@@ -22,7 +22,7 @@ def on_arrays(compiled: Compiled) -> Mapping[str, OnArrays]:
 
 def _by_c(compiled: Compiled) -> dict[str, OnArrays] | None:
     (source,) = C.emit(compiled, Options("code", single=True))
-    linked = linked_names(compiled.routine, Names(LINKED))
+    linked = linked_names(compiled.routine, TargetNames(LINKED))
     return functions(
         source.text, {f.name: linked[f.name].batch for f in compiled.routine.functions}
     )
@@ -32,5 +32,5 @@ def _by_numpy(compiled: Compiled) -> dict[str, OnArrays]:
     (module,) = PYTHON.emit(compiled, Options("code", named=False))
     space: dict[str, Any] = {"__name__": compiled.routine.name}
     exec(compile(module.text, module.name, "exec"), space)
-    names = function_names(compiled.routine, Names(RESERVED))
+    names = function_names(compiled.routine, TargetNames(RESERVED))
     return {f.name: space[names[f.name]] for f in compiled.routine.functions}

@@ -78,10 +78,10 @@ class Reserved:
         return Reserved(self._words.union(words), (*self._ends[0], *beginnings), self._ends[1])
 
 
-class Names:
+class TargetNames:
     """The names given out in one space of names of one target.
 
-    >>> names = Names(reserved={"int"})
+    >>> names = TargetNames(reserved={"int"})
     >>> [names.claim(n) for n in ("int", "int_", "α", "alpha")]
     ['int_', 'int_2', 'alpha', 'alpha_2']
     """
@@ -116,10 +116,10 @@ def file_stem(stem: str, named: bool, taken: Container[str]) -> str | None:
     return None if named else f"{stem}_"
 
 
-def mangle(names: Iterable[str], space: Names) -> dict[str, str]:
+def mangle(names: Iterable[str], space: TargetNames) -> dict[str, str]:
     """Return the target's name of each name; those that need no change keep theirs.
 
-    >>> mangle(["lambda", "lambda_", "b"], Names(reserved={"lambda"}))
+    >>> mangle(["lambda", "lambda_", "b"], TargetNames(reserved={"lambda"}))
     {'lambda': 'lambda_2', 'lambda_': 'lambda_', 'b': 'b'}
     """
     listed = list(dict.fromkeys(names))

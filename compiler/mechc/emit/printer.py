@@ -15,7 +15,7 @@ from ..formula.choices import equal_within, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ..model.result import DrivingLoad
 from ..routine.quotient import is_decimal, quotient_of
-from ..routine.steps import Guard, Status
+from ..routine.steps import Guard, ResultStatus
 
 
 class Level(IntEnum):
@@ -138,7 +138,7 @@ def _join(left: str, right: str) -> str:
     return f"{left} - {right[1:]}" if right.startswith("-") else f"{left} + {right}"
 
 
-def driving(status: Status, printer: Printer, call: Callable[[str], str]) -> tuple[str, str]:
+def driving(status: ResultStatus, printer: Printer, call: Callable[[str], str]) -> tuple[str, str]:
     """Return the code of the load that drives, without friction and with it.
 
     Of a load or a ratio the second one is its own ``value``.

@@ -21,7 +21,7 @@ GROUP = "mechc.targets"
 """The entry-point group in which packages register their targets."""
 
 
-class Place(NamedTuple):
+class TargetModule(NamedTuple):
     """The module whose ``TARGET`` it is, and the suffixes that choose it."""
 
     module: str
@@ -29,10 +29,10 @@ class Place(NamedTuple):
 
 
 BUILT_IN = {
-    "latex": Place("mechc.emit.latex.to_latex", (".tex",)),
-    "python": Place("mechc.emit.python.to_python", (".py",)),
-    "c": Place("mechc.emit.c.to_c", (".c", ".h")),
-    "json": Place("mechc.emit.json.to_json", (".json",)),
+    "latex": TargetModule("mechc.emit.latex.to_latex", (".tex",)),
+    "python": TargetModule("mechc.emit.python.to_python", (".py",)),
+    "c": TargetModule("mechc.emit.c.to_c", (".c", ".h")),
+    "json": TargetModule("mechc.emit.json.to_json", (".json",)),
 }
 """Our own targets, which no other package can replace."""
 

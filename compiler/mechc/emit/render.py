@@ -29,7 +29,7 @@ def render(template: str, context: Context) -> str:
     return text
 
 
-class Line(NamedTuple):
+class Assignment(NamedTuple):
     """One statement of a function: ``name = code``."""
 
     name: str
@@ -40,7 +40,7 @@ T = TypeVar("T")
 
 
 @frozen
-class Turn:
+class LoopTurn:
     """One turn of a loop: its number, how many are left with it, whether it is the last; of all.
 
     The names are those of Jinja's loops.
@@ -57,7 +57,7 @@ class Turn:
         return self.index - 1
 
 
-def turns(values: Iterable[T]) -> Iterator[tuple[Turn, T]]:
+def turns(values: Iterable[T]) -> Iterator[tuple[LoopTurn, T]]:
     """Yield each value after its turn.
 
     >>> [(turn.index, turn.revindex, turn.last, value) for turn, value in turns("ab")]
@@ -66,4 +66,4 @@ def turns(values: Iterable[T]) -> Iterator[tuple[Turn, T]]:
     every = list(values)
     for done, value in enumerate(every):
         left = len(every) - done
-        yield Turn(done + 1, left, left == 1, len(every)), value
+        yield LoopTurn(done + 1, left, left == 1, len(every)), value

@@ -10,12 +10,12 @@ from typing import Any
 from ..diagnostics import MechcError
 from ..diagnostics.drawing import no_library
 from ..drawing.describe_plot import shown as in_words
-from ..plot.plot import Column, Plot
+from ..plot.plot import Plot, PlotColumn
 
 _IN_ASCII = {"−": "-", "°": " deg", "·": "*", "²": "^2", "³": "^3"}
 
 
-def head(column: Column) -> str:
+def head(column: PlotColumn) -> str:
     """Return the name of a column, its setting and its unit: ``k (beta = 10 deg) [mm]``."""
     pairs = ((v.axis, plain(in_words(v.value, v.axis, 6))) for v in column.setting)
     settings = ", ".join(f"{axis.name} = {value}" for axis, value in pairs)
@@ -34,7 +34,7 @@ def plain(text: str) -> str:
     return text
 
 
-def values(column: Column) -> list[float | None]:
+def values(column: PlotColumn) -> list[float | None]:
     """Return the values in the unit of the column to 15 digits, None where there is none."""
     shown = (v / column.axis.size for v in column.values)
     return [None if math.isnan(v) else float(f"{v:.15g}") for v in shown]

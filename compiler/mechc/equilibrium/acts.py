@@ -16,7 +16,7 @@ from ..model.mechanism import (
 )
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector, components, reverse
-from .equilibrium import Balance, Terms
+from .equilibrium import EquilibriumSum, LoadTerms
 
 QUARTER = Angle.constant(90)
 X, Y = Angle(), QUARTER
@@ -82,18 +82,18 @@ def bent(pose: Pose) -> Iterator[str]:
         yield from joint.bodies
 
 
-def balances(body: FreeBody) -> Iterator[Balance]:
+def balances(body: FreeBody) -> Iterator[EquilibriumSum]:
     """Yield the sums of moments about each point of a body and of forces in each direction."""
     for centre, place in body.frame.items():
         moments = ((act.name, _moment(act, place)) for act in body.acts)
-        yield Balance(body.name, summed(moments), centre)
+        yield EquilibriumSum(body.name, summed(moments), centre)
     for line in body.lines:
         terms = summed((act.name, part_along(act, line)) for act in body.acts)
         across = next((rod for name, rod in body.rods.items() if name not in terms), "")
-        yield Balance(body.name, terms, "", line, line == body.guide, across)
+        yield EquilibriumSum(body.name, terms, "", line, line == body.guide, across)
 
 
-def summed(parts: Iterable[tuple[str, Product]]) -> Terms:
+def summed(parts: Iterable[tuple[str, Product]]) -> LoadTerms:
     """Return the coefficient of each force in a sum, those that vanish left out."""
     terms: dict[str, list[Product]] = {}
     for name, part in parts:

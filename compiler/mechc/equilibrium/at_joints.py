@@ -8,16 +8,16 @@ from ..algebra.trigonometry import cosine
 from ..frozen import replace
 from ..kinematics.joint_refs import held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Reaction
-from ..model.parts.targets import Target
+from ..model.parts.targets import ResultTarget
 from ..pose.pose import Arm, Pose, Vector
 from .acts import QUARTER, Act, FreeBody, X, Y, part_along, summed, unit
 from .bodies import Cut
-from .equilibrium import Balance
+from .equilibrium import EquilibriumSum
 
 AXES = {"x": X, "y": Y}
 
 
-def force_between(target: Target | None, cut: Cut, pose: Pose) -> str:
+def force_between(target: ResultTarget | None, cut: Cut, pose: Pose) -> str:
     """Return the name that a force at a joint has on free bodies, '' where it is none of theirs."""
     place = 0
     match target:
@@ -45,7 +45,7 @@ def _alone_at(pivot: str, mechanism: Mechanism) -> list[tuple[str, ...]]:
     return [("pivot", bodies[0].name, pivot)] if is_alone else []
 
 
-def made_up(target: Target | None, name: str, cut: Cut, pose: Pose) -> Balance | None:
+def made_up(target: ResultTarget | None, name: str, cut: Cut, pose: Pose) -> EquilibriumSum | None:
     """Return a component of a force at a joint as the sum of what acts there, None without one."""
     match target:
         case Reaction(point, link, "x" | "y" as part):
@@ -61,7 +61,7 @@ def made_up(target: Target | None, name: str, cut: Cut, pose: Pose) -> Balance |
         return None
     parts = [(act.name, part_along(act, arm.angle) * arm.length) for act in acts for arm in lines]
     terms = {name: Product(-1), **summed(parts)}
-    return Balance(link, terms, along=lines[0].angle, pin=point)
+    return EquilibriumSum(link, terms, along=lines[0].angle, pin=point)
 
 
 def _components(axis: Angle, point: str, link: str, pose: Pose) -> Vector | None:

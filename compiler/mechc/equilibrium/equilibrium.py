@@ -11,13 +11,15 @@ from typing import Literal
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..frozen import frozen
-from ..model.parts.targets import ForceAtJoint, Target
+from ..model.parts.targets import ForceAtJoint, ResultTarget
 from ..named import NamedTuple
 
-Kind = Literal["rod", "pivot", "pin", "guide", "contact", "rim", "rack", "thread", "rope", "couple"]
+JointForceKind = Literal[
+    "rod", "pivot", "pin", "guide", "contact", "rim", "rack", "thread", "rope", "couple"
+]
 """What passes a force on. A ``couple`` is that of a link in a slot that turns with it."""
 
-Terms = Mapping[str, Product]
+LoadTerms = Mapping[str, Product]
 """A linear form in forces: how often each counts, by its name."""
 
 
@@ -33,12 +35,12 @@ class JointForce(NamedTuple):
     it to the left, or along the normal. That of a rim turns the first wheel counter-clockwise.
     """
 
-    kind: Kind
+    kind: JointForceKind
     names: tuple[str, ...]
     subject: tuple[str, ...]
 
 
-class Balance(NamedTuple):
+class EquilibriumSum(NamedTuple):
     """A sum over all that acts on a body that is zero, counter-clockwise moments positive.
 
     Of moments it has the ``centre``; of forces the direction ``along``, which is that of the
@@ -48,7 +50,7 @@ class Balance(NamedTuple):
     """
 
     body: str
-    terms: Terms
+    terms: LoadTerms
     centre: str = ""
     along: Angle | None = None
     is_guide: bool = False
@@ -56,18 +58,18 @@ class Balance(NamedTuple):
     pin: str = ""
 
 
-class Found(NamedTuple):
+class FoundForce(NamedTuple):
     """A force in loads and in forces that were found before."""
 
     name: str
-    terms: Terms
+    terms: LoadTerms
 
 
-class Step(NamedTuple):
+class EquilibriumStep(NamedTuple):
     """The forces found next, from one sum, or from several that are solved together."""
 
-    balances: tuple[Balance, ...]
-    found: tuple[Found, ...]
+    balances: tuple[EquilibriumSum, ...]
+    found: tuple[FoundForce, ...]
 
 
 @frozen
@@ -80,10 +82,10 @@ class Equilibrium:
     """
 
     result: str
-    target: Target
+    target: ResultTarget
     load: str
     forces: tuple[JointForce, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[EquilibriumStep, ...]
     parts: int = 1
 
     @property

@@ -5,18 +5,20 @@ from collections.abc import Iterable, Iterator, Sequence
 from ..diagnostics import Report
 from ..diagnostics import emission as messages
 from ..kinematics.plan import Plan
-from ..model.mechanism import LoadForm, LoadRatio, Target
+from ..model.mechanism import LoadForm, LoadRatio, ResultTarget
 from ..pose.pose import Pose
-from ..power.balance import Solved
+from ..power.balance import AlgebraicResult
 from ..power.numbers import pose_values
 from .acts import balances
 from .at_joints import called, force_between, made_up
 from .bodies import Cut, cut_free
-from .equilibrium import Balance, Equilibrium, Step
-from .order import Names, candidates, steps_to
+from .equilibrium import Equilibrium, EquilibriumStep, EquilibriumSum
+from .order import ForceNames, candidates, steps_to
 
 
-def by_equilibrium(plan: Plan, solved: Sequence[Solved], report: Report) -> tuple[Equilibrium, ...]:
+def by_equilibrium(
+    plan: Plan, solved: Sequence[AlgebraicResult], report: Report
+) -> tuple[Equilibrium, ...]:
     """Return the steps to each load that is asked for, then to forces at joints.
 
     Reports E731 where there are none, E730 of a load that nobody would find so by hand. A force at
@@ -41,7 +43,7 @@ def by_equilibrium(plan: Plan, solved: Sequence[Solved], report: Report) -> tupl
     return tuple(found)
 
 
-def at_joints(pose: Pose, solved: Sequence[Solved]) -> tuple[Equilibrium, ...]:
+def at_joints(pose: Pose, solved: Sequence[AlgebraicResult]) -> tuple[Equilibrium, ...]:
     """Return the steps to forces at joints, all loads but those that are held being known.
 
     Left out are those that no sums lead to.
@@ -49,13 +51,13 @@ def at_joints(pose: Pose, solved: Sequence[Solved]) -> tuple[Equilibrium, ...]:
     return tuple(_forces(pose, _with_names(cut_free(pose), pose, solved), solved))
 
 
-def _with_names(cut: Cut, pose: Pose, solved: Iterable[Solved]) -> Cut:
+def _with_names(cut: Cut, pose: Pose, solved: Iterable[AlgebraicResult]) -> Cut:
     """Return the free bodies, forces that are asked for under the names of results."""
     asked = ((force_between(one.result.target, cut, pose), one.result.name) for one in solved)
     return called(cut, {force: name for force, name in asked if force})
 
 
-def _forces(pose: Pose, cut: Cut, solved: Iterable[Solved]) -> Iterator[Equilibrium]:
+def _forces(pose: Pose, cut: Cut, solved: Iterable[AlgebraicResult]) -> Iterator[Equilibrium]:
     loads = frozenset(load.name for load in pose.mechanism.loads)
     for one in solved:
         target = one.result.target
@@ -69,7 +71,7 @@ def _forces(pose: Pose, cut: Cut, solved: Iterable[Solved]) -> Iterator[Equilibr
             yield _equilibrium(one.result.name, target, load, cut, steps, pose)
 
 
-def _known(plan: Plan, target: LoadRatio | LoadForm) -> Names:
+def _known(plan: Plan, target: LoadRatio | LoadForm) -> ForceNames:
     """Return the loads that a load is found from: one per degree of freedom."""
     mechanism = plan.graph.pose.mechanism
     loads = frozenset(load.name for load in mechanism.loads)
@@ -82,8 +84,8 @@ def _known(plan: Plan, target: LoadRatio | LoadForm) -> Names:
 
 
 def _steps(
-    pose: Pose, cut: Cut, load: str, known: Names, more: Balance | None = None
-) -> tuple[Step, ...]:
+    pose: Pose, cut: Cut, load: str, known: ForceNames, more: EquilibriumSum | None = None
+) -> tuple[EquilibriumStep, ...]:
     sums = [balance for body in cut.bodies for balance in balances(body)]
     sums += [more] if more else []
     values, made_up = pose_values(pose), frozenset(pose.placeholders)
@@ -92,7 +94,12 @@ def _steps(
 
 
 def _equilibrium(
-    result: str, target: Target, load: str, cut: Cut, steps: tuple[Step, ...], pose: Pose
+    result: str,
+    target: ResultTarget,
+    load: str,
+    cut: Cut,
+    steps: tuple[EquilibriumStep, ...],
+    pose: Pose,
 ) -> Equilibrium:
     met = {name for step in steps for balance in step.balances for name in balance.terms}
     forces = tuple(force for force in cut.forces if not met.isdisjoint(force.names))

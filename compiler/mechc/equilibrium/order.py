@@ -14,7 +14,7 @@ from ..formula.operations import count_operations
 from ..formula.walk import symbols
 from ..frozen import frozen
 from ..work import spend
-from .equilibrium import Balance, Found, Step
+from .equilibrium import EquilibriumStep, EquilibriumSum, FoundForce
 
 TOGETHER = 3
 """More sums than this nobody solves together by hand."""
@@ -22,25 +22,28 @@ TOGETHER = 3
 VANISHED = 1e-9
 """A part of a sum that is smaller, relative to the others, is rounding of 0."""
 
-Names = frozenset[str]
+ForceNames = frozenset[str]
 
 
 @frozen
-class Candidate:
+class CandidateSum:
     """A sum that may be taken: its unknown forces, what each counts at one pose, how long it is.
 
     The arms make a sum of moments longer by two.
     """
 
-    balance: Balance
-    unknown: Names
+    balance: EquilibriumSum
+    unknown: ForceNames
     numbers: Mapping[str, float]
     length: int
 
 
 def candidates(
-    sums: Iterable[Balance], known: Names, values: Mapping[str, float], made_up: Names
-) -> list[Candidate]:
+    sums: Iterable[EquilibriumSum],
+    known: ForceNames,
+    values: Mapping[str, float],
+    made_up: ForceNames,
+) -> list[CandidateSum]:
     """Return the sums that can be taken, the shortest first.
 
     Left out are those that rest on ``made_up`` lengths, which nothing may rest on.
@@ -50,8 +53,8 @@ def candidates(
 
 
 def _candidate(
-    balance: Balance, known: Names, values: Mapping[str, float], made_up: Names
-) -> Candidate | None:
+    balance: EquilibriumSum, known: ForceNames, values: Mapping[str, float], made_up: ForceNames
+) -> CandidateSum | None:
     formulas = [part.formula() for part in balance.terms.values()]
     if any(symbols(formula) & made_up for formula in formulas):
         return None
@@ -62,34 +65,38 @@ def _candidate(
     most = max(map(abs, numbers.values()))
     numbers = {name: n / most for name, n in numbers.items() if abs(n) > VANISHED * most}
     length = sum(map(count_operations, formulas)) + 2 * len(formulas) + 2 * bool(balance.centre)
-    return Candidate(balance, frozenset(balance.terms) - known, numbers, length)
+    return CandidateSum(balance, frozenset(balance.terms) - known, numbers, length)
 
 
-def steps_to(load: str, sums: Sequence[Candidate], avoided: Names) -> tuple[Step, ...]:
+def steps_to(
+    load: str, sums: Sequence[CandidateSum], avoided: ForceNames
+) -> tuple[EquilibriumStep, ...]:
     """Return the steps that lead to a load, () where none do.
 
     Forces that are ``avoided`` are found where nothing else can be.
     """
-    steps: list[Step] = []
-    found: Names = frozenset()
+    steps: list[EquilibriumStep] = []
+    found: ForceNames = frozenset()
     while load not in found:
         taken = _single(load, sums, found, avoided) or _together(sums, found)
         if not taken:
             return ()
         names = sorted(frozenset().union(*(c.unknown for c in taken)) - found)
-        steps.append(Step(tuple(c.balance for c in taken), tuple(_solved(taken, names))))
+        steps.append(EquilibriumStep(tuple(c.balance for c in taken), tuple(_solved(taken, names))))
         found |= {*names}
     return tuple(_needed(_without_zeros(steps), load))
 
 
-def _single(load: str, sums: Sequence[Candidate], found: Names, avoided: Names) -> list[Candidate]:
+def _single(
+    load: str, sums: Sequence[CandidateSum], found: ForceNames, avoided: ForceNames
+) -> list[CandidateSum]:
     """Return the shortest sum that gives one force, the load before any other."""
     fit = [c for c in sums if len(left := c.unknown - found) == 1 and left <= c.numbers.keys()]
     wanted = [c for c in fit if not c.unknown - found <= avoided]
     return ([c for c in fit if load in c.unknown] or wanted or fit)[:1]
 
 
-def _together(sums: Sequence[Candidate], found: Names) -> list[Candidate]:
+def _together(sums: Sequence[CandidateSum], found: ForceNames) -> list[CandidateSum]:
     """Return the fewest sums that give as many forces, the shortest of those."""
     for size in range(2, TOGETHER + 1):
         few = [c for c in sums if 1 < len(c.unknown - found) <= size]
@@ -100,7 +107,7 @@ def _together(sums: Sequence[Candidate], found: Names) -> list[Candidate]:
     return []
 
 
-def _groups(sets: Iterable[Names], size: int) -> set[Names]:
+def _groups(sets: Iterable[ForceNames], size: int) -> set[ForceNames]:
     """Return the sets of so many names that some of the given ones make up."""
     base = set(sets)
     whole = set(base)
@@ -110,10 +117,12 @@ def _groups(sets: Iterable[Names], size: int) -> set[Names]:
     return {names for names in whole if len(names) == size}
 
 
-def _independent(sums: Iterable[Candidate], names: Names, found: Names) -> list[Candidate]:
+def _independent(
+    sums: Iterable[CandidateSum], names: ForceNames, found: ForceNames
+) -> list[CandidateSum]:
     """Return as many independent sums in the names as there are names, [] where there are less."""
     columns = {name: i for i, name in enumerate(sorted(names))}
-    taken: list[Candidate] = []
+    taken: list[CandidateSum] = []
     rows: list[dict[int, float]] = []
     for c in sums:
         if c.unknown - found <= names:
@@ -124,7 +133,7 @@ def _independent(sums: Iterable[Candidate], names: Names, found: Names) -> list[
     return taken if len(taken) == len(names) else []
 
 
-def _solved(taken: Sequence[Candidate], names: Sequence[str]) -> Iterator[Found]:
+def _solved(taken: Sequence[CandidateSum], names: Sequence[str]) -> Iterator[FoundForce]:
     """Yield each force in what is known, by Cramer's rule."""
     forms = [c.balance.terms for c in taken]
     matrix = [[form.get(name, ZERO) for name in names] for form in forms]
@@ -136,25 +145,25 @@ def _solved(taken: Sequence[Candidate], names: Sequence[str]) -> Iterator[Found]
             for other in known
         }
         terms = {other: add([part / whole]) for other, part in parts.items() if part}
-        yield Found(name, {other: part for other, part in terms.items() if part})
+        yield FoundForce(name, {other: part for other, part in terms.items() if part})
 
 
-def _without_zeros(steps: Iterable[Step]) -> Iterator[Step]:
+def _without_zeros(steps: Iterable[EquilibriumStep]) -> Iterator[EquilibriumStep]:
     """Yield steps in which nothing is found from a force that is zero."""
     zeros: set[str] = set()
     for step in steps:
         parts = [{n: t for n, t in f.terms.items() if n not in zeros} for f in step.found]
         zeros |= {f.name for f, terms in zip(step.found, parts, strict=True) if not terms}
-        found = (Found(f.name, terms) for f, terms in zip(step.found, parts, strict=True))
-        yield Step(step.balances, tuple(found))
+        found = (FoundForce(f.name, terms) for f, terms in zip(step.found, parts, strict=True))
+        yield EquilibriumStep(step.balances, tuple(found))
 
 
-def _needed(steps: Iterable[Step], load: str) -> list[Step]:
+def _needed(steps: Iterable[EquilibriumStep], load: str) -> list[EquilibriumStep]:
     """Return the steps that a load rests on, with those forces that its sums mention."""
     needed, kept = {load}, []
     for balances, found in reversed(list(steps)):
         there = tuple(f for f in found if f.name in needed)
         if there:
-            kept.append(Step(balances, there))
+            kept.append(EquilibriumStep(balances, there))
             needed |= {name for balance in balances for name in balance.terms}
     return kept[::-1]

@@ -259,7 +259,7 @@ class Spring:
 
 
 @frozen
-class Dimension:
+class DimensionLine:
     """A distance measured along ``along``: its formula, and its value, which is positive."""
 
     tail: str
@@ -284,7 +284,7 @@ Joint = (
     | Pivot | Slider | Slot | ArcSlot | Contact | Gears | Belt | Rack | Screw | Rope
 )  # fmt: skip
 Load = Force | SpreadLoad | Torque | Actuator | Spring
-Measure = Dimension | AngleMark
+Measure = DimensionLine | AngleMark
 Part = Joint | Load | Measure
 
 

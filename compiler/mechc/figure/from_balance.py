@@ -11,13 +11,15 @@ from ..pose.motion import Motion
 from ..power.balance import Balance, Term
 from .figure import Figure
 from .tolerances import NO_SPEED, SAME_VELOCITY
-from .velocities import Velocities, rates
+from .velocities import MotionVelocities, rates
 
 OTHER, MORE = 1.7, 0.31
 """By what chosen lengths are multiplied to see which velocities depend on them, each by more."""
 
 
-def velocities(balance: Balance, figure: Figure, motion: Motion | None) -> tuple[Velocities, ...]:
+def velocities(
+    balance: Balance, figure: Figure, motion: Motion | None
+) -> tuple[MotionVelocities, ...]:
     """Return the velocities of each independent motion, but for one that its drive cannot move.
 
     They have the sense in which the drive of the description moves, else that in which the
@@ -37,7 +39,7 @@ class _Maker:
     motion: Motion | None
     drive: int
 
-    def made(self) -> Velocities | None:
+    def made(self) -> MotionVelocities | None:
         """Return the velocities in their sense and size; None at a dead centre."""
         plan, figure = self.balance.plan, self.figure
         try:
@@ -71,12 +73,12 @@ class _Maker:
     def _is_alone(self) -> bool:
         return self.balance.plan.mobility == 1
 
-    def _pace(self, here: Velocities) -> float:
+    def _pace(self, here: MotionVelocities) -> float:
         """Return the factor of velocities; 1 or −1, the sense, where that is open."""
         rate = self._rate(here) if self._is_alone else 0.0
         return rate if self._is_timed else math.copysign(1.0, rate or self._work() or 1.0)
 
-    def _rate(self, here: Velocities) -> float:
+    def _rate(self, here: MotionVelocities) -> float:
         """Return how fast the drive goes, as it is given or by itself; 0 where that is open."""
         above = below = 0.0
         for point, axis, rate in self._slopes():
@@ -106,7 +108,7 @@ class _Maker:
         above = next((s.above for s in self.balance.solved if s.above), "")
         return next((t for t in self.balance.terms if t.load.name == above), None)
 
-    def _reference(self, here: Velocities) -> str:
+    def _reference(self, here: MotionVelocities) -> str:
         """Return the point whose speed is the unit: where that load acts, else the fastest one."""
         moving = (p for p in self._loaded() if here.speed(p) > NO_SPEED * here.largest)
         return next(moving, max(here.points, key=here.speed))
@@ -119,7 +121,7 @@ class _Maker:
         return load.points[::-1] if load else ()
 
 
-def _different(one: Velocities, other: Velocities) -> Iterator[str]:
+def _different(one: MotionVelocities, other: MotionVelocities) -> Iterator[str]:
     """Yield the points and links whose velocities aren't the same."""
     for point, velocity in one.points.items():
         if math.dist(velocity, other.points[point]) > SAME_VELOCITY * one.largest:

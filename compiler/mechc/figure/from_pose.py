@@ -25,8 +25,8 @@ from . import figure as drawn
 from .figure import Figure, MirrorLine, Part
 from .half import Half
 from .joints import drawn_joint, joints_shown
-from .layout import Layout, lay_out, points_of
-from .linear_vectors import Ways
+from .layout import FigureLayout, lay_out, points_of
+from .linear_vectors import LinearVectors
 from .marks import marks
 from .outline import outline, rods
 from .tolerances import SAME_PLACE
@@ -47,7 +47,7 @@ def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
     twins = _twins(layout, pose.mechanism)
     points = {**layout.points, **dict(_images(layout, twins))}
     values |= layout.lengths
-    copies, ways = pose.mechanism.copies, Ways(pose, values)
+    copies, ways = pose.mechanism.copies, LinearVectors(pose, values)
     return Figure(
         name=pose.mechanism.name,
         title=pose.mechanism.title,
@@ -83,19 +83,19 @@ def _solved(pose: Pose, given: Mapping[str, float]) -> dict[str, float] | None:
     return {name: value for name, value in spare.items() if math.isfinite(value)}
 
 
-def _laid_out(pose: Pose, values: Mapping[str, float]) -> Layout | None:
+def _laid_out(pose: Pose, values: Mapping[str, float]) -> FigureLayout | None:
     """Return the layout, None without points, or where a vector has no value or does not fit."""
     if not any(points_of(pose.mechanism)):
         return None
     try:
-        layout = lay_out(Ways(pose, values))
+        layout = lay_out(LinearVectors(pose, values))
     except ZeroDivisionError:
         return None
     finite = all(math.isfinite(c) for at in layout.points.values() for c in at)
     return layout if finite and layout.gap < SAME_PLACE else None
 
 
-def _axis(ways: Ways, layout: Layout, sharing: Sequence[str]) -> MirrorLine | None:
+def _axis(ways: LinearVectors, layout: FigureLayout, sharing: Sequence[str]) -> MirrorLine | None:
     """Return the line about which copies are: that on which a point of all of them is guided."""
     for point in sharing:
         if ways.pose.guide_of(point) is not None:
@@ -103,14 +103,14 @@ def _axis(ways: Ways, layout: Layout, sharing: Sequence[str]) -> MirrorLine | No
     return None
 
 
-def _twins(layout: Layout, mechanism: Mechanism) -> dict[str, str]:
+def _twins(layout: FigureLayout, mechanism: Mechanism) -> dict[str, str]:
     """Return the points that the halves do not share, each with the name of its twin."""
     if mechanism.mirror is None:
         return {}
     return {name: primed(name) for name in layout.points if name not in mechanism.mirror.sharing}
 
 
-def _images(layout: Layout, twins: Mapping[str, str]) -> Iterator[tuple[str, Plane]]:
+def _images(layout: FigureLayout, twins: Mapping[str, str]) -> Iterator[tuple[str, Plane]]:
     """Yield where each twin is."""
     if mirror := layout.mirror:
         for name, twin in twins.items():
@@ -119,7 +119,7 @@ def _images(layout: Layout, twins: Mapping[str, str]) -> Iterator[tuple[str, Pla
 
 
 def _parts(
-    ways: Ways, layout: Layout, points: Mapping[str, Plane], twins: Mapping[str, str]
+    ways: LinearVectors, layout: FigureLayout, points: Mapping[str, Plane], twins: Mapping[str, str]
 ) -> Iterator[Part]:
     """Yield the parts of the described half, its measurements, then what the twin has of its own.
 

@@ -8,7 +8,7 @@ from ..frozen import frozen
 from ..model.parts.linkage import primed
 from ..pose.places import Plane, direction
 from .figure import MirrorLine, Segment
-from .linear_vectors import Ways
+from .linear_vectors import LinearVectors
 from .outline import rods
 
 REACH = 0.4
@@ -24,7 +24,7 @@ class Half:
     half; ``sense`` is −1 in the twin, where what turned left turns right.
     """
 
-    ways: Ways
+    ways: LinearVectors
     points: Mapping[str, Plane]
     size: float
     shared: frozenset[str]

@@ -12,7 +12,7 @@ from ..pose.pose import PointContact
 from . import figure as drawn
 from .figure import Part
 from .half import Half
-from .linear_vectors import DrawnVector, Linear, Ways, open_way
+from .linear_vectors import DrawnVector, Linear, LinearVectors, open_way
 from .wheels import Circle, pitch_point, rope_runs, runs
 
 DOWN, UP, LEFT, RIGHT = Plane(0.0, -1.0), Plane(0.0, 1.0), Plane(-1.0, 0.0), Plane(1.0, 0.0)
@@ -53,7 +53,7 @@ def lost_places(mechanism: model.Mechanism) -> Iterator[str]:
 # --------------------------------------------------------------------- where it is drawn
 
 
-def loose_ways(ways: Ways) -> Iterator[DrawnVector]:
+def loose_ways(ways: LinearVectors) -> Iterator[DrawnVector]:
     """Yield where to draw what touches, meshes or slides, where nothing else says it."""
     mechanism, slides = ways.pose.mechanism, ways.pose.slides
     for contact in ways.pose.contacts:
@@ -67,7 +67,7 @@ def loose_ways(ways: Ways) -> Iterator[DrawnVector]:
         yield from (open_way(first, p, line.times(i)) for i, p in enumerate(others, 1))
 
 
-def _loose(joint: model.Joint, ways: Ways) -> Iterator[DrawnVector]:
+def _loose(joint: model.Joint, ways: LinearVectors) -> Iterator[DrawnVector]:
     match joint:
         case model.WheelPair(first=first, second=second):
             yield DrawnVector(first, second, Linear(_away(joint, ways).times(_apart(joint, ways))))
@@ -84,7 +84,7 @@ def _loose(joint: model.Joint, ways: Ways) -> Iterator[DrawnVector]:
             assert_never(joint)
 
 
-def _beside_screw(screw: model.Screw, ways: Ways) -> DrawnVector:
+def _beside_screw(screw: model.Screw, ways: LinearVectors) -> DrawnVector:
     """Return where to draw a nut: nuts on one screw stand in a row."""
     mechanism = ways.pose.mechanism
     link = mechanism.link(screw.link)
@@ -92,7 +92,7 @@ def _beside_screw(screw: model.Screw, ways: Ways) -> DrawnVector:
     return open_way(link.points[0], screw.point, ways.guide(screw.point).times(number))
 
 
-def _beside(contact: PointContact, ways: Ways) -> Plane:
+def _beside(contact: PointContact, ways: LinearVectors) -> Plane:
     """Return where a pin touches a slide, from its first point: on the side it is pushed to."""
     frame = ways.pose.frames[contact.body]
     row = 0 if any(frame.values()) else len(frame) - 1
@@ -100,7 +100,7 @@ def _beside(contact: PointContact, ways: Ways) -> Plane:
     return middle.plus(ways.unit(contact.normal).times(BESIDE))
 
 
-def _away(mesh: model.WheelPair, ways: Ways) -> Plane:
+def _away(mesh: model.WheelPair, ways: LinearVectors) -> Plane:
     """Return in which direction wheels stand in a row: away from a rack, if there is one."""
     racks = ways.pose.mechanism.each(model.Rack)
     driven = [ways.right(r).unit() for r in racks if r.pivot in (mesh.first, mesh.second)]
@@ -109,7 +109,7 @@ def _away(mesh: model.WheelPair, ways: Ways) -> Plane:
     return right.times(-1 if on_first else 1)
 
 
-def _apart(mesh: model.WheelPair, ways: Ways) -> float:
+def _apart(mesh: model.WheelPair, ways: LinearVectors) -> float:
     """Return how far apart two wheels are drawn: gears touch, a belt needs room."""
     radii = ways.pose.radii
     first = radii[mesh.first_radius].evaluate(ways.values)

@@ -11,7 +11,7 @@ from ..pose.places import NOWHERE, KnownVector, Plane, between, placed
 from .figure import MirrorLine
 from .joints import loose_ways
 from .lengths import choose
-from .linear_vectors import Ways, usual
+from .linear_vectors import LinearVectors, usual
 from .tolerances import SAME_PLACE
 
 ORIGIN = ""
@@ -29,10 +29,10 @@ SHRUNK = (0.7, 0.5)
 ROOM = 0.5
 """How far apart unconnected parts are drawn, in usual lengths."""
 
-Points = dict[str, Plane]
+PlacedPoints = dict[str, Plane]
 
 
-class Layout(NamedTuple):
+class FigureLayout(NamedTuple):
     """The points of the described half, the mirror line, and what was chosen for it.
 
     ``gap`` is by how much the vectors miss each other, in usual lengths.
@@ -45,7 +45,7 @@ class Layout(NamedTuple):
     gap: float
 
 
-def lay_out(ways: Ways) -> Layout:
+def lay_out(ways: LinearVectors) -> FigureLayout:
     """Return where every point of the description is; the first pivot is at the origin.
 
     Where pivots have places the origin is that of the description. Lengths that nothing gives
@@ -61,7 +61,9 @@ def lay_out(ways: Ways) -> Layout:
     return next(chain(within, apart, _apart(ways, found, SHRUNK)), found)
 
 
-def _apart(ways: Ways, found: Layout, factors: Iterable[float]) -> Iterator[Layout]:
+def _apart(
+    ways: LinearVectors, found: FigureLayout, factors: Iterable[float]
+) -> Iterator[FigureLayout]:
     """Yield layouts with other lengths whose twins are apart, and whose loops close as well."""
     for factor in factors:
         other = _laid_out(ways, factor)
@@ -69,18 +71,18 @@ def _apart(ways: Ways, found: Layout, factors: Iterable[float]) -> Iterator[Layo
             yield other
 
 
-def _nearly_meet(ways: Ways, layout: Layout) -> bool:
+def _nearly_meet(ways: LinearVectors, layout: FigureLayout) -> bool:
     """Return whether some point is nearly where its twin is, but not quite."""
     return any(SAME_PLACE < abs(2 * off) < NEARLY for off in _off_the_mirror(ways, layout))
 
 
-def _reaches_across(ways: Ways, layout: Layout) -> bool:
+def _reaches_across(ways: LinearVectors, layout: FigureLayout) -> bool:
     """Return whether the described half has points on both sides of the mirror line."""
     off = [at for at in _off_the_mirror(ways, layout) if abs(at) > SAME_PLACE]
     return any(at > 0 for at in off) and any(at < 0 for at in off)
 
 
-def _off_the_mirror(ways: Ways, layout: Layout) -> list[float]:
+def _off_the_mirror(ways: LinearVectors, layout: FigureLayout) -> list[float]:
     """Return how far the points of one half are off the mirror line, in usual lengths."""
     mirror, symmetry = layout.mirror, ways.pose.mechanism.mirror
     if mirror is None or symmetry is None:
@@ -90,7 +92,7 @@ def _off_the_mirror(ways: Ways, layout: Layout) -> list[float]:
     return [across.dot(at.minus(mirror.at)) / layout.size for at in own]
 
 
-def _laid_out(ways: Ways, factor: float) -> Layout:
+def _laid_out(ways: LinearVectors, factor: float) -> FigureLayout:
     """Return the layout with open lengths that are this many times a usual one, if they can be."""
     pose, firm = ways.pose, list(ways.firm())
     size = usual(firm)
@@ -98,7 +100,7 @@ def _laid_out(ways: Ways, factor: float) -> Layout:
     names = [*dict.fromkeys(points_of(pose.mechanism))]
     edges = [KnownVector(w.tail, w.head, w.vector.at(lengths)) for w in firm]
     places = placed(_connected([*(KnownVector(n, n, NOWHERE) for n in names), *edges], ways, size))
-    groups: dict[str, Points] = {}
+    groups: dict[str, PlacedPoints] = {}
     for name, place in places.items():
         groups.setdefault(place.start, {})[name] = place.at
     table = _Table(ways.unit(pose.axis) if pose.axis else None, size)
@@ -106,10 +108,10 @@ def _laid_out(ways: Ways, factor: float) -> Layout:
     points, mirror = table.spread(list(groups.values()), sharing)
     found = {name: lengths[name] for name in pose.placeholders}
     gap = max((math.dist(edge.vector, _span(edge, points)) for edge in edges), default=0.0)
-    return Layout({n: points[n] for n in names}, mirror, found, size, gap / size)
+    return FigureLayout({n: points[n] for n in names}, mirror, found, size, gap / size)
 
 
-def _span(edge: KnownVector, points: Points) -> Plane:
+def _span(edge: KnownVector, points: PlacedPoints) -> Plane:
     """Return the vector between the ends of an edge, where they have come to stand."""
     return points[edge.head].minus(points[edge.tail])
 
@@ -125,7 +127,7 @@ def points_of(mechanism: Mechanism) -> Iterable[str]:
     yield from (load.point for load in mechanism.loads if isinstance(load, Force))
 
 
-def _connected(edges: list[KnownVector], ways: Ways, size: float) -> list[KnownVector]:
+def _connected(edges: list[KnownVector], ways: LinearVectors, size: float) -> list[KnownVector]:
     """Return the edges with loose ones, as long as they connect what is not connected yet."""
     for tail, head, vector in loose_ways(ways):
         if between(placed(edges), tail, head) is None:
@@ -141,8 +143,8 @@ class _Table:
     size: float
 
     def spread(
-        self, groups: Sequence[Points], sharing: Sequence[str]
-    ) -> tuple[Points, MirrorLine | None]:
+        self, groups: Sequence[PlacedPoints], sharing: Sequence[str]
+    ) -> tuple[PlacedPoints, MirrorLine | None]:
         """Return all points in one plane, and the mirror line."""
         first, *others = sorted(groups, key=lambda g: (not _holds(g, sharing), ORIGIN not in g))
         start = first[ORIGIN] if ORIGIN in first else next(iter(first.values()))
@@ -154,7 +156,7 @@ class _Table:
             points |= {name: at.plus(step) for name, at in group.items()}
         return points, mirror
 
-    def _line(self, points: Points, sharing: Sequence[str]) -> MirrorLine | None:
+    def _line(self, points: PlacedPoints, sharing: Sequence[str]) -> MirrorLine | None:
         if self.axis is None:
             return None
         if sharing:
@@ -163,7 +165,7 @@ class _Table:
         reach = max(left.dot(at) for at in points.values()) + ROOM * self.size
         return MirrorLine(left.times(reach), self.axis)
 
-    def _side(self, points: Points, mirror: MirrorLine | None) -> Plane:
+    def _side(self, points: PlacedPoints, mirror: MirrorLine | None) -> Plane:
         """Return the direction in which to go on: that in which the half is from its line."""
         if mirror is None:
             return Plane(1.0, 0.0)
@@ -171,7 +173,7 @@ class _Table:
         lean = math.fsum(right.dot(at.minus(mirror.at)) for at in points.values())
         return right if lean >= 0 else right.times(-1)
 
-    def _beside(self, points: Points, group: Points, side: Plane) -> Plane:
+    def _beside(self, points: PlacedPoints, group: PlacedPoints, side: Plane) -> Plane:
         """Return the step that takes a group beyond the points placed so far."""
         up = side.turned()
         far = max(side.dot(at) for at in points.values())
@@ -180,10 +182,10 @@ class _Table:
         return side.times(far + ROOM * self.size - near).plus(up.times(rise))
 
 
-def _holds(group: Points, sharing: Sequence[str]) -> bool:
+def _holds(group: PlacedPoints, sharing: Sequence[str]) -> bool:
     return any(point in group for point in sharing)
 
 
-def _middle(points: Points, line: Plane) -> float:
+def _middle(points: PlacedPoints, line: Plane) -> float:
     heights = [line.dot(at) for at in points.values()]
     return (min(heights) + max(heights)) / 2

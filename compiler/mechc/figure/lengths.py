@@ -17,10 +17,10 @@ SHORTEST = 0.2
 ROUNDS = 400
 """How often the choice goes from closed loops to positive lengths and back, at most."""
 
-Lengths = dict[str, float]
+OpenLengths = dict[str, float]
 
 
-class Row(NamedTuple):
+class LengthEquation(NamedTuple):
     """Σ ``factors[name]`` · length = ``value``."""
 
     factors: Mapping[str, float]
@@ -31,7 +31,7 @@ class Row(NamedTuple):
         return self.value - sum(f * lengths[name] for name, f in self.factors.items())
 
 
-def choose(ways: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> Lengths:
+def choose(ways: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> OpenLengths:
     """Return all open lengths, in metres, near ``usual``, with which the vectors close.
 
     Those of ``rods`` come out positive if they can. A vector along a guide may have either sign.
@@ -48,13 +48,13 @@ def choose(ways: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> Le
     return lengths
 
 
-def _equations(ways: Sequence[DrawnVector]) -> Iterator[Row]:
+def _equations(ways: Sequence[DrawnVector]) -> Iterator[LengthEquation]:
     """Yield the equations that close each loop, along x and y."""
     at = _laid_out(ways)
     for tail, head, vector in ways:
         gap = at[tail].plus(vector).plus(at[head], -1)
-        yield Row({name: part.x for name, part in gap.parts.items()}, -gap.base.x)
-        yield Row({name: part.y for name, part in gap.parts.items()}, -gap.base.y)
+        yield LengthEquation({name: part.x for name, part in gap.parts.items()}, -gap.base.x)
+        yield LengthEquation({name: part.y for name, part in gap.parts.items()}, -gap.base.y)
 
 
 def _laid_out(ways: Sequence[DrawnVector]) -> dict[str, Linear]:
@@ -76,20 +76,20 @@ def _laid_out(ways: Sequence[DrawnVector]) -> dict[str, Linear]:
     return at
 
 
-def _independent(rows: Iterable[Row]) -> list[Row]:
+def _independent(rows: Iterable[LengthEquation]) -> list[LengthEquation]:
     """Return the equations made orthogonal to one another and of unit size."""
-    found: list[Row] = []
+    found: list[LengthEquation] = []
     for row in rows:
         if any(abs(factor) > DEPENDENT for factor in row.factors.values()):
             rest = _across(_across(row, found), found)
             size = math.hypot(*rest.factors.values())
             if size > DEPENDENT:
                 factors = {n: f / size for n, f in rest.factors.items() if f}
-                found.append(Row(factors, rest.value / size))
+                found.append(LengthEquation(factors, rest.value / size))
     return found
 
 
-def _across(row: Row, others: Iterable[Row]) -> Row:
+def _across(row: LengthEquation, others: Iterable[LengthEquation]) -> LengthEquation:
     """Return the component of an equation that is orthogonal to the others."""
     factors, value = dict(row.factors), row.value
     for other in others:
@@ -98,10 +98,10 @@ def _across(row: Row, others: Iterable[Row]) -> Row:
             for name, f in other.factors.items():
                 factors[name] = factors.get(name, 0.0) - shared * f
             value -= shared * other.value
-    return Row(factors, value)
+    return LengthEquation(factors, value)
 
 
-def _closed(lengths: Lengths, rows: Iterable[Row]) -> Lengths:
+def _closed(lengths: OpenLengths, rows: Iterable[LengthEquation]) -> OpenLengths:
     """Return the nearest lengths that close all loops."""
     found = dict(lengths)
     for row in rows:

@@ -54,7 +54,7 @@ def open_way(tail: str, head: str, line: Plane) -> DrawnVector:
 
 
 @frozen
-class Ways:
+class LinearVectors:
     """The ways of a pose, at values of all its symbols but the open lengths."""
 
     pose: Pose

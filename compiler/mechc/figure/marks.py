@@ -26,7 +26,7 @@ from ..model.mechanism import (
 )
 from ..pose.places import Plane
 from ..units import LENGTH, in_unit, size_of
-from .figure import AngleMark, Dimension, Measure
+from .figure import AngleMark, DimensionLine, Measure
 from .half import Half
 from .joints import lost_places
 from .tolerances import NO_LENGTH, SAME_ANGLE, SAME_LENGTH
@@ -95,7 +95,7 @@ def _entry(entry: Geometry, half: Half) -> Iterator[Measure]:
 
 def _distance(
     tail: str, head: str, formula: Formula, line: Plane | None, half: Half
-) -> Iterator[Dimension]:
+) -> Iterator[DimensionLine]:
     """Yield the dimension of a vector along a line, or along itself; one of no length has none."""
     start = tail or _origin(half)
     if not start:
@@ -107,7 +107,7 @@ def _distance(
     ends = half.point(start), half.point(head)
     if value < 0:
         formula, along = negative(formula), along.times(-1)
-    yield Dimension(*ends, along, _length(formula, half), abs(value))
+    yield DimensionLine(*ends, along, _length(formula, half), abs(value))
 
 
 def _origin(half: Half) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 
 from ..frozen import frozen
 from ..kinematics.graph import Velocity
-from ..kinematics.plan import Plan, Speeds
+from ..kinematics.plan import Plan, SpeedFactors
 from ..model.values import Values
 from ..named import NamedTuple
 from ..pose.places import NOWHERE, Plane, direction
@@ -25,7 +25,7 @@ class Sliding(NamedTuple):
 
 
 @frozen
-class Velocities:
+class MotionVelocities:
     """The velocities of one independent motion, while the others stand still.
 
     They are in metres and radians a second. Where nothing gives how fast it moves they are
@@ -48,9 +48,9 @@ class Velocities:
         """Return the largest speed of a point; 0 where none moves."""
         return max(map(self.speed, self.points), default=0.0)
 
-    def times(self, factor: float) -> "Velocities":
+    def times(self, factor: float) -> "MotionVelocities":
         """Return the velocities of a motion that is faster by a factor."""
-        return Velocities(
+        return MotionVelocities(
             self.per,
             {point: velocity.times(factor) for point, velocity in self.points.items()},
             {link: spin * factor for link, spin in self.spins.items()},
@@ -59,7 +59,7 @@ class Velocities:
         )
 
 
-def rates(plan: Plan, figure: Figure, given: Values, drive: int) -> Velocities:
+def rates(plan: Plan, figure: Figure, given: Values, drive: int) -> MotionVelocities:
     """Return velocities per unit of a drive; KeyError where something has no value there.
 
     ZeroDivisionError where the drive can't move the mechanism.
@@ -68,7 +68,7 @@ def rates(plan: Plan, figure: Figure, given: Values, drive: int) -> Velocities:
     for name, value in plan.bindings:
         values[name] = value.evaluate(values)
 
-    def number(speeds: Speeds) -> float:
+    def number(speeds: SpeedFactors) -> float:
         return speeds[drive].evaluate(values)
 
     unknowns = {unknown: number(speeds) for unknown, speeds in plan.speeds.items()}
@@ -78,7 +78,7 @@ def rates(plan: Plan, figure: Figure, given: Values, drive: int) -> Velocities:
         if point in figure.points
     }
     spins = {link: number(plan.spin(link)) for link in _links(plan, figure, points)}
-    return Velocities("", points, spins, tuple(_slidings(figure, points, spins)))
+    return MotionVelocities("", points, spins, tuple(_slidings(figure, points, spins)))
 
 
 def _velocity(flows: Velocity, unknowns: Mapping[int, float], values: Values) -> Plane:

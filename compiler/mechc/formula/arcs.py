@@ -34,7 +34,7 @@ from typing import Literal
 from ..named import NamedTuple
 from .elimination import Elimination, Matrix, eliminate
 
-Sides = Callable[[Sequence[float], float], tuple[list[float], Matrix]]
+CurveEquations = Callable[[Sequence[float], float], tuple[list[float], Matrix]]
 """Residuals and their slopes, by the unknowns and last by the share, at values of both."""
 
 POINTS = 256
@@ -80,7 +80,7 @@ NEAR = 1e-2
 What such a correction leaves is its square, as an arc is bent by less than its length.
 """
 
-Point = list[float]
+CurvePoint = list[float]
 """The unknowns, then the share."""
 
 
@@ -90,7 +90,7 @@ class Arcs(NamedTuple):
     An arc that leads past the end of the way is halved: from behind it none leads there.
     """
 
-    sides: Sides
+    sides: CurveEquations
     solve: Elimination = eliminate
 
     def follow(self, start: Sequence[float]) -> tuple[Literal[0, 1, 2], tuple[float, ...]]:
@@ -131,8 +131,12 @@ class Arcs(NamedTuple):
         return 2, ()
 
     def _ahead(
-        self, point: Point, tangent: Point, length: float, end: tuple[Point, int] | None
-    ) -> Point:
+        self,
+        point: CurvePoint,
+        tangent: CurvePoint,
+        length: float,
+        end: tuple[CurvePoint, int] | None,
+    ) -> CurvePoint:
         """Return the point of the curve that an arc leads to; none: [].
 
         Where the way ends it is sought across the direction of the share, on the side that is
@@ -145,7 +149,9 @@ class Arcs(NamedTuple):
         along, side = end
         return self._corrected(ahead, along, STRAY * length, side)
 
-    def _corrected(self, start: Point, across: Point, stray: float, side: int = 0) -> Point:
+    def _corrected(
+        self, start: CurvePoint, across: CurvePoint, stray: float, side: int = 0
+    ) -> CurvePoint:
         """Return the point of the curve next to one, moved square to a direction; none: [].
 
         The first correction may be so long. If a side is asked for, the point must be on it, and
@@ -165,7 +171,7 @@ class Arcs(NamedTuple):
             most = CONTRACTION * size
         return []
 
-    def _straight(self, found: Point, along: Point) -> Point:
+    def _straight(self, found: CurvePoint, along: CurvePoint) -> CurvePoint:
         """Return a solution with all of the share that Newton's method comes to; none: []."""
         for _ in range(STRAIGHT):
             change, matrix = self._bordered(found, along)
@@ -176,7 +182,7 @@ class Arcs(NamedTuple):
                 return found if found[-2] > 0.0 else []
         return []
 
-    def _tangent(self, point: Point, before: Point) -> tuple[int, Point]:
+    def _tangent(self, point: CurvePoint, before: CurvePoint) -> tuple[int, CurvePoint]:
         """Return the direction of the curve that goes on from one before it.
 
         Before it the sign of the determinant by the unknowns where the share grows along the
@@ -188,7 +194,7 @@ class Arcs(NamedTuple):
         size = math.sqrt(_dot(right, right)) if sign else 1.0
         return sign, [r / size for r in right]
 
-    def _bordered(self, point: Point, across: Point) -> tuple[list[float], Matrix]:
+    def _bordered(self, point: CurvePoint, across: CurvePoint) -> tuple[list[float], Matrix]:
         """Return residuals and slopes, and a direction as the last row."""
         *unknowns, share = point
         residuals, matrix = self.sides(unknowns, share)

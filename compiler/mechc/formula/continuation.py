@@ -14,7 +14,7 @@ from operator import mul, truediv
 from .elimination import quick
 from .evaluate import beginning, solver, turned_back, way_of
 from .newton import Way, scale
-from .straight_line import Solution
+from .straight_line import SystemSolver
 from .tree import System
 
 RUNG = 1 / 32
@@ -30,11 +30,11 @@ WEIGHTS = [(-1) ** i * math.comb(ABOUT - 1, i) for i in range(ABOUT)]
 """Those of rungs in a polynomial through them: J.-P. Berrut, L. N. Trefethen, Barycentric Lagrange
 interpolation, *SIAM Review* 46, 2004."""
 
-Known = tuple[Sequence[float], Sequence[float]]
+KnownSolution = tuple[Sequence[float], Sequence[float]]
 """Values of the outer symbols, and the unknowns there."""
 
 
-def continued(system: System) -> Solution:
+def continued(system: System) -> SystemSolver:
     """Return a system's unknowns as a function of the outer symbols' values, for many of them."""
     return _Continuation(system).at
 
@@ -78,7 +78,9 @@ class _Ladder:
     The symbol that varies stands at one place among all, the ``others`` stay as they are.
     """
 
-    def __init__(self, way: Way, first: Known, varied: int, others: tuple[float, ...]) -> None:
+    def __init__(
+        self, way: Way, first: KnownSolution, varied: int, others: tuple[float, ...]
+    ) -> None:
         self._way, self._varied, self._others = way, varied, others
         self._origin = first[0][varied]
         self._step = RUNG * scale(self._origin)
@@ -102,7 +104,7 @@ class _Ladder:
         status, found = self._way.follow(*before, outer)
         return found if status == 0 else ()
 
-    def _rung(self, number: int) -> Known | None:
+    def _rung(self, number: int) -> KnownSolution | None:
         return (self._up if number >= 0 else self._down).rung(abs(number))
 
     def _guess(self, away: float) -> list[float]:
@@ -128,12 +130,12 @@ class _Ladder:
 class _Side:
     """The rungs to one side, as many as were needed."""
 
-    def __init__(self, way: Way, first: Known, varied: int, step: float) -> None:
+    def __init__(self, way: Way, first: KnownSolution, varied: int, step: float) -> None:
         self._way, self._varied, self._rungs = way, varied, [first]
         self._origin, self._step = first[0][varied], step
         self._ends = False
 
-    def rung(self, number: int) -> Known | None:
+    def rung(self, number: int) -> KnownSolution | None:
         """Return a rung, each found from the one before; None where the branch does not lead."""
         while len(self._rungs) <= number and not self._ends:
             self._grow()

@@ -32,7 +32,7 @@ from .tree import (
 )
 from .walk import Once
 
-Slope = Callable[[Formula], Formula]
+Differentiate = Callable[[Formula], Formula]
 
 
 def jacobian(formulas: Sequence[Formula], names: Sequence[str]) -> tuple[tuple[Formula, ...], ...]:
@@ -61,11 +61,11 @@ def along(formulas: Sequence[Formula], changes: Mapping[str, Formula]) -> tuple[
     return tuple(map(_along(changes), formulas))
 
 
-def _by(name: str) -> Slope:
+def _by(name: str) -> Differentiate:
     return _along({name: ONE})
 
 
-def _along(changes: Mapping[str, Formula]) -> Slope:
+def _along(changes: Mapping[str, Formula]) -> Differentiate:
     """Return the slope where names change by so much, found once of parts that formulas share."""
 
     def found(formula: Formula) -> Formula:
@@ -96,7 +96,7 @@ def _along(changes: Mapping[str, Formula]) -> Slope:
     return slope
 
 
-def _of_product(factors: tuple[Formula, ...], slope: Slope) -> Formula:
+def _of_product(factors: tuple[Formula, ...], slope: Differentiate) -> Formula:
     slopes = [slope(f) for f in factors]
     return total(
         product((own if i == j else f, 1) for j, f in enumerate(factors))
@@ -105,7 +105,7 @@ def _of_product(factors: tuple[Formula, ...], slope: Slope) -> Formula:
     )
 
 
-def _of_power(base: Formula, exponent: Formula, slope: Slope) -> Formula:
+def _of_power(base: Formula, exponent: Formula, slope: Differentiate) -> Formula:
     below, above = slope(base), slope(exponent)
     lower = power(base, total([exponent, number(-1)]) if above != ZERO else _less_one(exponent))
     first = product([(exponent, 1), (lower, 1), (below, 1)])
@@ -129,7 +129,7 @@ def partials(function: str, arguments: tuple[Formula, ...]) -> list[Formula]:
     return [_with_slopes(function, arguments, unit) for unit in units]
 
 
-def _of_call(function: str, arguments: tuple[Formula, ...], slope: Slope) -> Formula:
+def _of_call(function: str, arguments: tuple[Formula, ...], slope: Differentiate) -> Formula:
     slopes = [slope(a) for a in arguments]
     if all(slope == ZERO for slope in slopes):
         return ZERO

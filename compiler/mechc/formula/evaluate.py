@@ -11,7 +11,7 @@ from . import derivative, newton
 from .choices import chosen
 from .functions import FUNCTIONS
 from .names import another
-from .straight_line import Solution, StraightLine, in_order
+from .straight_line import StraightLine, SystemSolver, in_order
 from .tree import (
     Call,
     Constant,
@@ -29,7 +29,7 @@ from .walk import substitute, symbols
 
 if TYPE_CHECKING:
     from .elimination import Matrix
-    from .newton import Along, Equations, Status, Way
+    from .newton import Bordered, Residuals, Status, Way
 
 SYSTEMS, SOLUTIONS = 256, 1024
 """Of so many systems the code is kept, of each so many solutions: several results share them."""
@@ -42,10 +42,10 @@ def evaluate(formula: Formula, values: Mapping[str, float]) -> float:
     >>> round(evaluate(Call("sin", (degrees(30),)), {}), 12)
     0.5
     """
-    return Evaluation(values).of(formula)
+    return Evaluator(values).of(formula)
 
 
-class Evaluation:
+class Evaluator:
     """Formulas on floats at one set of values: a part that several share is found once.
 
     Parts are known by their identity, as large formulas are put together of the same ones.
@@ -127,7 +127,7 @@ def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
 
 def status(formula: Implicit, values: Mapping[str, float]) -> "Status":
     """Return how a solution was found, or why it was not; the work was counted as it was found."""
-    here = Evaluation(values)
+    here = Evaluator(values)
     return _followed(formula.system)(tuple(map(here.of, formula.arguments))).status
 
 
@@ -149,7 +149,7 @@ def straight_line(
 
 
 @lru_cache(maxsize=SYSTEMS)
-def solver(system: System) -> Solution:
+def solver(system: System) -> SystemSolver:
     """Return a system's unknowns as a function of the outer symbols' values."""
     followed = _followed(system)
 
@@ -219,7 +219,7 @@ def side(system: System) -> int:
 
 
 @lru_cache(maxsize=SYSTEMS)
-def numeric(system: System) -> "Equations":
+def numeric(system: System) -> "Residuals":
     """Return residuals and Jacobian as a function of floats."""
     rows = derivative.jacobian(system.equations, system.unknowns)
     read = _on_floats(system.equations, rows, [*system.unknowns, *(n for n, _ in system.anchor)])
@@ -231,7 +231,7 @@ def numeric(system: System) -> "Equations":
 
 
 @lru_cache(maxsize=SYSTEMS)
-def numeric_along(system: System) -> "Along":
+def numeric_along(system: System) -> "Bordered":
     """Return residuals and their slopes, by the unknowns and by a share of the way, on floats."""
     steps = changes(system)
     outer_names = [name for name, _ in system.anchor]

@@ -8,7 +8,7 @@ delta − psi + 23° is made of its sine.
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
-from .evaluate import Evaluation
+from .evaluate import Evaluator
 from .layout import has_minus, in_degrees
 from .operations import count_operations
 from .tree import (
@@ -34,7 +34,7 @@ LONG = 400
 """Formulas of more operations are read by machines alone."""
 
 
-Values = Callable[[], Mapping[str, float]]
+LazyValues = Callable[[], Mapping[str, float]]
 
 
 Quarter = Callable[[Formula], int]
@@ -42,7 +42,7 @@ Quarter = Callable[[Formula], int]
 
 
 def facing(
-    formula: Formula, values: Values, quarter: Quarter | None = None, longer: int = 0
+    formula: Formula, values: LazyValues, quarter: Quarter | None = None, longer: int = 0
 ) -> Formula:
     """Write sin(a − b)/sin(c − b) as sin(b − a)/sin(b − c) where both are negative at the values.
 
@@ -82,11 +82,11 @@ def _length(formula: Formula) -> int:
     return count_operations(formula) - sum(map(count_operations, sizes))
 
 
-def _positive(formula: Formula, values: Values) -> Formula:
+def _positive(formula: Formula, values: LazyValues) -> Formula:
     differences = [found for node in walk(formula) if (found := _difference(node))]
     if not differences:
         return formula
-    at = Evaluation(values())
+    at = Evaluator(values())
     behind = any(_is_behind(d, at) for d in differences)
     return _sizes_as_beside(_without_minus(_faced(formula, at) if behind else formula))
 
@@ -129,7 +129,7 @@ def _without_minus(formula: Formula) -> Formula:
     return product([(number(-1), 1), *((factor, 1) for factor in factors)])
 
 
-def condition(factor: Formula, values: Values, quarter: Quarter | None) -> Formula:
+def condition(factor: Formula, values: LazyValues, quarter: Quarter | None) -> Formula:
     """Return a formula that is zero where a factor is, written as that is; its sign is free."""
     if not isinstance(factor, Sum):
         other = facing(negative(factor), values, quarter)
@@ -211,7 +211,7 @@ def as_in(formula: Formula, *models: Formula) -> Formula:
     return rewritten(formula, lambda whole: _turned_as(whole, known))
 
 
-def ahead(formulas: Iterable[Formula], values: Values) -> list[Formula]:
+def ahead(formulas: Iterable[Formula], values: LazyValues) -> list[Formula]:
     """Return the sines of differences in formulas that are positive at the values.
 
     There is none of what formulas have either way round.
@@ -225,7 +225,7 @@ def ahead(formulas: Iterable[Formula], values: Values) -> list[Formula]:
     """
     sines = [node for formula in formulas for node in walk(formula)]
     found = [(sine, inside) for sine in sines if (inside := _difference(sine))]
-    at = Evaluation(values() if found else {})
+    at = Evaluator(values() if found else {})
     known = {frozenset(inside.terms) for _, inside in found}
     both = {terms for terms in known if frozenset(map(negative, terms)) in known}
     return [
@@ -333,7 +333,7 @@ def _plus(angle: Formula, turn: int) -> Formula:
     return total([*others, degrees(constant + turn)])
 
 
-def _faced(formula: Formula, at: Evaluation) -> Formula:
+def _faced(formula: Formula, at: Evaluator) -> Formula:
     parts = tuple(_faced(part, at) for part in children(formula))
     whole = rebuild(formula, parts) if parts != children(formula) else formula
     match whole:
@@ -347,7 +347,7 @@ def _faced(formula: Formula, at: Evaluation) -> Formula:
             return whole
 
 
-def _paired(factors: Sequence[Formula], at: Evaluation) -> Formula | None:
+def _paired(factors: Sequence[Formula], at: Evaluator) -> Formula | None:
     """Return a product with negative sines turned; None where an odd one would need a minus."""
     sign = -1 if has_minus(Product(tuple(factors))) else 1
     turned = {i: new for i, f in enumerate(factors) if (new := _turned(f, at))}
@@ -359,7 +359,7 @@ def _paired(factors: Sequence[Formula], at: Evaluation) -> Formula | None:
     return product([(number((-1) ** len(turned)), 1), *parts])
 
 
-def _turned(factor: Formula, at: Evaluation | None = None) -> Formula | None:
+def _turned(factor: Formula, at: Evaluator | None = None) -> Formula | None:
     """Return an odd power of a sine of a difference with that turned round.
 
     None for another factor, and where the sine is not negative at the values, if these are given.
@@ -376,7 +376,7 @@ def _turned(factor: Formula, at: Evaluation | None = None) -> Formula | None:
     return None
 
 
-def _sum_turned(terms: Sequence[Formula], at: Evaluation) -> Formula | None:
+def _sum_turned(terms: Sequence[Formula], at: Evaluator) -> Formula | None:
     """Return a sum turned round that is negative by a sine of a difference; None for another."""
     turned = [_without_minus(negative(term)) for term in terms]
     is_led = any(
@@ -388,7 +388,7 @@ def _sum_turned(terms: Sequence[Formula], at: Evaluation) -> Formula | None:
         return None
 
 
-def _is_behind(difference: Sum, at: Evaluation) -> bool:
+def _is_behind(difference: Sum, at: Evaluator) -> bool:
     """Return whether the sine of a difference is negative; False where it has no value."""
     try:
         return math.sin(at.of(difference)) < -ROUNDING

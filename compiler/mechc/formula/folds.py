@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 
 from ..named import NamedTuple
 from .elimination import eliminate
-from .newton import Equations
+from .newton import Residuals
 
 STEP, SHORTEST = 0.06, 1e-7
 """Steps along the curve, in radians; lengths are measured in sizes of the mechanism."""
@@ -31,23 +31,23 @@ CLOSED = 1e-12
 DIFFERENCE = 1e-6
 """By how much the drive is moved to see how equations change with it."""
 
-Point = list[float]
+CurvePoint = list[float]
 """The unknowns, then the drive, each in its scale."""
 
 
-class End(NamedTuple):
+class BranchEnd(NamedTuple):
     """The end that a branch reaches; ``turns`` where it turns back, unless something else ends."""
 
     x: float
     turns: bool
 
 
-class Curve:
+class SolutionCurve:
     """The solutions of equations that hang on a drive."""
 
     def __init__(
         self,
-        equations: Equations,
+        equations: Residuals,
         outer: Callable[[float], Sequence[float]],
         scales: Sequence[float],
     ) -> None:
@@ -68,7 +68,7 @@ class Curve:
                 return found, there
         return None
 
-    def end(self, unknowns: Sequence[float], x: float, goal: float) -> End:
+    def end(self, unknowns: Sequence[float], x: float, goal: float) -> BranchEnd:
         """Return where the branch through a point ends on the way to a goal."""
         point = self._scaled([*unknowns, x])
         sense = 1.0 if goal > x else -1.0
@@ -83,11 +83,11 @@ class Curve:
                     break
                 continue
             if turned[-1] * sense <= 0:
-                return End(self._turning(point, tangent, step), True)
+                return BranchEnd(self._turning(point, tangent, step), True)
             if (ahead[-1] * self._scales[-1] - goal) * sense >= 0:
-                return End(goal, False)
+                return BranchEnd(goal, False)
             point, tangent, step = ahead, turned, min(STEP, 1.5 * step)
-        return End(point[-1] * self._scales[-1], False)
+        return BranchEnd(point[-1] * self._scales[-1], False)
 
     def crossing(self, unknowns: Sequence[float], x: float, goal: float) -> float | None:
         """Return the drive on the way to a goal where another branch crosses, if one does.
@@ -111,7 +111,7 @@ class Curve:
             point, tangent, here = ahead, self._tangent(ahead, tangent), there
         return None
 
-    def _crossed(self, point: Point, tangent: Point, middle: float) -> float | None:
+    def _crossed(self, point: CurvePoint, tangent: CurvePoint, middle: float) -> float | None:
         """Return the drive where the determinant vanishes, about a step along a tangent."""
         steps = [middle + NEAR * part for part in (-5, -4, -3, -2, -1, 1, 2, 3, 4, 5)]
         points = [p for step in steps if (p := self._corrected(point, tangent, step))]
@@ -120,17 +120,17 @@ class Curve:
         sizes = [self._determinant(p) for p in points]
         return interpolated(sizes, [self._drive(p) for p in points], 0.0)
 
-    def _determinant(self, point: Point) -> float:
+    def _determinant(self, point: CurvePoint) -> float:
         """Return the determinant by the unknowns."""
         gaps, matrix = self._at(point)
         square = [row[:-1] for row in matrix]
         sign = eliminate(square, gaps)
         return sign * math.prod(abs(row[i]) for i, row in enumerate(square))
 
-    def _drive(self, point: Point) -> float:
+    def _drive(self, point: CurvePoint) -> float:
         return point[-1] * self._scales[-1]
 
-    def _turning(self, point: Point, tangent: Point, step: float) -> float:
+    def _turning(self, point: CurvePoint, tangent: CurvePoint, step: float) -> float:
         """Return the drive between two points where the tangent has no part along it."""
         sense, low, high = math.copysign(1.0, tangent[-1]), 0.0, step
         found = point
@@ -147,7 +147,7 @@ class Curve:
                 high = middle
         return found[-1] * self._scales[-1]
 
-    def _corrected(self, point: Point, tangent: Point, step: float) -> Point | None:
+    def _corrected(self, point: CurvePoint, tangent: CurvePoint, step: float) -> CurvePoint | None:
         """Return the point of the curve at a step along a tangent, across which it is sought."""
         start = [p + step * t for p, t in zip(point, tangent, strict=True)]
         found = start
@@ -162,7 +162,7 @@ class Curve:
                 return found
         return None
 
-    def _tangent(self, point: Point, before: Point) -> Point | None:
+    def _tangent(self, point: CurvePoint, before: CurvePoint) -> CurvePoint | None:
         """Return the direction of the curve that goes on from one before it."""
         _, matrix = self._at(point)
         right = [*([0.0] * (len(point) - 1)), 1.0]
@@ -171,7 +171,7 @@ class Curve:
         size = _norm(right)
         return [r / size for r in right]
 
-    def _at(self, point: Point) -> tuple[list[float], list[list[float]]]:
+    def _at(self, point: CurvePoint) -> tuple[list[float], list[list[float]]]:
         """Return the residual of the closure, and its slopes by the unknowns and the drive."""
         *unknowns, x = self._plain(point)
         gaps, matrix = self._equations(unknowns, self._outer(x))
@@ -183,10 +183,10 @@ class Curve:
         ]
         return gaps, rows
 
-    def _scaled(self, plain: Sequence[float]) -> Point:
+    def _scaled(self, plain: Sequence[float]) -> CurvePoint:
         return [p / s for p, s in zip(plain, self._scales, strict=True)]
 
-    def _plain(self, point: Point) -> list[float]:
+    def _plain(self, point: CurvePoint) -> list[float]:
         return [p * s for p, s in zip(point, self._scales, strict=True)]
 
 

@@ -31,7 +31,7 @@ _FORCE = pattern(r"(R_[A-Z][0-9]*'*)(?:_on_((?:[A-Z][0-9]*'*)+))?(_direction)?((
 _HEAD = pattern(r"(.*?)([0-9]*)('*)", re.DOTALL)
 
 
-class Point(NamedTuple):
+class PointName(NamedTuple):
     """A point's letter, number and primes: ``("O", "1", "")``."""
 
     letter: str
@@ -39,7 +39,7 @@ class Point(NamedTuple):
     primes: str
 
 
-class Name(NamedTuple):
+class ParsedName(NamedTuple):
     """A name's head (a letter, a Greek name or a word), primes and indices."""
 
     head: str
@@ -47,7 +47,7 @@ class Name(NamedTuple):
     indices: tuple[str, ...]
 
 
-class JointForce(NamedTuple):
+class JointForceName(NamedTuple):
     """A force at a joint by its name: what stands without the link, the link, what it measures."""
 
     name: str
@@ -56,11 +56,11 @@ class JointForce(NamedTuple):
 
 
 @lru_cache(maxsize=4096)
-def split_name(name: str) -> Name:
+def split_name(name: str) -> ParsedName:
     """Split a name at underscores and at the digits that end its head.
 
     >>> split_name("alpha1"), split_name("l_max")
-    (Name(head='alpha', primes='', indices=('1',)), Name(head='l', primes='', indices=('max',)))
+    (ParsedName(head='alpha', primes='', indices=('1',)), ParsedName(head='l', primes='', indices=('max',)))
     >>> split_name("lam_1").head
     'lambda'
     """
@@ -69,8 +69,8 @@ def split_name(name: str) -> Name:
     assert match is not None
     stem, number, primes = match.groups()
     if not stem:
-        return Name(name, "", ())
-    return Name(_SHORT.get(stem, stem), primes, tuple(i for i in (number, *indices) if i))
+        return ParsedName(name, "", ())
+    return ParsedName(_SHORT.get(stem, stem), primes, tuple(i for i in (number, *indices) if i))
 
 
 def words_in(name: str) -> tuple[str, ...]:
@@ -134,7 +134,7 @@ def corner_of(name: str) -> str:
     return points if head == "turn" and len(split_points(points)) == ANGLE_POINTS else ""
 
 
-def split_points(name: str) -> tuple[Point, ...]:
+def split_points(name: str) -> tuple[PointName, ...]:
     """Split a point, vector or link into its points; ``()`` when it is none of these.
 
     >>> [p.letter + p.number for p in split_points("OB12C")]
@@ -142,19 +142,19 @@ def split_points(name: str) -> tuple[Point, ...]:
     """
     if not _POINTS.fullmatch(name):
         return ()
-    return tuple(Point(*groups) for groups in _POINT.findall(name))
+    return tuple(PointName(*groups) for groups in _POINT.findall(name))
 
 
-def split_force(name: str) -> JointForce | None:
+def split_force(name: str) -> JointForceName | None:
     """Split the name of a force at a joint that has a link or is a direction; None for others.
 
     >>> split_force("R_B_on_BC_x")
-    JointForce(name='R_B_x', link='BC', is_direction=False)
+    JointForceName(name='R_B_x', link='BC', is_direction=False)
     >>> split_force("R_O_direction_f")
-    JointForce(name='R_O_f', link='', is_direction=True)
+    JointForceName(name='R_O_f', link='', is_direction=True)
     >>> split_force("R_max")
     """
     match = _FORCE.fullmatch(name)
     if match is None or not (match[2] or match[3]):
         return None
-    return JointForce(match[1] + match[4], match[2] or "", bool(match[3]))
+    return JointForceName(match[1] + match[4], match[2] or "", bool(match[3]))

@@ -25,10 +25,10 @@ from ..named import NamedTuple
 from .arcs import Arcs
 from .elimination import Elimination, Matrix, eliminate, quick
 
-Equations = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
+Residuals = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
 """Residuals and Jacobian at values of the unknowns and of the outer symbols."""
 
-Along = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
+Bordered = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
 """Residuals, and slopes by the unknowns and by the share of a way.
 
 At values of the unknowns and of the outer symbols, and at what these change by on the whole way.
@@ -109,10 +109,10 @@ class Way(NamedTuple):
     ``solve`` is how the equations are solved.
     """
 
-    equations: Equations
+    equations: Residuals
     side: int
     scales: Sequence[float]
-    along: Along | None = None
+    along: Bordered | None = None
     solve: Elimination = eliminate
 
     def follow(
@@ -157,7 +157,7 @@ class Way(NamedTuple):
 
     def _by_arcs(
         self,
-        along: Along,
+        along: Bordered,
         anchor: Sequence[float],
         start: Sequence[float],
         outer: Sequence[float],
@@ -205,7 +205,7 @@ def _between(anchor: Sequence[float], outer: Sequence[float], share: float) -> l
     return [a if a == o else rest * a + share * o for a, o in zip(anchor, outer, strict=True)]
 
 
-def side_of(equations: Equations, unknowns: Sequence[float], outer: Sequence[float]) -> int:
+def side_of(equations: Residuals, unknowns: Sequence[float], outer: Sequence[float]) -> int:
     """Return the sign of the Jacobian's determinant."""
     residuals, matrix = equations(unknowns, outer)
     return eliminate(matrix, residuals)

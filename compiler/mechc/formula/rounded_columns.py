@@ -53,7 +53,7 @@ class RoundedColumn(NamedTuple):
 Pairs = tuple[Sequence[float], Sequence[float]]
 """Values, and their errors."""
 
-Whole = Callable[[Sequence[RoundedColumn]], Pairs]
+WholeColumns = Callable[[Sequence[RoundedColumn]], Pairs]
 """Makes values and errors of columns; raises where a value is not defined at each pose."""
 
 
@@ -61,7 +61,7 @@ class ColumnOperation(NamedTuple):
     """What makes a column of others under a name, by its ``whole`` or only at ``one`` pose each."""
 
     name: object
-    whole: Whole | None
+    whole: WholeColumns | None
     one: Callable[[Sequence[Rounded]], Rounded]
 
 

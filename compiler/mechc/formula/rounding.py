@@ -133,7 +133,7 @@ class Rounding:
                 return self._of(formula)
 
 
-class Size(NamedTuple):
+class PrintedNumber(NamedTuple):
     """A number as it may be printed: None where it is none, ``undetermined`` where it is 0/0."""
 
     number: float | None
@@ -145,36 +145,36 @@ def beyond_rounding(
     formula: Formula | None,
     where: Iterable[tuple[str, Formula]],
     rounding: Rounding,
-) -> Size:
+) -> PrintedNumber:
     """Return the number that a formula came to, without what is nothing but rounding.
 
     It is 0, infinite or undetermined where it is so but for rounding, and never -0. Of a
     number without a formula no more is known than that.
     """
     if number is None or not math.isfinite(number):
-        return Size(number)
+        return PrintedNumber(number)
     if formula is None:
-        return Size(number + 0.0)
+        return PrintedNumber(number + 0.0)
     return without_rounding(number, with_error(formula, where, rounding))
 
 
-def without_rounding(number: float, size: Rounded) -> Size:
+def without_rounding(number: float, size: Rounded) -> PrintedNumber:
     """Return a finite number as what its formula is but for rounding."""
     if size.is_undetermined:
-        return Size(None, undetermined=True)
+        return PrintedNumber(None, undetermined=True)
     if size.is_infinite:
-        return Size(math.inf)
-    return Size(0.0 if size.is_zero or number == 0 else number)
+        return PrintedNumber(math.inf)
+    return PrintedNumber(0.0 if size.is_zero or number == 0 else number)
 
 
 def without_value(
     formula: Formula, where: Iterable[tuple[str, Formula]], rounding: Rounding
-) -> Size:
+) -> PrintedNumber:
     """Return the size of a formula whose value is NaN: infinite, 0/0, or unknown."""
     size = with_error(formula, where, rounding)
     if size.is_infinite:
-        return Size(math.inf)
-    return Size(None if size.is_undetermined else math.nan, size.is_undetermined)
+        return PrintedNumber(math.inf)
+    return PrintedNumber(None if size.is_undetermined else math.nan, size.is_undetermined)
 
 
 def with_error(

@@ -32,7 +32,7 @@ CLOSE = 1e-9
 """By how many radians, or parts of it, a formula may miss the value that it is for."""
 
 
-class Solution(NamedTuple):
+class AngleSolution(NamedTuple):
     """A value of an angle, and the degrees after which there is another; 0 for no angle."""
 
     value: Formula
@@ -41,7 +41,7 @@ class Solution(NamedTuple):
     def at(self, x: float, values: Mapping[str, float]) -> Formula | None:
         """Return the formula of the value that lies at ``x``, None where none does.
 
-        >>> Solution(Symbol("delta"), Fraction(180)).at(0.1 - math.pi, {"delta": 0.1})
+        >>> AngleSolution(Symbol("delta"), Fraction(180)).at(0.1 - math.pi, {"delta": 0.1})
         Sum(terms=(Symbol(name='delta'), Product(factors=(Number(value=Fraction(-1, 1)), Pi()))))
         """
         if not symbols(self.value) <= values.keys():
@@ -57,7 +57,7 @@ class Solution(NamedTuple):
         return _tidy((self.value, degrees(turns * self.period)))
 
 
-def zeros(formula: Formula, name: str) -> Iterator[Solution]:
+def zeros(formula: Formula, name: str) -> Iterator[AngleSolution]:
     """Yield where a formula vanishes.
 
     >>> from .to_text import text
@@ -82,7 +82,7 @@ def zeros(formula: Formula, name: str) -> Iterator[Solution]:
             return
 
 
-def poles(formula: Formula, name: str) -> Iterator[Solution]:
+def poles(formula: Formula, name: str) -> Iterator[AngleSolution]:
     """Yield where a formula is infinite.
 
     >>> from .to_text import text
@@ -103,14 +103,14 @@ def poles(formula: Formula, name: str) -> Iterator[Solution]:
             return
 
 
-def _where(angle: Formula, value: Formula, period: int, name: str) -> Iterator[Solution]:
+def _where(angle: Formula, value: Formula, period: int, name: str) -> Iterator[AngleSolution]:
     """Yield where an angle has a value: it must be linear in the name."""
     linear = _linear(angle, name)
     if linear is not None:
         slope, rest = linear
         terms = (negative(rest), value) if slope > 0 else (rest, negative(value))
         found = product([(number(1 / abs(slope)), 1), (_tidy(terms), 1)])
-        yield Solution(found, abs(period / slope))
+        yield AngleSolution(found, abs(period / slope))
 
 
 def _linear(angle: Formula, name: str) -> tuple[Fraction, Formula] | None:
@@ -140,13 +140,13 @@ class _Part(NamedTuple):
     coefficient: Formula
 
 
-def _of_sum(terms: Sequence[Formula], name: str) -> Iterator[Solution]:
+def _of_sum(terms: Sequence[Formula], name: str) -> Iterator[AngleSolution]:
     flat = [part for term in terms for part in _expanded(term, name)]
     constant = total(t for t in flat if name not in symbols(t))
     parts = _gathered([_part(t, name) for t in flat if name in symbols(t)])
     match parts:
         case [_Part("", _, a)]:
-            yield Solution(_over(constant, a), Fraction(0))
+            yield AngleSolution(_over(constant, a), Fraction(0))
         case [_Part(function, angle, a)]:
             for value, period in _inverse(function, a, constant):
                 yield from _where(angle, value, period, name)

@@ -1,7 +1,7 @@
 """Formulas that are evaluated again and again, put in order once as straight-line code.
 
 Parts that are equal are computed once, whatever formulas they stand in. The values are
-those of :class:`~.evaluate.Evaluation` to the last bit, in a tenth of the time; code that is
+those of :class:`~.evaluate.Evaluator` to the last bit, in a tenth of the time; code that is
 used often is compiled to one function of Python, in which only numbers of places and
 constants stand, and takes a third of that.
 """
@@ -28,10 +28,10 @@ from .tree import (
     System,
 )
 
-Solution = Callable[[tuple[float, ...]], tuple[float, ...]]
+SystemSolver = Callable[[tuple[float, ...]], tuple[float, ...]]
 """Returns the unknowns of a system at values of its outer symbols."""
 
-Function = Callable[[Sequence[float]], list[float]]
+FloatProgram = Callable[[Sequence[float]], list[float]]
 """Returns the values of formulas at values of what has a name."""
 
 Operation = Callable[[Any], Any]
@@ -77,7 +77,7 @@ class StraightLine:
         self,
         formulas: Sequence[Formula],
         names: Sequence[str],
-        solution: Callable[[System], Solution],
+        solution: Callable[[System], SystemSolver],
         definitions: Iterable[tuple[str, Formula]] = (),
         often: int = OFTEN,
     ) -> None:
@@ -92,7 +92,7 @@ class StraightLine:
         self._results = [result.index for result in results]
         self._work = 1 + len(self._steps) // QUICK
         self._left = often
-        self._function: Function = self._step_by_step
+        self._function: FloatProgram = self._step_by_step
 
     def at(self, values: Sequence[float]) -> list[float]:
         """Return the values of the formulas; NaN where a function is not defined there."""
@@ -143,7 +143,7 @@ class _Made(_Value):
 class _Maker:
     """Gathers operations, each after those it needs, none twice."""
 
-    def __init__(self, names: Sequence[str], solution: Callable[[System], Solution]) -> None:
+    def __init__(self, names: Sequence[str], solution: Callable[[System], SystemSolver]) -> None:
         self._solution = solution
         self._first = len(names)
         self._named = dict[str, _Value]((n, _Value(i)) for i, n in enumerate(names))
@@ -216,7 +216,7 @@ class _Maker:
 
 def _compiled(
     given: int, constants: Sequence[float], made: Sequence[_Made], results: Sequence[int]
-) -> Function:
+) -> FloatProgram:
     """Return operations as one function, which raises where one of them has no value."""
     names = [f"v{i}" for i in range(given)] + [f"({constant!r})" for constant in constants]
     operations: dict[str, Operation] = {}
@@ -259,7 +259,7 @@ def _or_nan(value: float | None) -> float:
     return math.nan if value is None else value
 
 
-def _unknowns(solution: Solution, outer: tuple[float, ...] | float) -> tuple[float, ...]:
+def _unknowns(solution: SystemSolver, outer: tuple[float, ...] | float) -> tuple[float, ...]:
     """Return the unknowns of a system; of one argument no tuple is made."""
     values = outer if isinstance(outer, tuple) else (outer,)
     if None in values:

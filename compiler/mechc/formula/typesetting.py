@@ -45,10 +45,10 @@ from .tree import (
 
 Piece = TypeVar("Piece")
 
-Row = tuple[Formula, ...]
+FormulaRow = tuple[Formula, ...]
 
 
-class Around(IntEnum):
+class Surroundings(IntEnum):
     """What stands around a formula, by what must be put in parentheses there."""
 
     SUM = 0
@@ -106,7 +106,7 @@ class Look(ABC, Generic[Piece]):
         """Return pieces side by side, as they are."""
 
     @abstractmethod
-    def factors(self, formulas: Row, pieces: Sequence[Piece]) -> Piece:
+    def factors(self, formulas: FormulaRow, pieces: Sequence[Piece]) -> Piece:
         """Return the factors of a row, kept apart where they would run together."""
 
     @abstractmethod
@@ -169,10 +169,10 @@ class Typesetter(Look[Piece]):
     def whole(self, formula: Formula, angle: bool = False) -> Piece:
         """Return a formula; one that is an angle, or said to be one, has constants in degrees."""
         if angle or is_angle(formula, self.angles):
-            return self.set(multiple_of_sum(turned_to_degrees(formula)), Around.SUM, True)
-        return self.set(formula, Around.SUM, False)
+            return self.set(multiple_of_sum(turned_to_degrees(formula)), Surroundings.SUM, True)
+        return self.set(formula, Surroundings.SUM, False)
 
-    def set(self, formula: Formula, around: Around, angle: bool) -> Piece:
+    def set(self, formula: Formula, around: Surroundings, angle: bool) -> Piece:
         """Return a formula as it stands inside another; ``angle`` as in :meth:`whole`."""
         constant = in_degrees(formula) if angle and formula != ZERO else None
         if constant is not None:
@@ -194,21 +194,21 @@ class Typesetter(Look[Piece]):
             case Call(function, arguments):
                 return self._call(function, arguments)
             case Implicit(system, index, _):
-                zeros = [self.set(zero, Around.SUM, False) for zero in equations(formula)]
+                zeros = [self.set(zero, Surroundings.SUM, False) for zero in equations(formula)]
                 return self.parentheses(self.solution(system.unknowns[index], zeros))
             case _:
                 assert_never(formula)
 
     def term(self, term: Formula, first: bool, angle: bool = False) -> Piece:
         """Return a term of a sum, with the sign that joins it to what stands before."""
-        piece = self.set(term, Around.SUM, angle)
+        piece = self.set(term, Surroundings.SUM, angle)
         return piece if first else self.joined(piece)
 
-    def number(self, value: Fraction, figures: str | None, around: Around) -> Piece:
+    def number(self, value: Fraction, figures: str | None, around: Surroundings) -> Piece:
         """Return a number; ``figures`` is the decimal to be printed for it, if any."""
         return self._enclosed(self._digits(value, figures), value, figures, around)
 
-    def _degrees(self, value: Fraction, around: Around) -> Piece:
+    def _degrees(self, value: Fraction, around: Surroundings) -> Piece:
         """Return an angle; the degree sign is inside the parentheses."""
         figures = decimal(value)
         return self._enclosed(self.degrees(self._digits(value, figures)), value, figures, around)
@@ -219,7 +219,7 @@ class Typesetter(Look[Piece]):
         return self.numeral(figures or str(value))
 
     def _enclosed(
-        self, piece: Piece, value: Fraction, figures: str | None, around: Around
+        self, piece: Piece, value: Fraction, figures: str | None, around: Surroundings
     ) -> Piece:
         """Return a number in the parentheses that it needs."""
         if value < 0 and around:
@@ -227,19 +227,19 @@ class Typesetter(Look[Piece]):
         is_ratio = figures is None and value.denominator != 1
         return self._held(piece, around) if is_ratio else piece
 
-    def _held(self, fraction: Piece, around: Around) -> Piece:
+    def _held(self, fraction: Piece, around: Surroundings) -> Piece:
         """Return a fraction that holds together; a line does that among factors."""
-        needed = around == Around.BASE or (around and not self.built)
+        needed = around == Surroundings.BASE or (around and not self.built)
         return self.parentheses(fraction) if needed else fraction
 
-    def _product(self, formula: Product, around: Around, angle: bool) -> Piece:
+    def _product(self, formula: Product, around: Surroundings, angle: bool) -> Piece:
         match formula.factors:
             case (Number(value), *rest) if (figures := short_decimal(value)) is not None:
                 piece = self.scaled(self.numeral(figures), self._led(tuple(rest), angle))
                 negative = value < 0
             case _:
                 piece, negative = self._fractions(formula, angle)
-        closed = around == Around.BASE or (around and negative)
+        closed = around == Surroundings.BASE or (around and negative)
         return self.parentheses(piece) if closed else piece
 
     def _fractions(self, formula: Product, angle: bool) -> tuple[Piece, bool]:
@@ -253,29 +253,29 @@ class Typesetter(Look[Piece]):
         first, *second = [self._fraction(*part, angle) for part in parts if part != ((), ())]
         piece = self.beside(first, *second) if second else first
         if behind:
-            piece = self.row((piece, self.row_of(behind, Around.FACTOR, angle)))
+            piece = self.row((piece, self.row_of(behind, Surroundings.FACTOR, angle)))
         return (self.minus(piece), True) if sign < 0 else (piece, False)
 
-    def _fraction(self, above: Row, below: Row, angle: bool = False) -> Piece:
+    def _fraction(self, above: FormulaRow, below: FormulaRow, angle: bool = False) -> Piece:
         """Return the factors above and below a line, or side by side when nothing is below."""
         if not below:
-            return self.row_of(above, Around.FACTOR, angle)
-        top = self.row_of(above, Around.SUM if self.built else Around.FACTOR, angle)
-        bottom = self.row_of(below, Around.SUM if self.built else Around.BASE, angle)
+            return self.row_of(above, Surroundings.FACTOR, angle)
+        top = self.row_of(above, Surroundings.SUM if self.built else Surroundings.FACTOR, angle)
+        bottom = self.row_of(below, Surroundings.SUM if self.built else Surroundings.BASE, angle)
         return self.over(top, bottom, len(below) > 1)
 
-    def _led(self, factors: Row, angle: bool) -> Piece:
+    def _led(self, factors: FormulaRow, angle: bool) -> Piece:
         """Return the factors that a decimal leads."""
-        return self._product(Product(factors), Around.FACTOR, angle)
+        return self._product(Product(factors), Surroundings.FACTOR, angle)
 
-    def row_of(self, formulas: Row, alone: Around, angle: bool) -> Piece:
+    def row_of(self, formulas: FormulaRow, alone: Surroundings, angle: bool) -> Piece:
         """Return factors side by side; ``alone`` is what stands around a single one."""
         if not formulas:
             return self.numeral("1")
-        around = Around.FACTOR if len(formulas) > 1 else alone
+        around = Surroundings.FACTOR if len(formulas) > 1 else alone
         return self.factors(formulas, [self.set(f, around, angle) for f in formulas])
 
-    def _power(self, base: Formula, exponent: Formula, around: Around) -> Piece:
+    def _power(self, base: Formula, exponent: Formula, around: Surroundings) -> Piece:
         match base, exponent:
             case _, Number(value) if value < 0:
                 return self._held(self._fraction((), (power(base, Number(-value)),)), around)
@@ -285,34 +285,36 @@ class Typesetter(Look[Piece]):
                 self.raised and function in TRIGONOMETRIC and value.denominator == 1
             ):
                 return self.applied(function, str(value), argument, self._angle(argument))
-        raised = self.set(exponent, Around.SUM if self.built else Around.BASE, False)
+        raised = self.set(exponent, Surroundings.SUM if self.built else Surroundings.BASE, False)
         return self.power(self._base(base), raised)
 
-    def _root(self, inner: Formula, around: Around) -> Piece:
+    def _root(self, inner: Formula, around: Surroundings) -> Piece:
         """Return a square root, the root of a square number below its line in front: √a/3."""
         match inner:
             case Product((Number(value), *rest)) if (size := isqrt(value.denominator)) > 1 and (
                 size**2 == value.denominator
             ):
                 above = product([(Number(Fraction(value.numerator)), 1), *((f, 1) for f in rest)])
-                root = self.root(self.set(above, Around.SUM, False))
+                root = self.root(self.set(above, Surroundings.SUM, False))
                 return self._held(self.over(root, self.numeral(str(size)), False), around)
-        return self.root(self.set(inner, Around.SUM, False))
+        return self.root(self.set(inner, Surroundings.SUM, False))
 
     def _base(self, base: Formula) -> Piece:
         """Return the base of a power, in parentheses where it needs them."""
         if isinstance(base, Power):
-            return self.parentheses(self.set(base, Around.SUM, False))
-        piece = self.set(base, Around.BASE, False)
+            return self.parentheses(self.set(base, Surroundings.SUM, False))
+        piece = self.set(base, Surroundings.BASE, False)
         open_call = isinstance(base, Call) and not self.holds(piece)
         return self.parentheses(piece) if open_call else piece
 
-    def _call(self, function: str, arguments: Row) -> Piece:
+    def _call(self, function: str, arguments: FormulaRow) -> Piece:
         match function, arguments:
             case "choose", _:
                 return self.cases(*self._cases(arguments))
             case "both", _:
-                return self.joined_by(",", [self.set(a, Around.SUM, False) for a in arguments])
+                return self.joined_by(
+                    ",", [self.set(a, Surroundings.SUM, False) for a in arguments]
+                )
             case _, (left, right) if function in SIGNS:
                 angle = is_angle(left, self.angles) or is_angle(right, self.angles)
                 both = [self.whole(side, angle) for side in (left, right)]
@@ -320,11 +322,11 @@ class Typesetter(Look[Piece]):
             case "sense", (value, _):  # whose size is there for what rounding leaves of a zero
                 return self._call("sign", (value,))
             case "hypot", _:
-                return self.root(self.set(squares(arguments), Around.SUM, False))
+                return self.root(self.set(squares(arguments), Surroundings.SUM, False))
             case "sqrt", (argument,) if self.built:  # its line holds a fraction together
-                return self._root(argument, Around.SUM)
+                return self._root(argument, Surroundings.SUM)
             case "sqrt", (argument,):
-                return self.root(self.set(argument, Around.SUM, False))
+                return self.root(self.set(argument, Surroundings.SUM, False))
             case "abs", (argument,):
                 return self.absolute(self.whole(argument))
             case _, (argument,):
@@ -338,7 +340,7 @@ class Typesetter(Look[Piece]):
         is_zero = argument == ZERO
         return self.degrees(self.numeral("0")) if is_zero else self.whole(argument, True)
 
-    def _cases(self, parts: Row) -> tuple[list[tuple[Piece, Piece]], Piece | None]:
+    def _cases(self, parts: FormulaRow) -> tuple[list[tuple[Piece, Piece]], Piece | None]:
         """Return a choice as rows; a choice for what is left goes on with them."""
         pairs = zip(parts[1::2], parts[::2], strict=False)
         rows = [(self.whole(value), self.whole(condition)) for value, condition in pairs]

@@ -17,10 +17,12 @@ from ..model.mechanism import (
 )
 from ..pose.pose import Pose
 from ..power.reactions import Reactions
-from .pairs import Given
+from .pairs import GivenForces
 
 
-def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Iterator[Diagnostic]:
+def assumptions(
+    pose: Pose, driving: str, given: GivenForces, *, exact: bool
+) -> Iterator[Diagnostic]:
     """Yield a remark on each pin whose friction depends on the link that it is fast in.
 
     Between two links it does not where they press the pin alike, however both turn: then the
@@ -55,7 +57,7 @@ def acts_on_pin(load: Load, point: str) -> bool:
     return ("", point) in load.ends
 
 
-def _alike(pin: PinFriction, pose: Pose, driving: str, given: Given) -> bool:
+def _alike(pin: PinFriction, pose: Pose, driving: str, given: GivenForces) -> bool:
     """Return whether two links press a pin equally hard, whatever the pose."""
     reactions = Reactions(pose, (driving,))
     squares = []

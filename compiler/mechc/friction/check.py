@@ -7,7 +7,7 @@ from typing import Protocol
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..model.mechanism import Efficiency, LoadRatio, Mechanism, Require, Target, WithFriction
+from ..model.mechanism import Efficiency, LoadRatio, Mechanism, Require, ResultTarget, WithFriction
 from ..model.parts.targets import SIGNS
 from ..model.result import Definition, FrictionResult, Result
 from ..model.values import Values, completed, holds, standing
@@ -52,7 +52,7 @@ def _names(result: FrictionResult, mechanism: Mechanism) -> Iterator[str]:
         yield from _defined(f"{result.name} as printed", result.case, conditions, known)
 
 
-class Shown(Protocol):
+class CheckedFormula(Protocol):
     """A formula and what it rests on: a result, or its printed case."""
 
     @property
@@ -67,7 +67,7 @@ class Shown(Protocol):
 
 
 def _defined(
-    name: str, shown: Shown, conditions: Sequence[Require], known: Set[str]
+    name: str, shown: CheckedFormula, conditions: Sequence[Require], known: Set[str]
 ) -> Iterator[str]:
     yield from undefined(name, shown.formula, shown.where, known)
     defined = known | {d.name for d in shown.where}
@@ -103,7 +103,7 @@ def _printed(result: FrictionResult, values: Values) -> Iterator[str]:
         yield f"{result.name} is {number:.9g} and printed as {shown:.9g}"
 
 
-def _resists(result: FrictionResult, ideal: Mapping[Target | None, Result]) -> Iterator[str]:
+def _resists(result: FrictionResult, ideal: Mapping[ResultTarget | None, Result]) -> Iterator[str]:
     """Yield a friction that helps the drive: more than all of its power arrives, or less than none.
 
     For a force F of 1 a drive that moves along its arrow takes more than without friction, by

@@ -24,15 +24,15 @@ from ..pose.pose import Arm, Pose, Vector
 from ..power.definitions import bound_names
 from ..power.joint_forces import component, joint_of, line_of, size_of_two
 from ..power.reactions import Transmitted
-from .closed_form import Printed, conditions, positive, readable
+from .closed_form import PrintedFormula, conditions, positive, readable
 from .free_bodies import Bodies, BodyForce, EquationsCoupled
 from .linear import LinearSolver
 from .normal_forces import load_of
 from .pairs import LoadedPair
 from .sequential import SequentialSolver
-from .signs import Signs
+from .signs import SignSymbols
 from .signs_at_a_pose import AtOnePose
-from .solution import Step, StepKind
+from .solution import FrictionStep, StepKind
 
 X, Y = (Arm(ONE, Angle()),), (Arm(ONE, QUARTER),)
 
@@ -54,16 +54,16 @@ class AskedForce(NamedTuple):
     drive: NamedDrive | None
 
 
-class Components(Protocol):
+class ForceComponents(Protocol):
     """A force at a joint by its components, and the steps that lead to it."""
 
     @property
-    def steps(self) -> Sequence[Step]:
+    def steps(self) -> Sequence[FrictionStep]:
         """Return the steps up to what the force is made of."""
         ...
 
     @property
-    def step(self) -> Step:
+    def step(self) -> FrictionStep:
         """Return the step of the force itself, its equations still empty."""
         ...
 
@@ -80,12 +80,12 @@ class Components(Protocol):
         ...
 
 
-MakeSolver = Callable[[Signs], SequentialSolver | LinearSolver]
+MakeSolver = Callable[[SignSymbols], SequentialSolver | LinearSolver]
 
 
 def closed_force(
     asked: AskedForce, transmitted: Transmitted, way: MakeSolver, signs: AtOnePose
-) -> Printed:
+) -> PrintedFormula:
     """Return a force at a joint as one way of solving gives it, for the signs of one pose.
 
     Raises :class:`EquationsCoupled` where it does not.
@@ -93,7 +93,7 @@ def closed_force(
     solver = way(signs)
     solver.solve()
     if isinstance(solver, SequentialSolver):
-        found: Components = OfBodies(solver, asked)
+        found: ForceComponents = OfBodies(solver, asked)
     else:
         found = OfFrictions(solver, transmitted)
     formula = _formula(asked, found)
@@ -101,14 +101,16 @@ def closed_force(
     drive = asked.drive.where if asked.drive and _rests_on(formula, asked.drive) else ()
     where = (*signs.definitions, *drive)
     steps = (*found.steps, step)
-    return Printed(formula, tuple(dict.fromkeys(where)), conditions(signs), steps, positive(solver))
+    return PrintedFormula(
+        formula, tuple(dict.fromkeys(where)), conditions(signs), steps, positive(solver)
+    )
 
 
 def _rests_on(formula: Formula, drive: NamedDrive) -> bool:
     return not symbols(formula).isdisjoint(d.name for d in drive.where)
 
 
-def _formula(asked: AskedForce, found: Components) -> Formula:
+def _formula(asked: AskedForce, found: ForceComponents) -> Formula:
     """Return the force, or the part of it that is asked for."""
 
     def along(line: Vector) -> Formula:
@@ -131,7 +133,7 @@ def _written(value: Product) -> Formula:
     return negative(turned) if isinstance(turned, Sum) else found
 
 
-def _equations(asked: AskedForce, found: Components) -> tuple[tuple[Formula, Formula], ...]:
+def _equations(asked: AskedForce, found: ForceComponents) -> tuple[tuple[Formula, Formula], ...]:
     """Return the equation of the step: a component in the names of what it is made of."""
     if isinstance(asked.target, Reaction) and asked.target.part in ("size", "direction"):
         return ()
@@ -151,10 +153,10 @@ class OfBodies:
         if solver.bodies.mechanism.is_on_the_line(members(asked.pose, joint)):
             raise EquationsCoupled
         kind, body, self._forces, self._line = _acting(joint, solver)
-        self.step = Step(kind, body, joint.point)
+        self.step = FrictionStep(kind, body, joint.point)
 
     @property
-    def steps(self) -> Sequence[Step]:
+    def steps(self) -> Sequence[FrictionStep]:
         """Return the steps up to the last that gives one of the forces."""
         names = (f.name for f, _ in self._forces if f.name not in self._given())
         needed = set(map(self._solver.symbol, names))
@@ -224,12 +226,12 @@ class OfBodies:
 SHORT = 8
 """Operations of a driving load that is put in; one that has more keeps its name."""
 
-Signed = Sequence[tuple[BodyForce, int]]
+SignedForces = Sequence[tuple[BodyForce, int]]
 
 
 def _acting(
     joint: JointRef, solver: SequentialSolver
-) -> tuple[StepKind, str, Signed, Angle | None]:
+) -> tuple[StepKind, str, SignedForces, Angle | None]:
     """Return how a joint's force is found, on which body, and its parts with their signs.
 
     Where there is a line the joint presses along that alone.
@@ -253,7 +255,7 @@ def _acting(
             raise EquationsCoupled
 
 
-def _of_guide(body: str, solver: SequentialSolver) -> tuple[StepKind, str, Signed, Angle]:
+def _of_guide(body: str, solver: SequentialSolver) -> tuple[StepKind, str, SignedForces, Angle]:
     """Return the force that balances all others on a slider across its guide."""
     if solver.bodies.kind(body) != "slider":
         raise EquationsCoupled
@@ -269,7 +271,7 @@ def _carrier(point: str, bodies: Bodies) -> str:
     return body
 
 
-def _at_pin(joint: JointRef, solver: SequentialSolver) -> tuple[StepKind, str, Signed]:
+def _at_pin(joint: JointRef, solver: SequentialSolver) -> tuple[StepKind, str, SignedForces]:
     """Return the force on a link at one of its pins."""
     bodies = solver.bodies
     if joint.of in bodies.levers:
@@ -282,7 +284,7 @@ def _at_pin(joint: JointRef, solver: SequentialSolver) -> tuple[StepKind, str, S
     return "rod part", rod.name, [(solver.of_rod(rod, joint.point), -1)]
 
 
-def _of_only_rod(point: str, lever: str, solver: SequentialSolver) -> Signed:
+def _of_only_rod(point: str, lever: str, solver: SequentialSolver) -> SignedForces:
     """Return the force of the only rod, and nothing else, that acts on a lever at a point."""
     forces = [force for force in solver.on(lever) if force.point == point]
     if len(forces) != 1 or solver.bodies.rod(forces[0].name) is None:
@@ -290,7 +292,7 @@ def _of_only_rod(point: str, lever: str, solver: SequentialSolver) -> Signed:
     return [(forces[0], 1)]
 
 
-def _of_pivot(point: str, solver: SequentialSolver) -> tuple[StepKind, str, Signed]:
+def _of_pivot(point: str, solver: SequentialSolver) -> tuple[StepKind, str, SignedForces]:
     """Return the force of the ground on the only link at a pivot."""
     links = [k for k in solver.bodies.mechanism.links if point in k.points]
     if len(links) != 1:
@@ -304,13 +306,13 @@ def _of_pivot(point: str, solver: SequentialSolver) -> tuple[StepKind, str, Sign
 class OfFrictions:
     """A force at a joint as it is without friction, and what each friction adds to it."""
 
-    step = Step("added")
+    step = FrictionStep("added")
 
     def __init__(self, solver: LinearSolver, transmitted: Transmitted) -> None:
         self._solver, self._transmitted = solver, transmitted
 
     @property
-    def steps(self) -> Sequence[Step]:
+    def steps(self) -> Sequence[FrictionStep]:
         """Return the step of what presses."""
         return (self._solver.pressing(),)
 

@@ -8,7 +8,7 @@ from typing import Literal, Protocol
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
-from ..algebra.intervals import Box, sign
+from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add, canonical
 from ..formula import tree
@@ -27,9 +27,9 @@ from ..named import NamedTuple
 from ..power.numbers import default_values, values_beside
 from .free_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames, renamed
-from .signs import AtAnyPose, Signs, bare, exact_sign, is_root
+from .signs import AtAnyPose, SignSymbols, bare, exact_sign, is_root
 from .signs_at_a_pose import AtOnePose
-from .solution import Step
+from .solution import FrictionStep
 
 BESIDE = 1e-3
 """How far beside the default pose signs are looked at, in radians: far enough for no rounding."""
@@ -41,7 +41,7 @@ Operator = Literal["<", "<=", ">", ">=", "="]
 
 
 @frozen
-class Printed:
+class PrintedFormula:
     """A formula for the signs of one pose, and the conditions under which they stay.
 
     What is ``positive`` must stay so as well, or nothing balances as the formula says.
@@ -50,12 +50,12 @@ class Printed:
     formula: Formula
     where: tuple[Definition, ...]
     holds: tuple[tuple[Formula, Operator], ...]
-    steps: tuple[Step, ...] = ()
+    steps: tuple[FrictionStep, ...] = ()
     positive: tuple[Formula, ...] = ()
 
 
 @frozen
-class Named:
+class DefinedFormula:
     """A formula and what it rests on, each definition after those it needs.
 
     What is ``positive`` must stay so, or the formula has no meaning, and the one that
@@ -67,13 +67,13 @@ class Named:
     formula: Formula
     where: tuple[Definition, ...] = ()
     positive: tuple[Formula, ...] = ()
-    case: Printed | None = None
-    steps: tuple[Step, ...] = ()
+    case: PrintedFormula | None = None
+    steps: tuple[FrictionStep, ...] = ()
     inside: frozenset[str] = frozenset()
-    elsewhere: "Callable[[], Named] | None" = None
+    elsewhere: "Callable[[], DefinedFormula] | None" = None
 
 
-class Condition(NamedTuple):
+class SignCondition(NamedTuple):
     """A force that keeps its ideal sign in the formula: ``sign · force > 0``."""
 
     sign: Product
@@ -83,10 +83,10 @@ class Condition(NamedTuple):
 class ClosedFormSolver(Protocol):
     """A way to solve for the driving load, and what its formula takes for granted then."""
 
-    conditions: list[Condition]
+    conditions: list[SignCondition]
 
     @property
-    def steps(self) -> Sequence[Step]:
+    def steps(self) -> Sequence[FrictionStep]:
         """Return the steps taken so far."""
         ...
 
@@ -99,22 +99,22 @@ class ClosedFormSolver(Protocol):
 
 
 def closed_form(
-    way: Callable[[Signs], ClosedFormSolver], factor: Product, signs: AtAnyPose
-) -> Named:
+    way: Callable[[SignSymbols], ClosedFormSolver], factor: Product, signs: AtAnyPose
+) -> DefinedFormula:
     """Return the driving load times a factor, with signs that follow from the pose."""
     solver = way(signs)
     formula = shortest(solver.solve(), factor)
-    return Named(formula, tuple(signs.definitions), positive(solver))
+    return DefinedFormula(formula, tuple(signs.definitions), positive(solver))
 
 
 def printed_form(
-    way: Callable[[Signs], ClosedFormSolver], factor: Product, signs: AtOnePose
-) -> Printed:
+    way: Callable[[SignSymbols], ClosedFormSolver], factor: Product, signs: AtOnePose
+) -> PrintedFormula:
     """Return the driving load times a factor, for the signs of one pose."""
     solver = way(signs)
     formula = shortest(solver.solve(), factor)
     where, steps = tuple(signs.definitions), tuple(solver.steps)
-    return Printed(formula, where, conditions(signs), steps, positive(solver))
+    return PrintedFormula(formula, where, conditions(signs), steps, positive(solver))
 
 
 def positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
@@ -123,7 +123,7 @@ def positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
     return tuple(force.formula() for force in kept if bare(force).factors)
 
 
-def signed_part(formula: Formula, box: Box) -> tuple[Formula, Operator] | None:
+def signed_part(formula: Formula, box: IntervalBox) -> tuple[Formula, Operator] | None:
     """Return which part of a product must have a sign for it to be positive; None where it is."""
     telling = bare(to_product(formula))
     known = {f: 1 if is_root(Product.of(f)) else sign(Product.of(f), box) for f in telling.factors}
@@ -210,8 +210,8 @@ class DefaultPose:
         self.meanings = Meanings()
 
     def printed(
-        self, way: Callable[[AtOnePose], Printed], endings: Sequence[str]
-    ) -> Printed | None:
+        self, way: Callable[[AtOnePose], PrintedFormula], endings: Sequence[str]
+    ) -> PrintedFormula | None:
         """Return the printed result at the pose; None where a value or a sign is missing."""
         values = self.values()
         box = {**allowed_box(self._mechanism), **dict.fromkeys(self._distances(), POSITIVE)}
@@ -227,7 +227,7 @@ class DefaultPose:
         self.meanings.note(found.where)
         return found
 
-    def _is_alone(self, found: Printed) -> bool:
+    def _is_alone(self, found: PrintedFormula) -> bool:
         """Return whether a sign is zero at the pose and not beside it: at a dead centre.
 
         What holds there holds nowhere else. A pin that is at rest all along has none as well.
@@ -239,7 +239,7 @@ class DefaultPose:
         known = completed({**self.values(), **moved}, found.where)
         return any(abs(evaluate(formula, known)) > AT_REST for formula in zeros)
 
-    def in_free_names(self, found: Named, endings: Sequence[str]) -> Named:
+    def in_free_names(self, found: DefinedFormula, endings: Sequence[str]) -> DefinedFormula:
         """Return a result of code in names that mean nothing else in what is printed."""
         taken = {*default_values(self._plan), *self._taken}
         names = renamed(found.where, self.meanings, endings, taken)
@@ -249,7 +249,7 @@ class DefaultPose:
             for name, formula in found.where
         )
         self.meanings.note(where)
-        return Named(put.of(found.formula), where, tuple(map(put.of, found.positive)))
+        return DefinedFormula(put.of(found.formula), where, tuple(map(put.of, found.positive)))
 
     def _distances(self) -> Iterator[str]:
         """Yield the lengths that are distances of points: where one is 0, nothing has a value."""
@@ -267,7 +267,7 @@ class DefaultPose:
                 known.add(name)
                 yield Definition(name, formula)
 
-    def balances(self, printed: Printed) -> bool:
+    def balances(self, printed: PrintedFormula) -> bool:
         """Return whether forces have at the pose the senses that a printed result gives them."""
         known = completed(self.values(), printed.where)
         return all(evaluate(force, known) > 0 for force in printed.positive)

@@ -48,7 +48,7 @@ from ..formula.tree import (
 from ..frozen import frozen
 from ..model.result import Definition
 from ..named import NamedTuple
-from .naming import Sizes
+from .naming import ForceSizes
 from .pairs import Component, LoadedPair
 from .senses import sense_of
 
@@ -70,7 +70,7 @@ has a limit of its own by this one's digits (``emit.c.real``).
 """
 
 
-class Share(NamedTuple):
+class FrictionShare(NamedTuple):
     """How a friction, as it acts on its slip, changes a component for each unit of its true size.
 
     The friction is that of the pair at a ``place`` in their order.
@@ -81,15 +81,15 @@ class Share(NamedTuple):
     amount: Formula
 
 
-class Row(NamedTuple):
+class ForceRow(NamedTuple):
     """One component of a pressing force: the ideal one, and what frictions share in it."""
 
     ideal: Definition
-    shares: tuple[Share, ...]
+    shares: tuple[FrictionShare, ...]
 
 
 @frozen
-class Names:
+class SystemNames:
     """What the parts of the system are called: those of each pair, in their order, then the rest.
 
     Of each pair that is its true size, the unknown that it is found by, the power that its
@@ -116,17 +116,17 @@ class Coupled:
     """The coupled equations of loaded pairs, for either sense of motion."""
 
     loaded: tuple[LoadedPair, ...]
-    names: Names
-    pairs: tuple[tuple[Row, ...], ...]
+    names: SystemNames
+    pairs: tuple[tuple[ForceRow, ...], ...]
     system: System
 
     @property
-    def rows(self) -> tuple[Row, ...]:
+    def rows(self) -> tuple[ForceRow, ...]:
         """Return the components of all pressing forces."""
         return tuple(row for pair in self.pairs for row in pair)
 
     @property
-    def shares(self) -> list[Share]:
+    def shares(self) -> list[FrictionShare]:
         """Return the shares of all frictions in all components."""
         return [share for row in self.rows for share in row.shares]
 
@@ -138,7 +138,7 @@ def coupled(loaded: Sequence[LoadedPair], taken: Set[str]) -> Coupled:
         tuple(name(f"{prefix}_{p.pair.name}") for p in loaded) for prefix in "nxqa"
     )
     others = ("n_0", "d_0", "g_0", "e_0", "phi_0", "q_0", "t_0", "t_1", "t_2")
-    names = Names(sizes, unknowns, added, alone, *map(name, others))
+    names = SystemNames(sizes, unknowns, added, alone, *map(name, others))
     places = {p.pair.name: i for i, p in enumerate(loaded)}
     pairs = tuple(tuple(_rows(p, loaded, places, name)) for p in loaded)
     return Coupled(tuple(loaded), names, pairs, _system(names, pairs))
@@ -162,12 +162,12 @@ def _rows(
     loaded: Sequence[LoadedPair],
     places: Mapping[str, int],
     name: Callable[[str], str],
-) -> Iterator[Row]:
+) -> Iterator[ForceRow]:
     """Yield the components of the force that presses a pair."""
     for axis, component in zip("xy", pair.components, strict=False):
         ideal = Definition(name(f"r_{pair.pair.name}{axis}"), component.ideal.formula())
         shares = _shares(f"d_{pair.pair.name}{axis}", component, loaded, places, name)
-        yield Row(ideal, tuple(shares))
+        yield ForceRow(ideal, tuple(shares))
 
 
 def _shares(
@@ -176,18 +176,18 @@ def _shares(
     loaded: Sequence[LoadedPair],
     places: Mapping[str, int],
     name: Callable[[str], str],
-) -> Iterator[Share]:
+) -> Iterator[FrictionShare]:
     for other, part in component.by.items():
         place = places[other]
         amount = part * loaded[place].pair.factor
-        yield Share(place, name(f"{prefix}{other}"), amount.formula())
+        yield FrictionShare(place, name(f"{prefix}{other}"), amount.formula())
 
 
-def true_sizes(equations: Coupled, sense: int) -> Sizes:
+def true_sizes(equations: Coupled, sense: int) -> ForceSizes:
     """Return the sizes of the pressing forces that solve the coupled equations."""
     pairs = zip(equations.loaded, equations.names.sizes, strict=True)
     names = {loaded.pair.name: name for loaded, name in pairs}
-    return Sizes(
+    return ForceSizes(
         names, tuple(_definitions(equations, sense)), sense, (Symbol(equations.names.load),)
     )
 
@@ -271,14 +271,14 @@ def _per_scale(of: Coupled, name: str) -> Formula:
     return quotient(Symbol(name), Symbol(of.names.scale))
 
 
-def _adds(of: Coupled, share: Share) -> Formula:
+def _adds(of: Coupled, share: FrictionShare) -> Formula:
     return Symbol(of.names.added[share.place])
 
 
 # ----------------------------------------------------------------------------- system
 
 
-def _system(names: Names, pairs: Sequence[Sequence[Row]]) -> System:
+def _system(names: SystemNames, pairs: Sequence[Sequence[ForceRow]]) -> System:
     """Return the equations, each force times the share of the way that is left."""
     left, step = Symbol(names.left), Symbol(names.step)
     load = product([(left, 1), (Symbol(names.without), 1)])
@@ -304,7 +304,7 @@ def _system(names: Names, pairs: Sequence[Sequence[Row]]) -> System:
     )
 
 
-def _anchor(names: Names, rows: Sequence[Row]) -> tuple[tuple[str, float | None], ...]:
+def _anchor(names: SystemNames, rows: Sequence[ForceRow]) -> tuple[tuple[str, float | None], ...]:
     """Return where the way begins: without friction; what has no value there stays as it is."""
     path = ((names.step, 0.0), (names.left, 1.0), (names.rounded, float(ROUNDED)))
     kept = [*(row.ideal.name for row in rows), *names.alone, *names.added]
@@ -312,7 +312,7 @@ def _anchor(names: Names, rows: Sequence[Row]) -> tuple[tuple[str, float | None]
     return (*path, *((name, None) for name in kept))
 
 
-def _load_added(names: Names) -> Formula:
+def _load_added(names: SystemNames) -> Formula:
     """Return the driving load that all frictions together take."""
     return total(
         product([(Symbol(added), 1), (Symbol(x), 1)])
@@ -320,7 +320,7 @@ def _load_added(names: Names) -> Formula:
     )
 
 
-def _force(row: Row, load: Formula, names: Names) -> Formula:
+def _force(row: ForceRow, load: Formula, names: SystemNames) -> Formula:
     """Return a component of a force in the unknowns."""
     terms = (
         product([(Symbol(s.name), 1), (Symbol(names.unknowns[s.place]), 1)]) for s in row.shares
@@ -329,7 +329,7 @@ def _force(row: Row, load: Formula, names: Names) -> Formula:
     return total([product([(Symbol(row.ideal.name), 1), (load, 1)]), by_friction])
 
 
-def _measure(names: Names) -> Formula:
+def _measure(names: SystemNames) -> Formula:
     """Return the equation by which loads and forces keep their size altogether.
 
     It is a sphere, which each ray of solutions meets once: a plane is met by none that is parallel

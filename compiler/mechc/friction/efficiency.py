@@ -9,7 +9,7 @@ from functools import cached_property
 
 from ..algebra.factors import Trig
 from ..algebra.from_formula import to_product
-from ..algebra.intervals import Box, sign
+from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import ONE, Product
 from ..algebra.sums import canonical
 from ..algebra.trigonometry import cosine, sine
@@ -21,13 +21,13 @@ from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box
 from ..model.mechanism import Mechanism, Require, Sense
 from ..model.parts.targets import SIGNS
-from ..model.result import Case, Definition, FrictionResult, Result
+from ..model.result import Definition, FrictionResult, Result, SignCase
 from ..power.numbers import default_values, value_of
 from ..source import Span
 from ..units import NUMBER
-from .closed_form import Named, Operator, Printed, readable
+from .closed_form import DefinedFormula, Operator, PrintedFormula, readable
 from .iterated import SHORT
-from .solution import Step
+from .solution import FrictionStep
 
 
 class Drives:
@@ -73,16 +73,16 @@ class Drives:
         """Return whether they do in the case that is printed, with its condition."""
         return self._exponent < 0
 
-    def with_constant(self, name: str, efficiency: Formula) -> Named:
+    def with_constant(self, name: str, efficiency: Formula) -> DefinedFormula:
         """Return the ratio, which is called ``name``, with an efficiency that is given."""
         here = product([(self._ideal.formula, 1), (efficiency, -self._exponent)])
         share = product([(self._k, 1), (efficiency, -self._exponent)])
-        steps = (Step("efficiency", equations=((Symbol(name), share),)),)
+        steps = (FrictionStep("efficiency", equations=((Symbol(name), share),)),)
         if self._always is not None or here == ZERO:
-            return Named(here, steps=steps)
+            return DefinedFormula(here, steps=steps)
         whole = product([(self._k, 1), (Power(efficiency, self._turning(-1)), 1)])
-        case = Printed(here, (), self._condition(self._ideal.formula), steps)
-        return Named(whole, (self._definition(),), case=case)
+        case = PrintedFormula(here, (), self._condition(self._ideal.formula), steps)
+        return DefinedFormula(whole, (self._definition(),), case=case)
 
     def efficiency(self, real: FrictionResult, span: Span) -> FrictionResult:
         """Return the efficiency, from the ratio with friction."""
@@ -106,7 +106,7 @@ class Drives:
         other = real.elsewhere
         return self.efficiency(other, span) if isinstance(other, FrictionResult) else None
 
-    def _case(self, here: Formula, real: FrictionResult, name: str, span: Span) -> Case | None:
+    def _case(self, here: Formula, real: FrictionResult, name: str, span: Span) -> SignCase | None:
         """Return the efficiency as it is printed; it has the conditions of the ratio, too."""
         case = real.case
         if case is None:
@@ -129,15 +129,15 @@ class Drives:
         if self._in_range is None:
             where = self._with_ideal(where)
             holds += tuple(Require(f, o, ZERO, span) for f, o in self._condition(self._k))
-        return Case(here, where, holds, case.guards)
+        return SignCase(here, where, holds, case.guards)
 
-    def _spared(self, put_in: Formula, case: Case) -> int:
+    def _spared(self, put_in: Formula, case: SignCase) -> int:
         """Return how many operations the efficiency with the printed ratio in it may have more."""
         ideal = symbols(self._ideal.formula)
         shows_more = not ideal or symbols(put_in) < ideal | symbols(case.formula)
         return LOOKED_UP + DROPPED * shows_more
 
-    def _put_in(self, case: Case) -> Formula:
+    def _put_in(self, case: SignCase) -> Formula:
         """Return the efficiency with the printed ratio in it, not its name: tan β/tan(β + ρ)."""
         without, real = to_product(self._ideal.formula), to_product(case.formula)
         share = canonical((without / real) ** self._exponent)
@@ -175,7 +175,7 @@ class Drives:
         return Definition(self._ideal.name, self._ideal.formula)
 
 
-def _has_roots(case: Case) -> bool:
+def _has_roots(case: SignCase) -> bool:
     """Return whether a ratio, or what it rests on, is a root of a quadratic equation."""
     used = symbols(case.formula)
     rests_on = (d.formula for d in case.where if d.name in used)
@@ -207,12 +207,12 @@ def _not_negative(share: Formula) -> Formula:
     return Call("max", (share, ZERO))
 
 
-def _sign(result: Result, box: Box) -> int | None:
+def _sign(result: Result, box: IntervalBox) -> int | None:
     """Return the sign of a result all over a box, None where it is not proved."""
     value = to_product(result.formula)
     return sign(value, box) if value else None
 
 
-def _sizes(mechanism: Mechanism) -> Box:
+def _sizes(mechanism: Mechanism) -> IntervalBox:
     """Return the box of all that is no angle."""
     return {name: i for name, i in allowed_box(mechanism).items() if name not in mechanism.angles}

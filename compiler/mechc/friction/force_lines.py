@@ -15,14 +15,14 @@ from . import surfaces
 from .free_bodies import HALF_TURN, Bodies, BodyForce, under
 from .notes import Notes
 from .pairs import radii, reduced
-from .signs import Signs
+from .signs import SignSymbols
 from .surfaces import Surface
 
 
 class ForceLines:
     """The forces on each body under a unit of their size; each line is found, and noted, once."""
 
-    def __init__(self, bodies: Bodies, signs: Signs, sense: int, notes: Notes) -> None:
+    def __init__(self, bodies: Bodies, signs: SignSymbols, sense: int, notes: Notes) -> None:
         self._bodies, self._signs, self._sense, self._notes = bodies, signs, sense, notes
         self._radii = radii(p.pair for p in bodies.task.loaded)
         self._lines: dict[str, Angle] = {}

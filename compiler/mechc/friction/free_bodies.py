@@ -18,7 +18,7 @@ from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.loads import occurrences
 from ..power.reactions import Reactions
-from .pairs import Given, LoadedPair
+from .pairs import GivenForces, LoadedPair
 
 BodyKind = Literal["lever", "slider", "pin"]
 
@@ -72,7 +72,7 @@ class Task:
 
     pose: Pose
     driving: str
-    given: Given
+    given: GivenForces
     owners: Mapping[str, tuple[str, Product]]
     loaded: Sequence[LoadedPair]
     reactions: Reactions

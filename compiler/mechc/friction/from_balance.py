@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, assert_never
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..diagnostics import power as power_messages
-from ..formula.rounding import Size
+from ..formula.rounding import PrintedNumber
 from ..formula.tree import ZERO, Symbol
 from ..frozen import replace
 from ..model.mechanism import (
@@ -24,7 +24,7 @@ from ..model.parts.friction import RopeFriction
 from ..model.parts.targets import SIGNS
 from ..model.result import Result
 from ..model.results.conditions import refuse_failing
-from ..power.balance import Balance, Solved
+from ..power.balance import AlgebraicResult, Balance
 from ..power.definitions import let_results, open_lengths
 from ..power.loose import warn_of_idle_loads
 from ..power.numbers import DefaultNumbers, with_default
@@ -33,7 +33,7 @@ from . import problem as problems
 from .solution import Solution, SolvedWithFriction
 
 if TYPE_CHECKING:
-    from .problem import Problem
+    from .problem import FrictionProblem
 
 
 def solve(balance: Balance, report: Report) -> Solution:
@@ -49,7 +49,7 @@ def solve(balance: Balance, report: Report) -> Solution:
     finds = balance.plan.graph.pose.mechanism.finds
     solved = [known[find.name] for find in finds if find.name in known]
     lets = let_results(balance.plan.graph.pose, [s.result for s in solved], report)
-    solved += [Solved(with_default(let, numbers.of(let))) for let in lets]
+    solved += [AlgebraicResult(with_default(let, numbers.of(let))) for let in lets]
     results = [s.result for s in solved]
     _refuse_undefined(results, balance, numbers, report)
     if balance.plan.graph.pose.mechanism.friction.joints:
@@ -74,7 +74,7 @@ def _with_friction(
     asked = [f for f in finds if isinstance(f.target, WithFriction | Efficiency)]
     if not asked:
         return
-    problem = problems.Problem(balance, report)
+    problem = problems.FrictionProblem(balance, report)
     ideal = {r.target: r for r in balance.results}
     joints = problem.mechanism.friction.joints
     grips = bool(joints) and all(isinstance(joint, RopeFriction) for joint in joints)
@@ -88,7 +88,7 @@ def _with_friction(
 
 
 def _answer(
-    problem: "Problem", find: Find, target: WithFriction | Efficiency, ideal: Result
+    problem: "FrictionProblem", find: Find, target: WithFriction | Efficiency, ideal: Result
 ) -> SolvedWithFriction | None:
     """Return the result with friction; None where an error was reported, or there is none."""
     if isinstance(target, Efficiency):
@@ -118,17 +118,17 @@ def _with_default(
     has no value either. Where a slip is 0 for once it has the limit of both sides, or jumps.
     """
     if ideal.undetermined:
-        return with_default(result, Size(None, undetermined=True))
+        return with_default(result, PrintedNumber(None, undetermined=True))
     size = numbers.of(result)
     if sides := at_rest.sides(result, numbers.pose, size.number):
         default = sides[0] if len(sides) == 1 else None
         return replace(result, default=default, sides=sides)
     if size.undetermined and _is_all_lost(find, result, ideal, numbers):
-        size = Size(0.0)
+        size = PrintedNumber(0.0)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
         idle = _below(find) if ideal.formula == ZERO else ""
         report.add_first(messages.drive_jams(find.span, find.name, _drive(find), grips, idle))
-        size = Size(None)
+        size = PrintedNumber(None)
     return with_default(result, size)
 
 

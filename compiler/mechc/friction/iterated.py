@@ -19,28 +19,28 @@ from ..model.result import Definition, Result
 from ..named import NamedTuple
 from ..power.joint_forces import size_of
 from ..power.magnitudes import even, magnitude
-from .closed_form import Named, Printed, conditions, power, readable
-from .naming import Sizes
+from .closed_form import DefinedFormula, PrintedFormula, conditions, power, readable
+from .naming import ForceSizes
 from .pairs import FrictionPair, LoadedPair, radii, reduced
 from .signs import is_root
 from .signs_at_a_pose import AtOnePose
-from .solution import Step
+from .solution import FrictionStep
 
 
 def first_order(
     ideal: Formula, loaded: Sequence[LoadedPair], sense: int, mechanism: Mechanism
-) -> Named:
+) -> DefinedFormula:
     """Return the driving load with the frictions that ideal pressing forces give.
 
     The power of friction with ideal instead of true forces: the error is of second order.
     """
     parts = _powers(loaded, partial(magnitude, mechanism=mechanism))
-    return Named(_with(ideal, parts, sense))
+    return DefinedFormula(_with(ideal, parts, sense))
 
 
 def first_order_case(
     name: str, ideal: Result, loaded: Sequence[LoadedPair], sense: int, signs: AtOnePose
-) -> Printed:
+) -> PrintedFormula:
     """Return the load of first order for the signs of a pose, with the forces and slips summed up.
 
     Where it is longer than these, they keep their names in it. What is zero at the pose adds
@@ -60,15 +60,17 @@ def first_order_case(
         slip = _slip_called(part.pair, part.slip, partial(_called, named=slips, signs=signs))
         added.append(Added(factor, force, slip, sense * part.times))
     equations = [*forces.items(), *slips.items()]
-    step = Step(
+    step = FrictionStep(
         "first order",
         equations=(*equations, (Symbol(name), _sum(Symbol(ideal.name), added))),
         defined=tuple(signs.definitions),
     )
-    return Printed(formula, (), conditions(signs), (step,))
+    return PrintedFormula(formula, (), conditions(signs), (step,))
 
 
-def _in_names(ideal: Result, parts: Sequence["Power"], sense: int, signs: AtOnePose) -> Printed:
+def _in_names(
+    ideal: Result, parts: Sequence["FrictionPower"], sense: int, signs: AtOnePose
+) -> PrintedFormula:
     """Return the load in the names of forces and slips, those that are alike under one."""
     labels = radii(part.pair for part in parts)
 
@@ -84,8 +86,8 @@ def _in_names(ideal: Result, parts: Sequence["Power"], sense: int, signs: AtOneP
         slip = _slip_called(part.pair, part.slip, called)
         added.append(Added(factor, force, slip, sense * part.times))
     where = (_called_so(ideal), *signs.definitions)
-    return Printed(
-        _sum(Symbol(ideal.name), added), where, conditions(signs), (Step("first order"),)
+    return PrintedFormula(
+        _sum(Symbol(ideal.name), added), where, conditions(signs), (FrictionStep("first order"),)
     )
 
 
@@ -126,7 +128,7 @@ def named_factor(pair: FrictionPair, labels: Mapping[str, str], signs: AtOnePose
     return signs.name_coefficient(reduced(pair.name), pair.factor)
 
 
-class Power(NamedTuple):
+class FrictionPower(NamedTuple):
     """The power of one friction, and how often it is there: the ideal force and the slip."""
 
     pair: FrictionPair
@@ -140,7 +142,9 @@ class Power(NamedTuple):
         return (self.pair.factor * self.force * self.slip).scaled(self.times)
 
 
-def _powers(loaded: Sequence[LoadedPair], positive: Callable[[Product], Product]) -> list[Power]:
+def _powers(
+    loaded: Sequence[LoadedPair], positive: Callable[[Product], Product]
+) -> list[FrictionPower]:
     """Return the powers of frictions under ideal forces, but for those that are zero."""
     found = []
     for p in loaded:
@@ -148,11 +152,11 @@ def _powers(loaded: Sequence[LoadedPair], positive: Callable[[Product], Product]
         if parts and p.slip:
             x, y = (*parts, ZERO)[:2]
             force = size_of(x, y, positive) if y else positive(x)
-            found.append(Power(p.pair, force, positive(p.slip_of_one), p.times))
+            found.append(FrictionPower(p.pair, force, positive(p.slip_of_one), p.times))
     return found
 
 
-def _with(ideal: Formula, parts: Sequence[Power], sense: int) -> Formula:
+def _with(ideal: Formula, parts: Sequence[FrictionPower], sense: int) -> Formula:
     """Return the driving load with the powers of friction added."""
     sizes = [even(p.size) for p in parts]
     apart: dict[Product, list[Product]] = {}
@@ -190,9 +194,9 @@ def _gathered(terms: Iterable[Product]) -> list[Product]:
 def exact(
     ideal: Formula,
     loaded: Sequence[LoadedPair],
-    sizes: Sizes,
+    sizes: ForceSizes,
     positive: Callable[[Product], Product],
-) -> Named:
+) -> DefinedFormula:
     """Return the driving load where every friction follows from its true pressing force.
 
     ``positive`` gives absolute values.
@@ -203,17 +207,19 @@ def exact(
         for p in loaded
     ]
     steps, whole = (step_of(loaded),), _sum(ideal, parts)
-    return Named(whole, sizes.definitions, sizes.positive, steps=steps, inside=sizes.inside)
+    return DefinedFormula(
+        whole, sizes.definitions, sizes.positive, steps=steps, inside=sizes.inside
+    )
 
 
-def step_of(loaded: Sequence[LoadedPair]) -> Step:
+def step_of(loaded: Sequence[LoadedPair]) -> FrictionStep:
     """Return the step by which coupled equations are solved: of no pairs there are none."""
-    return Step("iterated" if loaded else "unloaded")
+    return FrictionStep("iterated" if loaded else "unloaded")
 
 
 def exact_case(
-    ideal: Result, loaded: Sequence[LoadedPair], sizes: Sizes, signs: AtOnePose
-) -> Printed:
+    ideal: Result, loaded: Sequence[LoadedPair], sizes: ForceSizes, signs: AtOnePose
+) -> PrintedFormula:
     """Return the exact load with a name for each slip, its sign that of a pose.
 
     So has the load without friction, where it is long. A slip that is zero adds nothing.
@@ -233,7 +239,7 @@ def exact_case(
     without, known = (Symbol(ideal.name), (_called_so(ideal),)) if is_long else (ideal.formula, ())
     where = (*known, *signs.definitions, *sizes.definitions)
     steps = (step_of(loaded),)
-    return Printed(_sum(without, parts), where, conditions(signs), steps, sizes.positive)
+    return PrintedFormula(_sum(without, parts), where, conditions(signs), steps, sizes.positive)
 
 
 SHORT = 8

@@ -15,9 +15,9 @@ from ..power.balance import Term
 from ..power.definitions import bound_sums
 from ..power.joint_forces import component, joint_of, line_of, size_of_two
 from ..power.reactions import Reactions
-from .closed_form import Named, Printed, conditions
+from .closed_form import DefinedFormula, PrintedFormula, conditions
 from .iterated import named_factor, step_of
-from .naming import Sizes
+from .naming import ForceSizes
 from .normal_forces import load_of, term_of
 from .pairs import FrictionPair, LoadedPair, radii
 from .senses import sense_of
@@ -33,7 +33,7 @@ class ForceWithFriction:
         plan: Plan,
         driving: str,
         loaded: Sequence[LoadedPair],
-        sizes: Sizes,
+        sizes: ForceSizes,
     ) -> None:
         self._target, self._pose = target, plan.graph.pose
         self._loaded, self._sizes = loaded, sizes
@@ -42,13 +42,13 @@ class ForceWithFriction:
         reactions = Reactions(self._pose, (driving,), partial(_terms, pairs), known)
         self.transmitted = reactions.of(joint_of(target, self._pose))
 
-    def at_any_pose(self) -> Named:
+    def at_any_pose(self) -> DefinedFormula:
         """Return the force with signs that follow from the pose."""
         formula = self._formula(lambda pair: pair.factor, sense_of)
         sizes = self._sizes
-        return Named(formula, sizes.definitions, sizes.positive, inside=sizes.inside)
+        return DefinedFormula(formula, sizes.definitions, sizes.positive, inside=sizes.inside)
 
-    def at_one_pose(self, signs: AtOnePose) -> Printed:
+    def at_one_pose(self, signs: AtOnePose) -> PrintedFormula:
         """Return the force as it is printed, for the signs of one pose."""
         labels = radii(p.pair for p in self._loaded)
         formula = self._formula(
@@ -57,7 +57,7 @@ class ForceWithFriction:
         )
         where = (*signs.definitions, *self._sizes.definitions)
         steps = (step_of(self._loaded),)
-        return Printed(formula, where, conditions(signs), steps, self._sizes.positive)
+        return PrintedFormula(formula, where, conditions(signs), steps, self._sizes.positive)
 
     def sums(self) -> Iterator[Definition]:
         """Yield the named sums that the force rests on."""

@@ -33,12 +33,12 @@ from ..formula.walk import substitute
 from ..named import NamedTuple
 from ..power.magnitudes import root
 from .free_bodies import Arms, BodyForce, EquationsCoupled
-from .signs import Signs
+from .signs import SignSymbols
 
 TWO = number(2)
 
 
-class Bearing(NamedTuple):
+class LeverPivot(NamedTuple):
     """A lever's pivot: the radius of its friction circle, and the sign of friction there."""
 
     pivot: str
@@ -46,10 +46,10 @@ class Bearing(NamedTuple):
     turn: Product
 
 
-Sides = tuple[Formula, Formula]
+LeverSides = tuple[Formula, Formula]
 
 
-class Balanced(NamedTuple):
+class BalancingForce(NamedTuple):
     """The size of the force that balances a lever; it does so where ``turns`` is positive.
 
     ``quadratic`` is the equation of which it is a root, where it is one; then it may be known what
@@ -58,7 +58,7 @@ class Balanced(NamedTuple):
 
     size: Product
     turns: Product = ONE
-    quadratic: Sides | None = None
+    quadratic: LeverSides | None = None
     alike: Product | None = None
 
 
@@ -66,9 +66,9 @@ def on_lever(
     unknown: BodyForce,
     known: Sequence[BodyForce],
     arms: Arms,
-    bearing: Bearing | None,
-    signs: Signs,
-) -> Balanced:
+    bearing: LeverPivot | None,
+    signs: SignSymbols,
+) -> BalancingForce:
     """Return the size of the unknown force on a lever that is in balance."""
     if unknown.line is not None and unknown.size != ONE:
         part = ONE / unknown.size
@@ -77,17 +77,19 @@ def on_lever(
     arm = unknown.moment(arms)
     rest = add(p.moment(arms) for p in known)
     if bearing is None:
-        return Balanced(-(rest / arm))
+        return BalancingForce(-(rest / arm))
     line = unknown.line or Angle()
     along = add(p.along(line) for p in known)
     across = add(p.across(line) for p in known)
     if unknown.line is None:
         load = _size(along, across, f"s_{bearing.pivot}_load", signs)
-        return Balanced(add((bearing.turn * bearing.radius * load, -rest)) / arm)
+        return BalancingForce(add((bearing.turn * bearing.radius * load, -rest)) / arm)
     return _with_friction(unknown.name, (arm, rest, along, across), bearing, signs)
 
 
-def _with_friction(name: str, parts: Sequence[Product], bearing: Bearing, signs: Signs) -> Balanced:
+def _with_friction(
+    name: str, parts: Sequence[Product], bearing: LeverPivot, signs: SignSymbols
+) -> BalancingForce:
     """Return the force along a line that balances a lever; a negative arm is reversed."""
     arm, rest, along, across = parts
     way = signs.way(arm)
@@ -97,7 +99,7 @@ def _with_friction(name: str, parts: Sequence[Product], bearing: Bearing, signs:
     label = _label(name)
     turn = signs.unsquared(signs.note_sign(f"s_{label}_arm", arm) * bearing.turn)
     if not turn:
-        return Balanced(rest / arm)
+        return BalancingForce(rest / arm)
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
     ahead = -(bearing.turn * add((arm * along, rest)))
@@ -115,7 +117,7 @@ def _opposite(value: Product) -> Product:
             return -value
 
 
-def _sense(parts: Sequence[Product], bearing: Bearing, signs: Signs) -> Product | None:
+def _sense(parts: Sequence[Product], bearing: LeverPivot, signs: SignSymbols) -> Product | None:
     """Return a product with the sign of the force, by the moment that it balances; None if long.
 
     Where the arm exceeds the radius, a·S − σ·ρ·|S·e + K| grows with a·S, so that S has the sign
@@ -129,7 +131,7 @@ def _sense(parts: Sequence[Product], bearing: Bearing, signs: Signs) -> Product 
     return arm * add((bearing.turn * bearing.radius * load, rest))
 
 
-def _in_whole(found: Balanced, unknown: BodyForce, part: Product) -> Balanced:
+def _in_whole(found: BalancingForce, unknown: BodyForce, part: Product) -> BalancingForce:
     """Return the size of a force from that of the part of it that acts."""
     size = found.size * part
     found = found._replace(alike=found.alike and found.alike * part)
@@ -144,7 +146,7 @@ def _label(name: str) -> str:
     return name.removeprefix("S_").removeprefix("R_")
 
 
-def _size(along: Product, across: Product, name: str, signs: Signs) -> Product:
+def _size(along: Product, across: Product, name: str, signs: SignSymbols) -> Product:
     """Return the size of a force; one along a line is what stands before its sine and cosine."""
     whole = root(add((along * along, across * across)))
     if any(isinstance(factor, Opaque) for factor in whole.factors):
@@ -153,8 +155,8 @@ def _size(along: Product, across: Product, name: str, signs: Signs) -> Product:
 
 
 def _parallel(
-    label: str, parts: Sequence[Product], radius: Product, turn: Product, signs: Signs
-) -> Balanced:
+    label: str, parts: Sequence[Product], radius: Product, turn: Product, signs: SignSymbols
+) -> BalancingForce:
     """Return the force where all are parallel; the pivot takes (a·c + b)/a without friction."""
     arm, rest, along = parts
     side = signs.note_sign(f"s_{label}_pivot", add((arm * along, rest)))
@@ -162,12 +164,12 @@ def _parallel(
     left = add((arm, -lever))
     if not left:
         raise EquationsCoupled
-    return Balanced(add((lever * along, rest)) / left, arm * left)
+    return BalancingForce(add((lever * along, rest)) / left, arm * left)
 
 
 def _root(
-    name: str, parts: Sequence[Product], bearing: Bearing, turn: Product, signs: Signs
-) -> Balanced:
+    name: str, parts: Sequence[Product], bearing: LeverPivot, turn: Product, signs: SignSymbols
+) -> BalancingForce:
     """Return the root of the quadratic, with what it is made of by names.
 
     In code the radius has the sign of the turn: where that is zero, there is no friction.
@@ -190,10 +192,10 @@ def _root(
     ahead = product([(bearing.turn.formula(), 1), (negative(gap), 1)])
     turns = Call("max", (square, ahead))
     quadratic = _quadratic(Symbol(name), (a, b, c, q), radius)
-    return Balanced(Product.of(Opaque(root)), Product.of(Opaque(turns)), quadratic)
+    return BalancingForce(Product.of(Opaque(root)), Product.of(Opaque(turns)), quadratic)
 
 
-def _quadratic(size: Formula, parts: Sequence[Formula], radius: Formula) -> Sides:
+def _quadratic(size: Formula, parts: Sequence[Formula], radius: Formula) -> LeverSides:
     """Return both sides of (a·S − b)² = ρ²·((S + c)² + q²)."""
     a, b, c, q = parts
     moments = total([product([(a, 1), (size, 1)]), negative(b)])

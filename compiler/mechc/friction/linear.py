@@ -12,11 +12,11 @@ from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
 from ..formula.tree import Formula, Symbol, product, total
-from .closed_form import Condition, power
+from .closed_form import SignCondition, power
 from .free_bodies import EquationsCoupled
 from .pairs import LoadedPair
-from .signs import Signs
-from .solution import Step, StepKind
+from .signs import SignSymbols
+from .solution import FrictionStep, StepKind
 
 MOST = 3
 """More pairs than this make a formula that nobody reads."""
@@ -26,7 +26,12 @@ class LinearSolver:
     """Solves the linear system."""
 
     def __init__(
-        self, driving: str, ideal: Product, loaded: Sequence[LoadedPair], signs: Signs, sense: int
+        self,
+        driving: str,
+        ideal: Product,
+        loaded: Sequence[LoadedPair],
+        signs: SignSymbols,
+        sense: int,
     ) -> None:
         if len(loaded) > MOST or any(len(p.components) != 1 for p in loaded):
             raise EquationsCoupled
@@ -34,15 +39,15 @@ class LinearSolver:
         self.loaded, self._signs, self._sense = loaded, signs, sense
         self._sizes: Mapping[str, Product] = {}
         self._balances: Sequence[tuple[Formula, Formula]] = ()
-        self.conditions: list[Condition] = []
-        self.steps: tuple[Step, ...] = ()
+        self.conditions: list[SignCondition] = []
+        self.steps: tuple[FrictionStep, ...] = ()
 
     def solve(self) -> Sequence[Product]:
         """Return the driving load without friction, and what each friction adds to it."""
         sides = [self._side(p) for p in self.loaded]
         sizes = self._solved(sides)
         self._sizes = {p.pair.name: size for p, size in zip(self.loaded, sizes, strict=True)}
-        self.conditions += [Condition(ONE, size) for size in sizes]
+        self.conditions += [SignCondition(ONE, size) for size in sizes]
         if self._signs.is_read:
             self.steps = (self._step(sides, sizes),)
             self._keep(sizes)
@@ -52,9 +57,9 @@ class LinearSolver:
         ]
         return (self._ideal, *(part.scaled(self._sense) for part in parts))
 
-    def pressing(self) -> Step:
+    def pressing(self) -> FrictionStep:
         """Return the step of the forces that press, once they are solved."""
-        return Step("pressing", equations=tuple(self._balances))
+        return FrictionStep("pressing", equations=tuple(self._balances))
 
     def friction(self, loaded: LoadedPair) -> Product:
         """Return a friction as a load on its slip."""
@@ -106,7 +111,7 @@ class LinearSolver:
         other = next(p for p in self.loaded if p.pair.name == name)
         return (side * by[name] * other.pair.factor * self._slip(other)).scaled(self._sense)
 
-    def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> Step:
+    def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> FrictionStep:
         """Return the forces that press, the slips, and what frictions add to the driving load."""
         balances = [self._balance(*pair) for pair in zip(self.loaded, sides, strict=True)]
         sizes = [canonical(size / _mean(p)) for p, size in zip(self.loaded, sizes, strict=True)]
@@ -122,7 +127,7 @@ class LinearSolver:
         )
         whole = total([self._ideal.formula(), *powers])
         kind: StepKind = "ropes" if all(p.pair.tensions for p in self.loaded) else "straight"
-        return Step(kind, equations=(*equations, (Symbol(self._driving), whole)))
+        return FrictionStep(kind, equations=(*equations, (Symbol(self._driving), whole)))
 
     def _balance(self, loaded: LoadedPair, side: Product) -> tuple[Formula, Formula]:
         """Return a pressing force less what frictions change in it, and the ideal one."""

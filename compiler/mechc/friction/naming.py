@@ -19,7 +19,7 @@ from .pairs import FrictionPair
 
 
 @frozen
-class Sizes:
+class ForceSizes:
     """The names of the true sizes of pressing forces, by pair, and what they rest on.
 
     They balance where ``positive`` is so.
@@ -119,7 +119,9 @@ class Endings:
         return ("f", *found) if sense == self._first else found
 
 
-def with_one_meaning(sizes: Sizes, meanings: Sequence[Meanings], endings: Sequence[str]) -> Sizes:
+def with_one_meaning(
+    sizes: ForceSizes, meanings: Sequence[Meanings], endings: Sequence[str]
+) -> ForceSizes:
     """Return sizes with all their names ended alike, so that each is new, and keep them."""
     for ending in _tried(endings):
         found = _ended(sizes, ending) if ending else sizes
@@ -151,7 +153,7 @@ def _tried(endings: Sequence[str]) -> Iterator[str]:
         yield (longer := f"{longer}_")
 
 
-def _ended(sizes: Sizes, ending: str) -> Sizes:
+def _ended(sizes: ForceSizes, ending: str) -> ForceSizes:
     """Return sizes under other names; the system keeps its own, which nobody else sees."""
     names = {d.name: Symbol(f"{d.name}{ending}") for d in sizes.definitions}
     put = Substitution(names)
@@ -159,7 +161,7 @@ def _ended(sizes: Sizes, ending: str) -> Sizes:
     def ended(formula: Formula) -> Formula:
         return formula if symbols(formula).isdisjoint(names) else put.of(formula)
 
-    return Sizes(
+    return ForceSizes(
         {pair: names[name].name for pair, name in sizes.names.items()},
         tuple(Definition(names[name].name, ended(formula)) for name, formula in sizes.definitions),
         sizes.sense,

@@ -20,13 +20,13 @@ from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Torque
 from ..model.values import Chain, completed, defaults, dependent, independent
-from ..power.balance import Equations, Release, Term
+from ..power.balance import PowerEquations, Release, Term
 from ..power.loads import occurrences
 from ..power.numbers import default_values
 from ..power.reactions import Reactions, amounts_of
 from ..power.tolerances import VANISHED
 from ..units import ANGLE
-from .pairs import Component, FrictionPair, Given, LoadedPair
+from .pairs import Component, FrictionPair, GivenForces, LoadedPair
 from .tolerances import PRECISE
 
 
@@ -52,7 +52,11 @@ class Idle(Exception):
 
 
 def loaded_pairs(
-    plan: Plan, equations: Equations, driving: str, pairs: Sequence[FrictionPair], given: Given
+    plan: Plan,
+    equations: PowerEquations,
+    driving: str,
+    pairs: Sequence[FrictionPair],
+    given: GivenForces,
 ) -> tuple[LoadedPair, ...]:
     """Return how every pair that is pressed is, and slips, where one load drives.
 
@@ -125,7 +129,7 @@ def _terms(pairs: Sequence[FrictionPair], loose: Plan) -> list[Term]:
     return [term_of(pair, loose) for pair in pairs]
 
 
-def _slip(pair: FrictionPair, plan: Plan, equations: Equations, driving: str) -> Product:
+def _slip(pair: FrictionPair, plan: Plan, equations: PowerEquations, driving: str) -> Product:
     slip = equations.per_power(driving, term_of(pair, plan).power)
     if slip is None:
         raise Idle(pair)
@@ -148,7 +152,7 @@ def _component(
     pair: FrictionPair,
     pairs: Sequence[FrictionPair],
     names: Mapping[str, str],
-    given: Given,
+    given: GivenForces,
 ) -> Component:
     amounts, known = release.amounts, names.keys() | given.keys()
     for load, amount in amounts.items():
@@ -181,7 +185,7 @@ def scaled(loaded: Sequence[LoadedPair], factor: Product) -> tuple[LoadedPair, .
 
 
 def _thrust_under(
-    thrust: Formula, equations: Equations, given: Mapping[str, Product]
+    thrust: Formula, equations: PowerEquations, given: Mapping[str, Product]
 ) -> Product | str:
     """Return a force along an axis under given loads, or the load that is not among them."""
     sizes = {}

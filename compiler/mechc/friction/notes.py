@@ -10,18 +10,18 @@ from ..formula.walk import substitute, symbols
 from ..model.mechanism import Link
 from ..power.joint_forces import size_of_two
 from .free_bodies import Bodies, BodyForce, BodyKind
-from .signs import Signs, exact_sign
-from .solution import Step, StepKind
+from .signs import SignSymbols, exact_sign
+from .solution import FrictionStep, StepKind
 
-Pair = tuple[Formula, Formula]
+FormulaPair = tuple[Formula, Formula]
 
 
 class Notes:
     """Notes steps in order, each with the names that it is the first to use."""
 
-    def __init__(self, bodies: Bodies, signs: Signs) -> None:
+    def __init__(self, bodies: Bodies, signs: SignSymbols) -> None:
         self._bodies, self._signs = bodies, signs
-        self.steps: list[Step] = []
+        self.steps: list[FrictionStep] = []
         self._named: dict[str, Formula] = {}
         self._noted = 0
 
@@ -46,7 +46,7 @@ class Notes:
         forces: Sequence[BodyForce],
         friction: Product,
         found: Mapping[str, Product],
-        squared: Pair | None = None,
+        squared: FormulaPair | None = None,
     ) -> None:
         """Note a body in balance under forces of unknown size, and what that gives.
 
@@ -66,7 +66,9 @@ class Notes:
             case _:
                 assert_never(kind)
 
-    def _in_names(self, equations: Iterable[Pair], found: Mapping[str, Product]) -> list[Pair]:
+    def _in_names(
+        self, equations: Iterable[FormulaPair], found: Mapping[str, Product]
+    ) -> list[FormulaPair]:
         """Return equations and what they give; sizes that have definitions under their names."""
         defined = {Symbol(d.name) for d in self._signs.definitions}
         self._named |= {n: s.formula() for n, s in found.items() if s.formula() in defined}
@@ -86,14 +88,14 @@ class Notes:
         body: str,
         pivot: str = "",
         sense: int = 0,
-        equations: Sequence[Pair] = (),
+        equations: Sequence[FormulaPair] = (),
     ) -> None:
         """Note a step, with the definitions that were made since the last one."""
         fresh = self._signs.definitions[self._noted :]
         self._noted = len(self._signs.definitions)
-        self.steps.append(Step(kind, body, pivot, sense, tuple(equations), tuple(fresh)))
+        self.steps.append(FrictionStep(kind, body, pivot, sense, tuple(equations), tuple(fresh)))
 
-    def _moments(self, lever: str, forces: Sequence[BodyForce], friction: Product) -> Pair:
+    def _moments(self, lever: str, forces: Sequence[BodyForce], friction: Product) -> FormulaPair:
         """Return the moments about the pivot, and the couple of its friction."""
         arms = self._bodies.arms(lever)
         moments = _sum(force.moment(arms) for force in forces)
@@ -103,7 +105,7 @@ class Notes:
         along, across = (_sum(p.along(line) for p in forces), _sum(p.across(line) for p in forces))
         return moments, product([(friction.formula(), 1), (_size(along, across), 1)])
 
-    def _along(self, body: str, forces: Sequence[BodyForce], friction: Product) -> Pair:
+    def _along(self, body: str, forces: Sequence[BodyForce], friction: Product) -> FormulaPair:
         """Return the forces along a guide, and the friction of what presses on it."""
         guide = self._bodies.guide(body)
         across = _sum(force.across(guide) for force in forces)
@@ -128,7 +130,7 @@ def _size(x: Formula, y: Formula) -> Formula:
     return of_rod or size
 
 
-def _across(forces: Sequence[BodyForce], found: Mapping[str, Product]) -> list[Pair]:
+def _across(forces: Sequence[BodyForce], found: Mapping[str, Product]) -> list[FormulaPair]:
     """Return the forces on a pin across each of those that are found."""
     lines = [force.line for force in forces if force.name in found]
     return [(_sum(p.across(line) for p in forces), ZERO) for line in lines if line is not None]

@@ -13,9 +13,9 @@ from ..formula.tree import PI, Formula, product
 from ..frozen import field, frozen
 from ..kinematics import contacts
 from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
-from ..kinematics.graph import Form, Graph
+from ..kinematics.graph import Graph, LinearForm
 from ..kinematics.joint_refs import JointRef, contact_at, members
-from ..kinematics.plan import Plan, Speeds
+from ..kinematics.plan import Plan, SpeedFactors
 from ..kinematics.release import SpeedReading
 from ..model.mechanism import (
     CollarFriction,
@@ -37,7 +37,7 @@ from ..named import NamedTuple
 from ..pose.pose import PointContact, Pose
 from ..power.joint_forces import guiding
 
-Given = Mapping[str, Product]
+GivenForces = Mapping[str, Product]
 """The size of each given load."""
 
 
@@ -62,7 +62,7 @@ class FrictionPair(NamedTuple):
     thrust: Formula | None = None
     tensions: Product | None = None
 
-    def speeds(self, plan: Plan) -> Speeds:
+    def speeds(self, plan: Plan) -> SpeedFactors:
         """Return the slip per unit of each drive."""
         return plan.value(self.slip(plan.graph))
 
@@ -152,7 +152,7 @@ def _on_guide(point: str, factor: Formula, pose: Pose) -> Iterator[FrictionPair]
         return
     along = guide
 
-    def slip(graph: Graph) -> Form:
+    def slip(graph: Graph) -> LinearForm:
         return projection(graph.velocities[point], along)
 
     yield FrictionPair(f"{point}_guide", joint, to_product(factor), slip)
@@ -190,7 +190,7 @@ def _sliding(contact: PointContact) -> SpeedReading:
     Where the contact is released to find its force, that pose has none at the point.
     """
 
-    def slip(graph: Graph) -> Form:
+    def slip(graph: Graph) -> LinearForm:
         at_graph = (t for t in graph.pose.contacts if t.point == contact.point)
         return leaving(graph, next(at_graph, contact), contact.normal + QUARTER)
 
@@ -218,7 +218,7 @@ def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> SpeedReadin
     assert isinstance(screw, Screw), "a thread is on a screw"
     slope = _slope(screw, diameter, pose)
 
-    def slip(graph: Graph) -> Form:
+    def slip(graph: Graph) -> LinearForm:
         ahead = projection(graph.velocities[screw.point], pose.moved_along(screw.point))
         round_ = scaled(spin(graph, screw.link), -diameter.scaled(Fraction(1, 2)))
         return subtract(scaled(ahead, slope), round_)
@@ -264,7 +264,7 @@ def _along_rope(given: RopeFriction, pose: Pose) -> SpeedReading:
     assert isinstance(rope, Rope), "friction of a rope is on a rope"
     half = Product(Fraction(1, 2))
 
-    def slip(graph: Graph) -> Form:
+    def slip(graph: Graph) -> LinearForm:
         each = enumerate(contacts.growths(rope, pose, graph.velocities))
         back = combined((half if i < given.place else -half, growth) for i, growth in each)
         if given.reach is None:

@@ -24,27 +24,27 @@ from ..model.mechanism import (
 )
 from ..model.result import Definition, Result
 from ..named import NamedTuple
-from ..power.balance import Balance, Equations
+from ..power.balance import Balance, PowerEquations
 from ..power.definitions import bound_sums
 from ..power.loads import given_size
 from ..power.numbers import is_nil_everywhere
 from ..power.reactions import Reactions
 from . import closed_forces
 from .assumptions import assumptions
-from .closed_form import DefaultPose, Named
+from .closed_form import DefaultPose, DefinedFormula
 from .coupled import Coupled, coupled, true_sizes
 from .free_bodies import Bodies, Task, cut_free
-from .naming import Endings, Meanings, Sizes, with_one_meaning
+from .naming import Endings, ForceSizes, Meanings, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, Undetermined, loaded_pairs
 from .pairs import FrictionPair, LoadedPair, pairs
 
 if TYPE_CHECKING:
     from .closed_forces import NamedDrive
 
-Loaded = tuple[LoadedPair, ...]
+LoadedPairs = tuple[LoadedPair, ...]
 
 
-class Case(NamedTuple):
+class IdealResult(NamedTuple):
     """A result without friction: which load drives, by how much what is asked exceeds it."""
 
     ideal: Result
@@ -53,7 +53,7 @@ class Case(NamedTuple):
     given: Mapping[str, Product]
 
 
-class Problem:
+class FrictionProblem:
     """A balance with friction in it; what several results rest on is found once.
 
     ``driving`` is the load that follows from all others, ``valued`` are those of known size.
@@ -68,13 +68,13 @@ class Problem:
         self.in_code, self.endings = Meanings(), Endings()
         self.default = DefaultPose(balance.plan, self.valued, self.taken)
         self._pairs = pairs(balance.plan.graph.pose)
-        self._loaded: dict[object, Loaded | None] = {}
+        self._loaded: dict[object, LoadedPairs | None] = {}
         self._reactions: dict[str, Reactions] = {}
         self._bodies: dict[object, Bodies] = {}
-        self._exact: dict[tuple[str, Sense], Named] = {}
+        self._exact: dict[tuple[str, Sense], DefinedFormula] = {}
         self._sums: dict[int, tuple[Definition, ...]] = {}
         self._coupled: dict[int, Coupled] = {}
-        self._sizes: dict[tuple[int, int], Callable[[], Sizes]] = {}
+        self._sizes: dict[tuple[int, int], Callable[[], ForceSizes]] = {}
         self._idle: dict[Formula, bool] = {}
 
     @property
@@ -89,7 +89,7 @@ class Problem:
             if size is not None and self.equations.owner(load.name)[0] == load.name:
                 yield load.name, size
 
-    def loaded(self, find: Find, case: Case) -> Loaded | None:
+    def loaded(self, find: Find, case: IdealResult) -> LoadedPairs | None:
         """Return the loaded pairs under the loads of a case; None where that is open.
 
         Reports E510 … E514 there.
@@ -110,7 +110,7 @@ class Problem:
             self.report.add(error)
         return error is None
 
-    def _found(self, find: Find, case: Case) -> Loaded | None:
+    def _found(self, find: Find, case: IdealResult) -> LoadedPairs | None:
         try:
             return loaded_pairs(self.plan, self.equations, case.driving, self._pairs, case.given)
         except Undetermined as found:
@@ -123,21 +123,23 @@ class Problem:
             self.report.add(messages.slips_either_way(find.span, found.pair.joint.point))
         return None
 
-    def sums(self, loaded: Loaded) -> tuple[Definition, ...]:
+    def sums(self, loaded: LoadedPairs) -> tuple[Definition, ...]:
         """Return the named sums that slips and normal forces rest on."""
         key = id(loaded)
         if key not in self._sums:
             self._sums[key] = tuple(self._bound_sums(loaded))
         return self._sums[key]
 
-    def _bound_sums(self, loaded: Loaded) -> Iterator[Definition]:
+    def _bound_sums(self, loaded: LoadedPairs) -> Iterator[Definition]:
         yield from bound_sums(self.plan, [p.slip for p in loaded])
         for each in (p for p in loaded if p.pair.thrust is None):
             for plan, component in zip(each.plans, each.components, strict=True):
                 if plan.bindings:
                     yield from bound_sums(plan, [component.ideal, *component.by.values()])
 
-    def sizes(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Callable[[], Sizes]:
+    def sizes(
+        self, loaded: LoadedPairs, sense: int, endings: Sequence[str]
+    ) -> Callable[[], ForceSizes]:
         """Return a function that gives the true sizes of normal forces, once for all of them.
 
         They are made when they are first asked for, after all that were spoken of before: so
@@ -148,15 +150,15 @@ class Problem:
         spoken_of = [*self._sizes.values()][: 1 + [*self._sizes].index(key)]
         return lambda: [make() for make in spoken_of][-1]
 
-    def _sizes_of(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Sizes:
+    def _sizes_of(self, loaded: LoadedPairs, sense: int, endings: Sequence[str]) -> ForceSizes:
         if not loaded:
-            return Sizes({}, (), sense, ())
+            return ForceSizes({}, (), sense, ())
         if id(loaded) not in self._coupled:
             self._coupled[id(loaded)] = coupled(loaded, self.taken)
         found = true_sizes(self._coupled[id(loaded)], sense)
         return with_one_meaning(found, (self.in_code, self.default.meanings), endings)
 
-    def bodies(self, case: Case, loaded: Loaded, cranks: bool) -> Bodies:
+    def bodies(self, case: IdealResult, loaded: LoadedPairs, cranks: bool) -> Bodies:
         """Return the free bodies in a case, once for either sense of motion.
 
         Raises :class:`EquationsCoupled` where one is none that can be solved by itself.
@@ -166,14 +168,16 @@ class Problem:
             self._bodies[key] = cut_free(self._task(case, loaded), cranks)
         return self._bodies[key]
 
-    def _task(self, case: Case, loaded: Loaded) -> Task:
+    def _task(self, case: IdealResult, loaded: LoadedPairs) -> Task:
         """Return the task of solving the free bodies in a case."""
         pose, driving = self.plan.graph.pose, case.driving
         owners = {load.name: self.equations.owner(load.name) for load in self.mechanism.loads}
         reactions = self._reactions.setdefault(driving, Reactions(pose, (driving,)))
         return Task(pose, driving, case.given, owners, loaded, reactions)
 
-    def exact(self, ideal: str, sense: Sense, solve: Callable[[], Named]) -> Named:
+    def exact(
+        self, ideal: str, sense: Sense, solve: Callable[[], DefinedFormula]
+    ) -> DefinedFormula:
         """Return a result's solution, once for the load with friction and the efficiency."""
         if (ideal, sense) not in self._exact:
             self._exact[ideal, sense] = solve()
@@ -198,13 +202,13 @@ class Problem:
         own = Definition(name, case.formula)
         return closed_forces.NamedDrive(Product.symbol(name), (*case.where, own))
 
-    def remark_on_pins(self, case: Case, *, exact: bool) -> None:
+    def remark_on_pins(self, case: IdealResult, *, exact: bool) -> None:
         """Remark on pins whose friction depends on the link that they are fast in."""
         for remark in assumptions(self.plan.graph.pose, case.driving, case.given, exact=exact):
             self.report.add(remark)
 
 
-def _loads(case: Case) -> tuple[object, ...]:
+def _loads(case: IdealResult) -> tuple[object, ...]:
     """Return the loads of a case, by which it is known: there may be no pairs with friction."""
     return case.driving, tuple(case.given.items())
 
@@ -228,7 +232,7 @@ def unsuited(
     driving: str,
     pairs: Iterable[FrictionPair],
     mechanism: Mechanism,
-    equations: Equations,
+    equations: PowerEquations,
 ) -> Iterator[Diagnostic]:
     """Yield an error for each pair of surfaces that is pressed as no result can say."""
     loaded_on = unclear(mechanism)
@@ -244,7 +248,7 @@ def unsuited(
 
 
 def _thrust(
-    find: Find, driving: str, point: str, thrust: Formula, equations: Equations
+    find: Find, driving: str, point: str, thrust: Formula, equations: PowerEquations
 ) -> Iterator[Diagnostic]:
     """Yield an error for a thrust that spoils a ratio, or that the driving load itself makes."""
     loads = symbols(thrust) & equations.owners.keys()
@@ -261,29 +265,31 @@ def _is_ratio(find: Find) -> bool:
     return isinstance(target, WithFriction | Efficiency) and isinstance(target.of, LoadRatio)
 
 
-def case_of_loads(of: LoadRatio | LoadForm, ideal: Result, equations: Equations) -> Case:
+def case_of_loads(
+    of: LoadRatio | LoadForm, ideal: Result, equations: PowerEquations
+) -> IdealResult:
     """Return the loads under which a ratio or a form of loads is looked at."""
     match of:
         case LoadRatio(above, below):
             upper, factor = equations.owner(above)
             lower, share = equations.owner(below)
-            return Case(ideal, upper, factor, {lower: ONE / share})
+            return IdealResult(ideal, upper, factor, {lower: ONE / share})
         case LoadForm(load):
-            return Case(ideal, load, ONE, _others(load, equations))
+            return IdealResult(ideal, load, ONE, _others(load, equations))
 
 
-def case_of_force(driving: str, ideal: Result, equations: Equations) -> Case:
+def case_of_force(driving: str, ideal: Result, equations: PowerEquations) -> IdealResult:
     """Return the loads under which a force at a joint is looked at: all of them."""
-    return Case(ideal, driving, ONE, _others(driving, equations))
+    return IdealResult(ideal, driving, ONE, _others(driving, equations))
 
 
-def _others(driving: str, equations: Equations) -> Mapping[str, Product]:
+def _others(driving: str, equations: PowerEquations) -> Mapping[str, Product]:
     """Return all other free loads as they are: one that does no work loads the joints, too."""
     names = (*equations.columns, *equations.idle_loads)
     return {n: Product.symbol(n) for n in names if n != driving}
 
 
-def without_friction(case: Case, equations: Equations) -> Product:
+def without_friction(case: IdealResult, equations: PowerEquations) -> Product:
     """Return the driving load that balances those given."""
     columns = equations.columns
     works = (columns[n][0] * size for n, size in case.given.items() if n in columns)

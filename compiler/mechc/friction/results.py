@@ -19,22 +19,28 @@ from ..model.mechanism import (
     Sense,
 )
 from ..model.parts.targets import SIGNS
-from ..model.result import Case as PrintedCase
-from ..model.result import Definition, DrivingLoad, FrictionResult, Result
+from ..model.result import Definition, DrivingLoad, FrictionResult, Result, SignCase
 from ..power.definitions import bound_sums, intermediates, open_lengths
 from ..power.magnitudes import magnitude
 from ..power.numbers import is_nil, value_of
 from ..power.reactions import Transmitted
 from . import closed_forces, joint_forces, linear
 from .assumptions import asks_for_loads
-from .closed_form import Named, Printed, closed_form, printed_form, signed_part
+from .closed_form import DefinedFormula, PrintedFormula, closed_form, printed_form, signed_part
 from .efficiency import Drives
 from .free_bodies import EquationsCoupled
 from .iterated import exact, exact_case, first_order, first_order_case, step_of
-from .naming import Sizes
+from .naming import ForceSizes
 from .normal_forces import scaled
 from .pairs import LoadedPair
-from .problem import Case, Loaded, Problem, case_of_force, case_of_loads, without_friction
+from .problem import (
+    FrictionProblem,
+    IdealResult,
+    LoadedPairs,
+    case_of_force,
+    case_of_loads,
+    without_friction,
+)
 from .sequential import SequentialSolver
 from .signs import AtAnyPose
 from .solution import SolvedWithFriction
@@ -44,7 +50,7 @@ if TYPE_CHECKING:
 
 
 def result_of(
-    problem: Problem, find: Find, ideal: Result, loaded: Loaded, named: Named
+    problem: FrictionProblem, find: Find, ideal: Result, loaded: LoadedPairs, named: DefinedFormula
 ) -> FrictionResult:
     """Return the solution as a result, the one without friction being ``ideal``."""
     sums = problem.sums(loaded)
@@ -62,7 +68,7 @@ def result_of(
 
 
 def _elsewhere(
-    problem: Problem, find: Find, ideal: Result, loaded: Loaded, named: Named
+    problem: FrictionProblem, find: Find, ideal: Result, loaded: LoadedPairs, named: DefinedFormula
 ) -> Result | None:
     """Return the result for elsewhere, if all the lengths in it are given."""
     if named.elsewhere is None:
@@ -72,7 +78,9 @@ def _elsewhere(
     return None if missing else found
 
 
-def _at_any_pose(named: Named, sums: Sequence[Definition], problem: Problem) -> Printed | None:
+def _at_any_pose(
+    named: DefinedFormula, sums: Sequence[Definition], problem: FrictionProblem
+) -> PrintedFormula | None:
     """Return a formula with signs in it as it is printed: it holds where forces keep theirs.
 
     None where it takes nothing for granted, or finds forces by iteration.
@@ -80,20 +88,22 @@ def _at_any_pose(named: Named, sums: Sequence[Definition], problem: Problem) -> 
     return None if named.inside or not named.positive else _as_it_is(named, sums, problem)
 
 
-def _as_it_is(named: Named, sums: Sequence[Definition], problem: Problem) -> Printed:
+def _as_it_is(
+    named: DefinedFormula, sums: Sequence[Definition], problem: FrictionProblem
+) -> PrintedFormula:
     """Return a formula of code as it is printed, with what it takes for granted."""
     box = allowed_box(problem.mechanism)
     holds = tuple(dict.fromkeys(c for f in named.positive if (c := signed_part(f, box))))
-    return Printed(named.formula, (*sums, *named.where), holds, (), named.positive)
+    return PrintedFormula(named.formula, (*sums, *named.where), holds, (), named.positive)
 
 
 def _case(
-    problem: Problem,
+    problem: FrictionProblem,
     find: Find,
     ideal: Result,
-    printed: Printed | None,
+    printed: PrintedFormula | None,
     sums: Sequence[Definition],
-) -> PrintedCase | None:
+) -> SignCase | None:
     """Return the case of the default pose, with those of the sums that it rests on."""
     if printed is None:
         return None
@@ -103,11 +113,11 @@ def _case(
     where = resting_on(problem, ideal, printed.formula, own)
     holds = (Require(f, o, ZERO, find.span) for f, o in printed.holds)
     guards = tuple(Require(c, ">", ZERO, find.span) for c in printed.positive)
-    return PrintedCase(printed.formula, where, tuple(holds), guards)
+    return SignCase(printed.formula, where, tuple(holds), guards)
 
 
 def resting_on(
-    problem: Problem, ideal: Result, formula: Formula, own: Sequence[Definition]
+    problem: FrictionProblem, ideal: Result, formula: Formula, own: Sequence[Definition]
 ) -> tuple[Definition, ...]:
     """Return definitions with those that they rest on: of the pose, of weights."""
     used = symbols(formula, *(d.formula for d in own))
@@ -120,7 +130,7 @@ Of = LoadRatio | LoadForm
 
 
 def load_with_friction(
-    problem: Problem, find: Find, ideal: Result, of: Of, sense: Sense, order: str
+    problem: FrictionProblem, find: Find, ideal: Result, of: Of, sense: Sense, order: str
 ) -> SolvedWithFriction | None:
     """Return a ratio or a form of loads with friction; None where an error was reported."""
     efficiency = problem.mechanism.friction.efficiency
@@ -132,7 +142,7 @@ def load_with_friction(
 
 
 def by_coefficients(
-    problem: Problem, find: Find, ideal: Result, of: Of, sense: Sense, order: str = "exact"
+    problem: FrictionProblem, find: Find, ideal: Result, of: Of, sense: Sense, order: str = "exact"
 ) -> SolvedWithFriction | None:
     """Return the solution with friction alone, without efficiencies that are given."""
     case = case_of_loads(of, ideal, problem.equations)
@@ -149,11 +159,11 @@ def by_coefficients(
 
 
 def _solved(
-    problem: Problem,
+    problem: FrictionProblem,
     find: Find,
     ideal: Result,
-    loaded: Loaded,
-    named: Named,
+    loaded: LoadedPairs,
+    named: DefinedFormula,
     driven: bool | None,
 ) -> SolvedWithFriction:
     steps = named.case.steps if named.case else named.steps
@@ -163,7 +173,7 @@ def _solved(
 
 
 def efficiency(
-    problem: Problem, find: Find, ideal: Result, asked: Efficiency
+    problem: FrictionProblem, find: Find, ideal: Result, asked: Efficiency
 ) -> SolvedWithFriction | None:
     """Return which part of the power arrives; None where an error was reported.
 
@@ -183,8 +193,8 @@ def efficiency(
 
 
 def _to_first_order(
-    problem: Problem, find: Find, case: Case, loaded: Loaded, sense: Sense
-) -> Named:
+    problem: FrictionProblem, find: Find, case: IdealResult, loaded: LoadedPairs, sense: Sense
+) -> DefinedFormula:
     """Return the load with friction that ideal forces make."""
     ideal, sign, added = case.ideal, SIGNS[sense], scaled(loaded, case.factor)
     way = partial(first_order_case, find.name, ideal, added, sign)
@@ -192,7 +202,9 @@ def _to_first_order(
     return replace(first_order(ideal.formula, added, sign, problem.mechanism), case=printed)
 
 
-def _exactly(problem: Problem, find: Find, case: Case, loaded: Loaded, sense: Sense) -> Named:
+def _exactly(
+    problem: FrictionProblem, find: Find, case: IdealResult, loaded: LoadedPairs, sense: Sense
+) -> DefinedFormula:
     """Return the load in closed form, where there is one that stands at the default pose.
 
     Elsewhere, and where there is none, it is found by iteration. Where nothing presses a joint that
@@ -215,7 +227,9 @@ def _exactly(problem: Problem, find: Find, case: Case, loaded: Loaded, sense: Se
     return found
 
 
-def _stands(problem: Problem, find: Find, ideal: Result, loaded: Loaded, found: Named) -> bool:
+def _stands(
+    problem: FrictionProblem, find: Find, ideal: Result, loaded: LoadedPairs, found: DefinedFormula
+) -> bool:
     """Return whether a formula has a value at the default pose, as far as that has values.
 
     A closed form has none where friction turns a pressing force round: there it takes
@@ -227,8 +241,12 @@ def _stands(problem: Problem, find: Find, ideal: Result, loaded: Loaded, found: 
 
 
 def in_closed_form(
-    problem: Problem, case: Case, loaded: Loaded, sense: int, endings: Sequence[str]
-) -> Named | None:
+    problem: FrictionProblem,
+    case: IdealResult,
+    loaded: LoadedPairs,
+    sense: int,
+    endings: Sequence[str],
+) -> DefinedFormula | None:
     """Return the first closed form that there is; None where the equations are coupled."""
     for way in ways(problem, case, loaded, sense):
         try:
@@ -246,7 +264,9 @@ def in_closed_form(
     return None
 
 
-def ways(problem: Problem, case: Case, loaded: Loaded, sense: int) -> "Iterator[MakeSolver]":
+def ways(
+    problem: FrictionProblem, case: IdealResult, loaded: LoadedPairs, sense: int
+) -> "Iterator[MakeSolver]":
     """Yield the ways in which the driving load may be found in closed form."""
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, False), signs, sense)
     yield lambda signs: SequentialSolver(problem.bodies(case, loaded, True), signs, sense)
@@ -254,13 +274,15 @@ def ways(problem: Problem, case: Case, loaded: Loaded, sense: int) -> "Iterator[
     yield lambda signs: linear.LinearSolver(case.driving, ideal, loaded, signs, sense)
 
 
-def iterated(problem: Problem, ideal: Formula, loaded: Sequence[LoadedPair], sizes: Sizes) -> Named:
+def iterated(
+    problem: FrictionProblem, ideal: Formula, loaded: Sequence[LoadedPair], sizes: ForceSizes
+) -> DefinedFormula:
     """Return the load by Newton's method, whichever way the joints are pressed."""
     return exact(ideal, loaded, sizes, partial(magnitude, mechanism=problem.mechanism))
 
 
 def force_with_friction(
-    problem: Problem, find: Find, ideal: Result, force: ForceAtJoint, sense: Sense
+    problem: FrictionProblem, find: Find, ideal: Result, force: ForceAtJoint, sense: Sense
 ) -> SolvedWithFriction | None:
     """Return a force at a joint; None where equilibrium leaves it open, or friction does."""
     case = case_of_force(problem.driving, ideal, problem.equations)
@@ -293,14 +315,14 @@ def force_with_friction(
 
 
 def _in_steps(
-    problem: Problem,
+    problem: FrictionProblem,
     asked: "AskedForce",
     transmitted: Transmitted,
-    case: Case,
-    loaded: Loaded,
+    case: IdealResult,
+    loaded: LoadedPairs,
     sense: Sense,
     endings: Sequence[str],
-) -> Printed | None:
+) -> PrintedFormula | None:
     """Return a force as it follows from bodies that are solved one after another, if it does."""
     for way in ways(problem, case, loaded, SIGNS[sense]) if loaded else ():
         by = partial(closed_forces.closed_force, asked, transmitted, way)

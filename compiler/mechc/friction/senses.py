@@ -11,9 +11,9 @@ along the drive, that is the limit of neither side: the value at the default pos
 from collections.abc import Iterator
 from fractions import Fraction
 
-from ..algebra.factors import CIRCLE, Constant, Factor, Opaque, Trig
+from ..algebra.factors import CIRCLE, ConstantSymbol, Factor, Opaque, Trig
 from ..algebra.product import Product, Sum
-from ..algebra.sums import Bound
+from ..algebra.sums import BoundSum
 from ..formula.tree import ONE, Call, Formula, number, product, total
 
 POSITIVE = frozenset({"sqrt", "hypot", "abs", "exp"})
@@ -50,7 +50,7 @@ def _size(factor: Factor) -> Formula:
             return ONE
         case Sum(terms=terms):
             return total(_alike(terms))
-        case Bound(definition=definition):
+        case BoundSum(definition=definition):
             return size_of(definition)
         case _:
             return _absolute(factor)
@@ -70,7 +70,7 @@ def _absolute(factor: Factor) -> Formula:
 def _is_positive(factor: Factor) -> bool:
     """Return whether a factor is a given length, or a root or the like that never is negative."""
     match factor:
-        case Constant():
+        case ConstantSymbol():
             return factor.evaluate({}) > 0
         case Opaque(Call(function)):
             return function in POSITIVE

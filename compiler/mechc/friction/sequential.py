@@ -23,27 +23,27 @@ from ..algebra.sums import add, canonical
 from ..formula.tree import Formula
 from ..model.mechanism import Link
 from . import surfaces
-from .closed_form import Condition
+from .closed_form import SignCondition
 from .force_lines import ForceLines
 from .free_bodies import Bodies, BodyForce, BodyKind, EquationsCoupled
-from .lever import Bearing, Sides, on_lever
+from .lever import LeverPivot, LeverSides, on_lever
 from .notes import Notes
-from .signs import Signs
-from .solution import Step
+from .signs import SignSymbols
+from .solution import FrictionStep
 
 
 class SequentialSolver:
     """Solves body after body; ``sizes`` are the forces known so far, in units of the load."""
 
-    def __init__(self, bodies: Bodies, signs: Signs, sense: int) -> None:
+    def __init__(self, bodies: Bodies, signs: SignSymbols, sense: int) -> None:
         self._bodies, task = bodies, bodies.task
         self._driving, self._signs = task.driving, signs
         self.sizes: dict[str, Product] = dict(task.given)
-        self.conditions: list[Condition] = []
+        self.conditions: list[SignCondition] = []
         self._notes = Notes(bodies, signs)
         self._given = task.given
         self._lines = ForceLines(bodies, signs, sense, self._notes)
-        self._squared: dict[str, Sides] = {}
+        self._squared: dict[str, LeverSides] = {}
         self._forces: dict[str, list[BodyForce]] = {}
 
     @property
@@ -52,7 +52,7 @@ class SequentialSolver:
         return self._bodies
 
     @property
-    def steps(self) -> list[Step]:
+    def steps(self) -> list[FrictionStep]:
         """Return the steps taken so far."""
         return self._notes.steps
 
@@ -112,14 +112,14 @@ class SequentialSolver:
         surface, pivot = surfaces.of_pivot(self._bodies, body), self._bodies.pivot(body)
         lines, bearing = self._lines, None
         if surface:
-            bearing = Bearing(pivot, lines.factor(surface), lines.slip(surface))
+            bearing = LeverPivot(pivot, lines.factor(surface), lines.slip(surface))
         arms = self._bodies.arms(body)
         size, turns, quadratic, alike = on_lever(unknown, known, arms, bearing, self._signs)
         if quadratic:
             self._squared[body] = quadratic
         self._determine(unknown, size, alike)
         if quadratic:
-            self.conditions.append(Condition(ONE, turns))
+            self.conditions.append(SignCondition(ONE, turns))
         elif turns.factors:
             self._keep(ONE, turns)
         return lines.resistance(surface) if surface else ZERO
@@ -188,4 +188,4 @@ class SequentialSolver:
             return
         if not sign or not self._signs.require_positive(sign * force):
             raise EquationsCoupled
-        self.conditions.append(Condition(sign, force))
+        self.conditions.append(SignCondition(sign, force))

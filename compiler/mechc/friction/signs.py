@@ -21,7 +21,7 @@ Inverse = Literal["asin", "atan"]
 """The function that gives a turn."""
 
 
-class Signs(Protocol):
+class SignSymbols(Protocol):
     """A way to write signs down, and what it had to name so far.
 
     ``is_read`` where people read the formula, so that its steps are noted.
@@ -82,7 +82,7 @@ class Signs(Protocol):
         ...
 
 
-class Names:
+class SignNames:
     """The names in order of definition; what is the same has one name."""
 
     def __init__(self, taken: Set[str], meanings: Meanings, endings: Sequence[str]) -> None:
@@ -128,7 +128,7 @@ class Names:
         return line + Angle.of(self.define(name, there))
 
 
-class AtAnyPose(Names):
+class AtAnyPose(SignNames):
     """Signs and turns as names with formulas of their own."""
 
     is_read = False

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence, Set
 from ..algebra.angle import Angle
 from ..algebra.factors import Factor, Opaque, Trig
 from ..algebra.from_formula import to_product
-from ..algebra.intervals import Box, Interval, sign
+from ..algebra.intervals import IntervalBox, NumberInterval, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
@@ -16,14 +16,14 @@ from ..model.boxes import POSITIVE
 from ..power.tolerances import VANISHED
 from .naming import Meanings, OwnNames
 from .senses import sense_of
-from .signs import Inverse, Names, bare, exact_sign, is_root
+from .signs import Inverse, SignNames, bare, exact_sign, is_root
 from .tolerances import ACUTE_MARGIN
 
-ACUTE = Interval(ACUTE_MARGIN, math.pi / 2 - ACUTE_MARGIN)
+ACUTE = NumberInterval(ACUTE_MARGIN, math.pi / 2 - ACUTE_MARGIN)
 """What a turned line turns by: the arc of a positive sine or tangent."""
 
 
-class AtOnePose(Names):
+class AtOnePose(SignNames):
     """Signs as numbers, and turns as positive angles, as they are at one pose.
 
     ``box`` are ranges that parameters keep to, so that what has one sign in it needs no
@@ -38,7 +38,7 @@ class AtOnePose(Names):
         meanings: Meanings,
         endings: Sequence[str],
         values: Mapping[str, float],
-        box: Box,
+        box: IntervalBox,
         own: OwnNames,
     ) -> None:
         super().__init__(taken, meanings, endings)

@@ -9,7 +9,7 @@ from ..formula.tree import Formula
 from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.result import Definition, FrictionResult, Result
-from ..power.balance import Balance, Solved
+from ..power.balance import AlgebraicResult, Balance
 
 StepKind = Literal[
     "internal",
@@ -38,7 +38,7 @@ at the end how a force at a joint follows from what is solved."""
 
 
 @frozen
-class Step:
+class FrictionStep:
     """A rod's line of force, a body in balance, or what all frictions add together.
 
     ``body`` is a link or a point, ``pivot`` the point that a lever turns on. ``sense`` is 1
@@ -59,7 +59,7 @@ class SolvedWithFriction:
     """A result with friction, and the ``steps`` by which it was found."""
 
     result: FrictionResult
-    steps: tuple[Step, ...] = ()
+    steps: tuple[FrictionStep, ...] = ()
 
 
 @frozen
@@ -67,7 +67,7 @@ class Solution:
     """The balance without friction, and all that was asked for, in the order of the text."""
 
     balance: Balance
-    solved: tuple[Solved | SolvedWithFriction, ...]
+    solved: tuple[AlgebraicResult | SolvedWithFriction, ...]
 
     @property
     def plan(self) -> Plan:

@@ -17,7 +17,7 @@ from ..source import Span
 from .contacts import relations, spinning
 from .draft import Draft
 from .forms import QUARTER, projection, subtract, turned
-from .graph import Flow, Form, Graph, Kind, Rule, Velocity
+from .graph import Flow, Graph, LinearForm, Rule, SpeedKind, Velocity
 
 
 def graph_of(pose: Pose) -> Graph:
@@ -63,7 +63,7 @@ def _move_slides(draft: Draft) -> None:
     """Give all points of a body that only translates one speed."""
     for slide in draft.mechanism.slides:
         along = draft.pose.slides[slide.name]
-        velocity = (Flow(ONE, along, draft.unknown(Kind.SLIDE, slide.points[0], along)),)
+        velocity = (Flow(ONE, along, draft.unknown(SpeedKind.SLIDE, slide.points[0], along)),)
         for point in slide.points:
             known = draft.velocities.setdefault(point, velocity)
             if known != velocity:
@@ -85,7 +85,7 @@ def _guide_sliders(draft: Draft) -> None:
     for point, along in draft.guides.items():
         velocity = draft.velocities.get(point)
         if velocity is None:
-            slide = draft.unknown(Kind.SLIDE, point, along)
+            slide = draft.unknown(SpeedKind.SLIDE, point, along)
             draft.velocities[point] = (Flow(ONE, along, slide),)
         else:
             across = along + QUARTER
@@ -210,7 +210,7 @@ def _two_directions(links: Sequence[Link], pose: Pose) -> tuple[Angle, Angle]:
     return first, first + QUARTER
 
 
-def _dot(velocity: Velocity, arms: Vector) -> Form:
+def _dot(velocity: Velocity, arms: Vector) -> LinearForm:
     """Return the scalar product of a velocity and a vector."""
     along_each = (
         Flow(flow.size * arm.length, flow.direction - arm.angle, flow.unknown)

@@ -3,12 +3,12 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
-from ..algebra.modular import Point
+from ..algebra.modular import ModularPoint
 from ..algebra.product import ONE, ZERO, Product
 from ..formula.walk import symbols
 from ..pose.check import known_names
 from .forms import QUARTER, combined, projection, subtract
-from .graph import Form
+from .graph import LinearForm
 from .plan import Plan
 
 
@@ -69,7 +69,7 @@ def _used(products: Iterable[Product]) -> frozenset[str]:
 
 def _motions(plan: Plan) -> Iterator[str]:
     """Yield impossible motions: relations that fail, links that stretch, guides left."""
-    point = Point()
+    point = ModularPoint()
     for relation in (*plan.relations, *plan.redundant):
         if _moves(plan, relation.form, point):
             what = f"{relation.link} {''.join(relation.points)}".strip()
@@ -87,7 +87,7 @@ def _motions(plan: Plan) -> Iterator[str]:
             yield f"pivot {pivot} moves"
 
 
-def _stretching(plan: Plan, body: str, tail: str, head: str) -> Form:
+def _stretching(plan: Plan, body: str, tail: str, head: str) -> LinearForm:
     """Return (V_B − V_A)·AB, the rate of half the square of a distance."""
     velocities, parts = plan.graph.velocities, []
     for length, angle in plan.graph.pose.vector(body, tail, head):
@@ -96,11 +96,11 @@ def _stretching(plan: Plan, body: str, tail: str, head: str) -> Form:
     return combined(parts)
 
 
-def _moves(plan: Plan, form: Form, point: Point) -> bool:
+def _moves(plan: Plan, form: LinearForm, point: ModularPoint) -> bool:
     """Return whether a form in the unknowns is other than zero in some motion of the plan."""
     return any(_sum(plan, form, drive, point) for drive in range(plan.mobility))
 
 
-def _sum(plan: Plan, form: Form, drive: int, point: Point) -> int:
+def _sum(plan: Plan, form: LinearForm, drive: int, point: ModularPoint) -> int:
     parts = (p.residue(point) * plan.speeds[u][drive].residue(point) for u, p in form.items())
     return sum(parts) % point.prime

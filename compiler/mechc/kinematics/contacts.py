@@ -26,16 +26,16 @@ from ..model.mechanism import (
 )
 from ..pose.pose import PointContact, Pose
 from .forms import combined, projection, scaled, spin, subtract, turned
-from .graph import Form, Graph, Relation, Rule, Velocity
+from .graph import Graph, LinearForm, Relation, Rule, Velocity
 
-Velocities = Mapping[str, Velocity]
+VelocityForms = Mapping[str, Velocity]
 Spins = Mapping[str, int]
 
 
-def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Relation]:
+def relations(pose: Pose, velocities: VelocityForms, spins: Spins) -> Iterator[Relation]:
     """Yield the relation of every joint that holds no pin."""
 
-    def turn(link: str) -> Form:
+    def turn(link: str) -> LinearForm:
         return {spins[link]: ONE} if link in spins else {}
 
     for contact in pose.contacts:
@@ -46,7 +46,7 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
             yield relation
 
 
-def slipping(graph: Graph, pose: Pose, joint: Joint) -> Form:
+def slipping(graph: Graph, pose: Pose, joint: Joint) -> LinearForm:
     """Return the speed at which rims, a rack and its wheel, or nut and thread, part.
 
     A rope parts as all of its falls grow. It is what their relation demands to be nil.
@@ -57,7 +57,7 @@ def slipping(graph: Graph, pose: Pose, joint: Joint) -> Form:
 
 
 def _relation(
-    joint: Joint, pose: Pose, velocities: Velocities, turn: Callable[[str], Form]
+    joint: Joint, pose: Pose, velocities: VelocityForms, turn: Callable[[str], LinearForm]
 ) -> Relation | None:
     """Return the relation of a joint between velocities that others carry; None without any.
 
@@ -85,7 +85,7 @@ def spinning(pose: Pose) -> set[str]:
     return (named - slides) | {t.body for t in pose.contacts}
 
 
-def _contact(contact: PointContact, velocities: Velocities, spins: Spins) -> Relation:
+def _contact(contact: PointContact, velocities: VelocityForms, spins: Spins) -> Relation:
     """(V_B − V of the body under B) · normal = 0."""
     under = velocities[contact.tail]
     if contact.body in spins:
@@ -96,20 +96,22 @@ def _contact(contact: PointContact, velocities: Velocities, spins: Spins) -> Rel
     return Relation(rule, contact.body, (contact.point,), contact.normal, form, contact.span)
 
 
-def _turning_together(slot: Slot, turn: Callable[[str], Form]) -> Relation:
+def _turning_together(slot: Slot, turn: Callable[[str], LinearForm]) -> Relation:
     """ω of the link in the slot − ω of the link that has it = 0."""
     form = subtract(turn(slot.guided), turn(slot.link))
     return Relation(Rule.TURNING, slot.guided, (slot.point,), Angle(), form, slot.span, slot.id)
 
 
-def _mesh(mesh: WheelPair, pose: Pose, turn: Callable[[str], Form]) -> Relation:
+def _mesh(mesh: WheelPair, pose: Pose, turn: Callable[[str], LinearForm]) -> Relation:
     first, second = rims(mesh, pose)
     sizes = (mesh.first_link, first), (mesh.second_link, second), (mesh.arm, -add((first, second)))
     form = combined((size, turn(link)) for link, size in sizes if link)
     return Relation(Rule.MESH, mesh.bodies[0], mesh.points, Angle(), form, mesh.span, mesh.id)
 
 
-def _feed(feed: Feed, pose: Pose, velocities: Velocities, turn: Callable[[str], Form]) -> Relation:
+def _feed(
+    feed: Feed, pose: Pose, velocities: VelocityForms, turn: Callable[[str], LinearForm]
+) -> Relation:
     """V − ω · lead = 0, V the speed of a point along its guide, seen from a rack's pivot."""
     along = pose.moved_along(feed.point)
     form = travel(feed, pose, velocities, turn(feed.link))
@@ -117,7 +119,7 @@ def _feed(feed: Feed, pose: Pose, velocities: Velocities, turn: Callable[[str], 
     return Relation(Rule.MESH, feed.link, points, along, form, feed.span, feed.id)
 
 
-def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:
+def _rope(rope: Rope, pose: Pose, velocities: VelocityForms) -> Relation:
     """Σ (V_head − V_tail) · way = 0."""
     form = combined((ONE, growth) for growth in growths(rope, pose, velocities))
     return Relation(Rule.ROPE, "", rope.points, Angle(), form, rope.span)
@@ -145,7 +147,9 @@ def lead(feed: Feed, pose: Pose) -> Product:
     return way / to_product(PI).scaled(2) if feed.is_per_turn else way
 
 
-def travel(feed: Feed, pose: Pose, velocities: Mapping[str, Velocity], turn: Form) -> Form:
+def travel(
+    feed: Feed, pose: Pose, velocities: Mapping[str, Velocity], turn: LinearForm
+) -> LinearForm:
     """Return V of the point along its guide, less ω · lead, less that of what it is seen from."""
     along = pose.moved_along(feed.point)
     ahead = subtract(projection(velocities[feed.point], along), scaled(turn, lead(feed, pose)))
@@ -153,13 +157,13 @@ def travel(feed: Feed, pose: Pose, velocities: Mapping[str, Velocity], turn: For
     return subtract(ahead, projection(base, along))
 
 
-def turning(graph: Graph, link: str, carrier: str) -> Form:
+def turning(graph: Graph, link: str, carrier: str) -> LinearForm:
     """Return the rotation of a link relative to what carries it; '' is the ground."""
     own, under = (spin(graph, name) if name else {} for name in (link, carrier))
     return subtract(own, under)
 
 
-def growths(rope: Rope, pose: Pose, velocities: Mapping[str, Velocity]) -> list[Form]:
+def growths(rope: Rope, pose: Pose, velocities: Mapping[str, Velocity]) -> list[LinearForm]:
     """Return the speed at which each fall of a rope grows."""
     ends = zip(pairwise(rope.route), pose.falls[rope.id], strict=True)
     return [

@@ -9,7 +9,7 @@ from ..model.mechanism import Link
 from ..pose.pose import Pose
 from ..source import Span
 from .forms import QUARTER, projection, subtract
-from .graph import Flow, Form, Graph, Kind, Relation, Rule, Unknown, Velocity
+from .graph import Flow, Graph, LinearForm, Relation, Rule, SpeedKind, UnknownSpeed, Velocity
 
 LONGEST = 3
 """A velocity of more parts than this gets unknowns of its own before a link is based on it."""
@@ -24,7 +24,7 @@ class Draft:
         self.velocities: dict[str, Velocity] = {}
         self.spins: dict[str, int] = {}
         self.relations: list[Relation] = []
-        self._unknowns: list[Unknown] = []
+        self._unknowns: list[UnknownSpeed] = []
         self._carriers: dict[str, tuple[Link, str]] = {}
 
     def graph(self) -> Graph:
@@ -32,18 +32,24 @@ class Draft:
         relations = tuple(r for r in self.relations if r.form)
         return Graph(self.pose, tuple(self._unknowns), self.velocities, self.spins, relations)
 
-    def unknown(self, kind: Kind, of: str, direction: Angle | None = None) -> int:
+    def unknown(self, kind: SpeedKind, of: str, direction: Angle | None = None) -> int:
         """Return the number of a new unknown speed."""
-        self._unknowns.append(Unknown(kind, of, direction))
+        self._unknowns.append(UnknownSpeed(kind, of, direction))
         return len(self._unknowns) - 1
 
     def spin(self, link: Link) -> int:
         """Return the number of a new unknown, the link's angular velocity."""
-        self.spins[link.name] = self.unknown(Kind.SPIN, link.name)
+        self.spins[link.name] = self.unknown(SpeedKind.SPIN, link.name)
         return self.spins[link.name]
 
     def relate(
-        self, rule: Rule, body: str, points: Sequence[str], along: Angle, form: Form, span: Span
+        self,
+        rule: Rule,
+        body: str,
+        points: Sequence[str],
+        along: Angle,
+        form: LinearForm,
+        span: Span,
     ) -> None:
         """Demand that a form be zero, by a rule of mechanics."""
         self.relations.append(Relation(rule, body, tuple(points), along, form, span))
@@ -54,8 +60,8 @@ class Draft:
         V = (p·e(θ₂ − 90°) + q·e(θ₁ + 90°))/sin(θ₂ − θ₁): then V·e(θ₁) = p and
         V·e(θ₂) = q.
         """
-        p = self.unknown(Kind.COMPONENT, point, first)
-        q = self.unknown(Kind.COMPONENT, point, second)
+        p = self.unknown(SpeedKind.COMPONENT, point, first)
+        q = self.unknown(SpeedKind.COMPONENT, point, second)
         scale = sine(second - first) ** -1
         self.velocities[point] = (
             Flow(scale, second - QUARTER, p),
@@ -86,7 +92,7 @@ class Draft:
         along = next(iter(self.guides.values()), Angle())
         flows = []
         for direction in (along, along + QUARTER):
-            unknown = self.unknown(Kind.COMPONENT, point, direction)
+            unknown = self.unknown(SpeedKind.COMPONENT, point, direction)
             form = subtract(projection(velocity, direction), {unknown: ONE})
             self.relate(Rule.BODY, link.name, _based(base, point), direction, form, link.span)
             flows.append(Flow(ONE, direction, unknown))

@@ -9,7 +9,7 @@ from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..model.mechanism import Force, ForcePair, Load, Torque
 from ..pose.pose import PointContact, Pose, Vector
-from .graph import Flow, Form, Graph, Velocity
+from .graph import Flow, Graph, LinearForm, Velocity
 
 QUARTER = Angle.constant(90)
 
@@ -19,7 +19,7 @@ def turned(vector: Vector, spin: int) -> Velocity:
     return tuple(Flow(length, angle + QUARTER, spin) for length, angle in vector)
 
 
-def projection(velocity: Velocity, direction: Angle) -> Form:
+def projection(velocity: Velocity, direction: Angle) -> LinearForm:
     """Return the component of a velocity along a direction."""
     terms: dict[int, list[Product]] = {}
     for size, heading, unknown in velocity:
@@ -27,7 +27,7 @@ def projection(velocity: Velocity, direction: Angle) -> Form:
     return _collected(terms)
 
 
-def subtract(left: Form, right: Form) -> Form:
+def subtract(left: LinearForm, right: LinearForm) -> LinearForm:
     """Return the difference of two forms."""
     terms = {u: [p] for u, p in left.items()}
     for u, p in right.items():
@@ -35,7 +35,7 @@ def subtract(left: Form, right: Form) -> Form:
     return _collected(terms)
 
 
-def combined(parts: Iterable[tuple[Product, Form]]) -> Form:
+def combined(parts: Iterable[tuple[Product, LinearForm]]) -> LinearForm:
     """Return the sum of forms, each times a factor."""
     terms: dict[int, list[Product]] = {}
     for factor, form in parts:
@@ -44,7 +44,7 @@ def combined(parts: Iterable[tuple[Product, Form]]) -> Form:
     return _collected(terms)
 
 
-def parting(graph: Graph, pair: ForcePair, line: Angle) -> Form:
+def parting(graph: Graph, pair: ForcePair, line: Angle) -> LinearForm:
     """Return the rate at which the points of a pair part along a line.
 
     Across the mirror it is the first point's part in it, half of the whole.
@@ -55,7 +55,7 @@ def parting(graph: Graph, pair: ForcePair, line: Angle) -> Form:
     return subtract(ahead, behind)
 
 
-def speed_of_load(graph: Graph, load: Load) -> Form:
+def speed_of_load(graph: Graph, load: Load) -> LinearForm:
     """Return the speed with which a load does its work: its power is the load times this."""
     match load:
         case Force(name, point):
@@ -68,7 +68,7 @@ def speed_of_load(graph: Graph, load: Load) -> Form:
             assert_never(load)
 
 
-def leaving(graph: Graph, contact: PointContact, along: Angle) -> Form:
+def leaving(graph: Graph, contact: PointContact, along: Angle) -> LinearForm:
     """Return the component of a pin's velocity relative to the body that it touches."""
     own, under = (projection(graph.velocities[p], along) for p in (contact.point, contact.tail))
     form = subtract(own, under)
@@ -78,17 +78,17 @@ def leaving(graph: Graph, contact: PointContact, along: Angle) -> Form:
     return subtract(form, scaled(spin(graph, contact.body), lever))
 
 
-def scaled(form: Form, factor: Product) -> Form:
+def scaled(form: LinearForm, factor: Product) -> LinearForm:
     """Return a form times a factor."""
     return {u: p * factor for u, p in form.items()}
 
 
-def _collected(terms: Mapping[int, Iterable[Product]]) -> Form:
+def _collected(terms: Mapping[int, Iterable[Product]]) -> LinearForm:
     sums = {u: add(parts) for u, parts in terms.items()}
     return {u: p for u, p in sums.items() if p}
 
 
-def spin(graph: Graph, link: str) -> Form:
+def spin(graph: Graph, link: str) -> LinearForm:
     """Return the angular velocity of a link, counter-clockwise.
 
     A rod has no unknown of its own: ω = (V_B − V_A)·n / AB, with n the rod's direction
@@ -102,7 +102,7 @@ def spin(graph: Graph, link: str) -> Form:
 
 def rod_spin(
     pose: Pose, link: str, tail: str, head: str, velocities: Mapping[str, Velocity]
-) -> Form:
+) -> LinearForm:
     """Return the angular velocity of a link from the velocities of two of its points."""
     arms = pose.vector(link, tail, head)
     normal = arms[0].angle + QUARTER

@@ -16,7 +16,7 @@ from ..pose.pose import Pose
 from ..source import Span
 
 
-class Kind(StrEnum):
+class SpeedKind(StrEnum):
     """What an unknown speed is."""
 
     SPIN = "spin"
@@ -27,10 +27,10 @@ class Kind(StrEnum):
     """Projection of a point's velocity on a direction."""
 
 
-class Unknown(NamedTuple):
+class UnknownSpeed(NamedTuple):
     """One unknown speed; ``of`` is a link for SPIN, a point otherwise."""
 
-    kind: Kind
+    kind: SpeedKind
     of: str
     direction: Angle | None = None
 
@@ -46,7 +46,7 @@ class Flow(NamedTuple):
 Velocity = tuple[Flow, ...]
 """A point's velocity as a linear form in the unknowns; ``()`` for a point at rest."""
 
-Form = Mapping[int, Product]
+LinearForm = Mapping[int, Product]
 """A scalar linear form in the unknowns."""
 
 
@@ -90,7 +90,7 @@ class Relation(NamedTuple):
     link: str
     points: tuple[str, ...]
     along: Angle
-    form: Form
+    form: LinearForm
     span: Span
     joint: str = ""
 
@@ -103,7 +103,7 @@ class Graph:
     """
 
     pose: Pose
-    unknowns: tuple[Unknown, ...]
+    unknowns: tuple[UnknownSpeed, ...]
     velocities: Mapping[str, Velocity]
     spins: Mapping[str, int]
     relations: tuple[Relation, ...]

@@ -6,7 +6,7 @@ from ..algebra.blocks import blocks, match
 from ..model.mechanism import Mechanism, Meshing
 from ..named import NamedTuple
 from ..source import Span
-from .graph import Graph, Kind, Relation, Rule
+from .graph import Graph, Relation, Rule, SpeedKind
 
 
 class Locked(NamedTuple):
@@ -40,9 +40,9 @@ def _parts(graph: Graph, unknowns: Sequence[int], held: Sequence[Relation]) -> I
     """Yield the links that turn, then those whose pins and guides hold them."""
     for unknown in unknowns:
         kind, of, _ = graph.unknowns[unknown]
-        if kind is Kind.SPIN:
+        if kind is SpeedKind.SPIN:
             yield f"link {of}"
-        elif kind is Kind.SLIDE:
+        elif kind is SpeedKind.SLIDE:
             yield f"slider {of}"
     mirror = graph.pose.mechanism.mirror
     for relation in held:

@@ -10,7 +10,7 @@ from ..algebra.sums import add
 from ..frozen import frozen
 from ..named import NamedTuple
 from .forms import projection, spin
-from .graph import Form, Graph, Relation
+from .graph import Graph, LinearForm, Relation
 
 
 class Block(NamedTuple):
@@ -27,7 +27,7 @@ class Binding(NamedTuple):
     value: Product
 
 
-Speeds = tuple[Product, ...]
+SpeedFactors = tuple[Product, ...]
 """A speed as a linear form in the drives: one coefficient for each."""
 
 
@@ -46,7 +46,7 @@ class Plan:
     relations: tuple[Relation, ...]
     drives: tuple[int, ...]
     blocks: tuple[Block, ...]
-    speeds: Mapping[int, Speeds]
+    speeds: Mapping[int, SpeedFactors]
     bindings: tuple[Binding, ...]
     redundant: tuple[Relation, ...]
     ratios: Mapping[int, Binding] = MappingProxyType({})
@@ -56,16 +56,16 @@ class Plan:
         """Return the number of independent motions."""
         return len(self.drives)
 
-    def value(self, form: Form) -> Speeds:
+    def value(self, form: LinearForm) -> SpeedFactors:
         """Return a linear form in the unknowns as one in the drives."""
         moving = [(size, self.speeds[u]) for u, size in form.items() if any(self.speeds[u])]
         return tuple(add(size * speeds[i] for size, speeds in moving) for i in range(self.mobility))
 
-    def component(self, point: str, direction: Angle) -> Speeds:
+    def component(self, point: str, direction: Angle) -> SpeedFactors:
         """Return the component of a point's velocity along a direction, per unit of each drive."""
         return self.value(projection(self.graph.velocities[point], direction))
 
-    def spin(self, link: str) -> Speeds:
+    def spin(self, link: str) -> SpeedFactors:
         """Return a link's angular velocity, counter-clockwise, per unit of each drive."""
         return self.value(spin(self.graph, link))
 

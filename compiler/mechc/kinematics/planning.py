@@ -3,15 +3,15 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 from ..algebra.blocks import blocks, match
-from ..algebra.modular import Point
+from ..algebra.modular import ModularPoint
 from ..algebra.product import ONE, ZERO, weight
 from ..algebra.rank import Echelon, Residues, independent, residues
 from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import kinematics as messages
 from . import locked
-from .graph import Form, Graph, Kind, Relation
-from .plan import Block, Plan, Speeds
+from .graph import Graph, LinearForm, Relation, SpeedKind
+from .plan import Block, Plan, SpeedFactors
 from .solving import Binder, Memory, by_one_other, solve
 
 MOTIONS = 64
@@ -25,7 +25,7 @@ def plan_of(
 
     Long sums get names that are neither parameters nor ``taken``.
     """
-    point = Point()
+    point = ModularPoint()
     rows = [residues(r.form, point) for r in graph.relations]
     kept = independent(rows)
     relations = [r for r, keep in zip(graph.relations, kept, strict=True) if keep]
@@ -50,7 +50,7 @@ def plan_of(
 
 def _standing(graph: Graph, relations: Sequence[Relation], redundant: tuple[Relation, ...]) -> Plan:
     """Return the plan of a frame: no drives, and no step that leads to a speed."""
-    speeds: dict[int, Speeds] = dict.fromkeys(range(len(graph.unknowns)), ())
+    speeds: dict[int, SpeedFactors] = dict.fromkeys(range(len(graph.unknowns)), ())
     return Plan(graph, tuple(relations), (), (), speeds, (), redundant)
 
 
@@ -74,8 +74,8 @@ def _preference(graph: Graph, unknown: int) -> tuple[int, int]:
     kind = graph.unknowns[unknown].kind
     for place, load in enumerate(loads):
         if unknown in _movers(graph, load):
-            return (len(loads) - place, kind is not Kind.COMPONENT)
-    return (0, kind is not Kind.COMPONENT)
+            return (len(loads) - place, kind is not SpeedKind.COMPONENT)
+    return (0, kind is not SpeedKind.COMPONENT)
 
 
 def _movers(graph: Graph, load: object) -> Iterable[int]:
@@ -96,7 +96,9 @@ def _solved(
     """Return the plan: all speeds by those of the drives, block after block of relations."""
     columns = [frozenset(r.form) - set(drives) for r in relations]
     matched = match(columns)
-    speeds: dict[int, Speeds] = {d: tuple(ONE if d == e else ZERO for e in drives) for d in drives}
+    speeds: dict[int, SpeedFactors] = {
+        d: tuple(ONE if d == e else ZERO for e in drives) for d in drives
+    }
     binder = Binder(taken.union(p.name for p in graph.pose.mechanism.parameters))
     memory = Memory(drives, {*graph.spins.values()})
     for drive in drives:
@@ -115,11 +117,11 @@ def _solved(
 
 def _speeds_of(
     group: Sequence[int],
-    forms: Sequence[Form],
-    known: Mapping[int, Speeds],
+    forms: Sequence[LinearForm],
+    known: Mapping[int, SpeedFactors],
     drives: int,
     memory: Memory,
-) -> Iterable[tuple[int, Speeds]]:
+) -> Iterable[tuple[int, SpeedFactors]]:
     """Return the speeds of a block's unknowns: one that is known again, or all as solved.
 
     One that a single other gives stays by that where this is as short: it may be known again by
@@ -134,6 +136,6 @@ def _speeds_of(
     return [(group[0], direct)]
 
 
-def _size(speeds: Speeds) -> int:
+def _size(speeds: SpeedFactors) -> int:
     """Return of how many factors speeds are made, those of sums included."""
     return sum(len(speed.factors) + weight(speed) for speed in speeds)

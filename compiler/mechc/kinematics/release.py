@@ -33,12 +33,12 @@ from ..source import Source, Span
 from .carriers import graph_of
 from .contacts import slipping
 from .forms import QUARTER, combined, leaving, projection, speed_of_load, spin, subtract
-from .graph import Form, Graph, Relation, Rule
+from .graph import Graph, LinearForm, Relation, Rule
 from .joint_refs import JointRef, contact_at
-from .plan import Plan, Speeds
+from .plan import Plan, SpeedFactors
 from .planning import plan_of
 
-SpeedReading = Callable[[Graph], Form]
+SpeedReading = Callable[[Graph], LinearForm]
 """A speed that is read off a graph, as a linear form in its unknowns."""
 
 
@@ -56,10 +56,10 @@ class ReleasedLinkage:
     """The plan of a mechanism with a joint released, and the speed at which the joint parts."""
 
     plan: Plan
-    parting: Speeds
+    parting: SpeedFactors
 
 
-Share = tuple[Product, Load]
+LoadShare = tuple[Product, Load]
 """A load by how much of it there is for a unit of the free load that it is tied to."""
 
 
@@ -67,7 +67,7 @@ def released_linkage(
     pose: Pose,
     joint: JointRef,
     along: Angle,
-    held: Iterable[Sequence[Share]],
+    held: Iterable[Sequence[LoadShare]],
     taken: frozenset[str],
 ) -> ReleasedLinkage | None:
     """Return the motions that are left with a joint released along a direction.
@@ -88,7 +88,7 @@ def released_linkage(
     return ReleasedLinkage(plan, plan.value(released.parting(graph)))
 
 
-def work_of(shares: Sequence[Share]) -> SpeedReading:
+def work_of(shares: Sequence[LoadShare]) -> SpeedReading:
     """Return the speed with which a free load does its work, with all that are tied to it."""
     if len(shares) == 1:
         ((_, load),) = shares
@@ -129,7 +129,7 @@ def _without_pin(pose: Pose, joint: JointRef, along: Angle) -> Released:
     own, point = joint.loose, joint.point
     apart = _with_pin(_with_pin(_with_own_point(pose, joint), point), own)
 
-    def gap(graph: Graph, direction: Angle = along) -> Form:
+    def gap(graph: Graph, direction: Angle = along) -> LinearForm:
         ahead, behind = (projection(graph.velocities[p], direction) for p in (own, point))
         return subtract(ahead, behind)
 

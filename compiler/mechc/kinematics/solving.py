@@ -4,11 +4,11 @@ from collections.abc import Collection, Mapping, Sequence
 from itertools import count
 
 from ..algebra.determinant import determinant, with_column
-from ..algebra.modular import PRIME, Point
+from ..algebra.modular import PRIME, ModularPoint
 from ..algebra.product import ZERO, Product, Sum
-from ..algebra.sums import Bound, add, canonical
-from .graph import Form
-from .plan import Binding, Speeds
+from ..algebra.sums import BoundSum, add, canonical
+from .graph import LinearForm
+from .plan import Binding, SpeedFactors
 
 LONG = 12
 """A sum with more terms than this, inner ones included, is bound to a name."""
@@ -27,12 +27,12 @@ class Memory:
     """
 
     def __init__(self, drives: Sequence[int], spins: Collection[int]) -> None:
-        self._point = Point()
+        self._point = ModularPoint()
         self._drives, self._spins = drives, spins
         self._residues: dict[int, tuple[int, ...]] = {}
         self._met: dict[tuple[int, int], Product] = {}
 
-    def note(self, unknown: int, speeds: Speeds) -> None:
+    def note(self, unknown: int, speeds: SpeedFactors) -> None:
         """Remember a solved speed."""
         residues = tuple(s.residue(self._point) for s in speeds)
         self._residues[unknown] = residues
@@ -41,7 +41,7 @@ class Memory:
             self._met.setdefault((metres, residue), speed)
             self._met.setdefault((metres, -residue % PRIME), -speed)
 
-    def recall(self, form: Form, unknown: int) -> Speeds | None:
+    def recall(self, form: LinearForm, unknown: int) -> SpeedFactors | None:
         """Return the speed that a relation gives, if all its parts are known already."""
         lead = form[unknown].residue(self._point)
         if not lead:
@@ -79,20 +79,23 @@ class Binder:
                 product = product * Product(1, {factor: -exponent, name: exponent})
         return product
 
-    def _name(self, factor: Sum) -> Bound:
+    def _name(self, factor: Sum) -> BoundSum:
         value = Product.of(factor)
         for known in self.bindings:
             if known.value == value:
-                return Bound(known.name, value)
+                return BoundSum(known.name, value)
         used = self._taken | {known.name for known in self.bindings}
         name = next(name for i in count(1) if (name := f"s{i}") not in used)
         self.bindings.append(Binding(name, value))
-        return Bound(name, value)
+        return BoundSum(name, value)
 
 
 def solve(
-    forms: Sequence[Form], unknowns: Sequence[int], known: Mapping[int, Speeds], drives: int
-) -> list[Speeds]:
+    forms: Sequence[LinearForm],
+    unknowns: Sequence[int],
+    known: Mapping[int, SpeedFactors],
+    drives: int,
+) -> list[SpeedFactors]:
     """Return the unknowns of a block as linear forms in the drives.
 
     Cramer's rule: numerator and denominator are canonical sums, so that nothing but
@@ -109,7 +112,9 @@ def solve(
     ]
 
 
-def by_one_other(form: Form, unknown: int, known: Mapping[int, Speeds]) -> Speeds | None:
+def by_one_other(
+    form: LinearForm, unknown: int, known: Mapping[int, SpeedFactors]
+) -> SpeedFactors | None:
     """Return the speed that a relation gives with one other that is known; None with more."""
     others = [u for u in form if u != unknown]
     if len(others) != 1:
@@ -118,6 +123,8 @@ def by_one_other(form: Form, unknown: int, known: Mapping[int, Speeds]) -> Speed
     return tuple(canonical(ratio * speed) for speed in known[others[0]])
 
 
-def _side(form: Form, unknowns: Sequence[int], known: Mapping[int, Speeds], drive: int) -> Product:
+def _side(
+    form: LinearForm, unknowns: Sequence[int], known: Mapping[int, SpeedFactors], drive: int
+) -> Product:
     """Return the right-hand side of a relation, made of the known speeds."""
     return add(-(p * known[u][drive]) for u, p in form.items() if u not in unknowns)

@@ -10,16 +10,16 @@ from collections.abc import Callable, Mapping, Sequence
 from ..algebra.determinant import shortest_determinant
 from ..algebra.factors import Length
 from ..algebra.product import ZERO, Product
-from ..algebra.sums import Bound, is_long, shortest
+from ..algebra.sums import BoundSum, is_long, shortest
 from ..formula.names import another
 from ..frozen import fields, frozen
-from .graph import Form, Kind, Relation
-from .plan import Binding, Block, Plan, Speeds
+from .graph import LinearForm, Relation, SpeedKind
+from .plan import Binding, Block, Plan, SpeedFactors
 
 MOST = 3
 """Unknowns of a block whose determinants are looked at in every order."""
 
-Shortened = Callable[[int, Speeds], Speeds]
+Shortened = Callable[[int, SpeedFactors], SpeedFactors]
 """What is taken for the speed of an unknown by what follows from it."""
 
 
@@ -27,7 +27,7 @@ Shortened = Callable[[int, Speeds], Speeds]
 class StandingPlan(Plan):
     """A plan to read formulas off: its speeds are divided by nothing that would cancel."""
 
-    def value(self, form: Form) -> Speeds:
+    def value(self, form: LinearForm) -> SpeedFactors:
         """Return a linear form in the unknowns as one in the drives, as short as it can stand."""
         return tuple(
             shortest([size * self.speeds[u][i] for u, size in form.items()])
@@ -54,16 +54,18 @@ def in_ratios(
     return _like(plan, speeds, ratios.found)
 
 
-def _like(plan: Plan, speeds: Mapping[int, Speeds], ratios: Mapping[int, Binding]) -> StandingPlan:
+def _like(
+    plan: Plan, speeds: Mapping[int, SpeedFactors], ratios: Mapping[int, Binding]
+) -> StandingPlan:
     kept = {field.name: getattr(plan, field.name) for field in fields(plan)}
     if ratios:
         kept |= {"bindings": tuple(ratios.values()), "ratios": ratios}
     return StandingPlan(**kept | {"speeds": speeds})
 
 
-def _followed(plan: Plan, shortened: Shortened) -> Mapping[int, Speeds]:
+def _followed(plan: Plan, shortened: Shortened) -> Mapping[int, SpeedFactors]:
     """Return the speeds of a plan, block by block, each in those before it."""
-    speeds: dict[int, Speeds] = {drive: plan.speeds[drive] for drive in plan.drives}
+    speeds: dict[int, SpeedFactors] = {drive: plan.speeds[drive] for drive in plan.drives}
     for block in plan.blocks:
         relations = [plan.relations[r] for r in block.relations]
         found = _of_block(plan, block, relations, speeds)
@@ -72,8 +74,8 @@ def _followed(plan: Plan, shortened: Shortened) -> Mapping[int, Speeds]:
 
 
 def _of_block(
-    plan: Plan, block: Block, relations: Sequence[Relation], speeds: Mapping[int, Speeds]
-) -> list[Speeds]:
+    plan: Plan, block: Block, relations: Sequence[Relation], speeds: Mapping[int, SpeedFactors]
+) -> list[SpeedFactors]:
     if len(relations) == 1:
         (unknown,) = block.unknowns
         return [_single(relations[0].form, unknown, speeds, plan.speeds[unknown])]
@@ -83,7 +85,9 @@ def _of_block(
     return _together([r.form for r in relations], block.unknowns, speeds)
 
 
-def _single(form: Form, unknown: int, speeds: Mapping[int, Speeds], whole: Speeds) -> Speeds:
+def _single(
+    form: LinearForm, unknown: int, speeds: Mapping[int, SpeedFactors], whole: SpeedFactors
+) -> SpeedFactors:
     """Return the unknown of a relation by the speeds before it, or the form that it has."""
 
     def part(drive: int) -> Product:
@@ -94,12 +98,12 @@ def _single(form: Form, unknown: int, speeds: Mapping[int, Speeds], whole: Speed
 
 
 def _has_names(value: Product) -> bool:
-    return any(isinstance(factor, Bound) for factor in value.factors)
+    return any(isinstance(factor, BoundSum) for factor in value.factors)
 
 
 def _together(
-    forms: Sequence[Form], unknowns: Sequence[int], speeds: Mapping[int, Speeds]
-) -> list[Speeds]:
+    forms: Sequence[LinearForm], unknowns: Sequence[int], speeds: Mapping[int, SpeedFactors]
+) -> list[SpeedFactors]:
     """Return the unknowns of several relations by Cramer's rule, nothing being multiplied out."""
     matrix = [[form.get(u, ZERO) for u in unknowns] for form in forms]
     side = [
@@ -121,14 +125,14 @@ class _Ratios:
         self._unknowns, self._values, self._taken = plan.graph.unknowns, dict(values), taken
         self.found: dict[int, Binding] = {}
 
-    def name(self, unknown: int, speeds: Speeds) -> Speeds:
+    def name(self, unknown: int, speeds: SpeedFactors) -> SpeedFactors:
         """Name a speed and return it by that; a projection and a plain one remain as they are."""
         what, (speed,) = self._unknowns[unknown], speeds
-        if what.kind is Kind.COMPONENT or all(map(_is_plain, speed.factors)):
+        if what.kind is SpeedKind.COMPONENT or all(map(_is_plain, speed.factors)):
             return speeds
         name = self._free(f"i_{what.of}")
         sense = self._note(name, speed)
-        ratio = Bound(name, speed.scaled(sense))
+        ratio = BoundSum(name, speed.scaled(sense))
         self.found[unknown] = Binding(name, ratio.definition)
         return (Product(sense, {ratio: 1}),)
 
@@ -148,4 +152,4 @@ class _Ratios:
 
 
 def _is_plain(factor: object) -> bool:
-    return isinstance(factor, Length | Bound)
+    return isinstance(factor, Length | BoundSum)

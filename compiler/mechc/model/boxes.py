@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable
 
-from ..algebra.intervals import LEAST, Box, Interval, widened
+from ..algebra.intervals import LEAST, IntervalBox, NumberInterval, widened
 from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols
@@ -13,7 +13,7 @@ from .mechanism import Mechanism, Parameter
 from .values import is_constant, range_of
 
 
-def range_box(mechanism: Mechanism) -> Box:
+def range_box(mechanism: Mechanism) -> IntervalBox:
     """Return the box over which trends are stated: ranges, the drive's stroke, and values."""
     box = {p.name: _range(p) for p in mechanism.parameters if _is_known(p)}
     known = {name: interval for name, interval in box.items() if interval is not None}
@@ -25,32 +25,32 @@ def _is_known(parameter: Parameter) -> bool:
     return not parameter.dependent or is_constant(parameter)
 
 
-POSITIVE = Interval(1e-150, 1e150)
+POSITIVE = NumberInterval(1e-150, 1e150)
 """What a length may be, away from where bounds would be lost in rounding."""
 
-NEGATIVE = Interval(-POSITIVE.high, -POSITIVE.low)
+NEGATIVE = NumberInterval(-POSITIVE.high, -POSITIVE.low)
 
 
-def allowed_box(mechanism: Mechanism) -> Box:
+def allowed_box(mechanism: Mechanism) -> IntervalBox:
     """Return the box of all values that parameters may take, beyond the default pose."""
     known = filter(_is_known, mechanism.parameters)
     box = {p.name: _allowed(p, _stroke_of(p, mechanism)) for p in known}
     return {name: interval for name, interval in box.items() if interval is not None}
 
 
-def size_box(mechanism: Mechanism) -> Box:
+def size_box(mechanism: Mechanism) -> IntervalBox:
     """Return the box of lengths and the like that keep their sign, whatever ranges there are."""
     free = (p for p in mechanism.parameters if not p.dependent)
     boxes = {p.name: _allowed(replace(p, range=None)) for p in free}
     return {name: interval for name, interval in boxes.items() if interval is not None}
 
 
-def stroke_box(mechanism: Mechanism) -> Box:
+def stroke_box(mechanism: Mechanism) -> IntervalBox:
     """Return the box of all values within the ranges given, that of the drive being its stroke."""
     return {**allowed_box(mechanism), **_stroke(mechanism)}
 
 
-def _stroke(mechanism: Mechanism) -> Box:
+def _stroke(mechanism: Mechanism) -> IntervalBox:
     """Return the stroke of a drive that has no other range."""
     drive = mechanism.drive
     if drive is None or mechanism.parameter(drive.parameter).range is not None:
@@ -65,7 +65,7 @@ def _stroke_of(parameter: Parameter, mechanism: Mechanism) -> tuple[Formula | No
     return (drive.low, drive.high) if drive and drive.parameter == parameter.name else ()
 
 
-def _allowed(parameter: Parameter, stroke: Iterable[Formula | None] = ()) -> Interval | None:
+def _allowed(parameter: Parameter, stroke: Iterable[Formula | None] = ()) -> NumberInterval | None:
     """Return the range of a parameter; without one, lengths and the like keep their sign.
 
     A value from outside and a stroke that go beyond the range are allowed, with all between.
@@ -78,18 +78,20 @@ def _allowed(parameter: Parameter, stroke: Iterable[Formula | None] = ()) -> Int
     return POSITIVE if value > 0 else NEGATIVE if value < 0 else None
 
 
-def _with_values(interval: Interval | None, given: Iterable[Formula | None]) -> Interval | None:
+def _with_values(
+    interval: NumberInterval | None, given: Iterable[Formula | None]
+) -> NumberInterval | None:
     values = [evaluate(value, {}) for value in given if value is not None and not symbols(value)]
     if interval is None or not values:
         return interval
     return widened(min(interval.low, *values), max(interval.high, *values))
 
 
-def _range(parameter: Parameter) -> Interval | None:
+def _range(parameter: Parameter) -> NumberInterval | None:
     if parameter.range is not None:
         low, high = (evaluate(end, {}) for end in parameter.range)
         return widened(low, high)
     if parameter.value is not None:
         value = evaluate(parameter.value, {})
         return widened(value, value)
-    return None if parameter.dimension == ANGLE else Interval(LEAST, math.inf)
+    return None if parameter.dimension == ANGLE else NumberInterval(LEAST, math.inf)

@@ -8,7 +8,7 @@ from ..frozen import contents, fields
 from .mechanism import Mechanism
 from .result import Result
 
-Names = Set[str]
+NameSet = Set[str]
 
 
 def unused(mechanism: Mechanism, results: Sequence[Result]) -> tuple[str, ...]:
@@ -33,7 +33,7 @@ def unused(mechanism: Mechanism, results: Sequence[Result]) -> tuple[str, ...]:
     return tuple(name for name in names if name in mechanism.brought - shown)
 
 
-def rests_on(mechanism: Mechanism, results: Iterable[Result]) -> Mapping[str, Names]:
+def rests_on(mechanism: Mechanism, results: Iterable[Result]) -> Mapping[str, NameSet]:
     """Return the quantities that each one rests on, and the table that it is looked up in."""
     rests = {p.name: symbols(p.value) for p in mechanism.parameters if p.value}
     for let in mechanism.lets:
@@ -45,7 +45,7 @@ def rests_on(mechanism: Mechanism, results: Iterable[Result]) -> Mapping[str, Na
     return rests
 
 
-def _above(names: Names, rests: Mapping[str, Names]) -> Names:
+def _above(names: NameSet, rests: Mapping[str, NameSet]) -> NameSet:
     """Return names, with all that rest on one of them."""
     found = set(names)
     while more := {name for name in rests.keys() - found if rests[name] & found}:
@@ -53,7 +53,7 @@ def _above(names: Names, rests: Mapping[str, Names]) -> Names:
     return found
 
 
-def below(names: Names, rests: Mapping[str, Names]) -> Names:
+def below(names: NameSet, rests: Mapping[str, NameSet]) -> NameSet:
     """Return names, with all that they rest on."""
     found = set(names)
     while more := {n for name in found & rests.keys() for n in rests[name]} - found:

@@ -18,7 +18,7 @@ from .doubts.remarks import doubts
 from .forces import coefficients, friction
 from .forces.force_pairs import inside_telescopes, spring_name
 from .forces.loads import read_loads
-from .formulas.definitions import Definitions, in_file_order, read_definitions, spread_feeding
+from .formulas.definitions import DefinedValues, in_file_order, read_definitions, spread_feeding
 from .formulas.for_readers import for_readers
 from .formulas.parameters import warn_unused
 from .linkage import held
@@ -38,8 +38,8 @@ from .linkage.wheels import check_belts
 from .lower import with_arcs, with_loaded_points
 from .mechanism import Find, LoadForm, Mechanism, Offset, Slider
 from .names.literals import with_names
-from .names.points import Points
-from .names.scope import Scope
+from .names.points import PointTable
+from .names.scope import NameScope
 from .results import reported
 from .results.conditions import implied, read_expects, read_requires
 from .results.finds import read_finds
@@ -85,19 +85,19 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     return with_names(checked(mechanism, report), file, scope.constants.values())
 
 
-def _scope_of(file: ast.File, report: Report) -> Scope:
+def _scope_of(file: ast.File, report: Report) -> NameScope:
     """Return a scope in which the points of bodies and joints are declared, and no names yet."""
-    points = Points(report)
+    points = PointTable(report)
     declare_points(file, points)
     is_sheet = written_as_sheet(file)
     if not is_sheet:
         refuse_links_in_a_sheet(file, report)
-    scope = Scope(report, points, is_sheet)
+    scope = NameScope(report, points, is_sheet)
     scope.shared_sizes = coefficients.shared_sizes(file.statements)
     return scope
 
 
-def _with_forces(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
+def _with_forces(mechanism: Mechanism, file: ast.File, scope: NameScope) -> Mechanism:
     """Return a mechanism with its loads and its friction, and what is said of them reported."""
     mechanism = _under_loads(mechanism, file, scope)
     if any(isinstance(s, OF_FRICTION) for s in file.statements):
@@ -110,7 +110,7 @@ def _with_forces(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanis
     return mechanism
 
 
-def _doubt(mechanism: Mechanism, scope: Scope) -> None:
+def _doubt(mechanism: Mechanism, scope: NameScope) -> None:
     """Report what is doubted of a mechanism, and of its values beyond their ranges."""
     report = scope.report
     for doubt in doubts(mechanism) if not scope.sheet else ():
@@ -133,7 +133,7 @@ def _headed(file: ast.File, report: Report) -> Mechanism:
     )
 
 
-def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
+def _built(mechanism: Mechanism, file: ast.File, scope: NameScope) -> Mechanism:
     """Add bodies, joints, and where they are."""
     pivots, places = read_pivots(file, scope)
     sliders, guides, guide_places = read_sliders(file, scope)
@@ -161,7 +161,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     return with_arcs(built, read_arcs(file, slides, scope), scope)
 
 
-def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
+def _under_loads(mechanism: Mechanism, file: ast.File, scope: NameScope) -> Mechanism:
     """Add the loads, and the halves or branches that they count on."""
     loads = read_loads(file, mechanism, scope)
     mirror = read_mirror(file, (*mechanism.each(Slider), *mechanism.slides), loads, scope)
@@ -174,7 +174,9 @@ def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanis
     return with_loaded_points(loaded)
 
 
-def _asked(mechanism: Mechanism, file: ast.File, found: Definitions, scope: Scope) -> Mechanism:
+def _asked(
+    mechanism: Mechanism, file: ast.File, found: DefinedValues, scope: NameScope
+) -> Mechanism:
     """Add parameters and formulas, once all is read that they may feed."""
     spread_feeding(found, scope)
     requires = read_requires(file, found, scope)
@@ -210,7 +212,7 @@ def name_of(source: str) -> str:
     return stem if stem[:1].isalpha() and stem != "stdin" else "mechanism"
 
 
-def _declare_names(file: ast.File, scope: Scope) -> None:
+def _declare_names(file: ast.File, scope: NameScope) -> None:
     """Enter parameters and loads."""
     for statement in file.statements:
         match statement:
@@ -232,7 +234,7 @@ def _declare_names(file: ast.File, scope: Scope) -> None:
                 scope.declare(ast.Name(spring_name(statement), statement.span), "load", FORCE)
 
 
-def _declare_lets(file: ast.File, finds: Sequence[Find], scope: Scope) -> None:
+def _declare_lets(file: ast.File, finds: Sequence[Find], scope: NameScope) -> None:
     """Enter the lets; one with a load's name gives that load its value, once.
 
     A load that is asked for has no value of the user's.
@@ -254,7 +256,7 @@ def _check_asked(file: ast.File, report: Report) -> None:
         report.add(messages.nothing_asked(Span(end, end), not file.statements))
 
 
-def _warn_lonely(points: Points) -> None:
+def _warn_lonely(points: PointTable) -> None:
     """Warn of points that one link alone carries and at which nothing acts."""
     jointed = points.fixed | points.guided
     for point, links in points.carried.items():

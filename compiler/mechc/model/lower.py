@@ -11,14 +11,27 @@ from ..diagnostics.model import lowering as words
 from ..formula.tree import negative, product, total
 from ..frozen import replace
 from .entries import drawn_places, ray_through, unit_of_drawing, vector_between
-from .mechanism import Along, ArcSlot, Arrow, Drawn, Force, Geometry, Link, Load, Mechanism, Spread
-from .names.scope import Scope
+from .mechanism import (
+    AlongLine,
+    ArcSlot,
+    Arrow,
+    Drawn,
+    Force,
+    Geometry,
+    Link,
+    Load,
+    Mechanism,
+    Spread,
+)
+from .names.scope import NameScope
 
 MIDDLE = "M"
 """The letter of a point at which the resultant of a spread load acts."""
 
 
-def with_arcs(mechanism: Mechanism, arcs: Sequence[tuple[str, ArcSlot]], scope: Scope) -> Mechanism:
+def with_arcs(
+    mechanism: Mechanism, arcs: Sequence[tuple[str, ArcSlot]], scope: NameScope
+) -> Mechanism:
     """Return the mechanism with a rod from the centre to the pin for each circular slot.
 
     The rod has the slot's radius for its length, pushes and pulls along the same line, and so
@@ -35,7 +48,7 @@ def with_arcs(mechanism: Mechanism, arcs: Sequence[tuple[str, ArcSlot]], scope: 
     return replace(mechanism, links=tuple(links), geometry=tuple(geometry))
 
 
-def _lay(geometry: list[Geometry], ends: tuple[str, str], arc: ArcSlot, scope: Scope) -> None:
+def _lay(geometry: list[Geometry], ends: tuple[str, str], arc: ArcSlot, scope: NameScope) -> None:
     """Give the vector between two points the radius for its length."""
     entry = vector_between(ends, geometry)
     if not isinstance(entry, Arrow):
@@ -82,7 +95,7 @@ def _placed(mechanism: Mechanism, load: Force, spread: Spread) -> Mechanism:
         )
         drawn = Drawn(load.point, x, y, 0.0, unit_of_drawing(mechanism), span)
         return replace(mechanism, drawn=(*mechanism.drawn, drawn))
-    arrow = Arrow(tail, load.point, spread.reach, Along(tail, head, 0, span), span)
+    arrow = Arrow(tail, load.point, spread.reach, AlongLine(tail, head, 0, span), span)
     ray = ray_through((tail, head), mechanism.geometry)
     if ray and vector_between((tail, head), mechanism.geometry) is None:
         way = total([ray.far, negative(ray.near)])
@@ -91,7 +104,7 @@ def _placed(mechanism: Mechanism, load: Force, spread: Spread) -> Mechanism:
     return replace(mechanism, geometry=(*mechanism.geometry, arrow))
 
 
-def free_point(loads: Sequence[Load], scope: Scope) -> str:
+def free_point(loads: Sequence[Load], scope: NameScope) -> str:
     """Return a name for a point that no other has: M, M1, M2 …"""
     taken = {*scope.points.places, *(k.point for k in loads if isinstance(k, Force))}
     names = (f"{MIDDLE}{n or ''}" for n in count())

@@ -41,7 +41,7 @@ from .parts.joints import Slider as Slider
 from .parts.joints import Slot as Slot
 from .parts.joints import WheelPair as WheelPair
 from .parts.linkage import Absolute as Absolute
-from .parts.linkage import Along as Along
+from .parts.linkage import AlongLine as AlongLine
 from .parts.linkage import ArcSlot as ArcSlot
 from .parts.linkage import Assembly as Assembly
 from .parts.linkage import Body as Body
@@ -76,10 +76,10 @@ from .parts.targets import LoadForm as LoadForm
 from .parts.targets import LoadRatio as LoadRatio
 from .parts.targets import Normal as Normal
 from .parts.targets import Reaction as Reaction
+from .parts.targets import ResultTarget as ResultTarget
 from .parts.targets import Sense as Sense
 from .parts.targets import Speed as Speed
 from .parts.targets import SpeedRatio as SpeedRatio
-from .parts.targets import Target as Target
 from .parts.targets import WithFriction as WithFriction
 from .parts.written import WrittenTable
 

@@ -13,7 +13,7 @@ from ..formula.tree import Formula
 from ..frozen import field, frozen
 from ..named import NamedTuple
 from ..units import Dimension
-from .mechanism import Parameter, Require, Target
+from .mechanism import Parameter, Require, ResultTarget
 
 
 class Definition(NamedTuple):
@@ -40,7 +40,7 @@ class Result:
     """
 
     name: str
-    target: Target | None
+    target: ResultTarget | None
     dimension: Dimension
     formula: Formula
     where: tuple[Definition, ...] = ()
@@ -54,7 +54,7 @@ class Result:
 
 
 @frozen
-class Case:
+class SignCase:
     """A result with friction as it is printed: for one case of the signs of slips and forces.
 
     ``holds`` are the conditions, each ``formula > 0`` or ``formula < 0``.
@@ -89,7 +89,7 @@ class FrictionResult(Result):
     ``is_idle`` says that the load that drives has friction alone to overcome, as in a brake.
     """
 
-    case: Case | None = None
+    case: SignCase | None = None
     inside: frozenset[str] = frozenset()
     drive: DrivingLoad | None = None
     driven: bool | None = None
@@ -111,7 +111,7 @@ class ClosedLoop(NamedTuple):
 
 
 @frozen
-class Solved:
+class SolvedMechanism:
     """The solution of a mechanism that a sheet uses, by its names there.
 
     ``definitions`` are those that results and loops may rest on, ``requires`` the conditions
@@ -124,9 +124,9 @@ class Solved:
     requires: tuple[Require, ...] = ()
     literals: tuple[Parameter, ...] = ()
 
-    def __add__(self, other: "Solved") -> "Solved":
+    def __add__(self, other: "SolvedMechanism") -> "SolvedMechanism":
         """Return both solutions as one."""
-        return Solved(
+        return SolvedMechanism(
             (*self.results, *other.results),
             (*self.definitions, *other.definitions),
             (*self.loops, *other.loops),

@@ -11,9 +11,9 @@ from contextlib import suppress
 from graphlib import CycleError, TopologicalSorter
 
 from ..formula.choices import EQUAL, SENSELESS
-from ..formula.evaluate import Evaluation, evaluate, solver
-from ..formula.rounding import Size
-from ..formula.straight_line import OFTEN, Solution, StraightLine, in_order
+from ..formula.evaluate import Evaluator, evaluate, solver
+from ..formula.rounding import PrintedNumber
+from ..formula.straight_line import OFTEN, StraightLine, SystemSolver, in_order
 from ..formula.tree import Formula, Number, Symbol, System
 from ..formula.walk import Mentions, symbols
 from ..named import NamedTuple
@@ -43,7 +43,7 @@ class Chain:
     """
 
     def __init__(
-        self, formulas: Mapping[str, Formula], solved: Callable[[System], Solution] = solver
+        self, formulas: Mapping[str, Formula], solved: Callable[[System], SystemSolver] = solver
     ) -> None:
         """Take the formulas, and how systems in them are ``solved`` from the second time on."""
         mentions = Mentions()
@@ -80,7 +80,7 @@ class Chain:
 
     def _once(self, values: Values) -> dict[str, float]:
         found = dict(values)
-        evaluation = Evaluation(found)
+        evaluation = Evaluator(found)
         for name, formula, needs in self._steps:
             if name not in found and needs <= found.keys():
                 found[name] = evaluation.of(formula)
@@ -112,7 +112,7 @@ class Completion:
         self,
         known: list[str],
         followed: list[tuple[str, Formula]],
-        solved: Callable[[System], Solution],
+        solved: Callable[[System], SystemSolver],
         often: int,
     ) -> None:
         self._given, self.names = in_order(known), [name for name, _ in followed]
@@ -130,7 +130,7 @@ class Completion:
 def completed(values: Values, definitions: Iterable[tuple[str, Formula]]) -> dict[str, float]:
     """Return values with definitions that stand in order, as far as their names have values."""
     found = dict(values)
-    evaluation, needs = Evaluation(found), Mentions()
+    evaluation, needs = Evaluator(found), Mentions()
     for name, formula in definitions:
         if needs.of(formula) <= found.keys():
             found[name] = evaluation.of(formula)
@@ -305,10 +305,10 @@ class Looked(NamedTuple):
 
     form: Result
     value: float | None
-    size: Size
+    size: PrintedNumber
 
 
-def of_sound_form(result: Result, look: Callable[[Result], Looked]) -> Size:
+def of_sound_form(result: Result, look: Callable[[Result], Looked]) -> PrintedNumber:
     """Return the size of a result in a pose where ``look`` says what is seen of each form.
 
     Where a form is 0 but for rounding, a sign in it may be what is rounded: the one for elsewhere
@@ -329,10 +329,10 @@ CIRCLES = 8
 """Circles found in one run; more are a broken generator's work."""
 
 
-Needs = Mapping[str, set[str]]
+NeededNames = Mapping[str, set[str]]
 
 
-def ordered(needs: Needs) -> tuple[list[str], list[list[str]]]:
+def ordered(needs: NeededNames) -> tuple[list[str], list[list[str]]]:
     """Return the names in order, without those in circles, and the circles as ``a b a``.
 
     >>> ordered({"a": {"b"}, "b": set(), "c": {"d"}, "d": {"c"}})[0]
@@ -353,12 +353,12 @@ def ordered(needs: Needs) -> tuple[list[str], list[list[str]]]:
     return list(_free(needs)), circles
 
 
-def _sorter(needs: Needs) -> TopologicalSorter[str]:
+def _sorter(needs: NeededNames) -> TopologicalSorter[str]:
     """Return a sorter that is given the names in an order that no hash decides."""
     return TopologicalSorter({name: sorted(wanted) for name, wanted in needs.items()})
 
 
-def _free(needs: Needs) -> Iterator[str]:
+def _free(needs: NeededNames) -> Iterator[str]:
     """Yield the names that no circle blocks."""
     sorter = _sorter(needs)
     with suppress(CycleError):

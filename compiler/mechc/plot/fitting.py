@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from .narrowing import NEAR, Array, Function, narrowed, on, without_holes
+from .narrowing import NEAR, Array, ArrayFunction, narrowed, on, without_holes
 from .sampling import CELLS, PROMINENT, Trace
 
 BENT = 3e-4
@@ -21,7 +21,7 @@ STEEP = 0.02
 """A step of this part of the panel, between values that are neighbours, is a jump."""
 
 
-def smooth(function: Function, trace: Trace, low: float, high: float) -> Trace:
+def smooth(function: ArrayFunction, trace: Trace, low: float, high: float) -> Trace:
     """Return a trace with more points where it is bent, between two values that are shown.
 
     A step that stays however near its ends are is a jump, and no extremum.
@@ -62,7 +62,7 @@ def _open(
 
 
 def _steps(
-    function: Function, xs: Array, ys: Array, span: float, poles: tuple[float, ...]
+    function: ArrayFunction, xs: Array, ys: Array, span: float, poles: tuple[float, ...]
 ) -> list[float]:
     """Return where a function jumps without a change of its sign."""
     steep = np.abs(np.diff(ys)) > STEEP * span

@@ -14,16 +14,16 @@ from ..pose.places import Plane
 from ..routine.steps import Routine
 from ..units import LENGTH
 from .fitting import limits, pieces, smooth
-from .narrowing import NEAR, Array, Function, narrowed, on
-from .plot import Axis, Curve, Mark, MarkKind, Panel, Plot, Value, Zone
-from .quantities import Quantity, quantities, unit_of
-from .query import Condition, Query
+from .narrowing import NEAR, Array, ArrayFunction, narrowed, on
+from .plot import Curve, FamilyValue, Mark, MarkKind, Panel, Plot, PlotAxis, Zone
+from .quantities import PlotQuantity, quantities, unit_of
+from .query import Query, ZoneCondition
 from .sampling import Trace, traced
-from .sweep import Sweep, columns, in_units, known, plot_of, refuse_many, sweep_of
+from .sweep import PlotRange, columns, in_units, known, plot_of, refuse_many, sweep_of
 
 TURNING: Mapping[int, MarkKind] = {1: "minimum", -1: "maximum"}
 
-Watch = Callable[[Sequence[Function]], Iterable[Function]]
+Watch = Callable[[Sequence[ArrayFunction]], Iterable[ArrayFunction]]
 """What hands out the functions that are followed, and may show how many are done."""
 
 
@@ -36,7 +36,7 @@ def plot(mechanism: Mechanism, routine: Routine, query: Query, watch: Watch = it
     return paths(sweep, query) if query.paths else _curves(sweep, query, watch)
 
 
-def _asked(sweep: Sweep, query: Query) -> list[Quantity]:
+def _asked(sweep: PlotRange, query: Query) -> list[PlotQuantity]:
     """Return the quantities that are asked for; else the first that varies, and has a value."""
     if query.ys:
         return known(sweep, query.ys)
@@ -49,7 +49,7 @@ def _asked(sweep: Sweep, query: Query) -> list[Quantity]:
     return [next(complete, varying[0])]
 
 
-def _curves(sweep: Sweep, query: Query, watch: Watch) -> Plot:
+def _curves(sweep: PlotRange, query: Query, watch: Watch) -> Plot:
     """Return results against a parameter: a panel for each dimension."""
     asked = _asked(sweep, query)
     refuse_many(len(asked) * len(sweep.settings))
@@ -62,7 +62,7 @@ def _curves(sweep: Sweep, query: Query, watch: Watch) -> Plot:
     return replace(plot_of(sweep, sweep.x, panels, table), zone=_zone(sweep, query.zone))
 
 
-def _zone(sweep: Sweep, conditions: Sequence[Condition]) -> Zone | None:
+def _zone(sweep: PlotRange, conditions: Sequence[ZoneCondition]) -> Zone | None:
     """Return where conditions hold; E598 where there are several settings."""
     if not conditions:
         return None
@@ -75,7 +75,9 @@ def _zone(sweep: Sweep, conditions: Sequence[Condition]) -> Zone | None:
     return Zone(words, stretches(functions, sweep.low, sweep.high))
 
 
-def _side(function: Function, quantity: Quantity, condition: Condition) -> Function:
+def _side(
+    function: ArrayFunction, quantity: PlotQuantity, condition: ZoneCondition
+) -> ArrayFunction:
     """Return how far a quantity is on the side of its bound."""
     bound = in_units(condition.name, condition.bound, quantity.dimension)
     if condition.sign == ">=":
@@ -83,13 +85,13 @@ def _side(function: Function, quantity: Quantity, condition: Condition) -> Funct
     return lambda x: bound - function(x)
 
 
-def _rank(quantity: Quantity, asked: Sequence[Quantity]) -> int:
+def _rank(quantity: PlotQuantity, asked: Sequence[PlotQuantity]) -> int:
     """Return where the first quantity of this dimension stands."""
     return [q.dimension for q in asked].index(quantity.dimension)
 
 
 def _panel(
-    sweep: Sweep, group: Sequence[Quantity], axes: Mapping[str, Axis], watch: Watch
+    sweep: PlotRange, group: Sequence[PlotQuantity], axes: Mapping[str, PlotAxis], watch: Watch
 ) -> Panel:
     """Return the panel of quantities of one dimension."""
     pairs = [(q, setting) for q in group for setting in sweep.settings]
@@ -107,11 +109,11 @@ def _panel(
 
 
 def _curve(
-    sweep: Sweep,
-    quantity: Quantity,
-    setting: tuple[Value, ...],
+    sweep: PlotRange,
+    quantity: PlotQuantity,
+    setting: tuple[FamilyValue, ...],
     trace: Trace,
-    function: Function,
+    function: ArrayFunction,
 ) -> Curve:
     parts = tuple(
         tuple(Plane(float(x), float(y)) for x, y in zip(xs, ys, strict=True))
@@ -136,7 +138,9 @@ def _clean(value: float, least: float) -> float:
     return value if abs(value) > least else 0.0
 
 
-def _default(sweep: Sweep, setting: Sequence[Value], function: Function) -> Iterator[Mark]:
+def _default(
+    sweep: PlotRange, setting: Sequence[FamilyValue], function: ArrayFunction
+) -> Iterator[Mark]:
     """Yield the pose of the description, if it is on the curve."""
     x = sweep.values.get(sweep.x.name, math.nan)
     is_described = all(v.value == sweep.values.get(v.axis.name) for v in setting)
@@ -146,10 +150,10 @@ def _default(sweep: Sweep, setting: Sequence[Value], function: Function) -> Iter
             yield Mark("default", Plane(x, y))
 
 
-Ends = tuple[float, float]
+AxisEnds = tuple[float, float]
 
 
-def stretches(functions: Sequence[Function], low: float, high: float) -> tuple[Ends, ...]:
+def stretches(functions: Sequence[ArrayFunction], low: float, high: float) -> tuple[AxisEnds, ...]:
     """Return the stretches of a range on which no function is negative.
 
     >>> [(round(a, 9), round(b, 9)) for a, b in stretches([np.sin], 1.0, 8.0)]
@@ -165,7 +169,7 @@ def stretches(functions: Sequence[Function], low: float, high: float) -> tuple[E
     return tuple(_joined([pair for pair, so in zip(pairwise(grid), holds, strict=True) if so]))
 
 
-def _edges(function: Function, xs: Array) -> list[float]:
+def _edges(function: ArrayFunction, xs: Array) -> list[float]:
     """Return the last points at which a function is not negative, before and behind it is."""
     holds = function(xs) >= 0
     cells = np.flatnonzero(holds[:-1] != holds[1:])
@@ -174,9 +178,9 @@ def _edges(function: Function, xs: Array) -> list[float]:
     return list(map(float, narrowed(lambda x: on(function, x) >= 0, good, bad)[0]))
 
 
-def _joined(found: Sequence[Ends]) -> list[Ends]:
+def _joined(found: Sequence[AxisEnds]) -> list[AxisEnds]:
     """Return stretches with those that touch as one."""
-    joined: list[Ends] = []
+    joined: list[AxisEnds] = []
     for low, high in found:
         if joined and joined[-1][1] == low:
             joined[-1] = joined[-1][0], high
@@ -198,7 +202,7 @@ SAME_PLACE = 1e-9
 """Points nearer to each other than this, in metres, are one: the path comes back to its start."""
 
 
-def paths(sweep: Sweep, query: Query) -> Plot:
+def paths(sweep: PlotRange, query: Query) -> Plot:
     """Return the paths of points while the drive moves, on equal axes."""
     pairs = [_coordinates(sweep, point) for point in query.paths]
     refuse_many(len(pairs) * len(sweep.settings))
@@ -210,12 +214,12 @@ def paths(sweep: Sweep, query: Query) -> Plot:
     ys = [p.y for curve in curves for piece in curve.pieces for p in piece]
     if not ys:
         raise MechcError([messages.no_curve(query.paths, sweep.x.name)])
-    panel = Panel(Axis("y", LENGTH, unit), curves, min(ys), max(ys))
+    panel = Panel(PlotAxis("y", LENGTH, unit), curves, min(ys), max(ys))
     table = columns(sweep, [q for pair in pairs for q in pair], query.points)
-    return plot_of(sweep, Axis("x", LENGTH, unit), (panel,), table)
+    return plot_of(sweep, PlotAxis("x", LENGTH, unit), (panel,), table)
 
 
-def _coordinates(sweep: Sweep, point: str) -> tuple[Quantity, Quantity]:
+def _coordinates(sweep: PlotRange, point: str) -> tuple[PlotQuantity, PlotQuantity]:
     """Return the coordinates of a point; E599 where it has none."""
     names = f"x_{point}", f"y_{point}"
     if not all(name in sweep.known for name in names):
@@ -226,7 +230,10 @@ def _coordinates(sweep: Sweep, point: str) -> tuple[Quantity, Quantity]:
 
 
 def _path(
-    sweep: Sweep, point: str, pair: tuple[Quantity, Quantity], setting: tuple[Value, ...]
+    sweep: PlotRange,
+    point: str,
+    pair: tuple[PlotQuantity, PlotQuantity],
+    setting: tuple[FamilyValue, ...],
 ) -> Curve:
     """Return the path of a point in pieces, marked at even steps of the drive."""
     across, up = (sweep.function(q, setting) for q in pair)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Function = Callable[[Array], Array]
+ArrayFunction = Callable[[Array], Array]
 
 PARTS, NARROWINGS = 64, 10
 """Into how many parts a cell is divided, and how often, until numbers are neighbours.
@@ -27,7 +27,7 @@ def lone(holds: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return found
 
 
-def without_holes(function: Function, xs: Array, ys: Array) -> tuple[Array, Array]:
+def without_holes(function: ArrayFunction, xs: Array, ys: Array) -> tuple[Array, Array]:
     """Return a grid and values without a point that has no value, but has them on both sides.
 
     Rounding decides whether a condition holds there that begins or ends at this very point.
@@ -46,7 +46,7 @@ def within(low: Array, high: Array) -> Array:
     return grid
 
 
-def on(function: Function, grid: Array) -> Array:
+def on(function: ArrayFunction, grid: Array) -> Array:
     """Return the values at a table of points, in its shape."""
     return function(grid.ravel()).reshape(grid.shape) if grid.size else grid
 
@@ -69,7 +69,7 @@ def narrowed(
     return good, bad
 
 
-def lowest(function: Function, low: Array, high: Array) -> Array:
+def lowest(function: ArrayFunction, low: Array, high: Array) -> Array:
     """Return where a function is least between each two numbers, to half the digits or more.
 
     Where it has one value everywhere, to the last bits, there is no more to be found.

@@ -13,7 +13,7 @@ MarkKind = Literal["minimum", "maximum", "zero", "default", "station"]
 """``default`` is the pose of the description, ``station`` a point along the path of a point."""
 
 
-class Axis(NamedTuple):
+class PlotAxis(NamedTuple):
     """A quantity along an axis or in a column: what it measures, and the unit it is shown in."""
 
     name: str
@@ -26,10 +26,10 @@ class Axis(NamedTuple):
         return UNITS[self.unit].size if self.unit in UNITS else 1.0
 
 
-class Value(NamedTuple):
+class FamilyValue(NamedTuple):
     """A parameter of a family, and the value that it is set to."""
 
-    axis: Axis
+    axis: PlotAxis
     value: float
 
 
@@ -57,7 +57,7 @@ class Curve:
     """
 
     name: str
-    setting: tuple[Value, ...]
+    setting: tuple[FamilyValue, ...]
     pieces: tuple[tuple[Plane, ...], ...]
     marks: tuple[Mark, ...] = ()
     poles: tuple[float, ...] = ()
@@ -80,18 +80,18 @@ class Panel:
     Near a pole no axis is long enough: what is beyond ``low`` and ``high`` is cut off.
     """
 
-    y: Axis
+    y: PlotAxis
     curves: tuple[Curve, ...]
     low: float
     high: float
 
 
 @frozen
-class Column:
+class PlotColumn:
     """A column of the table: its values in SI, NaN where there is none."""
 
-    axis: Axis
-    setting: tuple[Value, ...]
+    axis: PlotAxis
+    setting: tuple[FamilyValue, ...]
     values: tuple[float, ...]
 
 
@@ -105,12 +105,12 @@ class Plot:
     """
 
     title: str
-    x: Axis
-    varied: Axis
+    x: PlotAxis
+    varied: PlotAxis
     low: float
     high: float
     panels: tuple[Panel, ...]
-    columns: tuple[Column, ...]
+    columns: tuple[PlotColumn, ...]
     given: tuple[float, float] | None = None
     equal: bool = False
     zone: Zone | None = None

@@ -6,57 +6,57 @@ from functools import partial
 from ..model.mechanism import Let, Mechanism, Parameter
 from ..named import NamedTuple
 from ..routine.evaluate import evaluate, pose
-from ..routine.steps import Input, Pose, Routine, closed_dimensions
+from ..routine.steps import Input, PoseProgram, Routine, closed_dimensions
 from ..units import ANGLE, USUAL_UNITS, Dimension, si_unit
 from .narrowing import Array
 
-Values = Mapping[str, float | Array]
+ColumnValues = Mapping[str, float | Array]
 
 
-class Quantity(NamedTuple):
+class PlotQuantity(NamedTuple):
     """A number that the program gives: what it measures, what it rests on, its values."""
 
     name: str
     dimension: Dimension
     inputs: tuple[Input, ...]
-    at: Callable[[Values], object]
+    at: Callable[[ColumnValues], object]
     unit: str = ""
     is_result: bool = False
 
 
-def quantities(routine: Routine, mechanism: Mechanism) -> dict[str, Quantity]:
+def quantities(routine: Routine, mechanism: Mechanism) -> dict[str, PlotQuantity]:
     """Return all that can be plotted by name: results first, in the order of the text."""
     found = [*_results(routine, mechanism), *_closed(routine, mechanism), *_motion(routine)]
-    named: dict[str, Quantity] = {}
+    named: dict[str, PlotQuantity] = {}
     for quantity in found:
         named.setdefault(quantity.name, quantity)
     return named
 
 
-def _results(routine: Routine, mechanism: Mechanism) -> Iterator[Quantity]:
+def _results(routine: Routine, mechanism: Mechanism) -> Iterator[PlotQuantity]:
     units = {let.name: let.unit for let in mechanism.lets}
     for f in routine.functions:
         unit = units.get(f.name, "")
-        yield Quantity(f.name, f.dimension, f.inputs, partial(evaluate, f), unit, True)
+        yield PlotQuantity(f.name, f.dimension, f.inputs, partial(evaluate, f), unit, True)
 
 
-def _closed(routine: Routine, mechanism: Mechanism) -> Iterator[Quantity]:
+def _closed(routine: Routine, mechanism: Mechanism) -> Iterator[PlotQuantity]:
     """Yield the angles and lengths that loops find."""
     if routine.pose is None:
         return
     for name, dimension in closed_dimensions(routine.pose, mechanism).items():
-        yield Quantity(name, dimension, routine.pose.inputs, partial(_of, routine.pose, name))
+        yield PlotQuantity(name, dimension, routine.pose.inputs, partial(_of, routine.pose, name))
 
 
-def _motion(routine: Routine) -> Iterator[Quantity]:
+def _motion(routine: Routine) -> Iterator[PlotQuantity]:
     if routine.points is None:
         return
     program = routine.points.program
     for q in routine.points.quantities:
-        yield Quantity(q.name, q.dimension, program.inputs, partial(_of, program, q.name))
+        yield PlotQuantity(q.name, q.dimension, program.inputs, partial(_of, program, q.name))
 
 
-def _of(program: Pose, name: str, values: Values) -> object:
+def _of(program: PoseProgram, name: str, values: ColumnValues) -> object:
     found, _ = pose(program, values)
     return found[name]
 

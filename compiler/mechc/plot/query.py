@@ -13,14 +13,14 @@ from ..units import ANGLE, size_of
 POINTS = 101
 """How many rows the table has where nothing else is asked for."""
 
-Given = str | float
+GivenSetting = str | float
 
 
 Sign = Literal["<=", ">="]
 SIGNS: tuple[Sign, ...] = ("<=", ">=")
 
 
-class Condition(NamedTuple):
+class ZoneCondition(NamedTuple):
     """What holds in a zone."""
 
     name: str
@@ -28,16 +28,16 @@ class Condition(NamedTuple):
     bound: str
 
 
-def condition(text: str) -> Condition:
+def condition(text: str) -> ZoneCondition:
     """Return a condition that is written as text; ValueError where it is none.
 
     >>> condition("gamma >= 1.5 rad")
-    Condition(name='gamma', sign='>=', bound='1.5 rad')
+    ZoneCondition(name='gamma', sign='>=', bound='1.5 rad')
     """
     for sign in SIGNS:
         name, found, bound = (part.strip() for part in text.partition(sign))
         if name and found and bound:
-            return Condition(name, sign, bound)
+            return ZoneCondition(name, sign, bound)
     raise ValueError(f"{text!r} is not NAME >= VALUE, as in 'gamma >= 1.5 rad'")
 
 
@@ -53,10 +53,10 @@ class Query:
 
     x: str = ""
     ys: tuple[str, ...] = ()
-    family: tuple[tuple[str, tuple[Given, ...]], ...] = ()
-    ends: tuple[Given, Given] | None = None
+    family: tuple[tuple[str, tuple[GivenSetting, ...]], ...] = ()
+    ends: tuple[GivenSetting, GivenSetting] | None = None
     paths: tuple[str, ...] = ()
-    zone: tuple[Condition, ...] = ()
+    zone: tuple[ZoneCondition, ...] = ()
     points: int = POINTS
 
 

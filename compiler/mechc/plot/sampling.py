@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..named import NamedTuple
-from .narrowing import EPS, NEAR, Array, Function, lone, lowest, narrowed, on, without_holes
+from .narrowing import EPS, NEAR, Array, ArrayFunction, lone, lowest, narrowed, on, without_holes
 
 CELLS = 360
 """Cells in which zeros, poles and extrema are looked for."""
@@ -26,7 +26,7 @@ PROMINENT = 1e-9
 """What an extremum stands out by at least, against the usual size of values."""
 
 
-class Turn(NamedTuple):
+class Extremum(NamedTuple):
     """A point where a function is least or greatest nearby: sense is 1, or -1."""
 
     sense: int
@@ -42,10 +42,10 @@ class Trace(NamedTuple):
     zeros: tuple[float, ...]
     poles: tuple[float, ...]
     jumps: tuple[float, ...]
-    turns: tuple[Turn, ...]
+    turns: tuple[Extremum, ...]
 
 
-def traced(function: Function, low: float, high: float) -> Trace:
+def traced(function: ArrayFunction, low: float, high: float) -> Trace:
     """Return a function on a fine grid, and its zeros, breaks and extrema."""
     grid = np.linspace(low, high, CELLS + 1)
     xs, ys = without_holes(function, grid, function(grid))
@@ -72,7 +72,7 @@ def _usual(ys: Array) -> float:
 
 
 def _crossings(
-    function: Function, xs: Array, ys: Array
+    function: ArrayFunction, xs: Array, ys: Array
 ) -> tuple[list[float], list[float], list[float]]:
     """Return where a function changes its sign: zeros, poles, jumps."""
     finite = np.isfinite(ys)
@@ -92,7 +92,7 @@ def _crossings(
     )
 
 
-def _edges(function: Function, xs: Array, ys: Array) -> Array:
+def _edges(function: ArrayFunction, xs: Array, ys: Array) -> Array:
     """Return the last numbers, to the last bit, at which a function has a value."""
     there = ~np.isnan(ys)
     cells = np.flatnonzero(there[:-1] != there[1:])
@@ -101,7 +101,7 @@ def _edges(function: Function, xs: Array, ys: Array) -> Array:
     return narrowed(lambda x: ~np.isnan(on(function, x)), good, bad)[0]
 
 
-def _at_ends(function: Function, xs: Array, ys: Array, edges: Array) -> Iterator[float]:
+def _at_ends(function: ArrayFunction, xs: Array, ys: Array, edges: Array) -> Iterator[float]:
     """Yield the poles at the ends of the range, and where a function begins or ends to be."""
     known = np.flatnonzero(np.isfinite(ys))
     if not known.size:
@@ -114,7 +114,7 @@ def _at_ends(function: Function, xs: Array, ys: Array, edges: Array) -> Iterator
             yield float(end)
 
 
-def _touched(function: Function, xs: Array, ys: Array) -> Iterator[float]:
+def _touched(function: ArrayFunction, xs: Array, ys: Array) -> Iterator[float]:
     """Yield the poles on both sides of which a function has one sign."""
     sizes = np.abs(ys)
     peaks = (sizes[1:-1] > sizes[:-2]) & (sizes[1:-1] >= sizes[2:])
@@ -127,13 +127,13 @@ def _touched(function: Function, xs: Array, ys: Array) -> Iterator[float]:
     yield from map(float, best[largest > LARGE**2 * beside])
 
 
-def _turns(function: Function, xs: Array, ys: Array, breaks: Array) -> Iterator[Turn]:
+def _turns(function: ArrayFunction, xs: Array, ys: Array, breaks: Array) -> Iterator[Extremum]:
     """Yield the extrema between points, but for those beside a break."""
     cells, signs = _turning_points(xs, ys, breaks)
     found = _refined(function, xs[cells - 1], xs[cells + 1], signs)
     for sign, x, y, bound in zip(signs, *found, signs * ys[cells], strict=True):
         if sign * y <= bound:
-            yield Turn(int(sign), float(x), float(y))
+            yield Extremum(int(sign), float(x), float(y))
 
 
 def _turning_points(xs: Array, ys: Array, breaks: Array) -> tuple[NDArray[np.intp], Array]:
@@ -150,7 +150,7 @@ def _turning_points(xs: Array, ys: Array, breaks: Array) -> tuple[NDArray[np.int
     return cells, sense[cells - 1].astype(np.float64)
 
 
-def _refined(function: Function, low: Array, high: Array, signs: Array) -> tuple[Array, Array]:
+def _refined(function: ArrayFunction, low: Array, high: Array, signs: Array) -> tuple[Array, Array]:
     """Return extrema and their values: narrowed down, then where the slope is nil if better."""
     rough = lowest(lambda x: np.repeat(signs, x.size // signs.size) * function(x), low, high)
     fine = _stationary(function, rough, 0.02 * (high - low))
@@ -173,7 +173,7 @@ def _beyond_level(ys: Array) -> Array:
     return found
 
 
-def _stationary(function: Function, near: Array, width: Array) -> Array:
+def _stationary(function: ArrayFunction, near: Array, width: Array) -> Array:
     """Return where the slope changes its sign near points, by differences of fourth order."""
     steps = np.array([-2.0, -1.0, 1.0, 2.0]) / 2
 

@@ -14,28 +14,28 @@ from ..model.mechanism import Mechanism
 from ..model.values import defaults, range_of
 from ..routine.steps import Input
 from ..units import USUAL_UNITS, Dimension
-from .narrowing import Array, Function
-from .plot import Axis, Column, Panel, Plot, Value
-from .quantities import Quantity, unit_of
-from .query import Given, Query
+from .narrowing import Array, ArrayFunction
+from .plot import FamilyValue, Panel, Plot, PlotAxis, PlotColumn
+from .quantities import PlotQuantity, unit_of
+from .query import GivenSetting, Query
 
 MOST = 12
 """How many curves a person can distinguish."""
 
 
 @frozen
-class Sweep:
+class PlotRange:
     """What varies and between which ends, in which settings; values of all else."""
 
     mechanism: Mechanism
-    known: Mapping[str, Quantity]
-    x: Axis
+    known: Mapping[str, PlotQuantity]
+    x: PlotAxis
     low: float
     high: float
-    settings: tuple[tuple[Value, ...], ...]
+    settings: tuple[tuple[FamilyValue, ...], ...]
     values: Mapping[str, float]
 
-    def function(self, quantity: Quantity, setting: Sequence[Value]) -> Function:
+    def function(self, quantity: PlotQuantity, setting: Sequence[FamilyValue]) -> ArrayFunction:
         """Return the values of a quantity on a grid, with one setting of the family."""
         given = {**self.values, **{value.axis.name: value.value for value in setting}}
         lacking = [i.name for i in quantity.inputs if i.name not in (*given, self.x.name)]
@@ -48,10 +48,10 @@ class Sweep:
 
         return at
 
-    def axis(self, quantity: Quantity) -> Axis:
+    def axis(self, quantity: PlotQuantity) -> PlotAxis:
         """Return a quantity's axis."""
         unit = unit_of(quantity.dimension, self.mechanism, quantity.unit)
-        return Axis(quantity.name, quantity.dimension, unit)
+        return PlotAxis(quantity.name, quantity.dimension, unit)
 
     @property
     def grid(self) -> Callable[[int], Array]:
@@ -62,7 +62,7 @@ class Sweep:
 # ------------------------------------------------------------------------ what is asked
 
 
-def sweep_of(mechanism: Mechanism, known: Mapping[str, Quantity], query: Query) -> Sweep:
+def sweep_of(mechanism: Mechanism, known: Mapping[str, PlotQuantity], query: Query) -> PlotRange:
     """Return the sweep of a query: the parameter that varies, its range, and the settings."""
     inputs = {i.name: i for q in known.values() for i in q.inputs}
     inputs |= {p.name: _input(p.name, mechanism) for p in mechanism.parameters if not p.dependent}
@@ -70,7 +70,7 @@ def sweep_of(mechanism: Mechanism, known: Mapping[str, Quantity], query: Query) 
     x = _axis(name, inputs, mechanism)
     low, high = _ends(x, mechanism, query.ends)
     settings = tuple(product(*_family(query, x, inputs, mechanism)))
-    return Sweep(mechanism, known, x, low, high, settings, defaults(mechanism))
+    return PlotRange(mechanism, known, x, low, high, settings, defaults(mechanism))
 
 
 def _input(name: str, mechanism: Mechanism) -> Input:
@@ -86,17 +86,17 @@ def _driving(mechanism: Mechanism) -> str:
     return mechanism.drive.parameter
 
 
-def _axis(name: str, inputs: Mapping[str, Input], mechanism: Mechanism) -> Axis:
+def _axis(name: str, inputs: Mapping[str, Input], mechanism: Mechanism) -> PlotAxis:
     """Return the axis of a parameter; E584 where there is none that can be set."""
     if name not in inputs:
         near = near_miss(name, inputs)
         raise MechcError([messages.no_such_parameter(name, list(inputs), near)])
     found = inputs[name]
-    return Axis(name, found.dimension, unit_of(found.dimension, mechanism, found.unit))
+    return PlotAxis(name, found.dimension, unit_of(found.dimension, mechanism, found.unit))
 
 
 def _ends(
-    x: Axis, mechanism: Mechanism, written: tuple[Given, Given] | None
+    x: PlotAxis, mechanism: Mechanism, written: tuple[GivenSetting, GivenSetting] | None
 ) -> tuple[float, float]:
     """Return the ends of the range; E585 where there are none."""
     parameters = {p.name for p in mechanism.parameters}
@@ -111,23 +111,23 @@ def _ends(
 
 
 def _family(
-    query: Query, x: Axis, inputs: Mapping[str, Input], mechanism: Mechanism
-) -> Iterator[list[Value]]:
+    query: Query, x: PlotAxis, inputs: Mapping[str, Input], mechanism: Mechanism
+) -> Iterator[list[FamilyValue]]:
     """Yield the values of each parameter of the family; E584 for what is along the axis."""
     for name, given in query.family:
         if name == x.name:
             others = [other for other in inputs if other != name]
             raise MechcError([messages.no_such_parameter(name, others, "it is along the axis")])
         axis = _axis(name, inputs, mechanism)
-        yield [Value(axis, in_units(name, value, axis.dimension)) for value in given]
+        yield [FamilyValue(axis, in_units(name, value, axis.dimension)) for value in given]
 
 
-def in_units(name: str, given: Given, dimension: Dimension) -> float:
+def in_units(name: str, given: GivenSetting, dimension: Dimension) -> float:
     """Return a value in SI that may be text with its unit."""
     return in_si(name, given, dimension) if isinstance(given, str) else float(given)
 
 
-def known(sweep: Sweep, names: Sequence[str]) -> list[Quantity]:
+def known(sweep: PlotRange, names: Sequence[str]) -> list[PlotQuantity]:
     """Return quantities by name; E583 where there is none."""
     able = list(sweep.known)
 
@@ -141,14 +141,14 @@ def known(sweep: Sweep, names: Sequence[str]) -> list[Quantity]:
     return [sweep.known[name] for name in names]
 
 
-def columns(sweep: Sweep, asked: Sequence[Quantity], points: int) -> tuple[Column, ...]:
+def columns(sweep: PlotRange, asked: Sequence[PlotQuantity], points: int) -> tuple[PlotColumn, ...]:
     """Return the table: what varies, then every quantity in every setting."""
     grid = sweep.grid(points)
-    columns = [Column(sweep.x, (), tuple(map(float, grid)))]
+    columns = [PlotColumn(sweep.x, (), tuple(map(float, grid)))]
     with np.errstate(all="ignore"):
         for quantity, setting in product(asked, sweep.settings):
             values = sweep.function(quantity, setting)(grid)
-            columns.append(Column(sweep.axis(quantity), setting, tuple(map(float, values))))
+            columns.append(PlotColumn(sweep.axis(quantity), setting, tuple(map(float, values))))
     return tuple(columns)
 
 
@@ -158,7 +158,9 @@ def refuse_many(number: int) -> None:
         raise MechcError([messages.too_many_curves(number, MOST)])
 
 
-def plot_of(sweep: Sweep, x: Axis, panels: tuple[Panel, ...], columns: tuple[Column, ...]) -> Plot:
+def plot_of(
+    sweep: PlotRange, x: PlotAxis, panels: tuple[Panel, ...], columns: tuple[PlotColumn, ...]
+) -> Plot:
     """Return a plot of a sweep; its axis is another quantity where paths are shown."""
     mechanism = sweep.mechanism
     parameters = {p.name for p in mechanism.parameters}

@@ -17,7 +17,7 @@ from ..formula.tree import Call, Formula
 from ..formula.walk import children, rebuild, substitute, symbols
 from ..frozen import replace
 from ..model.mechanism import ForcePair, Mechanism
-from ..model.names.forms import COORDINATES, Form, form_of_pose
+from ..model.names.forms import COORDINATES, ReservedName, form_of_pose
 from ..source import Span
 from .pose import Vector
 from .vectors import Vectors, start_of
@@ -54,14 +54,16 @@ def _formulas(mechanism: Mechanism) -> Iterator[tuple[Formula, Span]]:
             yield load.tie, load.span
 
 
-def _answer(form: Form, start: str, vectors: Vectors, span: Span, report: Report) -> Formula | None:
+def _answer(
+    form: ReservedName, start: str, vectors: Vectors, span: Span, report: Report
+) -> Formula | None:
     """Return the length, direction or coordinate that a form asks for; None without an answer."""
     if form.prefix in COORDINATES:
         return _coordinate(form, start, vectors, span, report)
     return _of_vector(form, vectors, span, report) if form.prefix in ("phi", "len") else None
 
 
-def _of_vector(form: Form, vectors: Vectors, span: Span, report: Report) -> Formula | None:
+def _of_vector(form: ReservedName, vectors: Vectors, span: Span, report: Report) -> Formula | None:
     """Return the direction or the length of the vector between two points."""
     tail, head = form.points
     vector = vectors.path(tail, head)
@@ -78,7 +80,7 @@ def _of_vector(form: Form, vectors: Vectors, span: Span, report: Report) -> Form
     return None
 
 
-def _direction_or_length(form: Form, vector: Vector, vectors: Vectors) -> Formula:
+def _direction_or_length(form: ReservedName, vector: Vector, vectors: Vectors) -> Formula:
     """Return the length or direction that a form asks for; a vector of several arms is made one."""
     if len(vector) > 1:
         vectors.straighten(*form.points)
@@ -90,7 +92,7 @@ def _direction_or_length(form: Form, vector: Vector, vectors: Vectors) -> Formul
 
 
 def _coordinate(
-    form: Form, start: str, vectors: Vectors, span: Span, report: Report
+    form: ReservedName, start: str, vectors: Vectors, span: Span, report: Report
 ) -> Formula | None:
     """Return how far a point is from where places count from, along an axis."""
     (point,) = form.points

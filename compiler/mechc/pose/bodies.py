@@ -8,7 +8,7 @@ from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..model.entries import vector_between
 from ..model.mechanism import (
-    Along,
+    AlongLine,
     Arrow,
     Contact,
     Direction,
@@ -20,13 +20,13 @@ from ..model.mechanism import (
     Slot,
     Telescope,
 )
-from .closure import Condition, across
+from .closure import ClosureCondition, across
 from .directions import Directions
 from .pose import Arm, PointContact, Vector
 from .vector_graph import chained
 from .vectors import Missing, Vectors
 
-Find = Callable[[Direction, str, str], Angle]
+FindDirection = Callable[[Direction, str, str], Angle]
 """Resolves a direction: its name, and what it is wanted for."""
 
 
@@ -41,9 +41,9 @@ def aligned(mechanism: Mechanism) -> tuple[Geometry, ...]:
         line, pin = (slot.tail, slot.head), (slot.tail, slot.point)
         given, placed = vector_between(line, found), vector_between(pin, found)
         if _directed(placed) and not _directed(given):
-            _lay(found, given, line, Along(*pin, 0, slot.span))
+            _lay(found, given, line, AlongLine(*pin, 0, slot.span))
         elif _directed(given) and placed is not None and not _directed(placed):
-            _lay(found, placed, pin, Along(*line, 0, slot.span))
+            _lay(found, placed, pin, AlongLine(*line, 0, slot.span))
     return tuple(found)
 
 
@@ -52,7 +52,7 @@ def _directed(entry: Arrow | Offset | None) -> bool:
 
 
 def _lay(
-    geometry: list[Geometry], entry: Arrow | Offset | None, ends: tuple[str, str], along: Along
+    geometry: list[Geometry], entry: Arrow | Offset | None, ends: tuple[str, str], along: AlongLine
 ) -> None:
     """Give a vector a direction, and an entry if it has none yet."""
     length = entry.length if isinstance(entry, Arrow) else None
@@ -64,7 +64,7 @@ def _lay(
 
 
 def contacts(
-    mechanism: Mechanism, directions: Directions, vectors: Vectors, find: Find
+    mechanism: Mechanism, directions: Directions, vectors: Vectors, find: FindDirection
 ) -> Iterator[PointContact]:
     """Yield every pin that slides along a body."""
     slides = {s.name for s in mechanism.slides}
@@ -85,13 +85,13 @@ ANY = Angle()
 
 
 def _slot_direction(
-    slot: Slot, on_slide: bool, directions: Directions, vectors: Vectors, find: Find
+    slot: Slot, on_slide: bool, directions: Directions, vectors: Vectors, find: FindDirection
 ) -> Angle:
     """Return the direction of a slot, any where its own link has none."""
     if not on_slide and vectors.path(slot.tail, slot.head) is None:
         return directions.of(slot.tail, slot.head) or ANY
     name = f"{slot.tail}{slot.head}"
-    return find(Along(slot.tail, slot.head, 0, slot.span), f"theta_{name}", f"the slot {name}")
+    return find(AlongLine(slot.tail, slot.head, 0, slot.span), f"theta_{name}", f"the slot {name}")
 
 
 def _reach(tail: str, point: str, line: Angle, vectors: Vectors) -> Vector:
@@ -105,7 +105,7 @@ def _reach(tail: str, point: str, line: Angle, vectors: Vectors) -> Vector:
     return (Arm(Product.symbol(name), line),)
 
 
-def on_the_line(slots: Sequence[PointContact], vectors: Vectors) -> list[Condition]:
+def on_the_line(slots: Sequence[PointContact], vectors: Vectors) -> list[ClosureCondition]:
     """Return the condition of every pin in a slot that has a place: it stands on the line."""
     conditions = []
     for slot in slots:
@@ -113,16 +113,16 @@ def on_the_line(slots: Sequence[PointContact], vectors: Vectors) -> list[Conditi
         if chain:
             arms = vectors.arms(chain)
             name = chained(chain)
-            conditions.append(Condition(name, arms, (slot.normal,), slot.span))
+            conditions.append(ClosureCondition(name, arms, (slot.normal,), slot.span))
     return conditions
 
 
-Frame = Mapping[str, Vector]
+BodyFrame = Mapping[str, Vector]
 
 
 def frames(
     mechanism: Mechanism, vectors: Vectors, missing: Missing, report: Report
-) -> Mapping[str, Frame]:
+) -> Mapping[str, BodyFrame]:
     """Return the frame of every link, slide and telescope; E301 where a vector is missing."""
     found = {k.name: _of_link(k, mechanism, vectors, missing, report) for k in mechanism.links}
     found |= {slide.name: _of_slide(slide, vectors) for slide in mechanism.slides}
@@ -131,7 +131,7 @@ def frames(
 
 def _of_link(
     link: Link, mechanism: Mechanism, vectors: Vectors, missing: Missing, report: Report
-) -> Frame:
+) -> BodyFrame:
     """Return the vectors from a link's first point; a rod of which nothing is given lacks a length.
 
     With a drive that is enough for a loop to close.
@@ -150,7 +150,7 @@ def _of_link(
     return frame
 
 
-def _of_slide(slide: Slide, vectors: Vectors) -> Frame:
+def _of_slide(slide: Slide, vectors: Vectors) -> BodyFrame:
     """Return the frame of a slide, as far as it is given.
 
     Velocities need none of it; where a vector is missing the guide's couple is open.
@@ -160,7 +160,7 @@ def _of_slide(slide: Slide, vectors: Vectors) -> Frame:
     return {p: () if vectors.is_open(path) else path for p, path in paths.items()}
 
 
-def _of_telescope(telescope: Telescope, vectors: Vectors) -> Frame:
+def _of_telescope(telescope: Telescope, vectors: Vectors) -> BodyFrame:
     """Return the vector between the ends of a telescope as one arm along it.
 
     The pair of forces inside has seen to that, or reported what is missing.

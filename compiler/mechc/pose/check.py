@@ -8,10 +8,10 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..model.mechanism import Force, ForcePair, Slider
 from ..model.values import Chain, completed, defaults, dependent, independent
-from .pose import Definition, Pose, Vector, evaluate_vector
+from .pose import Pose, PoseDefinition, Vector, evaluate_vector
 from .tolerances import LOOP_GAP
 
-Frame = Mapping[str, Vector]
+BodyFrame = Mapping[str, Vector]
 
 STEP = 1e-5
 """By how much the drive is moved, in SI, to see what changes with it."""
@@ -46,7 +46,7 @@ def _names(pose: Pose) -> Iterator[str]:
         yield from (f"vector {''.join(ends)} uses {n}" for n in sorted(used - known - closing))
 
 
-def _order(definitions: Sequence[Definition], given: Set[str]) -> Iterator[str]:
+def _order(definitions: Sequence[PoseDefinition], given: Set[str]) -> Iterator[str]:
     """Yield the names defined from later or unknown ones, and those defined twice."""
     known = set(given)
     for name, formula in definitions:
@@ -133,7 +133,7 @@ def _gaps(pose: Pose) -> Iterator[str]:
                 yield f"body {name} misses {point} by {gap:.3g} m"
 
 
-def _is_numeric(frame: Frame, values: Mapping[str, float]) -> bool:
+def _is_numeric(frame: BodyFrame, values: Mapping[str, float]) -> bool:
     return all(symbols(f) <= values.keys() for v in frame.values() for f in _of_vector(v))
 
 

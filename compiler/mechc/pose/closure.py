@@ -9,8 +9,8 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.angle import Angle
-from ..algebra.factors import Constant, Factor, Length, Trig
-from ..algebra.modular import Point
+from ..algebra.factors import ConstantSymbol, Factor, Length, Trig
+from ..algebra.modular import ModularPoint
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
@@ -26,15 +26,15 @@ from ..source import Span
 from .pose import Arm, Vector, evaluate_vector
 from .tolerances import LOOP_GAP
 
-Row = dict[str, int]
+ArmCounts = dict[str, int]
 """A linear equation in the open lengths, modulo the prime; the constant stands under ''."""
 
 
-Poses = Callable[[], Sequence[Values]]
+SamplePoses = Callable[[], Sequence[Values]]
 """Gives some poses in numbers."""
 
 
-class Condition(NamedTuple):
+class ClosureCondition(NamedTuple):
     """A sum of arms whose component along each of some directions must vanish."""
 
     name: str
@@ -60,10 +60,10 @@ class ClosingEquations:
         self._brought = frozenset(brought)
         self._open, self._defined = frozenset(open_lengths), frozenset(defined)
         self._given = None if given is None else frozenset(given)
-        self._point = Point()
-        self._rows: list[tuple[str, Row]] = []
+        self._point = ModularPoint()
+        self._rows: list[tuple[str, ArmCounts]] = []
 
-    def check(self, condition: Condition, poses: Poses) -> Diagnostic | None:
+    def check(self, condition: ClosureCondition, poses: SamplePoses) -> Diagnostic | None:
         """Take a condition in; return the error if it cannot hold for independent symbols.
 
         ``poses`` begin with the default one; most conditions are decided without them.
@@ -77,7 +77,7 @@ class ClosingEquations:
                 return self._refused(condition, direction, poses()[0])
         return None
 
-    def _directions(self, condition: Condition) -> Sequence[Angle]:
+    def _directions(self, condition: ClosureCondition) -> Sequence[Angle]:
         """Return the directions to project on: along an open arm and across it, where one is."""
         if len(condition.across) == 2:
             for length, angle in condition.arms:
@@ -85,7 +85,7 @@ class ClosingEquations:
                     return angle, across(angle)
         return condition.across
 
-    def _holds_by_definition(self, arms: Vector, direction: Angle, poses: Poses) -> bool:
+    def _holds_by_definition(self, arms: Vector, direction: Angle, poses: SamplePoses) -> bool:
         """Return whether arms add up to zero because some of their angles were defined so.
 
         Algebra takes ``beta = asin(a/l*sin(alpha))`` for one more free symbol; numbers at a
@@ -97,8 +97,8 @@ class ClosingEquations:
             return False
         return not any(abs(_along(counted, direction, values)) > LOOP_GAP for values in poses())
 
-    def _row(self, arms: Vector, direction: Angle) -> Row:
-        row: Row = {}
+    def _row(self, arms: Vector, direction: Angle) -> ArmCounts:
+        row: ArmCounts = {}
         for length, angle in arms:
             name = next((n for n in _names(length) if n in self._open), "")
             size = length / Product.symbol(name) if name else length
@@ -106,7 +106,7 @@ class ClosingEquations:
             row[name] = (row.get(name, 0) + value) % self._point.prime
         return row
 
-    def _reduced(self, row: Row) -> Row:
+    def _reduced(self, row: ArmCounts) -> ArmCounts:
         prime = self._point.prime
         for pivot, known in self._rows:
             factor = row.get(pivot, 0) * pow(known[pivot], -1, prime) % prime
@@ -116,7 +116,7 @@ class ClosingEquations:
         return row
 
     def _refused(
-        self, condition: Condition, direction: Angle, values: Mapping[str, float]
+        self, condition: ClosureCondition, direction: Angle, values: Mapping[str, float]
     ) -> Diagnostic:
         gap = _gap(condition, values) if not self._mentions_open(condition.arms) else 0.0
         if gap:
@@ -139,7 +139,7 @@ class ClosingEquations:
         return not self._open.isdisjoint(_symbols(arms))
 
 
-def _gap(condition: Condition, values: Mapping[str, float]) -> float:
+def _gap(condition: ClosureCondition, values: Mapping[str, float]) -> float:
     """Return how far the arms miss closure at the values given; 0 if closed or not all given."""
     try:
         x, y = evaluate_vector(condition.arms, values)
@@ -184,7 +184,7 @@ def _names(product: Product) -> Iterator[str]:
 
 
 def _factor_names(factor: Factor) -> Iterator[str]:
-    if isinstance(factor, Length) and not isinstance(factor, Constant):
+    if isinstance(factor, Length) and not isinstance(factor, ConstantSymbol):
         yield factor.name
     elif isinstance(factor, Trig):
         yield from dict(factor.angle.terms)

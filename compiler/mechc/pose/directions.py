@@ -7,7 +7,7 @@ from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..model.mechanism import (
     Absolute,
-    Along,
+    AlongLine,
     Arrow,
     Direction,
     Mechanism,
@@ -17,9 +17,9 @@ from ..model.mechanism import (
     Turn,
 )
 from ..source import Span
-from .terms import Terms
+from .terms import AlgebraicTerms
 
-Pair = tuple[str, str]
+PointPair = tuple[str, str]
 HALF_TURN = Angle.constant(180)
 
 
@@ -32,9 +32,9 @@ class Directions:
     of its own, ``phi_AB``, which is ``sought``: a loop must give it.
     """
 
-    def __init__(self, mechanism: Mechanism, terms: Terms, report: Report) -> None:
+    def __init__(self, mechanism: Mechanism, terms: AlgebraicTerms, report: Report) -> None:
         self._terms, self._report = terms, report
-        self._known: dict[Pair, tuple[Angle, Span]] = {}
+        self._known: dict[PointPair, tuple[Angle, Span]] = {}
         self.sought: dict[str, tuple[str, str, Span]] = {}
         self._oblique: dict[frozenset[str], Offset] = {}
         waiting = [g for g in mechanism.geometry if not isinstance(g, Offset)]
@@ -59,7 +59,7 @@ class Directions:
         match direction:
             case Absolute(formula, _):
                 return self._terms.angle(formula, name)
-            case Along(tail, head, quarter, _):
+            case AlongLine(tail, head, quarter, _):
                 known = self.of(tail, head)
                 return None if known is None else known + Angle.constant(90 * quarter)
 
@@ -70,7 +70,7 @@ class Directions:
     def _seek(self, item: Arrow | Turn) -> None:
         """Give a direction that nothing gives a name."""
         tail, head = (item.tail, item.head) if isinstance(item, Arrow) else _arm(item)
-        if isinstance(item, Arrow) and isinstance(item.direction, Along):
+        if isinstance(item, Arrow) and isinstance(item.direction, AlongLine):
             tail, head = item.direction.tail, item.direction.head
         name = f"phi_{tail}{head}"
         self.sought[name] = (tail, head, item.span)
@@ -83,7 +83,7 @@ class Directions:
                 return (tail, head) in self._known
             case Arrow(tail, head, _, direction, span):
                 assert direction is not None
-                if isinstance(direction, Along):
+                if isinstance(direction, AlongLine):
                     self._name(direction.tail, direction.head)
                 angle = self.resolve(direction, f"theta_{tail}{head}")
                 if angle is not None:
@@ -129,15 +129,15 @@ class Directions:
             self._report.add(messages.directions_disagree(span, f"{tail}{head}", known[1]))
 
 
-def _slid_along(mechanism: Mechanism) -> Iterator[Pair]:
+def _slid_along(mechanism: Mechanism) -> Iterator[PointPair]:
     """Yield the lines of slots, and those of guides with a place: loops close along them."""
     for slider in mechanism.each(Slider):
-        if isinstance(slider.along, Along) and slider.through:
+        if isinstance(slider.along, AlongLine) and slider.through:
             yield slider.along.tail, slider.along.head
     yield from ((slot.tail, slot.head) for slot in mechanism.each(Slot))
 
 
-def _arm(turn: Turn) -> Pair:
+def _arm(turn: Turn) -> PointPair:
     """Return the first arm of a turn."""
     return turn.vertex, turn.first
 

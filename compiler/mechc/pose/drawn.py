@@ -20,10 +20,10 @@ from .tolerances import DRAWN_GAP, SAME_PLACE
 from .vector_graph import mentioned
 from .vectors import Vectors
 
-Place = tuple[float, float]
+Coordinates = tuple[float, float]
 
 
-def places_of(drawn: Sequence[Drawn], values: Values) -> dict[str, Place]:
+def places_of(drawn: Sequence[Drawn], values: Values) -> dict[str, Coordinates]:
     """Return where points are drawn, in metres."""
     known = (d for d in drawn if symbols(d.x) | symbols(d.y) <= values.keys())
     return {d.point: (evaluate(d.x, values), evaluate(d.y, values)) for d in known}
@@ -62,8 +62,8 @@ def drawn_elsewhere(
 
 
 def _real(
-    places: Mapping[str, Place], vectors: Vectors, values: Values
-) -> Iterator[tuple[str, Place]]:
+    places: Mapping[str, Coordinates], vectors: Vectors, values: Values
+) -> Iterator[tuple[str, Coordinates]]:
     """Yield where drawn points are, as far as their vectors have values."""
     for point in places:
         path = vectors.path("", point)
@@ -71,7 +71,7 @@ def _real(
             yield point, evaluate_vector(path, values)
 
 
-def _size(places: Mapping[str, Place]) -> float:
+def _size(places: Mapping[str, Coordinates]) -> float:
     return max((math.hypot(*at) for at in places.values()), default=0.0)
 
 

@@ -11,9 +11,9 @@ from ..diagnostics import pose as messages
 from ..diagnostics import power as power_words
 from ..model.mechanism import ForcePair, Mechanism
 from ..named import NamedTuple
-from .pose import Arm, Definition, Vector, evaluate_vector
+from .pose import Arm, PoseDefinition, Vector, evaluate_vector
 from .samples import is_behind, poses_nearby
-from .terms import Terms
+from .terms import AlgebraicTerms
 from .vector_graph import mentioned
 from .vectors import Vectors
 
@@ -24,7 +24,7 @@ class Pairing(NamedTuple):
     """What it takes to place a pair: the vectors, the mirror line, where to report."""
 
     mechanism: Mechanism
-    terms: Terms
+    terms: AlgebraicTerms
     vectors: Vectors
     axis: Angle | None
     report: Report
@@ -80,7 +80,7 @@ def _define_length(thrust: ForcePair, length: Product, pairing: Pairing) -> None
     known = {*pairing.vectors.placeholders, *(d.name for d in pairing.terms.definitions)}
     known |= {literal.name for literal in pairing.mechanism.literals}
     if thrust.spring and name not in known:
-        pairing.terms.definitions.append(Definition(name, length.formula()))
+        pairing.terms.definitions.append(PoseDefinition(name, length.formula()))
 
 
 def _across(thrust: ForcePair, pairing: Pairing, axis: Angle) -> Angle:

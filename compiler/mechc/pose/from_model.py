@@ -17,7 +17,7 @@ from ..source import Span
 from . import assembly_checks, force_pairs, lines
 from .asked_vectors import with_directions
 from .bodies import aligned, contacts, frames, on_the_line
-from .closure import ClosingEquations, Condition, across
+from .closure import ClosingEquations, ClosureCondition, across
 from .directions import Directions
 from .drawn import drawn_elsewhere, given_by_hand, moved_from_drawing
 from .given_angles import in_given_angles
@@ -28,7 +28,7 @@ from .missing_directions import explained, unfound_angles
 from .pose import Pose
 from .pruning import pruned
 from .samples import default_pose, poses_nearby
-from .terms import Terms
+from .terms import AlgebraicTerms
 from .vector_graph import chained, mentioned
 from .vectors import Missing, Vectors, senses
 from .wheels import misfits, radii
@@ -46,7 +46,7 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
             report.add(fault)
     report.stop_on_errors()
     mechanism = with_lines(replace(mechanism, geometry=aligned(mechanism)))
-    terms = Terms(mechanism)
+    terms = AlgebraicTerms(mechanism)
     directions = Directions(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, directions)
     closed = close(mechanism, terms, directions, vectors, report)
@@ -120,7 +120,7 @@ class _Read(NamedTuple):
     """What a pose is read from, and the vectors that were found missing on the way."""
 
     mechanism: Mechanism
-    terms: Terms
+    terms: AlgebraicTerms
     directions: Directions
     vectors: Vectors
     missing: Missing
@@ -205,19 +205,21 @@ def _check_loops(pose: Pose, read: _Read, unfound: Set[str]) -> None:
             read.report.add_first(fault)
 
 
-def _loops(vectors: Vectors) -> list[Condition]:
+def _loops(vectors: Vectors) -> list[ClosureCondition]:
     """Return the condition of every loop: it closes in any direction."""
     everywhere = (Angle(), Angle.constant(90))
     return [
-        Condition(chained(p or "origin" for p in loop.points), loop.arms, everywhere, loop.span)
+        ClosureCondition(
+            chained(p or "origin" for p in loop.points), loop.arms, everywhere, loop.span
+        )
         for loop in vectors.loops
     ]
 
 
-def _guide_lines(pose: Pose, vectors: Vectors) -> Iterator[Condition]:
+def _guide_lines(pose: Pose, vectors: Vectors) -> Iterator[ClosureCondition]:
     """Yield the condition of every guide that is said to pass through a point."""
     for slider in pose.mechanism.each(Slider):
         chain = slider.through and vectors.chain(slider.point, slider.through)
         if chain:
             normal = across(pose.guides[slider.point])
-            yield Condition(chained(chain), vectors.arms(chain), (normal,), slider.span)
+            yield ClosureCondition(chained(chain), vectors.arms(chain), (normal,), slider.span)

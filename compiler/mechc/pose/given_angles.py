@@ -13,7 +13,7 @@ from ..formula.facing import Quarter, led, quarter_turned, rewritten
 from ..formula.tree import Formula, Implicit, System
 from ..frozen import replace
 from ..model.mechanism import Arrow, Turn
-from .pose import Definition, Pose, Vector, reverse
+from .pose import Pose, PoseDefinition, Vector, reverse
 
 RIGHT = 90
 """The degrees of a right angle."""
@@ -211,8 +211,10 @@ def in_given_angles(pose: Pose) -> Pose:
             systems[system] = replace(system, equations=equations)
         return replace(formula, system=systems[system])
 
-    def written(definitions: Iterable[Definition]) -> tuple[Definition, ...]:
-        return tuple(Definition(n, led(rewritten(formula, turned))) for n, formula in definitions)
+    def written(definitions: Iterable[PoseDefinition]) -> tuple[PoseDefinition, ...]:
+        return tuple(
+            PoseDefinition(n, led(rewritten(formula, turned))) for n, formula in definitions
+        )
 
     return replace(
         pose,

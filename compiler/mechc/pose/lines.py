@@ -3,10 +3,10 @@
 from collections.abc import Callable, Mapping
 
 from ..algebra.angle import Angle
-from ..algebra.intervals import Box, sign
+from ..algebra.intervals import IntervalBox, sign
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
-from ..model.mechanism import Along, Direction, Force, Mechanism, Slider
+from ..model.mechanism import AlongLine, Direction, Force, Mechanism, Slider
 from .directions import Directions
 from .pose import Vector
 from .samples import Values, is_behind
@@ -28,7 +28,7 @@ class Lines:
         vectors: Vectors,
         missing: Missing,
         poses: Callable[[], list[Values]],
-        box: Callable[[], Box],
+        box: Callable[[], IntervalBox],
         report: Report,
     ) -> None:
         self._directions, self._vectors = directions, vectors
@@ -38,11 +38,11 @@ class Lines:
         """Return a direction, of whose angle ``name`` is the name where it has to have one."""
         angle = self._directions.resolve(direction, name)
         if angle is None:
-            assert isinstance(direction, Along)
+            assert isinstance(direction, AlongLine)
             angle = self._along_path(direction, for_what)
         return angle or Angle()
 
-    def _along_path(self, direction: Along, for_what: str) -> Angle | None:
+    def _along_path(self, direction: AlongLine, for_what: str) -> Angle | None:
         """Return the direction of a vector that is a sum, named where it is no single arm.
 
         A difference on one line has a name, too, where its ends may change places.

@@ -10,7 +10,7 @@ from ..diagnostics import Diagnostic
 from ..diagnostics import open_loops as messages
 from ..diagnostics import pose as plain
 from ..model.mechanism import (
-    Along,
+    AlongLine,
     Arrow,
     Link,
     Mechanism,
@@ -23,15 +23,19 @@ from ..model.mechanism import (
 from ..model.values import bounds
 from ..source import Span
 from ..units import ANGLE, LENGTH, in_unit
-from .loops.closed import Open
-from .vector_graph import Names, mentioned
+from .loops.closed import OpenUnknowns
+from .vector_graph import NameSet, mentioned
 from .vectors import Vectors
 
-Sought = Mapping[str, tuple[str, str, Span]]
+SoughtVectors = Mapping[str, tuple[str, str, Span]]
 
 
 def explained(
-    mechanism: Mechanism, vectors: Vectors, sought: Sought, needed: Mapping[str, Link], left: Open
+    mechanism: Mechanism,
+    vectors: Vectors,
+    sought: SoughtVectors,
+    needed: Mapping[str, Link],
+    left: OpenUnknowns,
 ) -> Iterator[Diagnostic]:
     """Yield why directions are open that nothing gives: ``needed`` of them by links.
 
@@ -61,7 +65,7 @@ def explained(
 
 
 def unfound_angles(
-    mechanism: Mechanism, vectors: Vectors, found: Collection[str], left: Open
+    mechanism: Mechanism, vectors: Vectors, found: Collection[str], left: OpenUnknowns
 ) -> Iterator[Diagnostic]:
     """Yield the reasons why loops do not give the angles that the user left open, with a drive."""
     used = {n for edge in vectors.edges for n in mentioned(edge.arms)}
@@ -87,7 +91,7 @@ def _is_open(parameter: Parameter) -> bool:
     return parameter.dimension == ANGLE and parameter.value is None and parameter.range is None
 
 
-def _without_value(parameters: Sequence[Parameter], unknown: Names) -> Iterator[Diagnostic]:
+def _without_value(parameters: Sequence[Parameter], unknown: NameSet) -> Iterator[Diagnostic]:
     """Yield the lengths that loops wait for, and the angles of which a range alone is given."""
     for parameter in parameters:
         if parameter.name in unknown and parameter.dimension == LENGTH:
@@ -169,7 +173,7 @@ def _near(mechanism: Mechanism) -> str:
 
 
 def _without_input(
-    mechanism: Mechanism, needed: Mapping[str, Link], sought: Sought, left: Open
+    mechanism: Mechanism, needed: Mapping[str, Link], sought: SoughtVectors, left: OpenUnknowns
 ) -> Iterator[Diagnostic]:
     """Yield one message for loops that leave some of their unknowns open.
 
@@ -196,7 +200,7 @@ def _cycles(mechanism: Mechanism) -> Iterator[Diagnostic]:
     after = {
         frozenset((g.tail, g.head)): (g, frozenset((g.direction.tail, g.direction.head)))
         for g in mechanism.geometry
-        if isinstance(g, Arrow) and isinstance(g.direction, Along)
+        if isinstance(g, Arrow) and isinstance(g.direction, AlongLine)
     }
     seen: set[frozenset[str]] = set()
     for start in after:

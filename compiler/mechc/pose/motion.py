@@ -11,13 +11,13 @@ from ..model.mechanism import Parameter
 from ..named import NamedTuple
 from ..units import ACCELERATION, ANGLE, FREQUENCY, LENGTH, VELOCITY, Dimension
 from . import paths
-from .pose import Definition, Pose, Vector
-from .rates import Rates, Titles, first_rates, second_rates, titled
+from .pose import Pose, PoseDefinition, Vector
+from .rates import NameRates, Titles, first_rates, second_rates, titled
 
-Kind = Literal["place", "slope", "velocity", "acceleration"]
+MotionKind = Literal["place", "slope", "velocity", "acceleration"]
 
 
-class Quantity(NamedTuple):
+class MotionQuantity(NamedTuple):
     """One number of a motion: ``x_C``, ``phi_BC``, ``dx_C_dphi``, for people ``dx_C/dphi``.
 
     ``of`` is the point, or the link, whose it is, ``axis`` x or y, of a link empty.
@@ -25,7 +25,7 @@ class Quantity(NamedTuple):
 
     name: str
     shown: str
-    kind: Kind
+    kind: MotionKind
     of: str
     axis: str
     dimension: Dimension
@@ -45,8 +45,8 @@ class Motion:
     accelerations. ``definitions`` are what they rest on beside the definitions of the pose.
     """
 
-    quantities: tuple[Quantity, ...]
-    definitions: tuple[Definition, ...]
+    quantities: tuple[MotionQuantity, ...]
+    definitions: tuple[PoseDefinition, ...]
 
 
 def motion(pose: Pose, lagging: Collection[str] = ()) -> Motion | None:
@@ -77,13 +77,13 @@ def _taken(pose: Pose) -> Iterator[str]:
     yield from (parameter.name for parameter in pose.mechanism.parameters)
 
 
-def _whole(pose: Pose, quantities: Sequence[Quantity], *rates: Rates) -> Motion | None:
+def _whole(pose: Pose, quantities: Sequence[MotionQuantity], *rates: NameRates) -> Motion | None:
     """Return a motion, its names distinct from those of the pose; None without quantities."""
     numbers = {c.name for c in constants(q.formula for q in quantities)}
     taken, kept = {*_taken(pose), *numbers}, {name for name, _ in pose.definitions}
     closing = [d for d in pose.closing if d.name not in kept]
     named = [d for found in rates for d in found.named.values()]
-    apart: list[Quantity] = []
+    apart: list[MotionQuantity] = []
     for quantity in quantities:
         while quantity.name in taken and not quantity.is_named:
             quantity = quantity._replace(name=f"{quantity.name}_")
@@ -91,7 +91,7 @@ def _whole(pose: Pose, quantities: Sequence[Quantity], *rates: Rates) -> Motion 
     return Motion(tuple(apart), (*closing, *named)) if apart else None
 
 
-def _points(pose: Pose, lagging: Collection[str]) -> Iterator[Quantity]:
+def _points(pose: Pose, lagging: Collection[str]) -> Iterator[MotionQuantity]:
     """Yield the coordinates of every point that has a place."""
     lost = [link for link in pose.mechanism.links if link.name in lagging]
     for point, vector in paths.paths(pose, lost).items():
@@ -101,7 +101,7 @@ def _points(pose: Pose, lagging: Collection[str]) -> Iterator[Quantity]:
             yield _named(f"{axis}_{point}", "place", point, axis, LENGTH, formula)
 
 
-def _links(pose: Pose, lagging: Collection[str]) -> Iterator[Quantity]:
+def _links(pose: Pose, lagging: Collection[str]) -> Iterator[MotionQuantity]:
     """Yield the direction of every link: of its second point from its first."""
     for link in (link for link in pose.mechanism.rigid_links if link.name not in lagging):
         first, second, *_ = link.points
@@ -112,9 +112,9 @@ def _links(pose: Pose, lagging: Collection[str]) -> Iterator[Quantity]:
 
 
 def _named(
-    shown: str, kind: Kind, of: str, axis: str, dimension: Dimension, formula: Formula
-) -> Quantity:
-    return Quantity(shown.replace("'", "p"), shown, kind, of, axis, dimension, formula)
+    shown: str, kind: MotionKind, of: str, axis: str, dimension: Dimension, formula: Formula
+) -> MotionQuantity:
+    return MotionQuantity(shown.replace("'", "p"), shown, kind, of, axis, dimension, formula)
 
 
 def _components(vector: Vector) -> tuple[Formula, Formula]:
@@ -130,7 +130,7 @@ def _direction(vector: Vector) -> Formula:
     return Call("atan2", (y, x))
 
 
-def _slope(place: Quantity, slopes: Rates, drive: Parameter) -> Quantity | None:
+def _slope(place: MotionQuantity, slopes: NameRates, drive: Parameter) -> MotionQuantity | None:
     """Return the slope of a coordinate or a direction along the drive, None where it has none."""
     slope = slopes.of(place.formula)
     if slope is None or slope == ZERO:
@@ -144,10 +144,12 @@ def _slope(place: Quantity, slopes: Rates, drive: Parameter) -> Quantity | None:
     )
 
 
-def _rates(quantities: Sequence[Quantity], rates: Rates, kind: Kind) -> tuple[Quantity, ...]:
+def _rates(
+    quantities: Sequence[MotionQuantity], rates: NameRates, kind: MotionKind
+) -> tuple[MotionQuantity, ...]:
     """Return the velocities of places, or the accelerations of what has a velocity."""
     linear, angular = ("V", "omega") if kind == "velocity" else ("a", "epsilon")
-    made: list[Quantity] = []
+    made: list[MotionQuantity] = []
     for of in quantities:
         rate = rates.of(of.formula)
         if rate is not None and (rate != ZERO or kind == "acceleration"):
@@ -157,7 +159,7 @@ def _rates(quantities: Sequence[Quantity], rates: Rates, kind: Kind) -> tuple[Qu
     return tuple(made)
 
 
-def _dimension(kind: Kind, axis: str) -> Dimension:
+def _dimension(kind: MotionKind, axis: str) -> Dimension:
     if kind == "velocity":
         return VELOCITY if axis else FREQUENCY
     return ACCELERATION if axis else FREQUENCY.scaled(2)

@@ -68,42 +68,42 @@ class KnownVector(NamedTuple):
     vector: Plane
 
 
-class Place(NamedTuple):
+class PlacedPoint(NamedTuple):
     """Where a point is, in the part of the drawing that hangs together with ``start``."""
 
     start: str
     at: Plane
 
 
-Sweep = Mapping[str, Place]
+PointPlaces = Mapping[str, PlacedPoint]
 
 
-def placed(edges: Iterable[KnownVector]) -> dict[str, Place]:
+def placed(edges: Iterable[KnownVector]) -> dict[str, PlacedPoint]:
     """Put every point in its place, part by part, along the first way that leads there.
 
     >>> edges = [KnownVector("O", "A", Plane(1, 0)), KnownVector("B", "A", Plane(0, 2))]
     >>> placed(edges)["B"]
-    Place(start='O', at=Plane(x=1.0, y=-2.0))
+    PlacedPoint(start='O', at=Plane(x=1.0, y=-2.0))
     """
     ways: dict[str, list[tuple[str, Plane]]] = {}
     for tail, head, vector in edges:
         ways.setdefault(tail, []).append((head, vector))
         ways.setdefault(head, []).append((tail, vector.times(-1)))
-    places: dict[str, Place] = {}
+    places: dict[str, PlacedPoint] = {}
     for start in ways:
-        places.setdefault(start, Place(start, NOWHERE))
+        places.setdefault(start, PlacedPoint(start, NOWHERE))
         waiting = [start]
         while waiting:
             here = waiting.pop()
             root, at = places[here]
             for there, vector in ways[here]:
                 if there not in places:
-                    places[there] = Place(root, at.plus(vector))
+                    places[there] = PlacedPoint(root, at.plus(vector))
                     waiting.append(there)
     return places
 
 
-def between(places: Sweep, tail: str, head: str) -> Plane | None:
+def between(places: PointPlaces, tail: str, head: str) -> Plane | None:
     """Return the vector between two points, None where they are not connected."""
     a, b = places.get(tail), places.get(head)
     if a is None or b is None or a.start != b.start:

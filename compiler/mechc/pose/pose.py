@@ -33,7 +33,7 @@ Vector = tuple[Arm, ...]
 """A planar vector as a sum of arms; ``()`` is the zero vector."""
 
 
-class Definition(NamedTuple):
+class PoseDefinition(NamedTuple):
     """A named intermediate: a dependent parameter that is not simply put in."""
 
     name: str
@@ -105,7 +105,7 @@ class SolvedLoop(NamedTuple):
     is_clockwise: bool | None = None
     like: tuple[str, ...] = ()
     again: frozenset[str] = frozenset()
-    put_in: tuple[Definition, ...] = ()
+    put_in: tuple[PoseDefinition, ...] = ()
     pin: str = ""
     is_ahead: bool | None = None
 
@@ -166,7 +166,7 @@ class Pose:
     guides: Mapping[str, Angle]
     lines: Mapping[str, Angle]
     axis: Angle | None
-    definitions: tuple[Definition, ...]
+    definitions: tuple[PoseDefinition, ...]
     placeholders: Mapping[str, Product | None]
     free: tuple[str, ...]
     rates: Mapping[str, Product] = MappingProxyType({})
@@ -175,8 +175,8 @@ class Pose:
     radii: Mapping[Formula, Product] = MappingProxyType({})
     limits: tuple[Limit, ...] = ()
     loops: tuple[ClosedLoop, ...] = ()
-    closing: tuple[Definition, ...] = ()
-    put_in: tuple[Definition, ...] = ()
+    closing: tuple[PoseDefinition, ...] = ()
+    put_in: tuple[PoseDefinition, ...] = ()
     vectors: Mapping[tuple[str, str], Vector] = MappingProxyType({})
     left: Mapping[str, Angle] = MappingProxyType({})
     solved: tuple[SolvedLoop, ...] = ()

@@ -10,10 +10,10 @@ from ..formula.derivative import derivative
 from ..formula.tree import ZERO, Formula, Implicit, Symbol, product, total
 from ..formula.walk import reached, symbols, walk
 from ..model.values import Chain, dependent
-from .pose import Definition, Pose
+from .pose import Pose, PoseDefinition
 
 
-class Rates:
+class NameRates:
     """The rates of names; those that are no number have a name and a definition themselves.
 
     ``unknown`` are the names of which nothing is known: a system's solution without slopes.
@@ -21,14 +21,14 @@ class Rates:
 
     def __init__(self, rates: Mapping[str, Formula], unknown: Iterable[str] = ()) -> None:
         self.rates, self.unknown = dict(rates), set(unknown)
-        self.named: dict[str, Definition] = {}
+        self.named: dict[str, PoseDefinition] = {}
 
     def take(self, name: str, title: str, rate: Formula | None) -> None:
         """Enter the rate of a name under a title, None where it has no formula."""
         if rate is None:
             self.unknown.add(name)
         elif rate != ZERO:
-            self.rates[name], self.named[name] = Symbol(title), Definition(title, rate)
+            self.rates[name], self.named[name] = Symbol(title), PoseDefinition(title, rate)
 
     def of(self, formula: Formula) -> Formula | None:
         """Return the rate of a formula; None where it rests on what has none."""
@@ -66,13 +66,13 @@ def titled(name: str, per: str, order: int = 1) -> str:
     return f"d{power}{name}_d{per}{power}"
 
 
-def first_rates(pose: Pose, speed: Formula, titles: Titles, wanted: Iterable[Formula]) -> Rates:
+def first_rates(pose: Pose, speed: Formula, titles: Titles, wanted: Iterable[Formula]) -> NameRates:
     """Return the rates of all that formulas rest on where the drive has a speed."""
     assert pose.mechanism.drive is not None
     followed = dict(pose.closing) | dict(pose.definitions) | dependent(pose.mechanism)
     slopes = {n: slope.formula() for n, slope in pose.rates.items()}
     needed = reached(_symbols(wanted), {**followed, **slopes})
-    rates = Rates({pose.mechanism.drive.parameter: speed})
+    rates = NameRates({pose.mechanism.drive.parameter: speed})
     for name, formula in Chain(followed).definitions:
         if name in needed:
             slope = slopes.get(name)
@@ -81,9 +81,9 @@ def first_rates(pose: Pose, speed: Formula, titles: Titles, wanted: Iterable[For
     return rates
 
 
-def second_rates(first: Rates, titles: Titles) -> Rates:
+def second_rates(first: NameRates, titles: Titles) -> NameRates:
     """Return the rates of names and of their rates."""
-    rates = Rates(first.rates, first.unknown)
+    rates = NameRates(first.rates, first.unknown)
     for name, (title, formula) in first.named.items():
         rates.take(title, titles.of(name, 2), rates.of(formula))
     return rates

@@ -9,7 +9,7 @@ from ..formula.walk import symbols
 from ..model.mechanism import Mechanism, Parameter
 from ..model.values import Chain, bounds, dependent
 from ..units import ANGLE, LENGTH
-from .pose import Definition
+from .pose import PoseDefinition
 
 NUMBER = 5
 """The default pose, and two pairs of poses on either side of it."""
@@ -22,11 +22,11 @@ USUAL_ANGLE, USUAL_PART = 0.1, 0.01
 
 Values = dict[str, float]
 
-Given = list[tuple[Parameter, float | None]]
+GivenParameters = list[tuple[Parameter, float | None]]
 """Parameters that follow from no others, each with its value."""
 
 
-def poses_nearby(mechanism: Mechanism, definitions: Iterable[Definition]) -> list[Values]:
+def poses_nearby(mechanism: Mechanism, definitions: Iterable[PoseDefinition]) -> list[Values]:
     """Return the default pose and some others; what has no value gets one in the others only.
 
     The others are pairs, each of which has the default pose in its middle: of two motions that
@@ -37,7 +37,7 @@ def poses_nearby(mechanism: Mechanism, definitions: Iterable[Definition]) -> lis
     return [chain.complete(_moved(given, number)) for number in range(NUMBER)]
 
 
-def default_pose(mechanism: Mechanism, definitions: Iterable[Definition]) -> Values:
+def default_pose(mechanism: Mechanism, definitions: Iterable[PoseDefinition]) -> Values:
     """Return the first of :func:`poses_nearby`."""
     chain = Chain({**dependent(mechanism), **dict(definitions)})
     return chain.complete(_moved(_given(mechanism), 0))
@@ -50,12 +50,12 @@ def is_behind(length: Product, poses: Iterable[Values]) -> bool:
     return values is not None and length.evaluate(values) < 0
 
 
-def _given(mechanism: Mechanism) -> Given:
+def _given(mechanism: Mechanism) -> GivenParameters:
     free = [p for p in mechanism.parameters if not p.dependent]
     return [(p, None if p.value is None else evaluate(p.value, {})) for p in free]
 
 
-def _moved(given: Given, number: int) -> Values:
+def _moved(given: GivenParameters, number: int) -> Values:
     """Return values that differ from the default ones, even where those are zero."""
     lengths = (abs(v) for p, v in given if v is not None and p.dimension == LENGTH)
     longest = max(lengths, default=0.0)

@@ -13,17 +13,17 @@ from ..formula.walk import substitute, symbols
 from ..model.mechanism import Mechanism, Parameter
 from ..model.values import is_constant
 from ..units import ANGLE
-from .pose import Definition
+from .pose import PoseDefinition
 
 LONG = 40
 """A dependent parameter of more operations than this keeps its name."""
 
 
-class Terms:
+class AlgebraicTerms:
     """Turns formulas into algebra and gathers the definitions that this needs."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        self.definitions: list[Definition] = []
+        self.definitions: list[PoseDefinition] = []
         self._inner: dict[str, Formula] = {}
         self._taken = {literal.name for literal in mechanism.literals}
         dependent = {p.name: p for p in mechanism.parameters if p.dependent}
@@ -43,7 +43,7 @@ class Terms:
         if inner is not None and not is_named and count_operations(inner) <= LONG:
             self._inner[parameter.name] = inner
         else:
-            self.definitions.append(Definition(parameter.name, formula))
+            self.definitions.append(PoseDefinition(parameter.name, formula))
 
     def _inside(self, formula: Formula) -> Formula:
         return substitute(formula, self._inner) if self._inner else formula
@@ -68,8 +68,8 @@ class Terms:
             d.name == name and d.formula != formula for d in self.definitions
         ):
             name += "_"
-        if Definition(name, formula) not in self.definitions:
-            self.definitions.append(Definition(name, formula))
+        if PoseDefinition(name, formula) not in self.definitions:
+            self.definitions.append(PoseDefinition(name, formula))
         return name
 
     def length(self, formula: Formula) -> Product:

@@ -16,7 +16,7 @@ from ..named import NamedTuple
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector, reverse
 
-Names = frozenset[str]
+NameSet = frozenset[str]
 
 
 class Edge(NamedTuple):
@@ -32,14 +32,14 @@ class Edge(NamedTuple):
         return Edge(self.head, self.tail, reverse(self.arms), self.span)
 
 
-Ways = Mapping[str, list[Edge]]
+EdgesByName = Mapping[str, list[Edge]]
 """The edges that lead away from each point, walked either way."""
 
 Cycle = tuple[Edge, ...]
 """Edges each of which begins where the one before it ends, back to the first."""
 
 
-def mentioned(vector: Vector) -> Names:
+def mentioned(vector: Vector) -> NameSet:
     """Return the symbols of a vector, in lengths and in angles."""
     return frozenset(n for arm in vector for n in (*names_in(arm.length), *arm.angle.names))
 
@@ -73,7 +73,7 @@ def chained(points: Iterable[str]) -> str:
     return "-".join(dict.fromkeys(p for p in points if p and "_" not in p))
 
 
-def known_span(cycle: Cycle, unknown: Names) -> tuple[str, str] | None:
+def known_span(cycle: Cycle, unknown: NameSet) -> tuple[str, str] | None:
     """Return the ends of the known side of a loop ("0" is the origin), None of several sides."""
     fixed = [unknown.isdisjoint(mentioned(e.arms)) for e in cycle]
     starts = [i for i, k in enumerate(fixed) if k and not fixed[i - 1]]
@@ -93,7 +93,7 @@ class VectorGraph:
         self.sought = set(sought)
         self._mentions = [mentioned(e.arms) for e in self.edges]
         self._turned: list[Edge | None] = [None] * len(self.edges)
-        self._open: dict[Names, Ways] = {}
+        self._open: dict[NameSet, EdgesByName] = {}
 
     def put(self, values: Mapping[str, Angle]) -> None:
         """Replace symbols in all directions by what they were found to be."""
@@ -104,7 +104,7 @@ class VectorGraph:
         self._rewrite(written, lambda names: True)
 
     def _rewrite(
-        self, written: Callable[[Angle], Angle], is_touched: Callable[[Names], bool]
+        self, written: Callable[[Angle], Angle], is_touched: Callable[[NameSet], bool]
     ) -> None:
         """Write the directions of the edges that mention certain names in another way."""
         self._open.clear()
@@ -114,7 +114,7 @@ class VectorGraph:
                 self.edges[i], self._mentions[i] = edge._replace(arms=arms), mentioned(arms)
                 self._turned[i] = None
 
-    def _ways(self, is_way: Callable[[Edge, Names], bool]) -> Ways:
+    def _ways(self, is_way: Callable[[Edge, NameSet], bool]) -> EdgesByName:
         """Return the ways along edges, which are chosen by what they mention, too."""
         ways: dict[str, list[Edge]] = {}
         for i, edge in enumerate(self.edges):
@@ -124,7 +124,7 @@ class VectorGraph:
                 ways.setdefault(edge.head, []).append(turned)
         return ways
 
-    def pairs(self, within: Collection[str] | None = None) -> Iterator[tuple[Names, Cycle]]:
+    def pairs(self, within: Collection[str] | None = None) -> Iterator[tuple[NameSet, Cycle]]:
         """Yield each cycle of one or two unknowns, the fewest first.
 
         ``within`` restricts it to the points of one body. After the unknowns of a cycle
@@ -137,12 +137,12 @@ class VectorGraph:
             if _closes(edges, clusters) and (cycle := self._cycle(wanted, edges, clusters, ways)):
                 yield wanted, cycle
 
-    def _loose(self, within: Collection[str] | None) -> list[tuple[Edge, Names]]:
+    def _loose(self, within: Collection[str] | None) -> list[tuple[Edge, NameSet]]:
         """Return the edges that mention something sought, with what they do."""
         marked = ((e, m & self.sought) for e, m in zip(self.edges, self._mentions, strict=True))
         return [(e, m) for e, m in marked if m and _inside(e, within)]
 
-    def _clusters(self, ways: Ways) -> dict[str, int]:
+    def _clusters(self, ways: EdgesByName) -> dict[str, int]:
         """Return for each point the number of its cluster."""
         number: dict[str, int] = {}
         for start in dict.fromkeys(p for e in self.edges for p in (e.tail, e.head)):
@@ -151,12 +151,12 @@ class VectorGraph:
                     number[point] = len(number) if point == start else number[start]
         return number
 
-    def _known_ways(self, within: Collection[str] | None) -> Ways:
+    def _known_ways(self, within: Collection[str] | None) -> EdgesByName:
         return self._ways(lambda e, names: self.sought.isdisjoint(names) and _inside(e, within))
 
     def _candidates(
-        self, loose: list[tuple[Edge, Names]], clusters: Mapping[str, int]
-    ) -> Iterator[Names]:
+        self, loose: list[tuple[Edge, NameSet]], clusters: Mapping[str, int]
+    ) -> Iterator[NameSet]:
         """Yield sets of one unknown, then of two whose edges meet in a cluster.
 
         Those of two in one cycle meet in two clusters, so that one of all, the greatest, need
@@ -165,7 +165,7 @@ class VectorGraph:
         small = [(e, m) for e, m in loose if len(m) <= 2]
         singles = {m for _, m in small if len(m) == 1}
         yield from sorted(singles, key=sorted)
-        meeting: dict[int, set[Names]] = {}
+        meeting: dict[int, set[NameSet]] = {}
         for edge, names in small:
             for point in (edge.tail, edge.head):
                 meeting.setdefault(clusters[point], set()).add(names)
@@ -175,7 +175,7 @@ class VectorGraph:
         yield from sorted(found, key=sorted)
 
     def _cycle(
-        self, wanted: Names, loose: Iterable[Edge], clusters: Mapping[str, int], ways: Ways
+        self, wanted: NameSet, loose: Iterable[Edge], clusters: Mapping[str, int], ways: EdgesByName
     ) -> Cycle | None:
         """Return a cycle whose unknowns are just those wanted, of edges that mention no others."""
         forest: list[Edge] = []
@@ -220,7 +220,7 @@ class VectorGraph:
                     queue.append(edge.head)
         return found
 
-    def _open_ways(self, values: Mapping[str, float]) -> Ways:
+    def _open_ways(self, values: Mapping[str, float]) -> EdgesByName:
         """Return the ways along edges that have values."""
         names = frozenset(values)
         if names not in self._open:
@@ -228,7 +228,7 @@ class VectorGraph:
         return self._open[names]
 
 
-def _reach(start: str, ways: Ways) -> Iterator[str]:
+def _reach(start: str, ways: EdgesByName) -> Iterator[str]:
     """Yield the points to which ways lead from one, itself the first."""
     seen, queue = {start}, deque([start])
     while queue:
@@ -240,18 +240,18 @@ def _reach(start: str, ways: Ways) -> Iterator[str]:
                 queue.append(edge.head)
 
 
-_ByNames = Mapping[Names, list[tuple[int, Edge]]]
+_ByNames = Mapping[NameSet, list[tuple[int, Edge]]]
 """Edges, each with its place among all, by what they mention that is sought."""
 
 
-def _by_names(loose: Iterable[tuple[Edge, Names]]) -> _ByNames:
-    found: dict[Names, list[tuple[int, Edge]]] = {}
+def _by_names(loose: Iterable[tuple[Edge, NameSet]]) -> _ByNames:
+    found: dict[NameSet, list[tuple[int, Edge]]] = {}
     for i, (edge, names) in enumerate(loose):
         found.setdefault(names, []).append((i, edge))
     return found
 
 
-def _mentioning(wanted: Names, by_names: _ByNames) -> list[Edge]:
+def _mentioning(wanted: NameSet, by_names: _ByNames) -> list[Edge]:
     """Return the edges that mention one or two names and no others, in their order."""
     parts = {wanted, *(frozenset((name,)) for name in wanted)}
     places = dict(place for part in parts for place in by_names.get(part, ()))
@@ -273,7 +273,7 @@ def _closes(edges: Iterable[Edge], clusters: Mapping[str, int]) -> bool:
     return False
 
 
-def _joined(steps: tuple[Edge, ...], ways: Ways) -> Cycle:
+def _joined(steps: tuple[Edge, ...], ways: EdgesByName) -> Cycle:
     """Fill the gaps between the edges of a cycle of clusters with known vectors."""
     cycle: list[Edge] = []
     for edge, following in zip(steps, (*steps[1:], steps[0]), strict=True):
@@ -310,7 +310,7 @@ def _path(
     return tuple(reversed(path))
 
 
-def _shortest(start: str, goal: str, ways: Ways) -> list[Edge]:
+def _shortest(start: str, goal: str, ways: EdgesByName) -> list[Edge]:
     came: dict[str, Edge | None] = {start: None}
     queue = deque([start])
     while queue and goal not in came:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Literal
 
 from ..algebra.angle import Angle
-from ..algebra.intervals import Box, sign
+from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import Product
 from ..formula.tree import ZERO
 from ..formula.walk import symbols
@@ -28,7 +28,7 @@ from ..named import NamedTuple
 from ..source import Span
 from .directions import Directions
 from .pose import Arm, Vector, components, gathered, halved, measured_by, reverse, turned_by
-from .terms import Terms
+from .terms import AlgebraicTerms
 from .vector_graph import Edge
 
 ORIGIN = ""
@@ -60,7 +60,7 @@ class Vectors:
     the closed chains, one for each vector between points that were connected before.
     """
 
-    def __init__(self, mechanism: Mechanism, terms: Terms, directions: Directions) -> None:
+    def __init__(self, mechanism: Mechanism, terms: AlgebraicTerms, directions: Directions) -> None:
         self._terms, self._directions = terms, directions
         self._mechanism = mechanism
         self._edges: dict[str, dict[str, Vector]] = {}
@@ -114,7 +114,7 @@ class Vectors:
         return arm.angle
 
     @cached_property
-    def _box(self) -> Box:
+    def _box(self) -> IntervalBox:
         """What values may be, for vectors whose sense the drawing leaves open."""
         return allowed_box(self._mechanism)
 

@@ -11,7 +11,7 @@ from ..algebra.product import Product
 from ..algebra.rank import independent_of
 from ..algebra.sums import add, canonical
 from ..frozen import frozen
-from ..kinematics.plan import Plan, Speeds
+from ..kinematics.plan import Plan, SpeedFactors
 from ..model.mechanism import Load
 from ..model.result import Result
 
@@ -27,18 +27,18 @@ class Term:
 
     load: Load
     count: Product
-    speed: Speeds
+    speed: SpeedFactors
     line: Angle | None
     tie: tuple[str, Product] | None = None
 
     @property
-    def power(self) -> Speeds:
+    def power(self) -> SpeedFactors:
         """Return the power per unit of the load."""
         return tuple(self.count * s for s in self.speed)
 
 
 @frozen
-class Equations:
+class PowerEquations:
     """``Σ columns[load][i] · load = 0`` for each independent motion i that moves a load.
 
     Tied loads are taken into the column of the load they are tied to, one of the ``owners``,
@@ -109,7 +109,7 @@ class Release:
 
 
 @frozen
-class Solved:
+class AlgebraicResult:
     """A result as algebra, before it is turned into a formula.
 
     ``value`` is None for a let. ``above`` and ``below`` are the loads of a ratio,
@@ -133,9 +133,9 @@ class Balance:
 
     plan: Plan
     terms: tuple[Term, ...]
-    equations: Equations
+    equations: PowerEquations
     driving: tuple[str, ...]
-    solved: tuple[Solved, ...]
+    solved: tuple[AlgebraicResult, ...]
     reading: Plan
 
     @property
@@ -144,7 +144,7 @@ class Balance:
         return tuple(s.result for s in self.solved)
 
 
-def equations_of(terms: Sequence[Term]) -> Equations:
+def equations_of(terms: Sequence[Term]) -> PowerEquations:
     """Return the independent power equations of the loads in a plan."""
     owners = _owners(terms)
     columns = _columns(terms, owners)
@@ -152,7 +152,7 @@ def equations_of(terms: Sequence[Term]) -> Equations:
     motions = len(terms[0].speed) if terms else 0
     rows = [{n: c[m] for n, c in enumerate(powers.values()) if c[m]} for m in range(motions)]
     kept = independent_of(rows)
-    return Equations(
+    return PowerEquations(
         owners,
         {n: [p for p, keep in zip(c, kept, strict=True) if keep] for n, c in powers.items()},
         powers,

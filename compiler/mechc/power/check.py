@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
-from ..algebra.modular import Point
+from ..algebra.modular import ModularPoint
 from ..algebra.product import Product
 from ..algebra.rank import independent
 from ..formula.evaluate import evaluate
@@ -12,7 +12,7 @@ from ..formula.walk import substitute, symbols, walk
 from ..model.mechanism import LoadRatio, Mechanism, Parameter, Torque
 from ..model.result import Definition, Result
 from ..units import Dimension
-from .balance import Balance, Equations, Solved
+from .balance import AlgebraicResult, Balance, PowerEquations
 from .numbers import default_values
 from .tolerances import SAME_IN_OTHER_UNITS, SAME_RESULT
 
@@ -51,7 +51,7 @@ def _terms(balance: Balance) -> Iterator[str]:
 
 def _columns(balance: Balance) -> Iterator[str]:
     """Yield the faults of the columns: each is the power of its load and those tied to it."""
-    equations, point = balance.equations, Point()
+    equations, point = balance.equations, ModularPoint()
     sums = {name: [0] * balance.plan.mobility for name, _ in equations.owners.values()}
     for term in balance.terms:
         owner, factor = equations.owners[term.load.name]
@@ -69,7 +69,7 @@ def _columns(balance: Balance) -> Iterator[str]:
             yield f"the column of {name} is of other motions than those that move loads"
 
 
-def _balanced(solved: Solved, equations: Equations) -> Iterator[str]:
+def _balanced(solved: AlgebraicResult, equations: PowerEquations) -> Iterator[str]:
     """Yield a ratio of loads with which the power equations do not vanish."""
     if not isinstance(solved.result.target, LoadRatio) or solved.value is None:
         return
@@ -83,9 +83,9 @@ def _balanced(solved: Solved, equations: Equations) -> Iterator[str]:
         yield f"{solved.result.name} does not balance {solved.above} and {solved.below}"
 
 
-def _residues(equations: Equations, loads: Mapping[str, Product]) -> dict[int, int]:
+def _residues(equations: PowerEquations, loads: Mapping[str, Product]) -> dict[int, int]:
     """Return the power of some loads in each independent motion, without zeros."""
-    point = Point()
+    point = ModularPoint()
     sums = {
         i: sum((size * equations.columns[n][i]).residue(point) for n, size in loads.items())
         for i in range(equations.number)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, partial
 
 from ..algebra.product import Product, Sum
-from ..algebra.sums import Bound
+from ..algebra.sums import BoundSum
 from ..diagnostics import Report
 from ..diagnostics import power as messages
 from ..diagnostics import reactions as reaction_messages
@@ -65,7 +65,7 @@ def open_lengths(plan: Plan, formulas: Iterable[Formula]) -> list[str]:
 def bound_names(value: Product) -> Iterator[str]:
     """Yield the bound names that a product mentions, in its sums too."""
     for factor in value.factors:
-        if isinstance(factor, Bound):
+        if isinstance(factor, BoundSum):
             yield factor.name
         elif isinstance(factor, Sum):
             for term in factor.terms:

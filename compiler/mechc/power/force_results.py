@@ -8,13 +8,13 @@ from ..model.mechanism import Find, ForceAtJoint, Normal, Reaction
 from ..model.result import Definition, Result
 from ..source import Span
 from ..units import ANGLE, FORCE
-from .balance import Solved
+from .balance import AlgebraicResult
 from .definitions import intermediates, resting_on
-from .joint_forces import Found, called, find_force, joint_of
-from .problem import Problem
+from .joint_forces import ForceFormula, called, find_force, joint_of
+from .problem import PowerProblem
 
 
-def joint_force(problem: Problem, find: Find, asked: ForceAtJoint) -> Solved | None:
+def joint_force(problem: PowerProblem, find: Find, asked: ForceAtJoint) -> AlgebraicResult | None:
     """Return a force at a joint; None, with an error reported, where it is open."""
     pose, report = problem.plan.graph.pose, problem.report
     point = joint_of(asked, pose).point
@@ -29,10 +29,10 @@ def joint_force(problem: Problem, find: Find, asked: ForceAtJoint) -> Solved | N
     if found is None:
         report.add(_open(problem, find.span, called(asked)))
         return None
-    return Solved(_result(problem, find, asked, found), releases=found.releases)
+    return AlgebraicResult(_result(problem, find, asked, found), releases=found.releases)
 
 
-def _result(problem: Problem, find: Find, asked: ForceAtJoint, found: Found) -> Result:
+def _result(problem: PowerProblem, find: Find, asked: ForceAtJoint, found: ForceFormula) -> Result:
     where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
     problem.check_lengths(find, [found.formula, *(d.formula for d in where)])
     given = _given_loads(problem, found)
@@ -49,7 +49,7 @@ def _result(problem: Problem, find: Find, asked: ForceAtJoint, found: Found) -> 
     )
 
 
-def _given_loads(problem: Problem, found: Found) -> list[Definition]:
+def _given_loads(problem: PowerProblem, found: ForceFormula) -> list[Definition]:
     """Return the loads in a force whose size the description gives."""
     loads, used = (
         (*problem.equations.columns, *problem.equations.idle_loads),
@@ -59,7 +59,7 @@ def _given_loads(problem: Problem, found: Found) -> list[Definition]:
     return [Definition(name, size) for name, size in given if size]
 
 
-def _open(problem: Problem, at: Span, force: str) -> Diagnostic:
+def _open(problem: PowerProblem, at: Span, force: str) -> Diagnostic:
     """Return why a force at a joint is open: no load holds the mechanism, or too much does."""
     needed, holding = problem.equations.number, len(problem.driving)
     if holding < needed:

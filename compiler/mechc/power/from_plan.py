@@ -17,11 +17,11 @@ from ..model.mechanism import (
     WithFriction,
 )
 from . import force_results, speed_results
-from .balance import Balance, Solved
+from .balance import AlgebraicResult, Balance
 from .load_results import load_form, load_ratio
 from .loose import warn_of_idle_loads, warn_of_idle_motions
 from .numbers import checked
-from .problem import Problem, problem_of
+from .problem import PowerProblem, problem_of
 
 
 def balance(plan: Plan, report: Report) -> Balance:
@@ -42,7 +42,7 @@ def balance(plan: Plan, report: Report) -> Balance:
     return replace(balanced, solved=checked(balanced, problem.numbers, report))
 
 
-def _answer(problem: Problem, find: Find) -> Solved | None:
+def _answer(problem: PowerProblem, find: Find) -> AlgebraicResult | None:
     """Return the solution of a query; None where it is undetermined, or asks for friction."""
     match find.target:
         case LoadRatio() as ratio:

@@ -33,7 +33,7 @@ SQUARES = 1
 Amounts = Mapping[str, Product]
 
 
-class Found(NamedTuple):
+class ForceFormula(NamedTuple):
     """A force at a joint: its formula, and, where it is a linear form, its coefficients.
 
     ``values`` is the algebra behind it, ``releases`` are how it was found.
@@ -50,7 +50,7 @@ class Found(NamedTuple):
         return tuple(release.plan for release in self.releases)
 
 
-def find_force(target: ForceAtJoint, pose: Pose, reactions: Reactions) -> Found | None:
+def find_force(target: ForceAtJoint, pose: Pose, reactions: Reactions) -> ForceFormula | None:
     """Return a force at a joint; None where equilibrium leaves it open."""
     transmitted = reactions.of(joint_of(target, pose))
     if transmitted is None:
@@ -156,15 +156,17 @@ def _outwards(link: str, tail: str, head: str, pose: Pose) -> Vector:
     return (Arm(ONE, arm.angle + HALF_TURN if turned else arm.angle),)
 
 
-def _linear(transmitted: Transmitted, amounts: Amounts) -> Found:
-    return Found(_form(_kept(amounts)), amounts, tuple(amounts.values()), transmitted.releases)
+def _linear(transmitted: Transmitted, amounts: Amounts) -> ForceFormula:
+    return ForceFormula(
+        _form(_kept(amounts)), amounts, tuple(amounts.values()), transmitted.releases
+    )
 
 
 def _form(amounts: Amounts) -> Formula:
     return total(product([(a.formula(), 1), (Symbol(n), 1)]) for n, a in amounts.items())
 
 
-def _whole(part: ComponentPart, transmitted: Transmitted, mechanism: Mechanism) -> Found:
+def _whole(part: ComponentPart, transmitted: Transmitted, mechanism: Mechanism) -> ForceFormula:
     """Return the size of a force, or its direction."""
     x, y = (_kept(transmitted.along(axis)) for axis in (Angle(), QUARTER))
     loads = dict.fromkeys((*x, *y))
@@ -178,7 +180,7 @@ def _whole(part: ComponentPart, transmitted: Transmitted, mechanism: Mechanism) 
         formula = total(
             product([(s.formula(), 1), (Call("abs", (Symbol(n),)), 1)]) for n, s in sizes.items()
         )
-    return Found(formula, None, (*x.values(), *y.values()), transmitted.releases)
+    return ForceFormula(formula, None, (*x.values(), *y.values()), transmitted.releases)
 
 
 def _kept(amounts: Amounts) -> Amounts:

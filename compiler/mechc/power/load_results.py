@@ -11,14 +11,14 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Find, LoadForm, LoadRatio
 from ..model.result import Definition, Result
-from .balance import Solved
+from .balance import AlgebraicResult
 from .definitions import intermediates
 from .loads import at_rest, held_drives
 from .loose import looseness
-from .problem import Problem
+from .problem import PowerProblem
 
 
-def load_ratio(problem: Problem, find: Find, asked: LoadRatio) -> Solved | None:
+def load_ratio(problem: PowerProblem, find: Find, asked: LoadRatio) -> AlgebraicResult | None:
     """Return a load per unit of another, others being absent; None where that is not fixed.
 
     Reports E501 … E503 there.
@@ -39,7 +39,7 @@ def load_ratio(problem: Problem, find: Find, asked: LoadRatio) -> Solved | None:
     return _ratio(problem, find, asked, value, shown)
 
 
-def _is_determined(problem: Problem, find: Find, asked: LoadRatio, unknown: list[str]) -> bool:
+def _is_determined(problem: PowerProblem, find: Find, asked: LoadRatio, unknown: list[str]) -> bool:
     """Return whether the equations give the unknown loads, the one asked for first."""
     equations, report, (upper, *others) = problem.equations, problem.report, unknown
     above, below = asked.above, asked.below
@@ -57,28 +57,32 @@ def _is_determined(problem: Problem, find: Find, asked: LoadRatio, unknown: list
     return True
 
 
-def _not_balanced(problem: Problem, find: Find, load: str, by: str) -> Diagnostic:
+def _not_balanced(problem: PowerProblem, find: Find, load: str, by: str) -> Diagnostic:
     """Return E501: one load cannot balance another one, or the others."""
     mechanism = problem.mechanism
     rest = at_rest(problem.loads[by], mechanism) if by in problem.equations.idle_loads else ""
     return messages.load_not_balanced(find.span, load, by, held_drives(mechanism), rest)
 
 
-def _report_too_few(problem: Problem, find: Find, unknown: list[str]) -> None:
+def _report_too_few(problem: PowerProblem, find: Find, unknown: list[str]) -> None:
     number, loose = problem.equations.number, looseness(problem.mechanism)
     problem.report.add(messages.unknown_loads_do_not_match(find.span, unknown, number, loose))
 
 
 def _ratio(
-    problem: Problem, find: Find, asked: LoadRatio, value: Product, shown: Product | None = None
-) -> Solved:
+    problem: PowerProblem,
+    find: Find,
+    asked: LoadRatio,
+    value: Product,
+    shown: Product | None = None,
+) -> AlgebraicResult:
     above, below = problem.dimension(asked.above), problem.dimension(asked.below)
     shown = value if shown is None else shown
     result = problem.result(find, shown.formula(), above.over(below), [shown])
-    return Solved(result, value, asked.above, asked.below)
+    return AlgebraicResult(result, value, asked.above, asked.below)
 
 
-def load_form(problem: Problem, find: Find, load: str) -> Solved | None:
+def load_form(problem: PowerProblem, find: Find, load: str) -> AlgebraicResult | None:
     """Return a load as a linear form in those known; None where the equations do not give it.
 
     Reports E501 … E503 there.
@@ -94,10 +98,10 @@ def load_form(problem: Problem, find: Find, load: str) -> Solved | None:
         return None
     known = [n for n in equations.columns if n not in unknown]
     values = {n: equations.solve(load, unknown, n) for n in known}
-    return Solved(_linear(problem, find, load, values), None, load)
+    return AlgebraicResult(_linear(problem, find, load, values), None, load)
 
 
-def _linear(problem: Problem, find: Find, load: str, values: Mapping[str, Product]) -> Result:
+def _linear(problem: PowerProblem, find: Find, load: str, values: Mapping[str, Product]) -> Result:
     coefficients = {n: v.formula() for n, v in values.items() if v}
     formula = total(product([(c, 1), (Symbol(n), 1)]) for n, c in coefficients.items())
     result = problem.result(find, formula, problem.dimension(load), list(values.values()))

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from ..diagnostics import Report, syntax
 from ..diagnostics import power as messages
 from ..formula.walk import symbols
-from ..kinematics.graph import Kind
+from ..kinematics.graph import SpeedKind
 from ..model.mechanism import (
     Contact,
     Feed,
@@ -19,7 +19,7 @@ from ..model.mechanism import (
 from ..model.result import Result
 from .balance import Balance
 from .loads import at_rest, held_drives
-from .problem import Problem
+from .problem import PowerProblem
 
 FEW = 3
 """Parts that a hint names."""
@@ -98,7 +98,7 @@ def _held_otherwise(link: str, mechanism: Mechanism) -> bool:
     return any(link in joint.bodies for joint in holding)
 
 
-def warn_of_idle_motions(problem: Problem) -> None:
+def warn_of_idle_motions(problem: PowerProblem) -> None:
     """Name what the idle motions are measured by: links that turn, points that move."""
     mechanism, idle = problem.mechanism, problem.equations.idle_motions
     asks_for_loads = any(not isinstance(f.target, SpeedRatio) for f in mechanism.finds)
@@ -108,7 +108,7 @@ def warn_of_idle_motions(problem: Problem) -> None:
     drives = [plan.graph.unknowns[plan.drives[i]] for i in idle]
     spans = {f"link {k.name}": k.span for k in mechanism.links}
     spans |= {f"point {p}": span for p, span in mechanism.spans.items()}
-    named = [f"{'link' if d.kind is Kind.SPIN else 'point'} {d.of}" for d in drives]
+    named = [f"{'link' if d.kind is SpeedKind.SPIN else 'point'} {d.of}" for d in drives]
     what = sorted(dict.fromkeys(named), key=lambda name: spans[name])
     problem.report.add(messages.idle_freedom(spans[what[0]], what))
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from ..algebra.angle import Rational, rational
 from ..algebra.factors import Factor, Opaque, Trig
 from ..algebra.from_formula import to_product
-from ..algebra.intervals import Box, sign
+from ..algebra.intervals import IntervalBox, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
@@ -34,7 +34,7 @@ def magnitude(value: Product, mechanism: Mechanism) -> Product:
     return result * _bars(barred)
 
 
-def _sense(factor: Product, box: Box) -> int:
+def _sense(factor: Product, box: IntervalBox) -> int:
     """Return the sign of a factor that no angle enters, 0 for others and where it is open."""
     if any(isinstance(f, Trig) and f.angle.terms for f in _leaves(factor)):
         return 0

@@ -9,8 +9,8 @@ from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as messages
-from ..formula.evaluate import Evaluation
-from ..formula.rounding import Rounding, Size, beyond_rounding, without_value
+from ..formula.evaluate import Evaluator
+from ..formula.rounding import PrintedNumber, Rounding, beyond_rounding, without_value
 from ..formula.to_text import text
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import symbols
@@ -30,7 +30,7 @@ from ..model.values import (
     valued,
 )
 from ..pose.pose import Pose
-from .balance import Balance, Solved
+from .balance import AlgebraicResult, Balance
 from .tolerances import VANISHED
 
 STEPS = 24
@@ -79,7 +79,7 @@ class DefaultNumbers:
         mentioned = own & symbols(*formulas)
         return not any(math.isnan(self.values.get(name, 0.0)) for name in mentioned)
 
-    def of(self, result: Result) -> Size:
+    def of(self, result: Result) -> PrintedNumber:
         """Return the value of a result there; no number where something it needs has none.
 
         NaN that no condition makes is 0/0 or a pole. What has conditions may have a form for
@@ -107,7 +107,7 @@ class _Chained:
     def __init__(self, values: Mapping[str, float], rounding: Rounding) -> None:
         self.values, self.rounding = dict(values), Rounding({})
         self.rounding.values.update(rounding.values)
-        self._evaluation = Evaluation(self.values)
+        self._evaluation = Evaluator(self.values)
         self._formulas: dict[str, Formula] = {}
 
     def takes(self, where: Sequence[tuple[str, Formula]]) -> bool:
@@ -122,23 +122,25 @@ class _Chained:
         return True
 
 
-def with_default(result: Result, size: Size) -> Result:
+def with_default(result: Result, size: PrintedNumber) -> Result:
     """Return a result with its value at the default pose, if it has a finite one."""
     finite = size.number is not None and math.isfinite(size.number)
     default = size.number if finite else None
     return replace(result, default=default, undetermined=size.undetermined)
 
 
-def checked(balance: Balance, numbers: DefaultNumbers, report: Report) -> tuple[Solved, ...]:
+def checked(
+    balance: Balance, numbers: DefaultNumbers, report: Report
+) -> tuple[AlgebraicResult, ...]:
     """Return the results with their default values; report what is not regular there."""
     is_branch = _check_branch(balance, numbers.values, report)
     finds = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
-    solved: list[Solved] = []
+    solved: list[AlgebraicResult] = []
     arrows, is_at_rest = Arrows(balance, report), _are_at_rest(balance, numbers.values)
     for item in balance.solved:
         size = numbers.of(item.result)
         if is_at_rest and isinstance(item.result.target, LoadRatio):
-            size = Size(None, undetermined=True)
+            size = PrintedNumber(None, undetermined=True)
         if size.number is not None and not is_branch:
             find = finds[item.result.name]
             _remark(item, size.number, numbers.values, find, arrows, report)
@@ -301,7 +303,7 @@ def _is_regular(block: Block, rows: Sequence[Mapping[int, float]]) -> bool:
 
 
 def _remark(
-    item: Solved,
+    item: AlgebraicResult,
     number: float,
     values: Mapping[str, float],
     find: Find,

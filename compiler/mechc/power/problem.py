@@ -15,18 +15,18 @@ from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
 from ..model.result import Result
 from ..units import Dimension
 from . import reactions
-from .balance import Equations, Term, equations_of
+from .balance import PowerEquations, Term, equations_of
 from .definitions import open_lengths, resting_on
 from .loads import given_size, terms
 from .numbers import DefaultNumbers
-from .reading import Reading
+from .reading import RatioReader
 
 if TYPE_CHECKING:
     from .reactions import Reactions
 
 
 @frozen
-class Problem:
+class PowerProblem:
     """The power equations of a plan, and the loads in them.
 
     ``asked_for`` are the loads that do work and are asked for, ``left`` those that work, have
@@ -36,8 +36,8 @@ class Problem:
 
     plan: Plan
     terms: tuple[Term, ...]
-    equations: Equations
-    reading: Reading
+    equations: PowerEquations
+    reading: RatioReader
     report: Report
     loads: Mapping[str, Load]
     asked_for: tuple[str, ...]
@@ -86,7 +86,7 @@ class Problem:
             self.report.add_first(messages.length_not_given(find.span, find.name, missing))
 
 
-def problem_of(plan: Plan, report: Report) -> Problem:
+def problem_of(plan: Plan, report: Report) -> PowerProblem:
     """Return the power equations of a plan, and what is known of their loads."""
     mechanism, parts = plan.graph.pose.mechanism, terms(plan)
     equations = equations_of(parts)
@@ -99,8 +99,8 @@ def problem_of(plan: Plan, report: Report) -> Problem:
     def at_joints() -> "Reactions":
         return reactions.Reactions(plan.graph.pose, problem.driving, known=(plan,))
 
-    reading, numbers = Reading(plan), DefaultNumbers(plan)
-    problem = Problem(
+    reading, numbers = RatioReader(plan), DefaultNumbers(plan)
+    problem = PowerProblem(
         plan=plan,
         terms=parts,
         equations=equations,
@@ -115,7 +115,7 @@ def problem_of(plan: Plan, report: Report) -> Problem:
     return problem
 
 
-def _asked_for(mechanism: Mechanism, equations: Equations) -> tuple[str, ...]:
+def _asked_for(mechanism: Mechanism, equations: PowerEquations) -> tuple[str, ...]:
     """Return the loads that are asked for, and do work."""
     targets = [f.target for f in mechanism.finds]
     asked = [t.above for t in targets if isinstance(t, LoadRatio)]

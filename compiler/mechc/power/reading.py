@@ -13,7 +13,7 @@ from ..kinematics.plan import Plan
 from ..kinematics.standing import StandingPlan, in_ratios, standing
 from ..model.mechanism import Mechanism
 from ..pose.given_angles import given_lines
-from .balance import Equations, equations_of
+from .balance import PowerEquations, equations_of
 from .definitions import bound_sums, resting_on
 from .loads import terms
 from .numbers import default_values
@@ -25,7 +25,7 @@ LINE = 24
 """Operations that are taken in at a glance: a longer ratio may rest on named ratios of speeds."""
 
 
-class Reading:
+class RatioReader:
     """Writes ratios as they are read; ``plan`` is the one that has the names they mention."""
 
     def __init__(self, plan: Plan) -> None:
@@ -44,7 +44,7 @@ class Reading:
         """Return the quarter turns that bring angles to those between given lines."""
         return given_lines(self._plan.graph.pose)
 
-    def read(self, value: Product, solved: Callable[[Equations], Product]) -> Product:
+    def read(self, value: Product, solved: Callable[[PowerEquations], Product]) -> Product:
         """Return a ratio as it is read, and note the plan that it rests on.
 
         ``solved`` gives it by power equations.

@@ -3,17 +3,17 @@
 from ..algebra.angle import Angle
 from ..algebra.sums import canonical
 from ..diagnostics import power as messages
-from ..kinematics.plan import Plan, Speeds
+from ..kinematics.plan import Plan, SpeedFactors
 from ..model.mechanism import Find, Speed, SpeedRatio
 from ..named import NamedTuple
 from ..pose.pose import Arm, gathered
 from ..units import FREQUENCY, VELOCITY, Dimension
-from .balance import Solved
+from .balance import AlgebraicResult
 from .magnitudes import length, magnitude
-from .problem import Problem
+from .problem import PowerProblem
 
 
-def speed_ratio(problem: Problem, find: Find, asked: SpeedRatio) -> Solved | None:
+def speed_ratio(problem: PowerProblem, find: Find, asked: SpeedRatio) -> AlgebraicResult | None:
     """Return a speed per unit of another; None where that one is nothing, or they are unrelated.
 
     Reports E504 and E505 there.
@@ -32,7 +32,7 @@ def speed_ratio(problem: Problem, find: Find, asked: SpeedRatio) -> Solved | Non
     if not (signed and signed_below):
         value = magnitude(value, problem.mechanism)
     dimension = _dimension(above).over(_dimension(below))
-    return Solved(problem.result(find, value.formula(), dimension, [value]), value)
+    return AlgebraicResult(problem.result(find, value.formula(), dimension, [value]), value)
 
 
 def _dimension(wanted: Speed) -> Dimension:
@@ -42,7 +42,7 @@ def _dimension(wanted: Speed) -> Dimension:
 class Rate(NamedTuple):
     """A speed per unit of each drive; ``signed`` if one of its two senses is positive."""
 
-    speeds: Speeds
+    speeds: SpeedFactors
     signed: bool = True
 
 
@@ -75,7 +75,7 @@ def _about_pivot(plan: Plan, point: str) -> Rate | None:
     return None
 
 
-def _lengths(plan: Plan, point: str) -> Speeds:
+def _lengths(plan: Plan, point: str) -> SpeedFactors:
     """Return |V| per unit of each drive, its sign open."""
     velocity = plan.graph.velocities[point]
     return tuple(

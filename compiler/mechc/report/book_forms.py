@@ -11,7 +11,7 @@ from fractions import Fraction
 from itertools import combinations
 
 from ..algebra.angle import Angle
-from ..algebra.factors import Constant, Factor, Length, Opaque
+from ..algebra.factors import ConstantSymbol, Factor, Length, Opaque
 from ..algebra.from_formula import is_transparent, to_angle, to_product
 from ..algebra.product import Product
 from ..algebra.product import Sum as FactoredSum
@@ -234,7 +234,7 @@ def _root(square: Formula, side: Formula, positive: Set[str]) -> Product | None:
 def _stays(factor: Factor, positive: Set[str]) -> bool:
     """Return whether a factor is positive, by what it is made of."""
     match factor:
-        case Constant(_, value):
+        case ConstantSymbol(_, value):
             return evaluate(value, {}) > 0
         case Length(name):
             return name in positive

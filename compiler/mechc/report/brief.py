@@ -7,9 +7,9 @@ from ..formula.tree import Formula, Sum, Symbol, product
 from ..model.mechanism import LoadRatio, Mechanism
 from ..model.values import is_constant
 from .evaluated import Evaluated
-from .sections import Outline
+from .sections import ReportOutline
 from .sentences.remarks import asked
-from .sentences.wording import Sides, lines
+from .sentences.wording import EquationSides, lines
 from .steps import Derivation, Equation
 
 LONG = 24
@@ -20,14 +20,14 @@ MANY = 12
 """With more values than this the numbers put into those of the position would fill a page."""
 
 
-def relations(derivation: Derivation) -> Iterator[Sides]:
+def relations(derivation: Derivation) -> Iterator[EquationSides]:
     """Yield the equations of each step, solved for the new speeds where its rule is not."""
     for step in derivation.steps:
         said, hence = lines(step)
         yield from map(_at_once, hence or said)
 
 
-def _at_once(sides: Sides) -> Sides:
+def _at_once(sides: EquationSides) -> EquationSides:
     """Return a chain without what it goes on to behind a sum, which takes a line by itself."""
     return sides[:2] if isinstance(sides[1], Sum) else sides
 
@@ -49,7 +49,7 @@ def short(
 
 
 def at_length(
-    found: Iterable[Evaluated], whole: Outline
+    found: Iterable[Evaluated], whole: ReportOutline
 ) -> tuple[tuple[Evaluated, ...], tuple[Evaluated, ...]]:
     """Return values of which the numbers are not shown, and those of which they are.
 

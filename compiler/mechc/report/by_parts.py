@@ -21,9 +21,9 @@ from ..formula.tree import (
 from ..formula.walk import children, rebuild, symbols
 from ..model.result import Definition
 from .dimensions import names_in
-from .evaluated import Evaluated, Known, found_unit
+from .evaluated import Evaluated, KnownQuantities, found_unit
 from .made_names import NamedSums
-from .put_in import DIGITS, Quantity, in_numbers, values_of
+from .put_in import DIGITS, GivenQuantity, in_numbers, values_of
 
 ROUNDED = 5e-6
 """The part of a value that rounding of printed numbers may make."""
@@ -84,9 +84,9 @@ class _Sums:
     def __init__(self, named: NamedSums) -> None:
         self._named = named
         self._needs: dict[str, frozenset[str]] = {}
-        self._found: dict[str, Quantity | None] = {}
+        self._found: dict[str, GivenQuantity | None] = {}
 
-    def values(self, known: Known) -> dict[str, Quantity]:
+    def values(self, known: KnownQuantities) -> dict[str, GivenQuantity]:
         """Return the values of those that have one, each in a unit that suits it."""
         found = (
             (symbol.name, self._value(symbol.name, whole, known))
@@ -94,7 +94,7 @@ class _Sums:
         )
         return {name: value for name, value in found if value is not None}
 
-    def _value(self, name: str, whole: Formula, known: Known) -> Quantity | None:
+    def _value(self, name: str, whole: Formula, known: KnownQuantities) -> GivenQuantity | None:
         """Return the value of a sum; None where not all is known that it rests on."""
         if name not in self._needs:
             self._needs[name] = names_in(whole)
@@ -105,24 +105,26 @@ class _Sums:
         return self._found[name]
 
 
-def _evaluated(symbol: Symbol, formula: Formula, known: Mapping[str, Quantity]) -> Evaluated:
+def _evaluated(symbol: Symbol, formula: Formula, known: Mapping[str, GivenQuantity]) -> Evaluated:
     value = known[symbol.name]
     return Evaluated(symbol, _numbers(formula, value, known), value, value.unit == "deg")
 
 
-def _numbers(formula: Formula, value: Quantity, known: Mapping[str, Quantity]) -> Formula | None:
+def _numbers(
+    formula: Formula, value: GivenQuantity, known: Mapping[str, GivenQuantity]
+) -> Formula | None:
     return in_numbers(formula, known, value.unit in ("", "deg"))
 
 
 def _shortened(
-    item: Evaluated, formula: Formula, known: Known, fits: Callable[[Evaluated], bool]
+    item: Evaluated, formula: Formula, known: KnownQuantities, fits: Callable[[Evaluated], bool]
 ) -> Evaluated:
     """Return an item with the values of its formula's parts put in, if that fits."""
     found = item._replace(numbers=_in_values(formula, item.value, known))
     return found if found.numbers and fits(found) else item
 
 
-def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | None:
+def _in_values(formula: Formula, value: GivenQuantity, known: KnownQuantities) -> Formula | None:
     """Return a sum by the values of its terms, a product by those of the sums among its factors.
 
     None where there is nothing to be shortened, where something in it has no value on the page, or
@@ -146,9 +148,9 @@ def _in_values(formula: Formula, value: Quantity, known: Known) -> Formula | Non
 class _Values:
     """The values that stand for parts of a sum or a product, by the names that these have there."""
 
-    def __init__(self, in_product: bool, known: Known) -> None:
+    def __init__(self, in_product: bool, known: KnownQuantities) -> None:
         self._in_product, self._known = in_product, known
-        self.named: dict[str, Quantity] = {}
+        self.named: dict[str, GivenQuantity] = {}
 
     def put_in(self, part: Formula) -> Formula:
         """Return the name of a part's value with its sign; itself where it is short as it is."""
@@ -176,7 +178,7 @@ def _is_sum(part: Formula) -> bool:
     return isinstance(part, Sum) or is_call(part, "sqrt", "hypot")
 
 
-def _value(part: Formula, known: Known) -> Quantity | None:
+def _value(part: Formula, known: KnownQuantities) -> GivenQuantity | None:
     """Return the value of a part in a unit that suits it, None where it has none."""
     values = values_of(known.quantities)
     units = {name: quantity.unit for name, quantity in known.quantities.items()}
@@ -185,4 +187,4 @@ def _value(part: Formula, known: Known) -> Quantity | None:
         return None
     unit = found_unit(Definition("_", part), known.usual, angles, values, units)
     value = evaluate(part, values)
-    return Quantity(value, unit) if unit is not None and isfinite(value) else None
+    return GivenQuantity(value, unit) if unit is not None and isfinite(value) else None

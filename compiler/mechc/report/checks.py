@@ -12,7 +12,7 @@ from ..model.result import Result
 from ..model.values import compare
 from ..named import NamedTuple
 from ..units import si_unit
-from .put_in import Quantity, values_of
+from .put_in import GivenQuantity, values_of
 
 
 class NoteCheck(NamedTuple):
@@ -26,7 +26,7 @@ class NoteCheck(NamedTuple):
     left: Formula
     operator: str
     right: Formula
-    values: tuple[Quantity, Quantity] | None
+    values: tuple[GivenQuantity, GivenQuantity] | None
     reserve: float | None
     decides: bool
     missing: tuple[str, ...] = ()
@@ -34,7 +34,7 @@ class NoteCheck(NamedTuple):
 
 
 def checks(
-    mechanism: Mechanism, results: Sequence[Result], given: Mapping[str, Quantity]
+    mechanism: Mechanism, results: Sequence[Result], given: Mapping[str, GivenQuantity]
 ) -> Iterator[NoteCheck]:
     """Yield the conditions of a sheet at ``given`` values, one with the least reserve as deciding.
 
@@ -49,7 +49,7 @@ def checks(
 
 def _check(
     require: Require,
-    given: Mapping[str, Quantity],
+    given: Mapping[str, GivenQuantity],
     lets: Mapping[str, Formula],
     inputs: Container[str],
 ) -> NoteCheck:
@@ -86,14 +86,16 @@ def _is_range(require: Require, lets: Mapping[str, Formula], inputs: Container[s
     return len(bare) == 1 and any(not symbols(s) for s in sides)
 
 
-def _sides(require: Require, given: Mapping[str, Quantity]) -> tuple[Quantity, Quantity] | None:
+def _sides(
+    require: Require, given: Mapping[str, GivenQuantity]
+) -> tuple[GivenQuantity, GivenQuantity] | None:
     """Return both sides in the unit that they are written in; None where one has no value."""
     values = values_of(given)
     if not symbols(require.left) | symbols(require.right) <= values.keys():
         return None
     unit = require.unit or si_unit(require.dimension)
     left, right = (evaluate(side, values) for side in (require.left, require.right))
-    return Quantity(left, unit), Quantity(right, unit)
+    return GivenQuantity(left, unit), GivenQuantity(right, unit)
 
 
 def _reserve(left: float, right: float, operator: str) -> float | None:

@@ -17,7 +17,7 @@ FEW = 5
 """Places at which curves may meet by chance; what they say of all the stroke takes so many."""
 
 
-class Repeated(NamedTuple):
+class RepeatedColumn(NamedTuple):
     """The column of a result that another one repeats, and ``-`` where it is less it."""
 
     column: Column
@@ -31,7 +31,7 @@ def is_constant(index: int, stroke: Stroke) -> bool:
     return math.isfinite(size) and max(values) - min(values) <= SAME * size
 
 
-def repeated(index: int, stroke: Stroke) -> Repeated | None:
+def repeated(index: int, stroke: Stroke) -> RepeatedColumn | None:
     """Return the result of which a ratio of speeds has the values, or those with a minus.
 
     None where the stroke is looked at in a few places only.
@@ -43,7 +43,7 @@ def repeated(index: int, stroke: Stroke) -> Repeated | None:
         if column.content == "result" and column.dimension == ratio.dimension:
             for sign, factor in (("", 1), ("-", -1)):
                 if _are_alike(index, other, factor, stroke):
-                    return Repeated(column, sign)
+                    return RepeatedColumn(column, sign)
     return None
 
 

@@ -73,7 +73,7 @@ def by_letter(formula: Formula) -> Formula:
 
 
 @frozen
-class Letters:
+class NameLetters:
     """What the names of a report stand for, as far as how they are written depends on it.
 
     ``usual`` are the weights by the usual g, ``units`` those of what is given by a number,
@@ -90,14 +90,14 @@ class Letters:
 
 def letters(
     mechanism: Mechanism, results: Iterable[Result], others: Iterable[Definition] = ()
-) -> Letters:
+) -> NameLetters:
     """Return how definitions are to be written that stand with results, and ``others``."""
     found = list(results)
     units = constant_units(mechanism) | literal_units(found)
     where = (*others, *(d for r in found for d in r.where))
     positive = book_forms.positive_names(mechanism, where)
     choices, ranges = dict(_choices(mechanism)), book_forms.angle_ranges(mechanism)
-    return Letters(usual_weights(mechanism), units, positive, choices, ranges)
+    return NameLetters(usual_weights(mechanism), units, positive, choices, ranges)
 
 
 def _choices(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
@@ -106,7 +106,7 @@ def _choices(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
             yield parameter.name, parameter.written.formula
 
 
-def as_written(where: Iterable[Definition], known: Letters) -> list[Definition]:
+def as_written(where: Iterable[Definition], known: NameLetters) -> list[Definition]:
     """Return definitions as books write them.
 
     The usual weights as ``m·g``, constants in their units, triangles by the laws of sines and
@@ -115,7 +115,7 @@ def as_written(where: Iterable[Definition], known: Letters) -> list[Definition]:
     return [_as_written(d, known) for d in where]
 
 
-def _as_written(definition: Definition, known: Letters) -> Definition:
+def _as_written(definition: Definition, known: NameLetters) -> Definition:
     name, formula = definition
     unit = UNITS.get(known.units.get(name, ""))
     if name in known.usual:
@@ -175,7 +175,7 @@ DIGITS = 6
 """Significant digits of a constant in a unit of the user's."""
 
 
-class Solved(NamedTuple):
+class SolvedSystem(NamedTuple):
     """The unknowns of one system, those defined by their defined names, and what is zero."""
 
     names: tuple[str, ...]
@@ -196,7 +196,7 @@ def without_minus(zero: Formula) -> tuple[Formula, Formula]:
     return total(left), total(right)
 
 
-def grouped(where: Iterable[tuple[str, Formula]]) -> list[Definition | Solved]:
+def grouped(where: Iterable[tuple[str, Formula]]) -> list[Definition | SolvedSystem]:
     """Return definitions in order, those that one system defines as one."""
     found: dict[object, list[tuple[str, Formula]]] = {}
     for name, formula in where:
@@ -205,7 +205,7 @@ def grouped(where: Iterable[tuple[str, Formula]]) -> list[Definition | Solved]:
     return [_group(members) for members in found.values()]
 
 
-def _group(members: list[tuple[str, Formula]]) -> Definition | Solved:
+def _group(members: list[tuple[str, Formula]]) -> Definition | SolvedSystem:
     name, formula = members[0]
     if not isinstance(formula, Implicit):
         return Definition(name, formula)
@@ -213,7 +213,7 @@ def _group(members: list[tuple[str, Formula]]) -> Definition | Solved:
     names = {unknowns[f.index]: n for n, f in members if isinstance(f, Implicit)}
     renamed = {unknown: Symbol(n) for unknown, n in names.items()}
     zeros = tuple(whole(substitute(zero, renamed)) for zero in equations(formula))
-    return Solved(tuple(names.get(unknown, unknown) for unknown in unknowns), zeros)
+    return SolvedSystem(tuple(names.get(unknown, unknown) for unknown in unknowns), zeros)
 
 
 def whole(zero: Formula) -> Formula:

@@ -35,8 +35,8 @@ from ..units import ANGLE, FORCE, NUMBER, UNITS, Dimension, si_unit
 from .definitions import FREE_FALL, given_loads, looked_up, usual_weights
 from .dimensions import found_dimension, is_solved, names_in
 from .note import NoteLine
-from .put_in import Quantity, has_units, in_numbers, values_of, without_rounding
-from .sections import Outline, Section
+from .put_in import GivenQuantity, has_units, in_numbers, values_of, without_rounding
+from .sections import ReportOutline, Section
 from .sentences.remarks import asked
 from .sentences.speller import own_names
 
@@ -50,10 +50,10 @@ NOTHING = 1e-40
 """What is smaller is what iteration leaves of a zero, in SI."""
 
 
-class Known(NamedTuple):
+class KnownQuantities(NamedTuple):
     """The quantities that formulas mention, and the units of those that none is given for."""
 
-    quantities: Mapping[str, Quantity]
+    quantities: Mapping[str, GivenQuantity]
     usual: UsualUnits
 
 
@@ -79,18 +79,18 @@ class Evaluated(NamedTuple):
 
     left: Formula
     numbers: Formula | None
-    value: Quantity
+    value: GivenQuantity
     angle: bool
     formula: Formula | None = None
-    known: Known | None = None
+    known: KnownQuantities | None = None
 
 
-def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
+def evaluated(whole: ReportOutline, mechanism: Mechanism) -> Iterator[Evaluated]:
     """Yield the definitions and results of a report that have a value, in its order."""
     given = _given(whole, mechanism)
     turned = [section for section in whole.results if not _is_as_printed(section, given)]
     usual = usual_units(mechanism)
-    known = Known(given, usual)
+    known = KnownQuantities(given, usual)
     yield from _of_looked_up(whole, mechanism, given)
     idle = _idle_directions(whole)
     for name, formula in _definitions(whole, turned):
@@ -115,13 +115,13 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
                 forces = _iterated(result, mechanism, given, usual)
                 yield from (Evaluated(Symbol(n), None, q, False) for n, q in forces.items())
                 given |= forces
-                numbers = Known({}, usual) if section in turned else known
+                numbers = KnownQuantities({}, usual) if section in turned else known
                 yield from _of_result(result, numbers, unit)
                 given |= _value(result, unit)
 
 
 def _of_looked_up(
-    whole: Outline, mechanism: Mechanism, given: Mapping[str, Quantity]
+    whole: ReportOutline, mechanism: Mechanism, given: Mapping[str, GivenQuantity]
 ) -> Iterator[Evaluated]:
     """Yield what choices, tables and lists come to, where nothing else of the report defines it."""
     where = list(_definitions(whole))
@@ -133,7 +133,7 @@ def _of_looked_up(
             yield Evaluated(Symbol(parameter.name), None, value, value.unit == "deg")
 
 
-def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
+def hides_units(whole: ReportOutline, mechanism: Mechanism) -> bool:
     """Return whether a number that stands for units of the SI is in a formula of the report."""
     given = _given(whole, mechanism)
     results = (r for section in whole.results for r in section.results)
@@ -144,7 +144,7 @@ def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
     return any(has_units(f, {n: given[n] for n in names_in(f)}, bare) for f, bare in known)
 
 
-def constants_shown(whole: Outline, mechanism: Mechanism) -> frozenset[Formula]:
+def constants_shown(whole: ReportOutline, mechanism: Mechanism) -> frozenset[Formula]:
     """Return the user's own names of numbers, which stand with their unit where they are given."""
     lines = (line for section in whole.results for line in section.lines.values())
     names = (line.name for line in lines if line.is_number)
@@ -158,14 +158,14 @@ def _of_line(line: NoteLine) -> Iterator[Evaluated]:
         yield Evaluated(Symbol(line.name), numbers, line.value, line.value.unit == "deg")
 
 
-def has_atan2(whole: Outline) -> bool:
+def has_atan2(whole: ReportOutline) -> bool:
     """Return whether an angle of the report is found from two components."""
     found = (part for d in _definitions(whole) for part in walk(d.formula))
     return any(is_call(part, "atan2") for part in found)
 
 
 def named_directions(
-    whole: Outline, mechanism: Mechanism, met: Collection[str] | None = None
+    whole: ReportOutline, mechanism: Mechanism, met: Collection[str] | None = None
 ) -> list[str]:
     """Return the names of directions of vectors that a report has, such as ``phi_AB``, in order.
 
@@ -179,7 +179,7 @@ def named_directions(
     return [n for n in dict.fromkeys(found) if direction_of(n) and n not in own]
 
 
-def _idle_directions(whole: Outline) -> set[str]:
+def _idle_directions(whole: ReportOutline) -> set[str]:
     """Return the directions that the position states as sums of others, and no value rests on."""
     formulas = [d.formula for d in _definitions(whole)]
     formulas += [r.formula for section in whole.results for r in section.results]
@@ -190,7 +190,7 @@ def _idle_directions(whole: Outline) -> set[str]:
     return {name for name in plain - used if split_name(name).head == "phi"}
 
 
-def _definitions(whole: Outline, without: Sequence[Section] = ()) -> Iterator[Definition]:
+def _definitions(whole: ReportOutline, without: Sequence[Section] = ()) -> Iterator[Definition]:
     for section in whole.position:
         yield from section.where
     yield from (Definition(ratio.name, ratio.formula) for ratio in whole.ratios)
@@ -199,7 +199,7 @@ def _definitions(whole: Outline, without: Sequence[Section] = ()) -> Iterator[De
             yield from result.where
 
 
-def _is_as_printed(section: Section, given: Mapping[str, Quantity]) -> bool:
+def _is_as_printed(section: Section, given: Mapping[str, GivenQuantity]) -> bool:
     """Return whether results with friction are what their printed formulas come to.
 
     Where a force is zero without friction, friction gives it a sign that no formula has: the
@@ -220,7 +220,7 @@ def _is_as_printed(section: Section, given: Mapping[str, Quantity]) -> bool:
     return True
 
 
-def _named(whole: Outline, mechanism: Mechanism) -> set[str]:
+def _named(whole: ReportOutline, mechanism: Mechanism) -> set[str]:
     """Return the names that have a place of their own among the values, or are given."""
     results = {result.name for section in whole.results for result in section.results}
     given = {load.name for load in given_loads(mechanism)}
@@ -232,7 +232,7 @@ def _named(whole: Outline, mechanism: Mechanism) -> set[str]:
     )
 
 
-def _own_met_early(whole: Outline) -> set[str]:
+def _own_met_early(whole: ReportOutline) -> set[str]:
     """Return the user's own formulas by whose names an account of friction has called its parts."""
     own = {name for section in whole.results for name in section.lines}
     accounts = (s for s in whole.results if s.paragraphs)
@@ -252,8 +252,8 @@ def _accounted(section: Section, shown: set[str]) -> Iterator[Definition]:
 
 
 def _parts_of_force(
-    section: Section, whole: Outline, given: Mapping[str, Quantity], usual: UsualUnits
-) -> list[tuple[Definition, Quantity]]:
+    section: Section, whole: ReportOutline, given: Mapping[str, GivenQuantity], usual: UsualUnits
+) -> list[tuple[Definition, GivenQuantity]]:
     """Return the forces of solved bodies that one at a joint is said to be made of.
 
     They are in the account of a force with friction, or in one before it.
@@ -262,13 +262,13 @@ def _parts_of_force(
         return []
     said = [e for p in section.paragraphs for e in p.equations]
     made_of = symbols(*(e.right for e in said)) - given.keys()
-    values, found = values_of(given), list[tuple[Definition, Quantity]]()
+    values, found = values_of(given), list[tuple[Definition, GivenQuantity]]()
     equations = (e for s in whole.results for p in s.paragraphs for e in p.equations)
     for left, right in equations:
         if isinstance(left, Symbol) and left.name in made_of and symbols(right) <= values.keys():
             made_of -= {left.name}
             if math.isfinite(size := evaluate(right, values)) and _is_force(left.name):
-                quantity = Quantity(size, usual.force)
+                quantity = GivenQuantity(size, usual.force)
                 found.append((Definition(left.name, right), quantity))
     return found
 
@@ -286,7 +286,7 @@ def _is_joint_force(result: Analysis) -> bool:
     return isinstance(target, WithFriction) and not isinstance(target.of, LoadRatio | LoadForm)
 
 
-def _of_definition(name: str, formula: Formula, known: Known) -> Iterator[Evaluated]:
+def _of_definition(name: str, formula: Formula, known: KnownQuantities) -> Iterator[Evaluated]:
     """Yield the value of a definition, if it has one."""
     if name in known.quantities:
         value = without_rounding(known.quantities[name])
@@ -294,15 +294,15 @@ def _of_definition(name: str, formula: Formula, known: Known) -> Iterator[Evalua
         yield Evaluated(Symbol(name), numbers, value, value.unit == "deg", formula, known)
 
 
-def _value(result: Analysis, unit: str) -> dict[str, Quantity]:
+def _value(result: Analysis, unit: str) -> dict[str, GivenQuantity]:
     """Return the value of a result under its name, for results that rest on it."""
     known = result.default is not None and math.isfinite(result.default)
-    return {result.name: Quantity(result.default or 0.0, unit)} if known else {}
+    return {result.name: GivenQuantity(result.default or 0.0, unit)} if known else {}
 
 
 def _iterated(
-    result: Analysis, mechanism: Mechanism, given: Mapping[str, Quantity], usual: UsualUnits
-) -> dict[str, Quantity]:
+    result: Analysis, mechanism: Mechanism, given: Mapping[str, GivenQuantity], usual: UsualUnits
+) -> dict[str, GivenQuantity]:
     """Return the forces at joints that a result with friction mentions, whatever they rest on.
 
     Those of a ratio of loads are for a unit of the load below the line.
@@ -314,7 +314,7 @@ def _iterated(
     unit = usual.of(FORCE.over(_measured_by(result, mechanism)))
     known = (d.name for d in result.where if d.name in named and d.name in values)
     finite = ((name, values[name]) for name in known if math.isfinite(values[name]))
-    return {name: Quantity(size * (abs(size) > NOTHING), unit) for name, size in finite}
+    return {name: GivenQuantity(size * (abs(size) > NOTHING), unit) for name, size in finite}
 
 
 def _measured_by(result: Analysis, mechanism: Mechanism) -> Dimension:
@@ -326,16 +326,16 @@ def _measured_by(result: Analysis, mechanism: Mechanism) -> Dimension:
             return NUMBER
 
 
-def _of_result(result: Analysis, known: Known, unit: str) -> Iterator[Evaluated]:
+def _of_result(result: Analysis, known: KnownQuantities, unit: str) -> Iterator[Evaluated]:
     if result.default is None or not math.isfinite(result.default) or not symbols(result.formula):
         return
     bare = result.dimension in (ANGLE, NUMBER)
     numbers = in_numbers(result.formula, known.quantities, bare)
-    value = Quantity(result.default, unit)
+    value = GivenQuantity(result.default, unit)
     yield Evaluated(asked(result), numbers, value, unit == "deg", result.formula, known)
 
 
-def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
+def _given(whole: ReportOutline, mechanism: Mechanism) -> dict[str, GivenQuantity]:
     """Return the quantities that formulas mention, each in the unit that it was given in."""
     where = list(_definitions(whole))
     shown = _named(whole, mechanism)
@@ -362,7 +362,7 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
             units |= {} if unit is None else {definition.name: unit}
             angles |= {definition.name} if unit == "deg" else set()
     known = {name: value for name, value in values.items() if math.isfinite(value)}
-    return {name: Quantity(known[name], unit) for name, unit in units.items() if name in known}
+    return {name: GivenQuantity(known[name], unit) for name, unit in units.items() if name in known}
 
 
 def _written_unit(parameter: Parameter) -> str:

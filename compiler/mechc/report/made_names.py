@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, count
 
 from ..algebra.equality import equal
-from ..formula.names import Name, split_name, split_points
+from ..formula.names import ParsedName, split_name, split_points
 from ..formula.tree import Formula, Symbol, negative
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
@@ -26,7 +26,7 @@ class MadeNames:
 
     def __init__(self) -> None:
         self._names: dict[Formula, Symbol] = {}
-        self._taken: set[Name] = set()
+        self._taken: set[ParsedName] = set()
         self._letter = LETTERS[0]
 
     def take(self, names: Iterable[str]) -> None:

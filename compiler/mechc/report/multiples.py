@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping
 
-from ..algebra.factors import Constant, Factor, Length
+from ..algebra.factors import ConstantSymbol, Factor, Length
 from ..algebra.from_formula import to_product
 from ..formula.operations import count_operations
 from ..formula.tree import Formula
@@ -37,7 +37,7 @@ def multiple(
 
 def _is_positive(part: Factor, positive: Collection[str]) -> bool:
     match part:
-        case Constant():
+        case ConstantSymbol():
             return part.evaluate({}) > 0
         case Length(name):
             return name in positive

@@ -25,9 +25,9 @@ from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .checks import NoteCheck, checks
 from .put_in import (
     COMPUTED,
-    Found,
-    Quantity,
-    Tables,
+    FoundValue,
+    GivenQuantity,
+    WrittenTables,
     in_numbers,
     line_between,
     on_the_way,
@@ -57,8 +57,8 @@ class NoteLine(NamedTuple):
     of: str
     formula: Formula | None
     numbers: Formula | None
-    value: Quantity | None
-    asked: Quantity | None
+    value: GivenQuantity | None
+    asked: GivenQuantity | None
     decides: Formula | None
     dimension: Dimension
     is_taken: bool = False
@@ -97,7 +97,7 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     units |= {t.name: t.unit or si_unit(t.dimension) for t in mechanism.taken}
     values = Chain(dependent(mechanism)).complete(defaults(mechanism))
     values |= {r.name: r.default for r in results if r.default is not None}
-    given = {name: Quantity(value, units[name]) for name, value in values.items()}
+    given = {name: GivenQuantity(value, units[name]) for name, value in values.items()}
     aside = unused(mechanism, results)
     lines = _lines(mechanism, results, given, aside)
     return Note(
@@ -123,7 +123,9 @@ def own_lines(mechanism: Mechanism, results: Sequence[Result]) -> Mapping[str, N
     values |= {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
     values |= {r.name: r.default for r in results if r.default is not None}
     known = {name for name, value in values.items() if math.isfinite(value)}
-    given = {name: Quantity(values[name], unit) for name, unit in units.items() if name in known}
+    given = {
+        name: GivenQuantity(values[name], unit) for name, unit in units.items() if name in known
+    }
     shown = {result.name for result in results if result.target is None}
     tables = tables_of(mechanism)
     return {let.name: _line(let, given, tables) for let in mechanism.lets if let.name in shown}
@@ -139,7 +141,7 @@ def _unit_by_name(name: str, lengths: str) -> str:
 def _lines(
     mechanism: Mechanism,
     results: Sequence[Result],
-    given: Mapping[str, Quantity],
+    given: Mapping[str, GivenQuantity],
     aside: Container[str],
 ) -> Iterator[NoteLine]:
     """Yield the formulas in the order of the text, results of used mechanisms among them.
@@ -176,7 +178,7 @@ def _is_iterated(result: Result) -> bool:
 def _mentioned(
     result: Result,
     literals: Mapping[str, Parameter],
-    found: Mapping[str, Found],
+    found: Mapping[str, FoundValue],
     shown: set[str],
 ) -> Iterator[NoteLine]:
     """Yield the numbers and the definitions that a formula mentions, each once in a note."""
@@ -194,8 +196,8 @@ def _mentioned(
 
 
 def _on_the_way(
-    result: Analysis, mechanism: Mechanism, given: Mapping[str, Quantity]
-) -> Mapping[str, Found]:
+    result: Analysis, mechanism: Mechanism, given: Mapping[str, GivenQuantity]
+) -> Mapping[str, FoundValue]:
     """Return the values of what a result rests on."""
     numbers = {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
     values = values_of(given) | numbers
@@ -210,10 +212,10 @@ def _number(known: Parameter) -> NoteLine:
     return _plain(known.name, "", None, _quantity(known), known.dimension)
 
 
-def _quantity(known: Parameter) -> Quantity:
+def _quantity(known: Parameter) -> GivenQuantity:
     assert known.value
     unit = "deg" if known.dimension == ANGLE else known.unit or si_unit(known.dimension)
-    return Quantity(evaluate(known.value, {}), unit)
+    return GivenQuantity(evaluate(known.value, {}), unit)
 
 
 def _formulas(result: Result) -> list[Formula]:
@@ -221,7 +223,11 @@ def _formulas(result: Result) -> list[Formula]:
 
 
 def _plain(
-    name: str, label: str, formula: Formula | None, value: Quantity | None, dimension: Dimension
+    name: str,
+    label: str,
+    formula: Formula | None,
+    value: GivenQuantity | None,
+    dimension: Dimension,
 ) -> NoteLine:
     """Return a line of a used mechanism, without the numbers put in."""
     return NoteLine(
@@ -239,21 +245,21 @@ def _plain(
     )
 
 
-def _with_numbers(line: NoteLine, given: Mapping[str, Quantity]) -> NoteLine:
+def _with_numbers(line: NoteLine, given: Mapping[str, GivenQuantity]) -> NoteLine:
     """Return a line of a used mechanism with the numbers put in, if a person would do so."""
     bare = line.dimension in (ANGLE, NUMBER)
     known = line.formula if line.value else None
     return line._replace(numbers=in_numbers(known, given, bare) if known else None)
 
 
-def _line(let: Let, given: Mapping[str, Quantity], tables: Tables) -> NoteLine:
+def _line(let: Let, given: Mapping[str, GivenQuantity], tables: WrittenTables) -> NoteLine:
     assert let.written
     table = tables.get(let.written.of) if let.written.kind == "table" else None
     formula = let.written.formula
     values = values_of(given)
     known = symbols(formula) <= values.keys()
     value = given.get(let.name)
-    asked = Quantity(evaluate(formula, values), value.unit) if known and value else None
+    asked = GivenQuantity(evaluate(formula, values), value.unit) if known and value else None
     return NoteLine(
         name=let.name,
         label=let.label,
@@ -270,7 +276,7 @@ def _line(let: Let, given: Mapping[str, Quantity], tables: Tables) -> NoteLine:
     )
 
 
-def _rounded(formula: Formula, value: Quantity | None) -> Formula:
+def _rounded(formula: Formula, value: GivenQuantity | None) -> Formula:
     """Return a formula; a number of so many digits that it was computed as values are shown."""
     digits = sum(map(str.isdigit, formula.name)) if isinstance(formula, Constant) else 0
     if isinstance(formula, Constant) and value and digits > COMPUTED:
@@ -278,7 +284,7 @@ def _rounded(formula: Formula, value: Quantity | None) -> Formula:
     return formula
 
 
-def _numbers(formula: Formula, kind: str, given: Mapping[str, Quantity]) -> Formula | None:
+def _numbers(formula: Formula, kind: str, given: Mapping[str, GivenQuantity]) -> Formula | None:
     """Return a formula in numbers, of a choice what is chosen.
 
     None where nothing is put in, or where it would be what the formula comes to.
@@ -291,7 +297,7 @@ def _numbers(formula: Formula, kind: str, given: Mapping[str, Quantity]) -> Form
     return put_in(formula, given) if symbols(formula) and not is_value else None
 
 
-def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:
+def _deciding(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula | None:
     """Return the part that is the largest, or smallest, of several, if one is."""
     values = values_of(given)
     taken = [p for p in walk(formula) if is_call(p, "min", "max")]

@@ -62,7 +62,7 @@ FINEST = 9
 """Decimals of an angle in degrees, beyond which there is nothing but rounding."""
 
 
-class Quantity(NamedTuple):
+class GivenQuantity(NamedTuple):
     """A value in SI, and the unit that it is given in."""
 
     value: float
@@ -73,12 +73,12 @@ class Quantity(NamedTuple):
         return in_unit(self.value, self.unit, digits)
 
 
-def values_of(given: Mapping[str, Quantity]) -> dict[str, float]:
+def values_of(given: Mapping[str, GivenQuantity]) -> dict[str, float]:
     """Return quantities as numbers, in SI and radians."""
     return {name: quantity.value for name, quantity in given.items()}
 
 
-def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+def put_in(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
     """Return a formula with quantities for symbols, in brackets where a power is taken of one.
 
     A sine or cosine is that of its angle in degrees, whatever this is a sum of; a cosine is even.
@@ -87,10 +87,10 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     >>> from ..formula.tree import product, total
     >>> a, alpha, beta = map(Symbol, ("a", "alpha", "beta"))
     >>> formula = product([(a, 1), (Call("sin", (total([alpha, beta]),)), 1)])
-    >>> ten = Quantity(math.radians(10), "deg")
-    >>> text(put_in(formula, {"a": Quantity(0.04, "mm"), "alpha": ten, "beta": ten}))
+    >>> ten = GivenQuantity(math.radians(10), "deg")
+    >>> text(put_in(formula, {"a": GivenQuantity(0.04, "mm"), "alpha": ten, "beta": ten}))
     '40 mm*sin(pi/9)'
-    >>> text(put_in(total([a, beta]), {"a": Quantity(0.04, "mm"), "beta": Quantity(-0.06, "mm")}))
+    >>> text(put_in(total([a, beta]), {"a": GivenQuantity(0.04, "mm"), "beta": GivenQuantity(-0.06, "mm")}))
     '40 mm - 60 mm'
     >>> text(put_in(Call("cos", (negative(alpha),)), {"alpha": ten}))
     'cos(pi/18)'
@@ -186,25 +186,25 @@ def _power(base: Formula, exponent: Formula) -> Formula:
     return negative(found) if exponent.value.numerator % 2 else found
 
 
-def _term(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+def _term(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
     """Return a term in numbers: a negative quantity changes the sign that it is joined by."""
     match formula:
         case Symbol(name) | Product((Number(Fraction(numerator=-1, denominator=1)), Symbol(name))):
-            quantity = given.get(name, Quantity(0, ""))
+            quantity = given.get(name, GivenQuantity(0, ""))
             if quantity.value < 0 and quantity.unit != "deg":
                 size = _constant(quantity._replace(value=-quantity.value), bracketed=False)
                 return negative(size) if isinstance(formula, Symbol) else size
     return put_in(formula, given)
 
 
-def _factor(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+def _factor(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
     """Return a factor in numbers; an angle among others is one by itself, not so many pi."""
     if isinstance(formula, Symbol) and not isinstance(formula, Constant):
         return _constant(given[formula.name], bracketed=given[formula.name].value < 0)
     return put_in(formula, given)
 
 
-def _argument(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+def _argument(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
     """Return the argument of a function, with its value put in; it has brackets already."""
     if isinstance(formula, Symbol) and not isinstance(formula, Constant):
         quantity = given[formula.name]
@@ -212,7 +212,7 @@ def _argument(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     return put_in(formula, given)
 
 
-def _constant(quantity: Quantity, bracketed: bool) -> Constant:
+def _constant(quantity: GivenQuantity, bracketed: bool) -> Constant:
     text = quantity.text(DIGITS)
     return Constant(f"({text})" if bracketed else text, Number(Fraction(quantity.value)))
 
@@ -227,14 +227,14 @@ def _within_a_turn(angle: float) -> float:
     return math.remainder(angle, 2 * math.pi) if beyond else angle
 
 
-def without_rounding(quantity: Quantity) -> Quantity:
+def without_rounding(quantity: GivenQuantity) -> GivenQuantity:
     """Return a quantity that was computed; an angle that rounding alone made is zero.
 
-    >>> without_rounding(Quantity(-4e-17, "deg")).value
+    >>> without_rounding(GivenQuantity(-4e-17, "deg")).value
     0.0
     """
     is_nothing = quantity.unit == "deg" and not round(math.degrees(quantity.value), FINEST)
-    return Quantity(0.0, "deg") if is_nothing else quantity
+    return GivenQuantity(0.0, "deg") if is_nothing else quantity
 
 
 def in_degrees(angle: float, digits: int) -> Formula:
@@ -253,7 +253,7 @@ def in_degrees(angle: float, digits: int) -> Formula:
     return degrees(Fraction(f"{turn:.{digits}g}"))
 
 
-def in_numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> Formula | None:
+def in_numbers(formula: Formula, given: Mapping[str, GivenQuantity], bare: bool) -> Formula | None:
     """Return a formula with its numbers put in, if it is short and all of them are known."""
     names = names_in(formula)
     if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
@@ -271,7 +271,7 @@ def in_numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> F
     return put_in(named, given)
 
 
-def _is_value(formula: Formula, given: Mapping[str, Quantity]) -> bool:
+def _is_value(formula: Formula, given: Mapping[str, GivenQuantity]) -> bool:
     """Return whether the numbers put in would be the value: of a symbol, a multiple of an angle."""
     match formula:
         case Symbol():
@@ -282,7 +282,7 @@ def _is_value(formula: Formula, given: Mapping[str, Quantity]) -> bool:
             return False
 
 
-def has_units(formula: Formula, given: Mapping[str, Quantity], is_number: bool) -> bool:
+def has_units(formula: Formula, given: Mapping[str, GivenQuantity], is_number: bool) -> bool:
     """Return whether a number of the formula has a unit: others must not be put in beside it.
 
     What ``is_number`` itself, or an angle, is the same in all units where none has.
@@ -295,18 +295,18 @@ def has_units(formula: Formula, given: Mapping[str, Quantity], is_number: bool) 
     return known and not is_sound(with_symbols(formula), values, dimensions)
 
 
-def _bare(quantity: Quantity) -> Quantity:
+def _bare(quantity: GivenQuantity) -> GivenQuantity:
     """Return a quantity without its unit, an angle as it is."""
     if quantity.unit == "deg":
         return quantity
-    return Quantity(quantity.value / size_of(quantity.unit), "")
+    return GivenQuantity(quantity.value / size_of(quantity.unit), "")
 
 
-Tables = Mapping[str, WrittenTable]
+WrittenTables = Mapping[str, WrittenTable]
 """Tables by their names."""
 
 
-def tables_of(mechanism: Mechanism) -> Tables:
+def tables_of(mechanism: Mechanism) -> WrittenTables:
     """Return the tables and lists of a description as pages have them, by their names."""
     return {table.name: _shortened(table) for table in mechanism.tables}
 
@@ -352,7 +352,7 @@ def _is_one_of(asked: float, *rows: float) -> bool:
 def _asked(value: float, row: Formula) -> Constant:
     """Return the value asked for in the unit of a row."""
     unit = next((split_quantity(c.name)[1] for c in constants([row])), "")
-    return Constant(Quantity(value, unit).text(DIGITS), Number(Fraction(value)))
+    return Constant(GivenQuantity(value, unit).text(DIGITS), Number(Fraction(value)))
 
 
 def _as_written(cell: Formula) -> Formula:
@@ -360,16 +360,16 @@ def _as_written(cell: Formula) -> Formula:
     return Constant(str(cell.value), cell) if isinstance(cell, Number) else cell
 
 
-class Found(NamedTuple):
+class FoundValue(NamedTuple):
     """A value, and what it measures."""
 
-    value: Quantity
+    value: GivenQuantity
     dimension: Dimension
 
 
 def on_the_way(
     result: Analysis, values: Values, dimensions: Mapping[str, Dimension], usual: UsualUnits
-) -> dict[str, Found]:
+) -> dict[str, FoundValue]:
     """Return the values of the names that a result rests on, as far as their units are known.
 
     There are none where the result has another form at these ``values`` than the one printed.
@@ -377,14 +377,14 @@ def on_the_way(
     known, measures = completed(values, result.where), dict(dimensions)
     if not _is_printed(result, known):
         return {}
-    found: dict[str, Found] = {}
+    found: dict[str, FoundValue] = {}
     for definition in result.where:
         angles = [name for name, dimension in measures.items() if dimension == ANGLE]
         dimension = found_dimension(definition, angles, known, measures)
         if dimension is not None and math.isfinite(known[definition.name]):
             measures[definition.name] = dimension
-            value = Quantity(known[definition.name], usual.of(dimension))
-            found[definition.name] = Found(value, dimension)
+            value = GivenQuantity(known[definition.name], usual.of(dimension))
+            found[definition.name] = FoundValue(value, dimension)
     return found
 
 

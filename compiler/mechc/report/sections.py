@@ -19,7 +19,7 @@ from ..model.result import Definition
 from ..named import NamedTuple
 from ..study.analysis import Analysis, Multiple
 from . import multiples, steps
-from .definitions import Letters, as_written, given_loads, letters
+from .definitions import NameLetters, as_written, given_loads, letters
 from .derivation import friction
 from .note import NoteLine, own_lines
 from .sentences.remarks import own_conditions, reaction
@@ -57,7 +57,7 @@ class PositionSection:
     literals: tuple[Parameter, ...]
 
 
-class Outline(NamedTuple):
+class ReportOutline(NamedTuple):
     """A report in order: the position, ratios of speeds, the results under their headings."""
 
     position: tuple[PositionSection, ...]
@@ -67,22 +67,22 @@ class Outline(NamedTuple):
 
 def outline(
     derivation: "Derivation", mechanism: Mechanism, given: Iterable[Parameter] = ()
-) -> Outline:
+) -> ReportOutline:
     """Return the outline of a report, each name defined once and where it is first needed.
 
     What is ``given`` above, such as the angles of a drawing, is not defined again.
     """
     of_position = [d for step in derivation.position for d in step.definitions]
-    shown, known = Shown(), letters(mechanism, derivation.results, of_position)
+    shown, known = ShownNames(), letters(mechanism, derivation.results, of_position)
     shown.stated(given)
     position = tuple(_position(derivation, mechanism, shown, known))
     shown.definitions(Definition(r.name, r.formula) for r in derivation.ratios)
     results = tuple(_results(derivation, mechanism, shown, known))
-    return Outline(position, derivation.ratios, results)
+    return ReportOutline(position, derivation.ratios, results)
 
 
 def _position(
-    derivation: "Derivation", mechanism: Mechanism, shown: "Shown", known: Letters
+    derivation: "Derivation", mechanism: Mechanism, shown: "ShownNames", known: NameLetters
 ) -> Iterator[PositionSection]:
     for step in derivation.position:
         shown.definitions(step.definitions)
@@ -92,7 +92,7 @@ def _position(
 
 
 def _results(
-    derivation: "Derivation", mechanism: Mechanism, earlier: "Shown", known: Letters
+    derivation: "Derivation", mechanism: Mechanism, earlier: "ShownNames", known: NameLetters
 ) -> Iterator[Section]:
     lines = own_lines(mechanism, derivation.results)
     for explanation, results in _grouped(derivation, _found(derivation, mechanism)):
@@ -118,7 +118,7 @@ def _results(
         yield Section(explanation.paragraphs, shown, where, weighs, known.units, numbers, own)
 
 
-class Shown:
+class ShownNames:
     """The names that a report has defined, so that nothing is defined twice."""
 
     def __init__(self) -> None:

@@ -15,8 +15,8 @@ from ..named import NamedTuple
 
 Array: TypeAlias = NDArray[np.float64]
 Flags: TypeAlias = NDArray[np.bool_]
-Poses: TypeAlias = NDArray[np.intp]
-Sides: TypeAlias = Callable[[Poses, Array, Array], tuple[Array, Array]]
+PoseIndices: TypeAlias = NDArray[np.intp]
+ArrayEquations: TypeAlias = Callable[[PoseIndices, Array, Array], tuple[Array, Array]]
 """Residuals and their slopes, by the unknowns and last by the share, at values of both.
 
 Equations are first, poses last.
@@ -39,7 +39,7 @@ class _Curves(NamedTuple):
         return _Curves(*(array[..., chosen] for array in self))
 
 
-def follow(sides: Sides, start: Array) -> tuple[Array, Array]:
+def follow(sides: ArrayEquations, start: Array) -> tuple[Array, Array]:
     """Return the status of every pose, and its unknowns where the status is 0."""
     poses = start.shape[1]
     status, result = np.full(poses, 2.0), np.full_like(start, np.nan)
@@ -62,7 +62,7 @@ def follow(sides: Sides, start: Array) -> tuple[Array, Array]:
     return status, result
 
 
-def _ahead(sides: Sides, poses: Poses, curves: _Curves) -> tuple[_Curves, Array]:
+def _ahead(sides: ArrayEquations, poses: PoseIndices, curves: _Curves) -> tuple[_Curves, Array]:
     """Return the next points, and the status: 0 at the end, 1 behind a fold, 2 on the way."""
     points, tangents, arc, side = curves
     rest = (1.0 - points[-1]) / tangents[-1]
@@ -98,7 +98,7 @@ def _ahead(sides: Sides, poses: Poses, curves: _Curves) -> tuple[_Curves, Array]
 
 
 def _straight(
-    sides: Sides, start: Array, poses: Poses, status: Array, curves: _Curves
+    sides: ArrayEquations, start: Array, poses: PoseIndices, status: Array, curves: _Curves
 ) -> tuple[Array, _Curves]:
     """Return statuses and points: behind a fold, of a solution that is found from the start."""
     (folds,) = np.nonzero(status == 1)
@@ -121,7 +121,12 @@ def _straight(
 
 
 def _corrected(
-    sides: Sides, poses: Poses, start: Array, across: Array, stray: Array, side: Array
+    sides: ArrayEquations,
+    poses: PoseIndices,
+    start: Array,
+    across: Array,
+    stray: Array,
+    side: Array,
 ) -> tuple[Flags, Array]:
     """Return whether there is a point of the curve next to one, and that point."""
     found, most = start.copy(), stray
@@ -143,7 +148,9 @@ def _corrected(
     return good & there, found
 
 
-def _tangents(sides: Sides, poses: Poses, points: Array, before: Array) -> tuple[Array, Array]:
+def _tangents(
+    sides: ArrayEquations, poses: PoseIndices, points: Array, before: Array
+) -> tuple[Array, Array]:
     """Return the sign of the determinant by the unknowns, and the direction that goes on.
 
     The sign is 0 where there is no such direction.
@@ -155,13 +162,17 @@ def _tangents(sides: Sides, poses: Poses, points: Array, before: Array) -> tuple
     return sign, right / np.sqrt(_dot(right, right))
 
 
-def _solved(sides: Sides, poses: Poses, points: Array, across: Array) -> tuple[Array, Array]:
+def _solved(
+    sides: ArrayEquations, poses: PoseIndices, points: Array, across: Array
+) -> tuple[Array, Array]:
     """Return the signs of the determinants, and the corrections."""
     right, matrix = _bordered(sides, poses, points, across)
     return eliminate(matrix, right), right
 
 
-def _bordered(sides: Sides, poses: Poses, points: Array, across: Array) -> tuple[Array, Array]:
+def _bordered(
+    sides: ArrayEquations, poses: PoseIndices, points: Array, across: Array
+) -> tuple[Array, Array]:
     """Return residuals and slopes, and a direction as the last row."""
     unknowns, share = points[:-1], points[-1]
     residuals, matrix = sides(poses, unknowns, share)

@@ -14,16 +14,29 @@ from itertools import combinations, combinations_with_replacement
 from typing import assert_never
 
 from ..named import NamedTuple
-from .table import Apply, Entry, Leaf, Raised, Ratio, Scaled, Table, Terms, Unknown, parts
+from .table import (
+    Apply,
+    EntryTable,
+    EntryTerms,
+    Leaf,
+    Raised,
+    Ratio,
+    Scaled,
+    SolvedUnknown,
+    TableEntry,
+    parts,
+)
 
 Divisor = tuple[int, ...]
 """The factors below a fraction line, in the order of the table."""
 
-Pair = tuple[int, int]
+FactorPair = tuple[int, int]
 """Two factors, the one that stands first in the table first."""
 
 
-def with_common_factors(table: Table, roots: Sequence[int]) -> tuple[Table, tuple[int, ...]]:
+def with_common_factors(
+    table: EntryTable, roots: Sequence[int]
+) -> tuple[EntryTable, tuple[int, ...]]:
     """Return a table in which what the roots need is divided and multiplied once, and the roots.
 
     >>> from ..formula.tree import Symbol, quotient
@@ -46,9 +59,9 @@ class _Fraction(NamedTuple):
     ratio: Ratio
 
 
-def _divided_once(table: Table, roots: Sequence[int]) -> tuple[Table, tuple[int, ...]]:
+def _divided_once(table: EntryTable, roots: Sequence[int]) -> tuple[EntryTable, tuple[int, ...]]:
     common = _common_divisors(table, roots)
-    made, place = Table(table.split), dict[int, int]()
+    made, place = EntryTable(table.split), dict[int, int]()
     for index, entry in enumerate(table.entries):
         fraction = _fraction(table, index)
         if fraction and _divisor(fraction.ratio) in common:
@@ -59,7 +72,7 @@ def _divided_once(table: Table, roots: Sequence[int]) -> tuple[Table, tuple[int,
     return made, tuple(place[root] for root in roots)
 
 
-def _common_divisors(table: Table, roots: Sequence[int]) -> Mapping[Divisor, Fraction]:
+def _common_divisors(table: EntryTable, roots: Sequence[int]) -> Mapping[Divisor, Fraction]:
     """Return the divisors that several fractions have, with what most of them have above.
 
     That is the number which goes into the reciprocal. Constants are no divisors.
@@ -73,7 +86,7 @@ def _common_divisors(table: Table, roots: Sequence[int]) -> Mapping[Divisor, Fra
     return {d: n.most_common(1)[0][0] for d, n in several.items() if not constant.issuperset(d)}
 
 
-def _fractions(table: Table, roots: Sequence[int]) -> Iterator[_Fraction]:
+def _fractions(table: EntryTable, roots: Sequence[int]) -> Iterator[_Fraction]:
     """Yield the fractions that the roots need, each with its coefficient."""
     needed = set(roots)
     for index in range(len(table.entries) - 1, -1, -1):
@@ -84,7 +97,7 @@ def _fractions(table: Table, roots: Sequence[int]) -> Iterator[_Fraction]:
                 yield fraction
 
 
-def _fraction(table: Table, index: int) -> _Fraction | None:
+def _fraction(table: EntryTable, index: int) -> _Fraction | None:
     match table.entries[index]:
         case Scaled(coefficient, part):
             entry = table.entries[part]
@@ -98,7 +111,7 @@ def _divisor(ratio: Ratio) -> Divisor:
 
 
 def _times_reciprocal(
-    fraction: _Fraction, over: Fraction, made: Table, place: Mapping[int, int]
+    fraction: _Fraction, over: Fraction, made: EntryTable, place: Mapping[int, int]
 ) -> int:
     """Return the entry of a fraction as what is above times the reciprocal ``over``/below."""
     above, below = (tuple(place[f] for f in side) for side in fraction.ratio)
@@ -107,18 +120,18 @@ def _times_reciprocal(
     return _scaled(fraction.coefficient / over, core, made)
 
 
-def _scaled(coefficient: Fraction, entry: int, made: Table) -> int:
+def _scaled(coefficient: Fraction, entry: int, made: EntryTable) -> int:
     return entry if coefficient == 1 else made.add(Scaled(coefficient, entry))
 
 
-def _moved(entry: Entry, place: Mapping[int, int]) -> Entry:
+def _moved(entry: TableEntry, place: Mapping[int, int]) -> TableEntry:
     """Return an entry whose parts have other places."""
     here = tuple(place[part] for part in parts(entry))
     match entry:
         case Leaf():
             return entry
-        case Terms():
-            return Terms(here)
+        case EntryTerms():
+            return EntryTerms(here)
         case Scaled(coefficient, _):
             return Scaled(coefficient, *here)
         case Ratio(above, _):
@@ -127,8 +140,8 @@ def _moved(entry: Entry, place: Mapping[int, int]) -> Entry:
             return Apply(function, here)
         case Raised():
             return Raised(*here)
-        case Unknown(system, which, _):
-            return Unknown(system, which, here)
+        case SolvedUnknown(system, which, _):
+            return SolvedUnknown(system, which, here)
         case _:
             assert_never(entry)
 
@@ -136,14 +149,14 @@ def _moved(entry: Entry, place: Mapping[int, int]) -> Entry:
 # ----------------------------------------------------------------- pairs of factors
 
 
-def _multiplied_once(table: Table, roots: Sequence[int]) -> tuple[Table, tuple[int, ...]]:
+def _multiplied_once(table: EntryTable, roots: Sequence[int]) -> tuple[EntryTable, tuple[int, ...]]:
     needed = table.reached(roots)
     ratios = {i: e for i, e in enumerate(table.entries) if i in needed and isinstance(e, Ratio)}
     products = _Products((s for ratio in ratios.values() for s in ratio), len(table.entries))
     products.share()
     sides = map(tuple, products.rows)
     shared = {index: Ratio(next(sides), next(sides)) for index in ratios}
-    made, place = Table(table.split), dict[int, int]()
+    made, place = EntryTable(table.split), dict[int, int]()
 
     def at(factor: int) -> int:
         """Return the place of an entry or a pair."""
@@ -168,11 +181,11 @@ class _Products:
     def __init__(self, rows: Iterable[Sequence[int]], first: int) -> None:
         self.rows = [list(row) for row in rows]
         self._first = first
-        self._pairs: list[Pair] = []
-        self._rows_of: dict[Pair, dict[int, int]] = {}
-        self._most: list[tuple[int, Pair]] = []
+        self._pairs: list[FactorPair] = []
+        self._rows_of: dict[FactorPair, dict[int, int]] = {}
+        self._most: list[tuple[int, FactorPair]] = []
 
-    def pair(self, factor: int) -> Pair:
+    def pair(self, factor: int) -> FactorPair:
         """Return the factors of a pair."""
         return self._pairs[factor - self._first]
 
@@ -185,7 +198,7 @@ class _Products:
             if -times == self._times(pair):
                 self._replace(pair)
 
-    def _times(self, pair: Pair) -> int:
+    def _times(self, pair: FactorPair) -> int:
         return sum(self._rows_of.get(pair, {}).values())
 
     def _count(self, row: int) -> None:
@@ -206,13 +219,13 @@ class _Products:
             if rows.pop(row, 0):
                 self._note(pair)
 
-    def _note(self, pair: Pair) -> None:
+    def _note(self, pair: FactorPair) -> None:
         """Note how often a pair is there, where it is there twice: most are not."""
         times = self._times(pair)
         if times > 1:
             heappush(self._most, (-times, pair))
 
-    def _replace(self, pair: Pair) -> None:
+    def _replace(self, pair: FactorPair) -> None:
         factor = self._first + len(self._pairs)
         self._pairs.append(pair)
         for row, times in sorted(self._rows_of[pair].items()):
@@ -222,7 +235,7 @@ class _Products:
             self._count(row)
 
     @staticmethod
-    def _put(row: list[int], pair: Pair, factor: int) -> None:
+    def _put(row: list[int], pair: FactorPair, factor: int) -> None:
         """Put a factor where the first one of a pair stands in a row."""
         place = min(map(row.index, pair))
         for part in pair:

@@ -14,14 +14,14 @@ from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
 from ..model.parts.targets import SIGNS
 from ..model.result import DrivingLoad, FrictionResult
 from .functions import AskedResult, steps_to
-from .scope import Scope, rename
+from .scope import ProgramScope, rename
 from .steps import (
     Function,
     Guard,
     Input,
+    ProgramStatement,
+    ResultStatus,
     Solve,
-    Statement,
-    Status,
     leading_to,
     mentioned,
     names_in,
@@ -33,7 +33,7 @@ from .steps import (
 class Companions:
     """Gives functions their companions, under names that nothing else has."""
 
-    def __init__(self, scope: Scope, inputs: Sequence[Input]) -> None:
+    def __init__(self, scope: ProgramScope, inputs: Sequence[Input]) -> None:
         self._scope, self._inputs = scope, inputs
         self._pairs = scope.mechanism.friction.efficiency is None
         self._taken = {*(i.name for i in inputs), *scope.results}
@@ -51,7 +51,7 @@ class Companions:
         status = self._status(function, asked) if self._pairs else None
         return replace(function, status=status) if status else function
 
-    def _status(self, function: Function, asked: AskedResult) -> Status | None:
+    def _status(self, function: Function, asked: AskedResult) -> ResultStatus | None:
         match asked.result.target:
             case WithFriction(LoadRatio() | LoadForm() as of, sense, "exact"):
                 ideal = next(r for r in self._scope.results.values() if r.target == of)
@@ -60,7 +60,7 @@ class Companions:
                 name = self._fresh(f"{function.name}_status")
                 steps = _solving(solved.steps, list(sides_of(guards)))
                 is_idle = isinstance(asked.result, FrictionResult) and asked.result.is_idle
-                return Status(
+                return ResultStatus(
                     name, ideal.name, SIGNS[sense], function.inputs, steps, guards, is_idle
                 )
             case WithFriction(_, sense, "exact"):
@@ -68,7 +68,7 @@ class Companions:
             case _:
                 return None
 
-    def _of_a_force(self, function: Function, asked: AskedResult, sense: Sense) -> Status:
+    def _of_a_force(self, function: Function, asked: AskedResult, sense: Sense) -> ResultStatus:
         """Return the status of a force at a joint: it does not state whether the drive moves."""
         result = asked.result
         assert isinstance(result, FrictionResult), "a force with friction"
@@ -84,7 +84,7 @@ class Companions:
         name = self._fresh(f"{function.name}_status")
         drive = DrivingLoad(ideal, load)
         inputs = self._in_order(used)
-        return Status(name, drive, SIGNS[sense], inputs, steps, guards, result.is_idle)
+        return ResultStatus(name, drive, SIGNS[sense], inputs, steps, guards, result.is_idle)
 
     def _in_order(self, names: Set[str]) -> tuple[Input, ...]:
         return tuple(item for item in self._inputs if item.name in names)
@@ -101,7 +101,9 @@ def _of_the_pose(guards: Sequence[Guard]) -> tuple[Guard, ...]:
     return tuple(g for g in guards if not g.balance)
 
 
-def _solving(steps: Sequence[Statement], ends: Sequence[Formula]) -> tuple[Statement, ...]:
+def _solving(
+    steps: Sequence[ProgramStatement], ends: Sequence[Formula]
+) -> tuple[ProgramStatement, ...]:
     """Return the steps that solve systems, and those that they and the formulas rest on."""
     unknowns = (n for step in steps if isinstance(step, Solve) for n in step.names)
     return leading_to({*names_in(ends), *unknowns}, steps)

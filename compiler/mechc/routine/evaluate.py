@@ -15,9 +15,9 @@ from ..formula.choices import SIGNS, equal_within, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ..model.result import DrivingLoad
 from .arcs import Array
-from .newton import Equations, follow
+from .newton import SolverEquations, follow
 from .quotient import quotient_of
-from .steps import NOTHING, Function, Guard, Pose, Solve, Solver, Statement
+from .steps import NOTHING, Function, Guard, PoseProgram, ProgramStatement, Solve, Solver
 
 Value: TypeAlias = float | Array
 OnArrays = Callable[..., Value]
@@ -130,7 +130,7 @@ def scalar_or_array(value: Value) -> Value:
     return np.asarray(value, dtype=np.float64) if np.ndim(value) else float(value)
 
 
-def pose(pose: Pose, values: Mapping[str, Value]) -> tuple[dict[str, Value], Value]:
+def pose(pose: PoseProgram, values: Mapping[str, Value]) -> tuple[dict[str, Value], Value]:
     """Return the outputs of a pose at values of the inputs, and the status.
 
     The status is 0 where the loops close, 1 where the loops do not close or a branch has
@@ -147,7 +147,7 @@ def pose(pose: Pose, values: Mapping[str, Value]) -> tuple[dict[str, Value], Val
     return {n: scalar_or_array(v) for n, v in found.items()}, scalar_or_array(status)
 
 
-def _run(statement: Statement, scope: dict[str, Array]) -> Array:
+def _run(statement: ProgramStatement, scope: dict[str, Array]) -> Array:
     """Add what a statement defines to the scope; return the status of a solution, else 0."""
     if not isinstance(statement, Solve):
         scope[statement.name] = compute(statement.formula, scope)
@@ -160,7 +160,7 @@ def _run(statement: Statement, scope: dict[str, Array]) -> Array:
     return status
 
 
-def _equations(solver: Solver) -> Equations:
+def _equations(solver: Solver) -> SolverEquations:
     """Return a solver's residuals and slopes, those by the share where changes are given."""
 
     def equations(

@@ -18,9 +18,18 @@ from . import together
 from .companions import Companions
 from .functions import AskedResult, asked, checks, functions
 from .lengths import with_roots
-from .scope import Scope
+from .scope import ProgramScope
 from .sharing import share
-from .steps import Function, Input, Points, Pose, Routine, formulas_of, leading_to, names_of
+from .steps import (
+    Function,
+    Input,
+    PointsProgram,
+    PoseProgram,
+    Routine,
+    formulas_of,
+    leading_to,
+    names_of,
+)
 
 if TYPE_CHECKING:
     from ..pose.motion import Motion
@@ -46,13 +55,13 @@ def program(
     What a used mechanism gives and nothing in a sheet needs has no function.
     Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
     """
-    scope, inputs = Scope(mechanism, results, definitions or {}), _inputs(mechanism)
+    scope, inputs = ProgramScope(mechanism, results, definitions or {}), _inputs(mechanism)
     names = (*inputs, *scope.results)
     needed = _needed(mechanism, results)
     listed = [asked(r, scope, inputs, loops) for r in needed]
     made = _functions(listed, scope, names)
     changed = tuple(r.elsewhere or r for r in results)
-    other = Scope(mechanism, changed, definitions or {}) if changed != results else scope
+    other = ProgramScope(mechanism, changed, definitions or {}) if changed != results else scope
     elsewhere = [asked(r.elsewhere, other, inputs, loops) for r in needed if r.elsewhere]
     coupled = _separate(elsewhere, other, names)
     otherwise = (coupled.get(r.name) for r in needed)
@@ -104,7 +113,7 @@ def _needed(mechanism: Mechanism, results: Sequence[Result]) -> list[Result]:
 
 
 def _functions(
-    listed: Sequence[AskedResult], scope: Scope, names: Sequence[str]
+    listed: Sequence[AskedResult], scope: ProgramScope, names: Sequence[str]
 ) -> Iterator[Function]:
     """Yield the function of each result; many long ones share their steps."""
     long = [one for one in listed if len(one.result.where) > LONG]
@@ -115,7 +124,7 @@ def _functions(
 
 
 def _separate(
-    listed: Iterable[AskedResult], scope: Scope, names: Sequence[str]
+    listed: Iterable[AskedResult], scope: ProgramScope, names: Sequence[str]
 ) -> dict[str, Function]:
     """Return by name functions that compute all themselves; those with one system are one work.
 
@@ -133,7 +142,9 @@ def _unknowns(result: Result) -> frozenset[str]:
     return frozenset(d.name for d in where if isinstance(d.formula, Implicit))
 
 
-def _pose(scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]) -> Pose | None:
+def _pose(
+    scope: ProgramScope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
+) -> PoseProgram | None:
     found = scope.intermediates()
     needed = {name for name, _ in found.formulas}
     unseen = [loop for loop in loops if loop.names.isdisjoint(needed)]
@@ -150,16 +161,16 @@ def _points(
     motion: "Motion",
     inputs: Mapping[str, Input],
     definitions: Mapping[str, Formula],
-) -> Points:
+) -> PointsProgram:
     """Return the program of a motion."""
     quantities = motion.quantities
     own = {q.name: q.formula for q in quantities if not q.is_named}
-    scope = Scope(mechanism, (), {**definitions, **dict(motion.definitions), **own})
+    scope = ProgramScope(mechanism, (), {**definitions, **dict(motion.definitions), **own})
     names = tuple(q.name for q in quantities)
     found = scope.definitions("", map(Symbol, names))
     numbers = [q.formula for q in quantities if q.is_named]
     closed = tuple(q.name for q in quantities if q.kind == "place")
-    return Points(_giving(names, closed, found.formulas, inputs, (), numbers), quantities)
+    return PointsProgram(_giving(names, closed, found.formulas, inputs, (), numbers), quantities)
 
 
 def _giving(
@@ -169,7 +180,7 @@ def _giving(
     inputs: Mapping[str, Input],
     taken: Iterable[str],
     numbers: Sequence[Formula] = (),
-) -> Pose:
+) -> PoseProgram:
     """Return the program that gives some of the names that formulas define, or of numbers."""
     names = {*inputs, *taken, *(name for name, _ in formulas)}
     rooted, _ = with_roots(formulas, [], names)
@@ -179,7 +190,7 @@ def _giving(
     defined = {name for step in steps for name in names_of(step)}
     used |= frozenset(outputs)
     known = tuple(item for name, item in inputs.items() if name in used - defined)
-    return Pose(known, steps, outputs, closed)
+    return PoseProgram(known, steps, outputs, closed)
 
 
 # -------------------------------------------------------------------------- inputs

@@ -17,15 +17,15 @@ from ..model.mechanism import (
     Normal,
     Reaction,
     Require,
+    ResultTarget,
     SpeedRatio,
-    Target,
     WithFriction,
 )
 from ..model.result import FrictionResult, Result
 from ..named import NamedTuple
 from ..pose.pose import ClosedLoop
 from ..study.analysis import as_printed
-from .scope import Scope, rename
+from .scope import ProgramScope, rename
 from .sharing import Shared, named, share
 from .sign_powers import in_choices
 from .steps import (
@@ -33,8 +33,8 @@ from .steps import (
     Function,
     Guard,
     Input,
+    ProgramStatement,
     Solve,
-    Statement,
     Step,
     formulas_of,
     leading_to,
@@ -71,7 +71,7 @@ class AskedResult(NamedTuple):
 
 
 def asked(
-    result: Result, scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
+    result: Result, scope: ProgramScope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
 ) -> AskedResult:
     """Return the inputs, conditions and loops of a function for a result.
 
@@ -96,7 +96,7 @@ def _known(result: Result, used: frozenset[str], inputs: Mapping[str, Input]) ->
     return tuple(item for name, item in inputs.items() if name in used)
 
 
-def _decided(require: Require, owner: str, scope: Scope, used: tuple[Input, ...]) -> bool:
+def _decided(require: Require, owner: str, scope: ProgramScope, used: tuple[Input, ...]) -> bool:
     """Return whether a function's inputs decide a condition.
 
     One that rests on none of any kind holds: the description was checked.
@@ -110,7 +110,7 @@ def _guard(require: Require, names: Mapping[str, str], balance: str) -> Guard:
     return Guard(left, require.operator, right, balance=balance)
 
 
-class Output(NamedTuple):
+class ProgramOutput(NamedTuple):
     """A result in the terms of steps that compute several."""
 
     asked: AskedResult
@@ -127,12 +127,14 @@ class Output(NamedTuple):
 class Computation(NamedTuple):
     """The steps that compute several results, what each makes of them, and their definitions."""
 
-    steps: tuple[Statement, ...]
-    outputs: tuple[Output, ...]
+    steps: tuple[ProgramStatement, ...]
+    outputs: tuple[ProgramOutput, ...]
     definitions: tuple[tuple[str, Formula], ...]
 
 
-def computation(group: Sequence[AskedResult], scope: Scope, names: Iterable[str]) -> Computation:
+def computation(
+    group: Sequence[AskedResult], scope: ProgramScope, names: Iterable[str]
+) -> Computation:
     """Return the steps of several results: what these rest on is worked out once for all."""
     known = scope.together({one.result.name: one.needed for one in group})
     called = [known.names[one.result.name] for one in group]
@@ -141,22 +143,24 @@ def computation(group: Sequence[AskedResult], scope: Scope, names: Iterable[str]
     ends = [[f, *_sides_of_balances(gs)] for f, gs in zip(formulas, guards, strict=True)]
     others = [guard for gs in guards for guard in gs if not guard.balance]
     steps, values = steps_to(known.formulas, [e for each in ends for e in each], others, names)
-    left, outputs = iter(values), list[Output]()
+    left, outputs = iter(values), list[ProgramOutput]()
     for one, formula, gs, each in zip(group, formulas, guards, ends, strict=True):
         value, *sides = islice(left, len(each))
-        outputs.append(Output(one, formula, _with_sides(gs, sides), value))
+        outputs.append(ProgramOutput(one, formula, _with_sides(gs, sides), value))
     return Computation(steps, tuple(outputs), known.formulas)
 
 
 def functions(
-    group: Sequence[AskedResult], scope: Scope, names: Iterable[str]
+    group: Sequence[AskedResult], scope: ProgramScope, names: Iterable[str]
 ) -> Iterator[Function]:
     """Yield functions that compute all that they need themselves, their steps found together."""
     steps, outputs, _ = computation(group, scope, names)
     return (_by_itself(output, scope, steps) for output in outputs)
 
 
-def _by_itself(output: Output, scope: Scope, known: Sequence[Statement]) -> Function:
+def _by_itself(
+    output: ProgramOutput, scope: ProgramScope, known: Sequence[ProgramStatement]
+) -> Function:
     """Return the function of an output by those of the known steps that it needs."""
     asked, formula, guards, value = output
     steps = leading_to(names_in(output.ends), known)
@@ -179,7 +183,7 @@ def _with_sides(guards: Iterable[Guard], sides: Iterable[Formula]) -> tuple[Guar
     )
 
 
-def checks(scope: Scope, inputs: Mapping[str, Input], names: Iterable[str]) -> Checks | None:
+def checks(scope: ProgramScope, inputs: Mapping[str, Input], names: Iterable[str]) -> Checks | None:
     """Return the conditions of a description as a program; None where it has none."""
     requires = scope.mechanism.requires
     sides = [side for require in requires for side in (require.left, require.right)]
@@ -209,7 +213,7 @@ def steps_to(
 
 def written(
     asked: AskedResult,
-    steps: tuple[Statement, ...],
+    steps: tuple[ProgramStatement, ...],
     output: Formula,
     guards: tuple[Guard, ...],
     read: "Read",
@@ -233,12 +237,12 @@ def written(
     )
 
 
-def operations(statements: Iterable[Statement]) -> int:
+def operations(statements: Iterable[ProgramStatement]) -> int:
     """Return how many operations statements are, one correction of each solver."""
     return sum(map(count_operations, _computed(statements)))
 
 
-def _computed(statements: Iterable[Statement]) -> Iterator[Formula]:
+def _computed(statements: Iterable[ProgramStatement]) -> Iterator[Formula]:
     """Yield every formula that is computed, those of a solver once."""
     for statement in statements:
         yield from formulas_of(statement)
@@ -294,7 +298,7 @@ def _with_literals(formula: Formula, where: Sequence[Step]) -> tuple[Step, ...]:
     return (*(Step(*named(constant)) for constant in known), *where)
 
 
-def title(target: Target | None, label: str = "") -> str:
+def title(target: ResultTarget | None, label: str = "") -> str:
     """Return the title of a result, with the user's text for a formula.
 
     >>> title(LoadRatio("P", "F"))
@@ -335,7 +339,9 @@ PARTS = {"x": "x component of the", "y": "y component of the", "size": "size of 
 """The parts of a reaction in words."""
 
 
-def unseen_loops(result: Result, scope: Scope, loops: Sequence[ClosedLoop]) -> list[ClosedLoop]:
+def unseen_loops(
+    result: Result, scope: ProgramScope, loops: Sequence[ClosedLoop]
+) -> list[ClosedLoop]:
     """Return the loops whose failure to close a result would not show, those needed last first.
 
     A loop that rests on another one shows the other's failure as well. One of fixed lengths
@@ -355,7 +361,7 @@ def unseen_loops(result: Result, scope: Scope, loops: Sequence[ClosedLoop]) -> l
     return found
 
 
-def _defined(result: Result, formulas: Sequence[Formula], scope: Scope) -> set[str]:
+def _defined(result: Result, formulas: Sequence[Formula], scope: ProgramScope) -> set[str]:
     return {name for name, _ in scope.definitions(result.name, formulas).formulas}
 
 
@@ -364,7 +370,7 @@ def _concerns(loop: ClosedLoop, names: set[str]) -> bool:
     return not loop.of or any(name.startswith(f"{loop.of}_") for name in names)
 
 
-def _rests_on_a_pose(known: set[str], scope: Scope, loops: Sequence[ClosedLoop]) -> bool:
+def _rests_on_a_pose(known: set[str], scope: ProgramScope, loops: Sequence[ClosedLoop]) -> bool:
     """Return whether a formula of the user's own uses what a loop or virtual power gives."""
     finds = {name for name, result in scope.results.items() if result.target is not None}
     return not known.isdisjoint(finds.union(*(loop.names for loop in loops)))

@@ -32,17 +32,17 @@ from ..formula.tree import (
 from ..formula.walk import symbols
 from .lengths import fresh
 from .sharing import share
-from .steps import Function, Guard, Pose, Solve, Step
+from .steps import Function, Guard, PoseProgram, Solve, Step
 from .unit_vectors import reached
 
 
-def gradients(functions: Iterable[Function]) -> list[tuple[Function, Pose]]:
+def gradients(functions: Iterable[Function]) -> list[tuple[Function, PoseProgram]]:
     """Return functions with the programs of their slopes, those that have one and take inputs."""
     found = ((f, gradient(f)) for f in functions if f.inputs)
     return [(function, program) for function, program in found if program]
 
 
-def gradient(function: Function) -> Pose | None:
+def gradient(function: Function) -> PoseProgram | None:
     """Return a program of a result and its slopes by each input; None where it iterates.
 
     Outputs are the result and the slopes in the order of the inputs. Where a condition fails
@@ -66,7 +66,7 @@ def gradient(function: Function) -> Pose | None:
     ]
     outputs = (value, *slopes)
     needed = reached(definitions, [], outputs)
-    return Pose(function.inputs, share(needed, [], inputs).steps, outputs, (value,))
+    return PoseProgram(function.inputs, share(needed, [], inputs).steps, outputs, (value,))
 
 
 def _holding(guards: Sequence[Guard]) -> Formula:

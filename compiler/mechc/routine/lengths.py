@@ -34,8 +34,8 @@ from ..formula.tree import (
 from ..formula.walk import Once, children, rebuild
 
 Definitions = Sequence[tuple[str, Formula]]
-Named = list[tuple[str, Formula]]
-Sizes = Mapping[frozenset[Formula], str]
+NamedFormulas = list[tuple[str, Formula]]
+SizeNames = Mapping[frozenset[Formula], str]
 """The lengths that have a name, by the components of their vectors, signs aside."""
 
 TWO = number(2)
@@ -43,7 +43,7 @@ TWO = number(2)
 
 def with_roots(
     definitions: Definitions, formulas: Sequence[Formula], taken: set[str]
-) -> tuple[Named, list[Formula]]:
+) -> tuple[NamedFormulas, list[Formula]]:
     """Return definitions and formulas in which lengths of vectors are roots of their squares.
 
     A length whose square is asked for has the square defined before it.
@@ -54,7 +54,7 @@ def with_roots(
     asked = set(_squared([*(f for _, f in paired), *results]))
     squares: dict[Formula, Formula] = {}
     put = _putting(squares)
-    written: Named = []
+    written: NamedFormulas = []
     for name, formula in paired:
         if not _is_length(formula):
             written.append((name, put(formula)))
@@ -152,7 +152,7 @@ def _parted(formula: Sum, lengths: Collection[str]) -> tuple[Formula | None, lis
     return None, []
 
 
-def sizes(definitions: Definitions) -> Sizes:
+def sizes(definitions: Definitions) -> SizeNames:
     """Return the lengths that are defined as those of vectors."""
     return {
         frozenset(map(unsigned, formula.arguments)): name

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from ..formula import newton
 from ..named import NamedTuple
 from . import arcs
-from .arcs import Array, Poses, eliminate
+from .arcs import Array, PoseIndices, eliminate
 from .steps import Solver
 
 
-class Equations(Protocol):
+class SolverEquations(Protocol):
     """Residuals and Jacobian (equations first, poses last) at unknowns and outer symbols.
 
     With what the outer symbols change by on the whole way, slopes by its share as the last column.
@@ -29,7 +29,9 @@ class Equations(Protocol):
     ) -> tuple[Array, Array]: ...
 
 
-def follow(equations: Equations, solver: Solver, outer: Sequence[Array]) -> tuple[Array, Array]:
+def follow(
+    equations: SolverEquations, solver: Solver, outer: Sequence[Array]
+) -> tuple[Array, Array]:
     """Return the status of every pose, and its unknowns: NaN where the status is not 0."""
     shape = np.broadcast_shapes(*map(np.shape, outer))
     wide = [np.broadcast_to(value, shape) for value in outer]
@@ -65,7 +67,7 @@ class _Poses(NamedTuple):
         return _Poses(*(array[..., chosen] for array in self))
 
 
-def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, Array]:
+def _follow(equations: SolverEquations, solver: Solver, outer: Array) -> tuple[Array, Array]:
     number = outer.shape[1]
     anchor, start = _beginning(solver, outer)
     status, result = np.full(number, 2.0), np.full((len(start), number), np.nan)
@@ -93,11 +95,11 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
     return status, result
 
 
-def _by_arcs(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, Array]:
+def _by_arcs(equations: SolverEquations, solver: Solver, outer: Array) -> tuple[Array, Array]:
     """Return statuses and unknowns by the arc length of the branch, from the start on."""
     anchor, start = _beginning(solver, outer)
 
-    def sides(poses: Poses, unknowns: Array, share: Array) -> tuple[Array, Array]:
+    def sides(poses: PoseIndices, unknowns: Array, share: Array) -> tuple[Array, Array]:
         begin, end = anchor[:, poses], outer[:, poses]
         return equations(unknowns, (1.0 - share) * begin + share * end, end - begin)
 

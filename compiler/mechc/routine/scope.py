@@ -13,14 +13,14 @@ from ..model.result import FrictionResult, Result
 from ..named import NamedTuple
 
 
-class Key(NamedTuple):
+class DefinitionKey(NamedTuple):
     """A definition: its name, and the result in whose ``where`` it stands ('' for others)."""
 
     owner: str
     name: str
 
 
-class Definitions(NamedTuple):
+class OrderedDefinitions(NamedTuple):
     """Definitions in an order in which each uses only inputs and earlier ones.
 
     ``names`` gives under which name the formulas asked about find each one, as two
@@ -38,7 +38,7 @@ class Together(NamedTuple):
     names: Mapping[str, Mapping[str, str]]
 
 
-class Scope:
+class ProgramScope:
     """The names of one mechanism and its results."""
 
     def __init__(
@@ -53,24 +53,24 @@ class Scope:
         self._where = {r.name: {d.name: d.formula for d in r.where} for r in self.results.values()}
         self._place = {o: {n: i for i, n in enumerate(names)} for o, names in self._where.items()}
         self._anywhere = {n: owner for owner, names in self._where.items() for n in names}
-        self._used: dict[Key, tuple[tuple[str, Key], ...]] = {}
+        self._used: dict[DefinitionKey, tuple[tuple[str, DefinitionKey], ...]] = {}
         self._posed = frozenset(definitions)
         self._ties = {**definitions, **dict(_ties(mechanism))}
         self._free = {p.name for p in mechanism.parameters}
         self._loads = {load.name for load in mechanism.loads}
 
-    def find(self, owner: str, name: str) -> Key | None:
+    def find(self, owner: str, name: str) -> DefinitionKey | None:
         """Return the key of a name in a result's formulas; None for an input."""
         if name in self._where.get(owner, {}):
-            return Key(owner, name)
+            return DefinitionKey(owner, name)
         if name in self._ties:
-            return Key("", name)
+            return DefinitionKey("", name)
         if name in self._free:
             return None
         if name in self.results and self._is_result(owner, name):
-            return Key(name, "")
+            return DefinitionKey(name, "")
         if name in self._anywhere and name not in self._loads:
-            return Key(self._anywhere[name], name)
+            return DefinitionKey(self._anywhere[name], name)
         return None
 
     def _is_result(self, owner: str, name: str) -> bool:
@@ -89,17 +89,17 @@ class Scope:
             return False
         return result.target is not None or bool(self._where[owner])
 
-    def formula(self, key: Key) -> Formula:
+    def formula(self, key: DefinitionKey) -> Formula:
         """Return the formula of a definition."""
         owner, name = key
         if not name:
             return self.results[owner].formula
         return self._where[owner][name] if owner else self._ties[name]
 
-    def definitions(self, owner: str, formulas: Iterable[Formula]) -> Definitions:
+    def definitions(self, owner: str, formulas: Iterable[Formula]) -> OrderedDefinitions:
         """Return all that formulas of a result need, in order."""
         found = self.together({owner: formulas})
-        return Definitions(found.formulas, found.names[owner])
+        return OrderedDefinitions(found.formulas, found.names[owner])
 
     def together(self, asked: Mapping[str, Iterable[Formula]]) -> Together:
         """Return all that formulas of several results need, in order, by their owners."""
@@ -119,16 +119,23 @@ class Scope:
         parts += [formula for _, formula in definitions.formulas]
         return frozenset[str]().union(*map(symbols, parts)) - defined
 
-    def intermediates(self, others: Iterable[str] = ()) -> Definitions:
+    def intermediates(self, others: Iterable[str] = ()) -> OrderedDefinitions:
         """Return the pose's definitions in any ``where``, others of it, and all they need."""
-        wanted = [Key(o, n) for o, names in self._where.items() for n in names if n in self._posed]
-        wanted += [Key("", name) for name in others if name in self._posed]
+        wanted = [
+            DefinitionKey(o, n)
+            for o, names in self._where.items()
+            for n in names
+            if n in self._posed
+        ]
+        wanted += [DefinitionKey("", name) for name in others if name in self._posed]
         found, chosen = self._named(wanted)
-        return Definitions(tuple(found.items()), {chosen[k]: chosen[k] for k in wanted})
+        return OrderedDefinitions(tuple(found.items()), {chosen[k]: chosen[k] for k in wanted})
 
-    def _named(self, wanted: Iterable[Key]) -> tuple[dict[str, Formula], dict[Key, str]]:
+    def _named(
+        self, wanted: Iterable[DefinitionKey]
+    ) -> tuple[dict[str, Formula], dict[DefinitionKey, str]]:
         """Return all that is needed by the name it gets, and the name of each key."""
-        chosen: dict[Key, str] = {}
+        chosen: dict[DefinitionKey, str] = {}
         found: dict[str, Formula] = {}
         for key in self._needs_first(wanted):
             formula = self.formula(key)
@@ -138,9 +145,9 @@ class Scope:
             found[chosen[key]] = formula
         return found, chosen
 
-    def _needs_first(self, wanted: Iterable[Key]) -> Iterator[Key]:
+    def _needs_first(self, wanted: Iterable[DefinitionKey]) -> Iterator[DefinitionKey]:
         """Yield every definition reached, each after those that it uses."""
-        stack, open_, done = list(wanted)[::-1], set[Key](), set[Key]()
+        stack, open_, done = list(wanted)[::-1], set[DefinitionKey](), set[DefinitionKey]()
         while stack:
             key = stack[-1]
             missing = [k for _, k in self._uses(key) if k not in done]
@@ -153,13 +160,13 @@ class Scope:
                     yield key
                 done.add(key)
 
-    def _uses(self, key: Key) -> tuple[tuple[str, Key], ...]:
+    def _uses(self, key: DefinitionKey) -> tuple[tuple[str, DefinitionKey], ...]:
         """Return the defined names of a definition's formula, found once."""
         if key not in self._used:
             self._used[key] = tuple(self._keys(key.owner, self.formula(key)))
         return self._used[key]
 
-    def _keys(self, owner: str, formula: Formula) -> Iterator[tuple[str, Key]]:
+    def _keys(self, owner: str, formula: Formula) -> Iterator[tuple[str, DefinitionKey]]:
         """Yield the defined names of a formula, those of ``where`` in its order."""
         place = self._place.get(owner, {})
         for name in sorted(symbols(formula), key=lambda n: (place.get(n, len(place)), n)):
@@ -183,7 +190,7 @@ def rename(formula: Formula, names: Mapping[str, str]) -> Formula:
     return substitute(formula, changed) if changed else formula
 
 
-def _free_name(key: Key, formula: Formula, found: Mapping[str, Formula]) -> str:
+def _free_name(key: DefinitionKey, formula: Formula, found: Mapping[str, Formula]) -> str:
     """Return the definition's name, altered where it already means something else."""
     name = key.name or key.owner
     number = 1

@@ -30,17 +30,17 @@ from ..formula.walk import symbols
 from ..named import NamedTuple
 from . import angle_offsets
 from .common_factors import with_common_factors
-from .steps import ByArcs, Solve, Solver, Statement, Step, leading_to, names_in
+from .steps import ByArcs, ProgramStatement, Solve, Solver, Step, leading_to, names_in
 from .table import (
     Apply,
-    Entry,
+    EntryTable,
+    EntryTerms,
     Leaf,
     Raised,
     Ratio,
     Scaled,
-    Table,
-    Terms,
-    Unknown,
+    SolvedUnknown,
+    TableEntry,
     parts,
     tabulate,
 )
@@ -49,7 +49,7 @@ from .table import (
 class Shared(NamedTuple):
     """The steps in order, and the formulas rewritten in terms of them."""
 
-    steps: tuple[Statement, ...]
+    steps: tuple[ProgramStatement, ...]
     formulas: tuple[Formula, ...]
 
 
@@ -142,7 +142,7 @@ def used_outer(system: System) -> tuple[int, ...]:
     return tuple(i for i, (name, _) in enumerate(system.anchor) if name in used)
 
 
-def _used_twice(table: Table, roots: Sequence[int]) -> frozenset[int]:
+def _used_twice(table: EntryTable, roots: Sequence[int]) -> frozenset[int]:
     """Return the entries that get a name: those that the roots reach by more than one way."""
     uses = Counter(roots)
     for index in range(len(table.entries) - 1, -1, -1):
@@ -158,12 +158,12 @@ def _used_twice(table: Table, roots: Sequence[int]) -> frozenset[int]:
     )
 
 
-def _is_step(entry: Entry, table: Table) -> bool:
+def _is_step(entry: TableEntry, table: EntryTable) -> bool:
     """Return whether a shared entry is a step; an unknown has its name from the solution."""
-    return _is_work(entry, table) and not isinstance(entry, Unknown)
+    return _is_work(entry, table) and not isinstance(entry, SolvedUnknown)
 
 
-def _is_work(entry: Entry, table: Table) -> bool:
+def _is_work(entry: TableEntry, table: EntryTable) -> bool:
     """Return whether an entry gets a step: no symbol, minus sign or multiple of a symbol."""
     match entry:
         case Leaf() | Scaled(Fraction(numerator=-1, denominator=1), _):
@@ -187,7 +187,7 @@ def shortened(label: str) -> str:
     return label if len(label) <= LONGEST_LABEL else ""
 
 
-def words(entry: Entry, labels: Labels, entries: Sequence[Entry]) -> str:
+def words(entry: TableEntry, labels: Labels, entries: Sequence[TableEntry]) -> str:
     """Return an entry in words, '' where there are none for it."""
     match entry:
         case Leaf(Symbol(name)):
@@ -200,7 +200,9 @@ def words(entry: Entry, labels: Labels, entries: Sequence[Entry]) -> str:
             return _scaled(coefficient, labels[part], is_pi=entries[part] == Leaf(Pi()))
         case Ratio((one, other), ()) if labels[one] and labels[other]:
             return f"{labels[one]}_{'squared' if one == other else labels[other]}"
-        case Terms(terms) if all(labels[t] and not isinstance(entries[t], Ratio) for t in terms):
+        case EntryTerms(terms) if all(
+            labels[t] and not isinstance(entries[t], Ratio) for t in terms
+        ):
             return "_plus_".join(labels[t] for t in terms).replace("plus_minus", "minus")
         case _:
             return ""
@@ -219,21 +221,21 @@ def _scaled(coefficient: Fraction, label: str, *, is_pi: bool) -> str:
 class _Writer:
     """Turns entries back into formulas, naming the shared ones as it meets them."""
 
-    def __init__(self, table: Table, shared: frozenset[int], taken: set[str]) -> None:
+    def __init__(self, table: EntryTable, shared: frozenset[int], taken: set[str]) -> None:
         self.table = table
         self.shared = shared
         self.taken = taken
-        self.steps: list[Statement] = []
+        self.steps: list[ProgramStatement] = []
         self._written: dict[int, Formula] = {}
         self._labels: dict[int, str] = {}
-        self._names: dict[Unknown, str] = {}
+        self._names: dict[SolvedUnknown, str] = {}
         self._solved: dict[tuple[System, tuple[int, ...]], Solve] = {}
 
     def expect(self, definitions: Iterable[tuple[str, int]]) -> None:
         """Note which unknowns will be defined, so that solutions call them by these names."""
         for name, root in definitions:
             entry = self.table.entries[root]
-            if isinstance(entry, Unknown):
+            if isinstance(entry, SolvedUnknown):
                 self._names.setdefault(entry, name)
 
     def write(self, root: int) -> Formula:
@@ -257,7 +259,7 @@ class _Writer:
         if formula == Symbol(name):
             return
         self.steps.append(Step(name, formula))
-        if not isinstance(entry, Leaf | Unknown):
+        if not isinstance(entry, Leaf | SolvedUnknown):
             self._written.setdefault(root, Symbol(name))
             self._labels.setdefault(root, name)
 
@@ -272,11 +274,11 @@ class _Writer:
             formula = Symbol(label)
         self._written[index], self._labels[index] = formula, label
 
-    def _formula(self, entry: Entry) -> Formula:
+    def _formula(self, entry: TableEntry) -> Formula:
         match entry:
             case Leaf(formula):
                 return formula
-            case Terms(terms):
+            case EntryTerms(terms):
                 return Sum(tuple(self._written[t] for t in terms))
             case Scaled(coefficient, part):
                 return _flat([Number(coefficient), self._written[part]])
@@ -287,7 +289,7 @@ class _Writer:
                 return Call(function, tuple(self._written[a] for a in arguments))
             case Raised(base, exponent):
                 return Power(self._written[base], self._written[exponent])
-            case Unknown(system, which, arguments):
+            case SolvedUnknown(system, which, arguments):
                 return Symbol(self._solution(system, arguments).names[which])
             case _:
                 assert_never(entry)
@@ -296,23 +298,23 @@ class _Writer:
         """Return the step that solves a system, added where it is first needed."""
         key = (system, arguments)
         if key not in self._solved:
-            entries = [Unknown(system, i, arguments) for i in range(len(system.unknowns))]
+            entries = [SolvedUnknown(system, i, arguments) for i in range(len(system.unknowns))]
             names = [self._names.get(e) or self._name(e, system.unknowns[e.which]) for e in entries]
             values = tuple(self._written[arguments[i]] for i in used_outer(system))
             self._solved[key] = Solve(tuple(names), values, solver(system))
             self.steps.append(self._solved[key])
         return self._solved[key]
 
-    def _name(self, entry: Entry, label: str) -> str:
+    def _name(self, entry: TableEntry, label: str) -> str:
         if label in ("", *self.taken) or label[0].isdigit():
-            letter = {Terms: "s", Ratio: "p", Scaled: "p"}.get(type(entry), "t")
+            letter = {EntryTerms: "s", Ratio: "p", Scaled: "p"}.get(type(entry), "t")
             label = next(n for i in count(1) if (n := f"{letter}{i}") not in self.taken)
         self.taken.add(label)
         return label
 
-    def _label(self, entry: Entry) -> str:
+    def _label(self, entry: TableEntry) -> str:
         """Return the label of an entry; a solution has the name of its unknown."""
-        if isinstance(entry, Unknown):
+        if isinstance(entry, SolvedUnknown):
             return shortened(self._solution(entry.system, entry.arguments).names[entry.which])
         return shortened(words(entry, self._labels, self.table.entries))
 

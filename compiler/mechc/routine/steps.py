@@ -18,7 +18,7 @@ from ..model.result import DrivingLoad
 from ..units import ANGLE, LENGTH, Dimension
 
 if TYPE_CHECKING:
-    from ..pose.motion import Quantity
+    from ..pose.motion import MotionQuantity
 
 
 @frozen
@@ -112,22 +112,22 @@ class Solve:
     solver: Solver
 
 
-Statement = Step | Solve
+ProgramStatement = Step | Solve
 
 S = TypeVar("S", bound=Step | Solve)
 
 
-def names_of(statement: Statement) -> tuple[str, ...]:
+def names_of(statement: ProgramStatement) -> tuple[str, ...]:
     """Return the names that a statement gives values to."""
     return statement.names if isinstance(statement, Solve) else (statement.name,)
 
 
-def formulas_of(statement: Statement) -> tuple[Formula, ...]:
+def formulas_of(statement: ProgramStatement) -> tuple[Formula, ...]:
     """Return the formulas that a statement computes from names outside it."""
     return statement.arguments if isinstance(statement, Solve) else (statement.formula,)
 
 
-def mentioned(statements: Iterable[Statement], others: Iterable[Formula]) -> frozenset[str]:
+def mentioned(statements: Iterable[ProgramStatement], others: Iterable[Formula]) -> frozenset[str]:
     """Return the names that statements and other formulas use."""
     return names_in([*(f for s in statements for f in formulas_of(s)), *others])
 
@@ -168,7 +168,7 @@ def sides_of(guards: Iterable[Guard]) -> Iterator[Formula]:
 
 
 @frozen
-class Status:
+class ResultStatus:
     """Whether a result with friction moves what it drives: how code distinguishes its poses.
 
     ``drive`` is the function of the same without friction, or, of a force at a joint, the load
@@ -182,7 +182,7 @@ class Status:
     drive: str | DrivingLoad
     sense: int
     inputs: tuple[Input, ...]
-    steps: tuple[Statement, ...]
+    steps: tuple[ProgramStatement, ...]
     guards: tuple[Guard, ...]
     is_idle: bool = False
 
@@ -232,7 +232,7 @@ class Common:
 
     number: int
     inputs: tuple[Input, ...]
-    steps: tuple[Statement, ...]
+    steps: tuple[ProgramStatement, ...]
     outputs: tuple[str, ...]
     before: "Common | None" = None
 
@@ -257,7 +257,7 @@ class Function:
     title: str
     inputs: tuple[Input, ...]
     guards: tuple[Guard, ...]
-    steps: tuple[Statement, ...]
+    steps: tuple[ProgramStatement, ...]
     output: Formula
     formula: Formula
     where: tuple[Step, ...]
@@ -266,15 +266,15 @@ class Function:
     holds: tuple[Guard, ...] = ()
     iterated: tuple[str, ...] = ()
     common: Common | None = None
-    own: tuple[Statement, ...] = ()
+    own: tuple[ProgramStatement, ...] = ()
     others: tuple[str, ...] = ()
     otherwise: "Function | None" = None
-    status: Status | None = None
+    status: ResultStatus | None = None
     units: Mapping[str, str] = MappingProxyType({})
 
 
 @frozen
-class Pose:
+class PoseProgram:
     """The angles and lengths found by loops that results rest on, together.
 
     ``outputs`` are their names in the order of the results, each defined by ``steps``. Those
@@ -282,20 +282,20 @@ class Pose:
     """
 
     inputs: tuple[Input, ...]
-    steps: tuple[Statement, ...]
+    steps: tuple[ProgramStatement, ...]
     outputs: tuple[str, ...]
     closed: tuple[str, ...]
 
 
 @frozen
-class Points:
+class PointsProgram:
     """Coordinates of points, directions of links and their rates: a program, and what each is.
 
     The outputs of the program are the names of the ``quantities``.
     """
 
-    program: Pose
-    quantities: "tuple[Quantity, ...]"
+    program: PoseProgram
+    quantities: "tuple[MotionQuantity, ...]"
 
 
 @frozen
@@ -307,7 +307,7 @@ class Checks:
     """
 
     inputs: tuple[Input, ...]
-    steps: tuple[Statement, ...]
+    steps: tuple[ProgramStatement, ...]
     guards: tuple[Guard, ...]
 
 
@@ -332,13 +332,13 @@ class Routine:
     title: str
     source: str
     functions: tuple[Function, ...]
-    pose: Pose | None = None
-    points: Points | None = None
+    pose: PoseProgram | None = None
+    points: PointsProgram | None = None
     checks: Checks | None = None
     unchecked: tuple[Require, ...] = ()
 
 
-Program = Common | Function | Pose | Checks
+Program = Common | Function | PoseProgram | Checks
 """What is written out with inputs and steps of its own."""
 
 
@@ -368,7 +368,7 @@ def inputs_of(routine: Routine) -> tuple[Input, ...]:
     return tuple({item.name: item for part in parts for item in part.inputs}.values())
 
 
-def closed_dimensions(pose: Pose, mechanism: Mechanism) -> dict[str, Dimension]:
+def closed_dimensions(pose: PoseProgram, mechanism: Mechanism) -> dict[str, Dimension]:
     """Return the dimension of each output: a parameter's own, else a length or an angle."""
     own = {p.name: p.dimension for p in mechanism.parameters}
     return {n: own.get(n, LENGTH if n.startswith("len_") else ANGLE) for n in pose.outputs}

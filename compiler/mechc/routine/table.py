@@ -34,7 +34,7 @@ class Leaf(NamedTuple):
     formula: Number | Pi | Symbol
 
 
-class Terms(NamedTuple):
+class EntryTerms(NamedTuple):
     """A sum."""
 
     parts: tuple[int, ...]
@@ -68,7 +68,7 @@ class Raised(NamedTuple):
     exponent: int
 
 
-class Unknown(NamedTuple):
+class SolvedUnknown(NamedTuple):
     """An unknown of a system, whose outer symbols have the values of entries."""
 
     system: System
@@ -76,37 +76,37 @@ class Unknown(NamedTuple):
     arguments: tuple[int, ...]
 
 
-Entry = Leaf | Terms | Scaled | Ratio | Apply | Raised | Unknown
+TableEntry = Leaf | EntryTerms | Scaled | Ratio | Apply | Raised | SolvedUnknown
 
 
-class Factors(NamedTuple):
+class EntryFactors(NamedTuple):
     """A product taken apart."""
 
     coefficient: Fraction
     above: tuple[int, ...]
     below: tuple[int, ...]
 
-    def inverse(self) -> "Factors":
+    def inverse(self) -> "EntryFactors":
         """Return 1 / self."""
-        return Factors(1 / self.coefficient, self.below, self.above)
+        return EntryFactors(1 / self.coefficient, self.below, self.above)
 
 
 _QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin")}
 _RECIPROCALS = {"sec": "cos", "csc": "sin"}
 
 
-def parts(entry: Entry) -> tuple[int, ...]:
+def parts(entry: TableEntry) -> tuple[int, ...]:
     """Return the entries that an entry is made of, left to right."""
     match entry:
         case Leaf():
             return ()
-        case Terms(terms):
+        case EntryTerms(terms):
             return terms
         case Scaled(_, part):
             return (part,)
         case Ratio(above, below):
             return above + below
-        case Apply(_, arguments) | Unknown(_, _, arguments):
+        case Apply(_, arguments) | SolvedUnknown(_, _, arguments):
             return arguments
         case Raised(base, exponent):
             return (base, exponent)
@@ -114,7 +114,7 @@ def parts(entry: Entry) -> tuple[int, ...]:
             assert_never(entry)
 
 
-class Table:
+class EntryTable:
     """The entries, and the arguments whose tangent is to be sine over cosine.
 
     ``split`` holds arguments of which a sine or cosine is computed anyway, so that a
@@ -123,11 +123,11 @@ class Table:
 
     def __init__(self, split: frozenset[int] = frozenset()) -> None:
         self.split = split
-        self.entries: list[Entry] = []
+        self.entries: list[TableEntry] = []
         self.lower = Once(self._lower)
         self._known: dict[object, int] = {}
 
-    def add(self, entry: Entry) -> int:
+    def add(self, entry: TableEntry) -> int:
         """Return the place of an entry whose parts are in the table, putting it there."""
         return self._add(entry, (type(entry), *entry))
 
@@ -162,7 +162,7 @@ class Table:
             case Number() | Pi() | Symbol():
                 return self._add(Leaf(node), node)
             case Sum():
-                return self._add(Terms(arguments), (Sum, tuple(sorted(arguments))))
+                return self._add(EntryTerms(arguments), (Sum, tuple(sorted(arguments))))
             case Product():
                 return self._product(self._factors(a) for a in arguments)
             case Power(_, Number(value)) if (2 * value).denominator == 1 and abs(value) <= 64:
@@ -174,29 +174,29 @@ class Table:
             case Call(function, _):
                 return self._call(function, arguments)
             case Implicit(system, index, _):
-                unknown = Unknown(system, index, arguments)
-                return self._add(unknown, (Unknown, *unknown))
+                unknown = SolvedUnknown(system, index, arguments)
+                return self._add(unknown, (SolvedUnknown, *unknown))
             case _:
                 assert_never(node)
 
-    def _add(self, entry: Entry, key: object) -> int:
+    def _add(self, entry: TableEntry, key: object) -> int:
         index = self._known.setdefault(key, len(self.entries))
         if index == len(self.entries):
             self.entries.append(entry)
         return index
 
-    def _factors(self, index: int) -> Factors:
+    def _factors(self, index: int) -> EntryFactors:
         match self.entries[index]:
             case Leaf(Number(value)):
-                return Factors(value, (), ())
+                return EntryFactors(value, (), ())
             case Scaled(coefficient, part):
                 return self._factors(part)._replace(coefficient=coefficient)
             case Ratio(above, below):
-                return Factors(Fraction(1), above, below)
+                return EntryFactors(Fraction(1), above, below)
             case _:
-                return Factors(Fraction(1), (index,), ())
+                return EntryFactors(Fraction(1), (index,), ())
 
-    def _product(self, factors: Iterable[Factors]) -> int:
+    def _product(self, factors: Iterable[EntryFactors]) -> int:
         coefficient, above, below = Fraction(1), list[int](), list[int]()
         for factor in factors:
             coefficient *= factor.coefficient
@@ -240,13 +240,13 @@ class Table:
         whole = self._raise(factors, int(exponent))
         return self._product([*whole, root if exponent > 0 else root.inverse()])
 
-    def _raise(self, factors: Factors, exponent: int) -> list[Factors]:
+    def _raise(self, factors: EntryFactors, exponent: int) -> list[EntryFactors]:
         """Raise a product to an integer by squaring; the squares are entries, computed once."""
         if exponent < 0:
             return self._raise(factors.inverse(), -exponent)
         if exponent < 4:
             return [factors] * exponent
-        square = Factors(
+        square = EntryFactors(
             factors.coefficient**2,
             tuple(self._ratio((f, f), ()) for f in factors.above),
             tuple(self._ratio((f, f), ()) for f in factors.below),
@@ -262,9 +262,9 @@ class Table:
         return self._add(Apply(function, arguments), (Apply, function, arguments))
 
 
-def tabulate(formulas: Iterable[Formula]) -> tuple[Table, tuple[int, ...]]:
+def tabulate(formulas: Iterable[Formula]) -> tuple[EntryTable, tuple[int, ...]]:
     """Return one table of all formulas, and each formula's entry in it."""
-    listed, table = tuple(formulas), Table()
+    listed, table = tuple(formulas), EntryTable()
     entries = tuple(table.lower(f) for f in listed)
     if not any(isinstance(e, Apply) and e.function == "tan" for e in table.entries):
         return table, entries
@@ -273,7 +273,7 @@ def tabulate(formulas: Iterable[Formula]) -> tuple[Table, tuple[int, ...]]:
     return table, tuple(table.lower(f) for f in listed)
 
 
-def _circular(table: Table) -> frozenset[int]:
+def _circular(table: EntryTable) -> frozenset[int]:
     """Return the arguments whose sine or cosine is in the table."""
     return frozenset(
         e.arguments[0]

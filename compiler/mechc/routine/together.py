@@ -20,13 +20,13 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.result import FrictionResult
 from ..named import NamedTuple
-from .functions import AskedResult, Output, Read, computation, operations, written
-from .scope import Scope
+from .functions import AskedResult, ProgramOutput, Read, computation, operations, written
+from .scope import ProgramScope
 from .steps import (
     Common,
     Function,
     Guard,
-    Statement,
+    ProgramStatement,
     Step,
     formulas_of,
     mentioned,
@@ -42,7 +42,7 @@ Groups = dict[tuple[str, ...], list[AskedResult]]
 
 
 def together(
-    listed: Iterable[AskedResult], scope: Scope, names: Sequence[str]
+    listed: Iterable[AskedResult], scope: ProgramScope, names: Sequence[str]
 ) -> dict[str, Function]:
     """Return by name those functions that are computed together."""
     groups, left = Groups(), list[AskedResult]()
@@ -70,7 +70,7 @@ def _repeats(group: Sequence[AskedResult]) -> bool:
 
 
 def _sharing(
-    number: int, group: Sequence[AskedResult], scope: Scope, names: Sequence[str]
+    number: int, group: Sequence[AskedResult], scope: ProgramScope, names: Sequence[str]
 ) -> Iterator[Function]:
     program = GroupProgram(group, scope, names)
     used = names_in(list(program.ends))
@@ -84,7 +84,9 @@ def _sharing(
 class GroupProgram:
     """One program that computes many results: its steps, and what each result makes of them."""
 
-    def __init__(self, group: Sequence[AskedResult], scope: Scope, names: Sequence[str]) -> None:
+    def __init__(
+        self, group: Sequence[AskedResult], scope: ProgramScope, names: Sequence[str]
+    ) -> None:
         self.steps, self.outputs, definitions = computation(group, scope, names)
         self._defined, self._results = dict(definitions), frozenset(scope.results)
 
@@ -93,7 +95,9 @@ class GroupProgram:
         """Yield all that the results make of the steps."""
         return (end for one in self.outputs for end in one.ends)
 
-    def function(self, one: Output, steps: tuple[Statement, ...], work: int) -> Function:
+    def function(
+        self, one: ProgramOutput, steps: tuple[ProgramStatement, ...], work: int
+    ) -> Function:
         """Return the function of a result that takes so many operations of some of the steps."""
         names = _mentioned(one.formula, one.guards)
         where, others = _near(names, self._defined, self._results)
@@ -131,19 +135,19 @@ STRETCH = 16
 class Stop(NamedTuple):
     """A stop where values are handed on: the result there, what it needs, its own steps."""
 
-    at: Output
+    at: ProgramOutput
     needs: int
-    steps: tuple[Statement, ...]
+    steps: tuple[ProgramStatement, ...]
     before: int | None
 
 
 class FromStop(NamedTuple):
     """How a result is computed: from which stop on, by which steps of its own, of all it needs."""
 
-    output: Output
+    output: ProgramOutput
     needs: int
     start: int | None
-    steps: tuple[Statement, ...]
+    steps: tuple[ProgramStatement, ...]
 
 
 def chained(program: GroupProgram, first: int) -> Iterator[Function]:
@@ -182,7 +186,7 @@ class Needs:
         """Return all that these names need, themselves included."""
         return reduce(or_, (self._reached[name] for name in names), 0)
 
-    def steps(self, needs: int) -> tuple[Statement, ...]:
+    def steps(self, needs: int) -> tuple[ProgramStatement, ...]:
         """Return the steps among what is needed."""
         return tuple(self.chosen(needs, self._all))
 

@@ -13,7 +13,7 @@ from ..formula.tree import ONE, Call, Formula, Product, negative, product, total
 from ..named import NamedTuple
 
 
-class Unit(NamedTuple):
+class DirectionVector(NamedTuple):
     """The direction ``(x, y)/size`` of an angle; ``size`` is the positive hypotenuse."""
 
     x: Formula
@@ -30,20 +30,20 @@ class Unit(NamedTuple):
         """Return the sine of the angle."""
         return over(self.y, self.size)
 
-    def turned(self, by: "Unit") -> "Unit":
+    def turned(self, by: "DirectionVector") -> "DirectionVector":
         """Return the direction of a sum of two angles."""
-        return Unit(
+        return DirectionVector(
             total([times(self.x, by.x), negative(times(self.y, by.y))]),
             total([times(self.y, by.x), times(self.x, by.y)]),
             _gathered([self.size, by.size]),
         )
 
-    def back(self) -> "Unit":
+    def back(self) -> "DirectionVector":
         """Return the direction of the opposite angle."""
-        return Unit(self.x, negative(self.y), self.size)
+        return DirectionVector(self.x, negative(self.y), self.size)
 
 
-WANTED: Mapping[str, Callable[[Unit], Formula]] = {
+WANTED: Mapping[str, Callable[[DirectionVector], Formula]] = {
     "sin": lambda u: u.sin,
     "cos": lambda u: u.cos,
     "tan": lambda u: over(u.y, u.x),
@@ -54,18 +54,18 @@ WANTED: Mapping[str, Callable[[Unit], Formula]] = {
 """Each function of an angle, from its direction."""
 
 
-def plain(angle: Angle) -> Unit:
+def plain(angle: Angle) -> DirectionVector:
     """Return the direction of an angle by its own cosine and sine; of a negative one, back."""
     if all(c < 0 for _, c in angle.terms):
         return plain(-angle).back() if angle.terms else _constant(angle)
-    return Unit(Call("cos", (angle.formula(),)), Call("sin", (angle.formula(),)))
+    return DirectionVector(Call("cos", (angle.formula(),)), Call("sin", (angle.formula(),)))
 
 
-def _constant(angle: Angle) -> Unit:
-    return Unit(cosine(angle).formula(), sine(angle).formula())
+def _constant(angle: Angle) -> DirectionVector:
+    return DirectionVector(cosine(angle).formula(), sine(angle).formula())
 
 
-def whole(units: list[Unit]) -> Unit:
+def whole(units: list[DirectionVector]) -> DirectionVector:
     """Return the direction of a sum of angles."""
     result = units[0]
     for unit in units[1:]:

@@ -25,8 +25,8 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import Once, children, rebuild, symbols
-from .lengths import Definitions, Named, fresh, signed, size, sizes, unsigned, with_roots
-from .unit import WANTED, Unit, factors, plain, whole
+from .lengths import Definitions, NamedFormulas, fresh, signed, size, sizes, unsigned, with_roots
+from .unit import WANTED, DirectionVector, factors, plain, whole
 
 MULTIPLES = (-2, -1, 1, 2)
 """Multiples of an angle that are written out."""
@@ -46,7 +46,7 @@ MOST = 5
 
 def in_unit_vectors(
     definitions: Definitions, formulas: Sequence[Formula], kept: Iterable[str], taken: set[str]
-) -> tuple[Named, list[Formula]]:
+) -> tuple[NamedFormulas, list[Formula]]:
     """Return definitions and formulas with polar angles carried as vectors.
 
     ``kept`` are names that must stay defined, ``taken`` those that a new one may not have.
@@ -66,10 +66,12 @@ def in_unit_vectors(
         careful |= lost
 
 
-def reached(definitions: Definitions, results: Iterable[Formula], kept: Iterable[str]) -> Named:
+def reached(
+    definitions: Definitions, results: Iterable[Formula], kept: Iterable[str]
+) -> NamedFormulas:
     """Return the definitions that something needs."""
     used = {*kept, *(name for f in results for name in symbols(f))}
-    found: Named = []
+    found: NamedFormulas = []
     for name, formula in reversed(definitions):
         if name in used:
             found.append((name, formula))
@@ -118,10 +120,10 @@ class _Turning:
         careful: Set[str],
     ) -> None:
         self.lengths, self.uses, self.taken, self.careful = lengths, uses, taken, careful
-        self.units: dict[str, Unit] = {}
+        self.units: dict[str, DirectionVector] = {}
         self.sums: dict[str, Angle] = {}
         self.roots: dict[str, Formula] = {}
-        self.written: Named = []
+        self.written: NamedFormulas = []
         self.used: set[str] = set()
         self.rewritten = Once(self._rewritten)
         self.defined: set[str] = set()
@@ -151,15 +153,17 @@ class _Turning:
         else:
             self.sums[name] = angle
 
-    def _carried(self, name: str, units: list[Unit]) -> Unit:
-        unit = Unit(*map(self.rewritten, whole(units)))
+    def _carried(self, name: str, units: list[DirectionVector]) -> DirectionVector:
+        unit = DirectionVector(*map(self.rewritten, whole(units)))
         if len(units) > 1:
-            unit = Unit(
+            unit = DirectionVector(
                 self._named(f"x_{name}", unit.x), self._named(f"y_{name}", unit.y), unit.size
             )
         if self.uses[name] <= FEW and factors(unit.size) <= LONGEST:
             return unit
-        return Unit(self._named(f"cos_{name}", unit.cos), self._named(f"sin_{name}", unit.sin))
+        return DirectionVector(
+            self._named(f"cos_{name}", unit.cos), self._named(f"sin_{name}", unit.sin)
+        )
 
     def _named(self, name: str, formula: Formula) -> Formula:
         title = fresh(name, self.taken)
@@ -168,11 +172,11 @@ class _Turning:
 
     # ---------------------------------------------------------------------- reading
 
-    def _polar(self, name: str, formula: Formula) -> list[Unit]:
+    def _polar(self, name: str, formula: Formula) -> list[DirectionVector]:
         """Return the terms of an angle as unit vectors: arc functions, carried and plain angles."""
         terms = formula.terms if isinstance(formula, Sum) else (formula,)
         others: list[Formula] = []
-        found: list[Unit] = []
+        found: list[DirectionVector] = []
         for term in terms:
             sign, inner = signed(term)
             unit = self._simple(name, inner)
@@ -187,16 +191,18 @@ class _Turning:
             found.append(plain(angle))
         return found if len(found) <= MOST else []
 
-    def _simple(self, name: str, formula: Formula) -> Unit | None:
+    def _simple(self, name: str, formula: Formula) -> DirectionVector | None:
         match formula:
             case Call("atan2", (y, x)):
-                return Unit(x, y, self._size(name, x, y))
+                return DirectionVector(x, y, self._size(name, x, y))
             case Call("asin", (sine,)) if name not in self.careful:
-                return Unit(self._other_leg(name, sine), sine)
+                return DirectionVector(self._other_leg(name, sine), sine)
             case Call("acos", (cosine,)) if name not in self.careful:
-                return Unit(cosine, self._other_leg(name, cosine))
+                return DirectionVector(cosine, self._other_leg(name, cosine))
             case Call("atan", (slope,)):
-                return Unit(ONE, slope, Call("sqrt", (total([ONE, power(slope, number(2))]),)))
+                return DirectionVector(
+                    ONE, slope, Call("sqrt", (total([ONE, power(slope, number(2))]),))
+                )
             case Symbol(other) if other in self.units:
                 self.used.add(other)
                 return self.units[other]
@@ -234,12 +240,12 @@ class _Turning:
         parts = children(formula)
         return rebuild(formula, tuple(map(self.rewritten, parts))) if parts else formula
 
-    def _turned(self, angle: Angle) -> Unit | None:
+    def _turned(self, angle: Angle) -> DirectionVector | None:
         """Return the direction of an angle that mentions carried ones; None for others."""
         turns = self._turns(angle)
         return whole(turns) if 0 < len(turns) <= MOST else None
 
-    def _turns(self, angle: Angle) -> list[Unit]:
+    def _turns(self, angle: Angle) -> list[DirectionVector]:
         """Return the directions that an angle is the sum of; none where it has no carried one."""
         carried = {n: c for n, c in angle.terms if n in self.units}
         if not carried or any(c not in MULTIPLES for c in carried.values()):
@@ -255,5 +261,5 @@ def _is_root(formula: Formula) -> bool:
     return is_call(bare, "sqrt")
 
 
-def _repeated(unit: Unit, times: int) -> list[Unit]:
+def _repeated(unit: DirectionVector, times: int) -> list[DirectionVector]:
     return [unit if times > 0 else unit.back()] * abs(times)

@@ -9,20 +9,20 @@ from ..pose.places import NOWHERE
 from .assembly import (
     GROUND,
     Action,
-    Assembly,
-    Body,
+    AssembledBodies,
     Couple,
     Cylinder,
     Plane,
     PointForce,
+    RigidBody,
     Transfer,
     Wrench,
     scaled,
 )
-from .diagram import Acting, Kind
-from .free_bodies import Unknown
-from .surfaces import Pair
-from .transfers import Bearing
+from .diagram import Acting, ActionKind
+from .free_bodies import UnknownForce
+from .surfaces import FrictionSurfaces
+from .transfers import PinOnLink
 
 AXES = {"x": Plane(1.0, 0.0), "y": Plane(0.0, 1.0)}
 
@@ -30,7 +30,7 @@ AXES = {"x": Plane(1.0, 0.0), "y": Plane(0.0, 1.0)}
 class Members:
     """The parts of an assembly by their names, and the directions in which they hold pins."""
 
-    def __init__(self, assembly: Assembly) -> None:
+    def __init__(self, assembly: AssembledBodies) -> None:
         translating = [slide.body for slide in assembly.slides]
         telescopes = [_whole(cylinder) for cylinder in assembly.cylinders]
         self.loads = assembly.loads
@@ -64,16 +64,16 @@ class OnBody(NamedTuple):
 class Acts:
     """The forces on pins, and directly on bodies, as the equations have them."""
 
-    def __init__(self, assembly: Assembly) -> None:
+    def __init__(self, assembly: AssembledBodies) -> None:
         self.assembly, self.members = assembly, Members(assembly)
-        self.on_pins: dict[str, dict[tuple[Kind, str], Acting]] = {}
+        self.on_pins: dict[str, dict[tuple[ActionKind, str], Acting]] = {}
         self.on_bodies: dict[str, list[Acting]] = {name: [] for name in self.members.frames}
 
-    def unknown(self, unknown: Unknown, size: float | None) -> None:
+    def unknown(self, unknown: UnknownForce, size: float | None) -> None:
         """Let an unknown act that equilibrium gives, or leaves open."""
         self._take(_of_unknown(unknown, size, self.members))
 
-    def load(self, name: str, size: float, pair: Pair | None) -> None:
+    def load(self, name: str, size: float, pair: FrictionSurfaces | None) -> None:
         """Let a load act, or friction between a pair of surfaces."""
         self._take(_of_load(name, size, pair, self.members))
 
@@ -91,7 +91,7 @@ class Acts:
                     first = self.members.first(by)
                     self._on_body(by, Acting("guide", "ground", first, NOWHERE, -rest))
 
-    def forget(self, bearings: Iterable[Bearing]) -> None:
+    def forget(self, bearings: Iterable[PinOnLink]) -> None:
         """Leave out forces of which teeth, belts or threads make an undetermined part."""
         for place, by in bearings:
             acts = self.on_pins.get(place, {})
@@ -132,7 +132,9 @@ def _plus(first: Acting, second: Acting) -> Acting:
 # -------------------------------------------------------------------- what is found
 
 
-def _of_unknown(unknown: Unknown, size: float | None, members: Members) -> Iterator[OnPin | OnBody]:
+def _of_unknown(
+    unknown: UnknownForce, size: float | None, members: Members
+) -> Iterator[OnPin | OnBody]:
     """Yield the forces that an unknown is; none of what the parts of a telescope do to another."""
     by, on, component = unknown
     if by in members.cylinders and not on:
@@ -157,7 +159,7 @@ def _of_unknown(unknown: Unknown, size: float | None, members: Members) -> Itera
             yield _on_pin("guide", "ground", on, members.guides[on].turned(), size)
 
 
-def _tension(rod: Body, size: float | None) -> Iterator[OnPin]:
+def _tension(rod: RigidBody, size: float | None) -> Iterator[OnPin]:
     (tail, a), (head, b) = rod.points.items()
     along = b.minus(a).unit() or NOWHERE
     yield _on_pin("pin", rod.name, tail, along, size)
@@ -179,7 +181,7 @@ def _of_transfer(
 
 
 def _of_load(
-    name: str, size: float, pair: Pair | None, members: Members
+    name: str, size: float, pair: FrictionSurfaces | None, members: Members
 ) -> Iterator[OnPin | OnBody]:
     """Yield the forces that a load is, or the friction between a pair of surfaces."""
     actions = [scaled(action, size) for action in members.loads[name]]
@@ -219,7 +221,7 @@ def _from_rope(rope: str, action: Action, members: Members) -> Iterator[OnPin | 
 
 
 def _exchange(
-    kind: Kind, actions: tuple[Action, ...], members: Members, size: float | None = 1.0
+    kind: ActionKind, actions: tuple[Action, ...], members: Members, size: float | None = 1.0
 ) -> Iterator[OnPin | OnBody]:
     """Yield what two things do to each other."""
     first, second = actions
@@ -228,7 +230,7 @@ def _exchange(
 
 
 def _alone(
-    kind: Kind,
+    kind: ActionKind,
     by: str,
     action: Action,
     members: Members,
@@ -254,15 +256,15 @@ def _alone(
 
 
 def _on_pin(
-    kind: Kind, by: str, on: str, along: Plane, size: float | None, moment: float = 0.0
+    kind: ActionKind, by: str, on: str, along: Plane, size: float | None, moment: float = 0.0
 ) -> OnPin:
     return OnPin(on, _acting(kind, by, on, along, size)._replace(moment=moment))
 
 
-def _whole(cylinder: Cylinder) -> Body:
+def _whole(cylinder: Cylinder) -> RigidBody:
     """Return a telescope as one body, as it is drawn: what its parts do to each other is inside."""
     first, second = cylinder.ends
-    return Body(cylinder.name, {first: NOWHERE, second: cylinder.along.times(cylinder.reach)})
+    return RigidBody(cylinder.name, {first: NOWHERE, second: cylinder.along.times(cylinder.reach)})
 
 
 def _target(action: Action) -> str:
@@ -274,7 +276,7 @@ def _point(action: Action) -> str:
 
 
 def _acting(
-    kind: Kind, by: str, point: str, along: Plane, size: float | None, moment: float = 0.0
+    kind: ActionKind, by: str, point: str, along: Plane, size: float | None, moment: float = 0.0
 ) -> Acting:
     if size is None:
         return Acting(kind, by, point, None, 0.0, "indeterminate")

@@ -9,8 +9,8 @@ from collections.abc import Mapping, Set
 
 from ..named import NamedTuple
 from .balanced import Balanced, Tie
-from .free_bodies import System
-from .solve import Factors, Row
+from .free_bodies import EquilibriumSystem
+from .solve import EliminatedSystem, SparseRow
 from .tolerances import EPSILON, INCONSISTENT
 from .verdict import OPEN, UNBALANCED
 
@@ -69,7 +69,7 @@ def unknown_bases(at: Balanced, source: Tie, known: Set[str]) -> list[str]:
     return [base for base in at.columns if base != source.base and base not in known]
 
 
-def one_of(at: Balanced, source: Tie) -> Row:
+def one_of(at: Balanced, source: Tie) -> SparseRow:
     """Return the right-hand side where a load is 1 and the other known ones are 0."""
     return {i: -amount / source.factor for i, amount in at.columns[source.base].items()}
 
@@ -95,9 +95,9 @@ def pushes(
 
 
 def combination(
-    system: System,
-    factors: Factors,
-    right: Row,
+    system: EquilibriumSystem,
+    factors: EliminatedSystem,
+    right: SparseRow,
     weights: Mapping[int, float],
 ) -> Answer:
     """Solve for the reactions and the unknown loads, and return a combination of them.

@@ -13,7 +13,7 @@ GROUND = "ground"
 """What stands still; nothing is asked of its equilibrium."""
 
 
-class Body(NamedTuple):
+class RigidBody(NamedTuple):
     """A rigid body: where its points are, seen from the first of them.
 
     An ``arc`` is the rod that stands for a circular slot: no body turns on a pin there.
@@ -34,7 +34,7 @@ class Guide(NamedTuple):
 class Translation(NamedTuple):
     """A body that only translates: its guide takes any force across and any couple."""
 
-    body: Body
+    body: RigidBody
     along: Plane
 
 
@@ -127,13 +127,13 @@ def scaled(action: Action, factor: float) -> Action:
 
 
 @frozen
-class Assembly:
+class AssembledBodies:
     """Everything that equilibrium needs, in numbers.
 
     ``twins`` has the bodies and points that the mirror adds, each with what it is the image of.
     """
 
-    bodies: tuple[Body, ...]
+    bodies: tuple[RigidBody, ...]
     pivots: tuple[str, ...]
     guides: tuple[Guide, ...]
     slides: tuple[Translation, ...]

@@ -4,13 +4,13 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, TypeVar
 
-from ..formula.evaluate import Evaluation, evaluate
+from ..formula.evaluate import Evaluator, evaluate
 from ..formula.walk import symbols
 from ..model.mechanism import Load, Mechanism
 from ..model.result import Definition
 from ..named import NamedTuple
-from .free_bodies import System, equilibrium
-from .solve import Factors, Row, factor, scale_of
+from .free_bodies import EquilibriumSystem, equilibrium
+from .solve import EliminatedSystem, SparseRow, factor, scale_of
 from .unfold import Unfolding
 
 T = TypeVar("T")
@@ -26,7 +26,7 @@ class Tie(NamedTuple):
 class Eliminated(NamedTuple):
     """The eliminated equations with columns for some loads, and the units of these."""
 
-    factors: Factors
+    factors: EliminatedSystem
     units: Mapping[str, float]
 
 
@@ -34,7 +34,7 @@ class Balanced(Unfolding):
     """A pose unfolded; what does not depend on the question is found when first asked for."""
 
     @cached_property
-    def system(self) -> System:
+    def system(self) -> EquilibriumSystem:
         """Return the equations of every free body under the mechanism's own loads."""
         return equilibrium(self.assembly())
 
@@ -44,7 +44,7 @@ class Balanced(Unfolding):
         return ties(self.pose.mechanism, self.values)
 
     @cached_property
-    def columns(self) -> Mapping[str, Row]:
+    def columns(self) -> Mapping[str, SparseRow]:
         """Return the column of one unit of each untied load, with all that is tied to it."""
         return gather(self.system, self.tied)
 
@@ -71,18 +71,18 @@ class Balanced(Unfolding):
     def _found(self) -> dict[Hashable, Any]:
         return {}
 
-    def formulas(self, where: tuple[Definition, ...]) -> Evaluation:
+    def formulas(self, where: tuple[Definition, ...]) -> Evaluator:
         """Return the way to values of formulas that may use definitions, which stand in order."""
         if id(where) not in self._formulas:
             values = dict(self.values)
-            evaluation = Evaluation(values)
+            evaluation = Evaluator(values)
             for name, formula in where:
                 values[name] = evaluation.of(formula)
             self._formulas[id(where)] = where, evaluation  # the id is that of ``where`` as it lives
         return self._formulas[id(where)][1]
 
     @cached_property
-    def _formulas(self) -> dict[int, tuple[tuple[Definition, ...], Evaluation]]:
+    def _formulas(self) -> dict[int, tuple[tuple[Definition, ...], Evaluator]]:
         """Return the evaluations by the identity of definitions, which are kept alive for that."""
         return {}
 
@@ -109,7 +109,7 @@ def untied(sizes: Mapping[str, float], tied: Mapping[str, Tie]) -> dict[str, flo
     return {tied[name].base: size / tied[name].factor for name, size in sizes.items()}
 
 
-def gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, float]]:
+def gather(system: EquilibriumSystem, tied: Mapping[str, Tie]) -> dict[str, dict[int, float]]:
     """Return the column of one unit of each untied load, with all that is tied to it."""
     columns: dict[str, dict[int, float]] = {tie.base: {} for tie in tied.values()}
     for name, (base, multiple) in tied.items():
@@ -119,7 +119,7 @@ def gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, float
 
 
 def with_loads(
-    system: System, loads: Mapping[str, Row]
+    system: EquilibriumSystem, loads: Mapping[str, SparseRow]
 ) -> tuple[list[dict[int, float]], dict[str, float]]:
     """Return the rows with columns for unknown loads behind those of the reactions.
 
@@ -134,7 +134,9 @@ def with_loads(
     return rows, units
 
 
-def eliminated(system: System, loads: Mapping[str, Row], last: int | None = None) -> Eliminated:
+def eliminated(
+    system: EquilibriumSystem, loads: Mapping[str, SparseRow], last: int | None = None
+) -> Eliminated:
     """Eliminate the equations with columns for unknown ``loads``; ``last`` as for ``factor``."""
     rows, units = with_loads(system, loads)
     return Eliminated(factor(rows, len(system.unknowns) + len(loads), last), units)

@@ -9,29 +9,29 @@ from ..model.mechanism import Axial, LoadForm, LoadRatio, Mechanism, Normal, Rea
 from ..model.result import Result
 from ..named import NamedTuple
 
-Sizes = Mapping[str, float]
+LoadSizes = Mapping[str, float]
 
 
-class Case(NamedTuple):
+class LoadCase(NamedTuple):
     """Loads of known sizes; those that ``known`` does not name follow from them.
 
     ``scale`` is the size of a load to which all forces are scaled in the end.
     """
 
     result: str
-    sizes: Sizes
+    sizes: LoadSizes
     known: frozenset[str]
     per: str = ""
     left_out: tuple[str, ...] = ()
     scale: tuple[str, float] | None = None
 
 
-def cases(mechanism: Mechanism, results: Sequence[Result], given: Sizes) -> list[Case]:
+def cases(mechanism: Mechanism, results: Sequence[Result], given: LoadSizes) -> list[LoadCase]:
     """Return the loads that each result takes as given, at the sizes that they have."""
     return list(_distinct(_Loads(mechanism, results, given).cases()))
 
 
-def sizes_of(mechanism: Mechanism, values: Sizes, given: Sizes) -> dict[str, float]:
+def sizes_of(mechanism: Mechanism, values: LoadSizes, given: LoadSizes) -> dict[str, float]:
     """Return the size, in N or N·m, of every load that has one: given, or by the description.
 
     A tie to a load without a size gives none. ``values`` are those of names, in SI.
@@ -47,7 +47,7 @@ def sizes_of(mechanism: Mechanism, values: Sizes, given: Sizes) -> dict[str, flo
     return found
 
 
-def _distinct(cases: Iterable[Case]) -> Iterator[Case]:
+def _distinct(cases: Iterable[LoadCase]) -> Iterator[LoadCase]:
     """Yield the cases but for those whose diagrams would be the same again."""
     seen = set()
     for case in cases:
@@ -63,7 +63,7 @@ class _Loads:
 
     mechanism: Mechanism
     results: Sequence[Result]
-    given: Sizes
+    given: LoadSizes
 
     @property
     def _names(self) -> set[str]:
@@ -78,7 +78,7 @@ class _Loads:
         """Return the loads that the description takes as known."""
         return self._tied | ({let.name for let in self.mechanism.lets} & self._names)
 
-    def cases(self) -> Iterator[Case]:
+    def cases(self) -> Iterator[LoadCase]:
         """Yield the loads that act together, result by result."""
         targets = [result.target for result in self.results]
         solved = {target.load for target in targets if isinstance(target, LoadForm)}
@@ -97,17 +97,17 @@ class _Loads:
                 case _:
                     pass
 
-    def _ratio(self, result: str, above: str, below: str) -> Case:
+    def _ratio(self, result: str, above: str, below: str) -> LoadCase:
         """Return the case of a ratio: at the size of either load, else per unit of the second."""
         known = frozenset((self._valued | {below}) - {above})
         if below in self.given:
-            return Case(result, self._of(known), known)
+            return LoadCase(result, self._of(known), known)
         others = tuple(n for n in self.given if n in known)
         if above in self.given:
-            return Case(result, {below: 1.0}, known, "", others, (above, self.given[above]))
-        return Case(result, {below: 1.0}, known, below, others)
+            return LoadCase(result, {below: 1.0}, known, "", others, (above, self.given[above]))
+        return LoadCase(result, {below: 1.0}, known, below, others)
 
-    def _one_by_one(self, result: str, known: frozenset[str]) -> Iterator[Case]:
+    def _one_by_one(self, result: str, known: frozenset[str]) -> Iterator[LoadCase]:
         """Yield all loads of given sizes at once, and those without one by one.
 
         Where friction is all that the load has to overcome, as in a clutch, there is none.
@@ -116,10 +116,10 @@ class _Loads:
         free = known - sized.keys() - self._tied
         open_ = [load.name for load in self.mechanism.loads if load.name in free]
         if sized or not (known or self.mechanism.friction.joints == ()):
-            yield Case(result, sized, known, left_out=tuple(open_))
+            yield LoadCase(result, sized, known, left_out=tuple(open_))
         for name in open_:
             others = tuple(n for n in (*sized, *open_) if n != name)
-            yield Case(result, {name: 1.0}, known, name, others)
+            yield LoadCase(result, {name: 1.0}, known, name, others)
 
-    def _of(self, names: frozenset[str]) -> Sizes:
+    def _of(self, names: frozenset[str]) -> LoadSizes:
         return {name: size for name, size in self.given.items() if name in names}

@@ -13,9 +13,9 @@ from ..formula.evaluate import evaluate
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
-from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
+from ..model.mechanism import Absolute, AlongLine, Arrow, Direction, Geometry, Offset, Slider, Turn
 from ..named import NamedTuple
-from ..pose.places import KnownVector, Plane, Sweep, between, direction, placed
+from ..pose.places import KnownVector, Plane, PointPlaces, between, direction, placed
 from ..pose.pose import Pose, evaluate_vector
 from .tolerances import LOOP_GAP
 
@@ -30,7 +30,7 @@ class Discrepancy(NamedTuple):
 def worst_gap(pose: Pose, values: Mapping[str, float]) -> Discrepancy | None:
     """Return the largest gap of the pose at these values, None where all fits."""
     edges = [*_links(pose, values), *_vectors(pose, values)]
-    drawing = Drawing(placed(edges), values)
+    drawing = PlacedPoints(placed(edges), values)
     gaps = [drawing.loop(edge) for edge in edges]
     gaps += [drawing.entry(entry) for entry in pose.mechanism.geometry]
     gaps += [drawing.guide(slider) for slider in pose.mechanism.each(Slider)]
@@ -70,10 +70,10 @@ def _known(values: Mapping[str, float], *formulas: Formula) -> bool:
 
 
 @frozen
-class Drawing:
+class PlacedPoints:
     """Points in their places, and what can be measured between them."""
 
-    places: Sweep
+    places: PointPlaces
     values: Mapping[str, float]
 
     def loop(self, edge: KnownVector) -> Discrepancy | None:
@@ -122,7 +122,7 @@ class Drawing:
             case Absolute(angle):
                 known = _known(self.values, angle)
                 return direction(evaluate(angle, self.values)) if known else None
-            case Along(tail, head, quarter):
+            case AlongLine(tail, head, quarter):
                 vector = between(self.places, tail, head)
                 if vector is None:
                     return None

@@ -15,7 +15,7 @@ from .balanced import Balanced
 from .poses import free_values
 from .tolerances import NO_TENSION
 
-Forces = Mapping[tuple[str, str], float]
+ContactForces = Mapping[tuple[str, str], float]
 """What each body does to a pin, by pin and body; tension is negative. A rope's is its tension."""
 
 
@@ -53,7 +53,7 @@ def _wrong(
                 refused.add(key)
 
 
-def _forces(result: Result, at: Balanced, kind: str) -> Iterator[tuple[str, Forces]]:
+def _forces(result: Result, at: Balanced, kind: str) -> Iterator[tuple[str, ContactForces]]:
     """Yield the forces in the joints of one kind from each load that a result takes as given."""
     mechanism = at.pose.mechanism
     given = {load.name for load in mechanism.loads if load.tie is not None}

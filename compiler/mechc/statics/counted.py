@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 
 from ..model.parts.linkage import primed
-from .assembly import Action, Assembly, Couple
+from .assembly import Action, AssembledBodies, Couple
 from .unfold import Unfolding
 
 PinActions = Iterable[tuple[str, tuple[Action, ...]]]
@@ -26,7 +26,7 @@ def uncounted(unfolding: Unfolding, friction: PinActions) -> Iterator[str]:
             yield from (f"{point} on {b}" for b in turning if (point, b) not in acted)
 
 
-def _acted(friction: PinActions, whole: Assembly) -> Iterator[tuple[str, str]]:
+def _acted(friction: PinActions, whole: AssembledBodies) -> Iterator[tuple[str, str]]:
     """Yield each pin, or its twin, with a body on it that friction turns."""
     parts = {c.part(p): (p, c.name) for c in whole.cylinders for p in c.ends}
     for pin, actions in friction:
@@ -36,13 +36,13 @@ def _acted(friction: PinActions, whole: Assembly) -> Iterator[tuple[str, str]]:
                     yield parts.get(action.body, (point, action.body))
 
 
-def _held(whole: Assembly) -> set[str]:
+def _held(whole: AssembledBodies) -> set[str]:
     """Return the pins that the ground, a guide or a body without rotation holds."""
     guided = (guide.point for guide in whole.guides)
     return {*whole.pivots, *guided, *chain(*(slide.body.points for slide in whole.slides))}
 
 
-def _turning(whole: Assembly) -> Mapping[str, list[str]]:
+def _turning(whole: AssembledBodies) -> Mapping[str, list[str]]:
     """Return the links and telescopes at each pin."""
     found: dict[str, list[str]] = {}
     for body in whole.bodies:

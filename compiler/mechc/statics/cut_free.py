@@ -9,19 +9,19 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..frozen import frozen, replace
 from .acts import Acts
-from .assembly import Assembly
+from .assembly import AssembledBodies
 from .diagram import Acting, FreeBody, Plane
-from .free_bodies import System
-from .surfaces import Pair
+from .free_bodies import EquilibriumSystem
+from .surfaces import FrictionSurfaces
 from .tolerances import VANISHED
-from .transfers import Bearing
+from .transfers import PinOnLink
 
-Sweep = Mapping[str, Plane]
+PointPositions = Mapping[str, Plane]
 """Where points are drawn."""
 
 
 @frozen
-class Solution:
+class StaticsSolution:
     """Equations of equilibrium with all that was found.
 
     ``found`` are the unknowns, of which those of the columns ``open`` may be anything.
@@ -30,23 +30,23 @@ class Solution:
     the points that copies share, and hold by their side forces.
     """
 
-    assembly: Assembly
-    system: System
+    assembly: AssembledBodies
+    system: EquilibriumSystem
     found: Sequence[float]
     open: frozenset[int]
     sizes: Mapping[str, float]
-    frictions: Mapping[str, Pair]
-    bearings: frozenset[Bearing]
+    frictions: Mapping[str, FrictionSurfaces]
+    bearings: frozenset[PinOnLink]
     common: frozenset[str]
 
-    def times(self, factor: float) -> "Solution":
+    def times(self, factor: float) -> "StaticsSolution":
         """Return the solution under loads so many times as large."""
         found = [factor * x for x in self.found]
         sizes = {name: factor * size for name, size in self.sizes.items()}
         return replace(self, found=found, sizes=sizes)
 
 
-def cut_free(solution: Solution, places: Sweep) -> tuple[FreeBody, ...]:
+def cut_free(solution: StaticsSolution, places: PointPositions) -> tuple[FreeBody, ...]:
     """Return every link, slide and pin that people draw, with all that acts on it.
 
     Forces do not depend on where slides carry their pins, but the couples of their guides do.
@@ -67,7 +67,7 @@ def cut_free(solution: Solution, places: Sweep) -> tuple[FreeBody, ...]:
 
 
 def sizes_beyond_rounding(
-    solution: Solution, bodies: Sequence[FreeBody], torques: Set[str], places: Sweep
+    solution: StaticsSolution, bodies: Sequence[FreeBody], torques: Set[str], places: PointPositions
 ) -> dict[str, float]:
     """Return the sizes of loads, those as 0 of which nothing but rounding is left.
 
@@ -136,7 +136,7 @@ def _clean(acting: Acting, least: float, couple: float) -> Acting:
     return acting._replace(force=force, moment=(acting.moment if stays else 0.0) + 0.0)
 
 
-def _held(body: FreeBody, places: Sweep) -> FreeBody:
+def _held(body: FreeBody, places: PointPositions) -> FreeBody:
     """Return a slide with the couple of its guide that keeps it from turning."""
     known = all(acting.force is not None for acting in body.forces)
     holding = next((i for i, a in enumerate(body.forces) if a.kind == "guide"), None)
@@ -151,7 +151,7 @@ def _held(body: FreeBody, places: Sweep) -> FreeBody:
     return body._replace(forces=tuple(forces))
 
 
-def _reach(acting: Acting, centre: Plane, places: Sweep) -> float:
+def _reach(acting: Acting, centre: Plane, places: PointPositions) -> float:
     """Return the largest moment that such a force could have at its place."""
     if acting.force is None or not acting.point:
         return abs(acting.moment)

@@ -12,7 +12,9 @@ from ..model.parts.joints import MeshKind
 from ..named import NamedTuple
 from ..pose.places import Plane as Plane
 
-Kind = Literal["load", "pin", "ground", "guide", "slot", "contact", MeshKind, "rope", "friction"]
+ActionKind = Literal[
+    "load", "pin", "ground", "guide", "slot", "contact", MeshKind, "rope", "friction"
+]
 """What an action comes from: a load, a joint, or the friction there."""
 
 Gap = Literal["", "indeterminate", "transmission"]
@@ -20,7 +22,7 @@ Gap = Literal["", "indeterminate", "transmission"]
 belts and threads press on the bearings is undetermined."""
 
 
-Motion = Literal["", "tightening", "releasing"]
+ThreadMotion = Literal["", "tightening", "releasing"]
 
 AT_PINS = ("pin", "ground")
 """Where the couple of friction shifts the force off its point; elsewhere it is a couple."""
@@ -36,7 +38,7 @@ class Acting(NamedTuple):
     guide. ``chosen`` where the force depends on lengths that nothing gives.
     """
 
-    kind: Kind
+    kind: ActionKind
     by: str
     point: str
     force: Plane | None
@@ -88,7 +90,7 @@ class Diagram(NamedTuple):
     """
 
     result: str
-    motion: Motion
+    motion: ThreadMotion
     loads: Mapping[str, float]
     per: str
     left_out: tuple[str, ...]

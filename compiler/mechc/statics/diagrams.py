@@ -14,9 +14,9 @@ from ..model.result import Result
 from ..pose.places import NOWHERE
 from ..pose.pose import Pose
 from . import solved
-from .cases import Case, Sizes, cases, sizes_of
-from .cut_free import Solution, Sweep, cut_free, sizes_beyond_rounding
-from .diagram import Acting, Diagram, FreeBody, Motion
+from .cases import LoadCase, LoadSizes, cases, sizes_of
+from .cut_free import PointPositions, StaticsSolution, cut_free, sizes_beyond_rounding
+from .diagram import Acting, Diagram, FreeBody, ThreadMotion
 from .poses import with_lets
 from .tolerances import FORCE_CHANGE
 from .unfold import Unfolding
@@ -25,11 +25,15 @@ from .verdict import CONSTANT, MIXED
 OTHER, MORE = 1.7, 0.31
 """By what chosen lengths are multiplied to see which forces depend on them, each by more."""
 
-Solve = Callable[[Unfolding, Case], Solution | str]
+SolveCase = Callable[[Unfolding, LoadCase], StaticsSolution | str]
 
 
 def diagrams(
-    pose: Pose, results: tuple[Result, ...], values: Sizes, places: Sweep, sizes: Sizes
+    pose: Pose,
+    results: tuple[Result, ...],
+    values: LoadSizes,
+    places: PointPositions,
+    sizes: LoadSizes,
 ) -> tuple[Diagram, ...]:
     """Return the free bodies under every set of loads, without friction and then with it.
 
@@ -51,8 +55,8 @@ class _Maker:
     """A mechanism at one pose under one set of loads."""
 
     unfolding: Unfolding
-    places: Sweep
-    case: Case
+    places: PointPositions
+    case: LoadCase
 
     def diagrams(self, *, mixed: bool) -> Iterator[Diagram]:
         """Yield the diagram without friction, and one with it if there is any.
@@ -69,11 +73,11 @@ class _Maker:
         elif friction.joints:
             yield self._solved(friction.sense, solved.with_friction)
 
-    def _empty(self, motion: Motion, trouble: str) -> Diagram:
+    def _empty(self, motion: ThreadMotion, trouble: str) -> Diagram:
         case = self.case
         return Diagram(case.result, motion, case.sizes, case.per, case.left_out, (), trouble)
 
-    def _solved(self, motion: Motion, solve: Solve) -> Diagram:
+    def _solved(self, motion: ThreadMotion, solve: SolveCase) -> Diagram:
         solution = solve(self.unfolding, self.case)
         if isinstance(solution, str):
             return self._empty(motion, solution)
@@ -94,10 +98,10 @@ class _Maker:
         loads = self.unfolding.pose.mechanism.loads
         return frozenset(load.name for load in loads if isinstance(load, Torque))
 
-    def _cut(self, solution: Solution) -> tuple[FreeBody, ...]:
+    def _cut(self, solution: StaticsSolution) -> tuple[FreeBody, ...]:
         return cut_free(solution, self.places)
 
-    def _scale(self, solution: Solution) -> tuple[float, str]:
+    def _scale(self, solution: StaticsSolution) -> tuple[float, str]:
         """Return by what forces are multiplied, and the load of which they are per unit then.
 
         A load whose size is zero here, or has the other sign, can be no measure of the rest.

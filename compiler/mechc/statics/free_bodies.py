@@ -17,13 +17,13 @@ from ..named import NamedTuple
 from .assembly import (
     GROUND,
     Action,
-    Assembly,
-    Body,
+    AssembledBodies,
     Couple,
     Cylinder,
     PinOnBody,
     Plane,
     PointForce,
+    RigidBody,
     Transfer,
     Translation,
     Wrench,
@@ -33,7 +33,7 @@ from .tolerances import VANISHED
 X, Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
 
 
-class Unknown(NamedTuple):
+class UnknownForce(NamedTuple):
     """A force to be found: what exerts it, on which pin (``""`` for a tension), which component."""
 
     by: str
@@ -42,7 +42,7 @@ class Unknown(NamedTuple):
 
 
 @frozen
-class System:
+class EquilibriumSystem:
     """Sums of forces and moments: ``rows · unknowns + Σ load · loads[load] = 0``.
 
     Rows and columns are numbered; ``loads`` gives what one unit of each load adds to each
@@ -50,7 +50,7 @@ class System:
     """
 
     rows: tuple[Mapping[int, float], ...]
-    unknowns: tuple[Unknown, ...]
+    unknowns: tuple[UnknownForce, ...]
     loads: Mapping[str, Mapping[int, float]]
 
 
@@ -59,7 +59,7 @@ class _Sums:
 
     def __init__(self) -> None:
         self.rows: list[dict[int, float]] = []
-        self.unknowns: list[Unknown] = []
+        self.unknowns: list[UnknownForce] = []
         self.pins: dict[str, int] = {}
         self.bodies: dict[str, int] = {}
 
@@ -78,7 +78,7 @@ class _Sums:
             self.bodies[name] = self._more(3)
         return self.bodies[name]
 
-    def force(self, unknown: Unknown, point: str, along: Plane) -> int:
+    def force(self, unknown: UnknownForce, point: str, along: Plane) -> int:
         """Let an unknown force act on a pin and return its column."""
         column = len(self.unknowns)
         self.unknowns.append(unknown)
@@ -104,7 +104,7 @@ def _components(vector: Plane) -> tuple[float, float]:
     )
 
 
-def equilibrium(assembly: Assembly) -> System:
+def equilibrium(assembly: AssembledBodies) -> EquilibriumSystem:
     """Return the equations of every free body of an assembly."""
     sums = _Sums()
     actions = [a for several in assembly.loads.values() for a in several]
@@ -119,10 +119,10 @@ def equilibrium(assembly: Assembly) -> System:
         else:
             _pin_forces(sums, body)
     for point in assembly.pivots:
-        sums.force(Unknown("ground", point, "x"), point, X)
-        sums.force(Unknown("ground", point, "y"), point, Y)
+        sums.force(UnknownForce("ground", point, "x"), point, X)
+        sums.force(UnknownForce("ground", point, "y"), point, Y)
     for guide in assembly.guides:
-        sums.force(Unknown("guide", guide.point, "normal"), guide.point, guide.along.turned())
+        sums.force(UnknownForce("guide", guide.point, "normal"), guide.point, guide.along.turned())
     for slide in assembly.slides:
         _translation(sums, slide)
     for contact in assembly.contacts:
@@ -132,23 +132,23 @@ def equilibrium(assembly: Assembly) -> System:
     for cylinder in assembly.cylinders:
         _cylinder(sums, cylinder)
     loads = {name: _load(sums, actions) for name, actions in assembly.loads.items()}
-    return System(tuple(sums.rows), tuple(sums.unknowns), loads)
+    return EquilibriumSystem(tuple(sums.rows), tuple(sums.unknowns), loads)
 
 
-def _tension(sums: _Sums, rod: Body) -> None:
+def _tension(sums: _Sums, rod: RigidBody) -> None:
     (tail, a), (head, b) = rod.points.items()
     length = math.hypot(b.x - a.x, b.y - a.y)
     along = Plane(b.x - a.x, b.y - a.y).times(1 / length) if length else Plane(0.0, 0.0)
-    column = sums.force(Unknown(rod.name, "", "tension"), tail, along)
+    column = sums.force(UnknownForce(rod.name, "", "tension"), tail, along)
     sums.act(column, sums.pin(head), along.times(-1))
 
 
-def _pin_forces(sums: _Sums, body: Body) -> None:
+def _pin_forces(sums: _Sums, body: RigidBody) -> None:
     first = sums.body(body.name)
     for point, arm in body.points.items():
         x, y = _components(arm)
         for component, along, lever in (("x", X, y), ("y", Y, -x)):
-            column = sums.force(Unknown(body.name, point, component), point, along)
+            column = sums.force(UnknownForce(body.name, point, component), point, along)
             sums.act(column, first, along.times(-1))
             sums.rows[first + 2][column] = lever
 
@@ -158,8 +158,8 @@ def _translation(sums: _Sums, slide: Translation) -> None:
     _pin_forces(sums, slide.body)
     first = sums.body(slide.body.name)
     across, couple = len(sums.unknowns), len(sums.unknowns) + 1
-    sums.unknowns.append(Unknown("guide", slide.body.name, "normal"))
-    sums.unknowns.append(Unknown("guide", slide.body.name, "couple"))
+    sums.unknowns.append(UnknownForce("guide", slide.body.name, "normal"))
+    sums.unknowns.append(UnknownForce("guide", slide.body.name, "couple"))
     sums.act(across, first, slide.along.turned())
     sums.rows[first + 2][couple] = 1.0
 
@@ -167,7 +167,7 @@ def _translation(sums: _Sums, slide: Translation) -> None:
 def _contact(sums: _Sums, contact: PinOnBody) -> None:
     """Let a body push a pin along the normal, and the pin push back where it is."""
     n = Plane(*_components(contact.normal))
-    column = sums.force(Unknown(contact.body, contact.point, contact.kind), contact.point, n)
+    column = sums.force(UnknownForce(contact.body, contact.point, contact.kind), contact.point, n)
     first = sums.body(contact.body)
     sums.act(column, first, n.times(-1))
     sums.rows[first + 2][column] = contact.arm.y * n.x - contact.arm.x * n.y
@@ -182,12 +182,12 @@ def _cylinder(sums: _Sums, cylinder: Cylinder) -> None:
     for point in cylinder.ends:
         part = sums.body(cylinder.part(point))
         for component, along in (("x", X), ("y", Y)):
-            column = sums.force(Unknown(cylinder.name, point, component), point, along)
+            column = sums.force(UnknownForce(cylinder.name, point, component), point, along)
             sums.act(column, part, along.times(-1))
     first, second = (sums.body(cylinder.part(point)) for point in cylinder.ends)
     across, couple = len(sums.unknowns), len(sums.unknowns) + 1
-    sums.unknowns.append(Unknown(cylinder.name, "", "side"))
-    sums.unknowns.append(Unknown(cylinder.name, "", "couple"))
+    sums.unknowns.append(UnknownForce(cylinder.name, "", "side"))
+    sums.unknowns.append(UnknownForce(cylinder.name, "", "couple"))
     sums.act(across, second, cylinder.along.turned())
     sums.act(across, first, cylinder.along.turned().times(-1))
     sums.rows[first + 2][across] = -cylinder.reach
@@ -197,7 +197,7 @@ def _cylinder(sums: _Sums, cylinder: Cylinder) -> None:
 
 def _transfer(sums: _Sums, transfer: Transfer) -> None:
     column = len(sums.unknowns)
-    sums.unknowns.append(Unknown(transfer.name, "", "transfer"))
+    sums.unknowns.append(UnknownForce(transfer.name, "", "transfer"))
     for row, amount in _places(sums, (*transfer.actions, *transfer.bearings)):
         sums.rows[row][column] = sums.rows[row].get(column, 0.0) + amount
 

@@ -17,25 +17,25 @@ from ..model.parts.targets import SIGNS
 from ..named import NamedTuple
 from .answers import Answer
 from .balanced import Balanced, Tie, gather, ties, untied, with_loads
-from .free_bodies import System, equilibrium
+from .free_bodies import EquilibriumSystem, equilibrium
 from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
-from .solve import Factors, Row, factor
-from .surfaces import Pair, pairs_of
+from .solve import EliminatedSystem, SparseRow, factor
+from .surfaces import FrictionSurfaces, pairs_of
 from .tolerances import EPSILON, INCONSISTENT, NO_SLIP, SAME_TERM
 from .unfold import Unfolding
 from .verdict import OPEN, STANDS, UNBALANCED, UNSETTLED
 
-Found = Sequence[float]
+SolutionVector = Sequence[float]
 """The unknowns under a load."""
 
 
 class DrivingSystem(NamedTuple):
     """Equations with the driving load as their last unknown, in a unit of its own."""
 
-    system: System
+    system: EquilibriumSystem
     columns: Mapping[str, Mapping[int, float]]
-    factors: Factors
+    factors: EliminatedSystem
     drive: int
     unit: float
 
@@ -43,8 +43,8 @@ class DrivingSystem(NamedTuple):
 class RightSide(NamedTuple):
     """A part of the right-hand side, and the unknowns that balance it."""
 
-    right: Row
-    found: Found
+    right: SparseRow
+    found: SolutionVector
 
 
 class Responses(NamedTuple):
@@ -56,10 +56,10 @@ class Responses(NamedTuple):
 
     question: DrivingSystem
     loads: RightSide
-    pairs: tuple[Pair, ...]
+    pairs: tuple[FrictionSurfaces, ...]
     thrusts: Mapping[str, float]
     slips: tuple[float, ...]
-    each: tuple[Found, ...]
+    each: tuple[SolutionVector, ...]
 
 
 class FrictionForces(NamedTuple):
@@ -71,7 +71,7 @@ class FrictionForces(NamedTuple):
 
     question: DrivingSystem
     loads: RightSide
-    pairs: tuple[Pair, ...]
+    pairs: tuple[FrictionSurfaces, ...]
     senses: tuple[float, ...]
     against: tuple[RightSide, ...]
     frictions: tuple[float, ...]
@@ -82,12 +82,12 @@ class FrictionForces(NamedTuple):
         return [(self.loads, 1.0), *zip(self.against, self.frictions, strict=True)]
 
 
-class Loaded(NamedTuple):
+class FrictionLoading(NamedTuple):
     """All that :class:`FrictionForces` has but its sizes, and what they follow from."""
 
     question: DrivingSystem
     loads: RightSide
-    pairs: tuple[Pair, ...]
+    pairs: tuple[FrictionSurfaces, ...]
     senses: tuple[float, ...]
     against: tuple[RightSide, ...]
     surfaces: list[SurfacePair]
@@ -142,7 +142,7 @@ def _answered(
 
 def _loaded(
     unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
-) -> Loaded | str:
+) -> FrictionLoading | str:
     """Return the forces of loads and frictions on all pairs of surfaces, or why these are open."""
     find = partial(_responses, unfolding, driving, given)
     asked = driving, *sorted(given.items())
@@ -150,14 +150,14 @@ def _loaded(
     return found if isinstance(found, str) else _in_sense(found, SIGNS[sense])
 
 
-def _in_sense(found: Responses, sign: int) -> Loaded:
+def _in_sense(found: Responses, sign: int) -> FrictionLoading:
     """Return the forces of loads and frictions in one of the two senses of motion."""
     question, loads, pairs, thrusts, slips, each = found
     senses = tuple(-sign * slip for slip in slips)
     against = tuple(map(partial(_part_against, question), pairs, senses, each))
     responses = [[s * x for x in r] for s, r in zip(senses, each, strict=True)]
     surfaces = _loaded_surfaces(question, pairs, senses, (loads.found, thrusts), responses)
-    return Loaded(question, loads, pairs, senses, against, surfaces)
+    return FrictionLoading(question, loads, pairs, senses, against, surfaces)
 
 
 def _responses(unfolding: Unfolding, driving: str, given: Mapping[str, float]) -> Responses | str:
@@ -233,7 +233,7 @@ def _combined(parts: Sequence[Answer]) -> Answer:
     return Answer(size, sum(part.influence for part in parts))
 
 
-def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> DrivingSystem:
+def _question(unfolding: Unfolding, pairs: Sequence[FrictionSurfaces], drive: str) -> DrivingSystem:
     system = equilibrium(unfolding.assembly(*((p.name, p.actions) for p in pairs)))
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     columns = {**gather(system, tied), **{p.name: dict(system.loads[p.name]) for p in pairs}}
@@ -246,7 +246,7 @@ def _slip(
     question: DrivingSystem,
     adjoint: Sequence[float],
     friction: dict[int, float],
-    response: Found,
+    response: SolutionVector,
 ) -> float:
     """Return the sign of the slip behind a friction of 1 as the load drives along its arrow.
 
@@ -264,12 +264,14 @@ def _slip(
     return 0.0 if is_rounding else math.copysign(1.0, slip)
 
 
-def _against(question: DrivingSystem, pair: Pair, sense: float) -> dict[int, float]:
+def _against(question: DrivingSystem, pair: FrictionSurfaces, sense: float) -> dict[int, float]:
     """Return the right-hand side of a friction of 1 in a pair."""
     return {i: -v * sense for i, v in question.columns[pair.name].items()}
 
 
-def _part_against(question: DrivingSystem, pair: Pair, sense: float, response: Found) -> RightSide:
+def _part_against(
+    question: DrivingSystem, pair: FrictionSurfaces, sense: float, response: SolutionVector
+) -> RightSide:
     """Return a friction of 1 against a slip, none where nothing slips; a response to one of 1."""
     found = [sense * x if sense else 0.0 for x in response]
     return RightSide(_against(question, pair, sense), found)
@@ -277,10 +279,10 @@ def _part_against(question: DrivingSystem, pair: Pair, sense: float, response: F
 
 def _loaded_surfaces(
     question: DrivingSystem,
-    pairs: Sequence[Pair],
+    pairs: Sequence[FrictionSurfaces],
     senses: Sequence[float],
-    without: tuple[Found, Mapping[str, float]],
-    responses: Sequence[Found],
+    without: tuple[SolutionVector, Mapping[str, float]],
+    responses: Sequence[SolutionVector],
 ) -> list[SurfacePair]:
     """Return the normal forces of each pair: without friction, and per unit of each friction."""
     ideal, thrusts = without
@@ -300,7 +302,7 @@ def _loaded_surfaces(
     return found
 
 
-def _pressing(system: System, pair: Pair) -> tuple[int, ...]:
+def _pressing(system: EquilibriumSystem, pair: FrictionSurfaces) -> tuple[int, ...]:
     return tuple(
         i
         for i, u in enumerate(system.unknowns)

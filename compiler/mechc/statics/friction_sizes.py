@@ -73,7 +73,7 @@ LITTLE = 1e-4
 STALLED = 1e-9
 """Corrections this short that no longer shrink are rounding, too."""
 
-Components = Sequence[tuple[float, Sequence[float]]]
+WeightedComponents = Sequence[tuple[float, Sequence[float]]]
 """Perpendicular components of a force: without friction, and what each friction adds."""
 
 
@@ -81,7 +81,7 @@ class SurfacePair(NamedTuple):
     """A pair of surfaces: its coefficient, and what presses it."""
 
     factor: float
-    components: Components
+    components: WeightedComponents
 
 
 def friction_sizes(pairs: Sequence[SurfacePair]) -> list[float] | None:
@@ -130,7 +130,7 @@ def _repeated(pairs: Sequence[SurfacePair]) -> list[float] | None:
     return None
 
 
-def _size(components: Components, frictions: Sequence[float]) -> float:
+def _size(components: WeightedComponents, frictions: Sequence[float]) -> float:
     return math.hypot(*(ideal + sum(map(mul, frictions, by)) for ideal, by in components))
 
 
@@ -210,7 +210,7 @@ class _Way:
         return self._roundness * (1 - part) * found[-1]
 
     @staticmethod
-    def _sides(components: Components, found: Sequence[float], part: float) -> list[float]:
+    def _sides(components: WeightedComponents, found: Sequence[float], part: float) -> list[float]:
         """Return the components of a force."""
         *forces, load = found
         return [a * load + part * sum(map(mul, by, forces)) for a, by in components]

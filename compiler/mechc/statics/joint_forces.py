@@ -7,7 +7,7 @@ from ..model.mechanism import Axial, ForceAtJoint, Normal, Reaction
 from .answers import Answer, combination, one_of, unknown_bases
 from .assembly import Plane
 from .balanced import Balanced
-from .free_bodies import System, Unknown
+from .free_bodies import EquilibriumSystem, UnknownForce
 from .unfold import Unfolding
 
 Weights = Mapping[int, float]
@@ -29,7 +29,9 @@ def joint_force(at: Balanced, target: ForceAtJoint, given: str, known: Set[str])
     return Answer(size, sum(p.influence for p in parts), trouble)
 
 
-def wanted_of(target: ForceAtJoint, unfolding: Unfolding, system: System) -> tuple[Weights, ...]:
+def wanted_of(
+    target: ForceAtJoint, unfolding: Unfolding, system: EquilibriumSystem
+) -> tuple[Weights, ...]:
     """Return a force as a combination of unknowns, or both components of one whose size counts."""
     axes = {"x": Plane(1.0, 0.0), "y": Plane(0.0, 1.0)}
     match target:
@@ -54,7 +56,7 @@ def _is_loaded(link: str, point: str, unfolding: Unfolding) -> bool:
 
 
 def _on_link_or_point(
-    system: System, unfolding: Unfolding, point: str, link: str, along: Plane
+    system: EquilibriumSystem, unfolding: Unfolding, point: str, link: str, along: Plane
 ) -> Weights:
     """Return a component of the force on a link at a point, or of the ground on the point."""
     weights: dict[int, float] = {}
@@ -74,11 +76,11 @@ def _on_link_or_point(
     return weights
 
 
-def _normal(system: System, unfolding: Unfolding, point: str) -> Weights:
+def _normal(system: EquilibriumSystem, unfolding: Unfolding, point: str) -> Weights:
     """Return the force of a contact or slot, else that of a guide on the point or its slide."""
     held = {point, *(s.name for s in unfolding.pose.mechanism.slides_at(point))}
 
-    def fits(unknown: Unknown) -> bool:
+    def fits(unknown: UnknownForce) -> bool:
         return unknown.on in held and unknown.component in ("slot", "contact", "normal")
 
     touching = [i for i, u in enumerate(system.unknowns) if fits(u)]

@@ -18,13 +18,13 @@ from ..frozen import frozen
 from ..named import NamedTuple
 from .tolerances import DETERMINED, ELIMINATED, SAME_TERM
 
-Row = Mapping[int, float]
+SparseRow = Mapping[int, float]
 
 THRESHOLD = 0.1
 """A pivot is at least this part of the largest entry of its row."""
 
 
-class Step(NamedTuple):
+class RowAddition(NamedTuple):
     """One addition of the elimination: ``multiple`` of row ``source`` leaves row ``target``."""
 
     target: int
@@ -32,7 +32,7 @@ class Step(NamedTuple):
     multiple: float
 
 
-class Pivot(NamedTuple):
+class PivotElement(NamedTuple):
     """The unknown ``column`` follows from ``row`` once the later pivots are known.
 
     It has the factor ``entry`` there; ``others`` are what is left of the row.
@@ -45,23 +45,23 @@ class Pivot(NamedTuple):
 
 
 @frozen
-class Factors:
+class EliminatedSystem:
     """An eliminated system, ready for any right-hand side."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[SparseRow, ...]
     scales: tuple[float, ...]
     width: int
-    steps: tuple[Step, ...]
-    pivots: tuple[Pivot, ...]
+    steps: tuple[RowAddition, ...]
+    pivots: tuple[PivotElement, ...]
 
-    def solve(self, right: Row) -> list[float]:
+    def solve(self, right: SparseRow) -> list[float]:
         """Return the unknowns for one right-hand side, refined once; undetermined ones are 0."""
         scaled = {i: v * self.scales[i] for i, v in right.items()}
         first = self._substitute(scaled)
         correction = self._substitute(dict(enumerate(self._residual(first, scaled))))
         return [x + d for x, d in zip(first, correction, strict=True)]
 
-    def gap(self, unknowns: Sequence[float], right: Row) -> float:
+    def gap(self, unknowns: Sequence[float], right: SparseRow) -> float:
         """Return the largest residual of a row relative to its terms: 0 when consistent."""
         scaled = {i: v * self.scales[i] for i, v in right.items()}
         weights = self.weights(unknowns, right)
@@ -69,7 +69,7 @@ class Factors:
         residual = self._residual(unknowns, scaled)
         return max((abs(r) / heaviest for r in residual if heaviest), default=0.0)
 
-    def weights(self, unknowns: Sequence[float], right: Row) -> list[float]:
+    def weights(self, unknowns: Sequence[float], right: SparseRow) -> list[float]:
         """Return, per row, the sum of the sizes that its terms may have with entries up to 1."""
         sizes = [abs(x) for x in unknowns]
         return [
@@ -99,20 +99,20 @@ class Factors:
             weights[source] -= multiple * weights[target]
         return weights
 
-    def _residual(self, unknowns: Sequence[float], scaled: Row) -> list[float]:
+    def _residual(self, unknowns: Sequence[float], scaled: SparseRow) -> list[float]:
         return [
             math.fsum([scaled.get(i, 0.0), *[-a * unknowns[j] for j, a in row.items()]])
             for i, row in enumerate(self.rows)
         ]
 
-    def _substitute(self, scaled: Row) -> list[float]:
+    def _substitute(self, scaled: SparseRow) -> list[float]:
         right = dict(scaled)
         for target, source, multiple in self.steps:
             if source in right:
                 right[target] = right.get(target, 0.0) - multiple * right[source]
         return self._back(right, {})
 
-    def _back(self, right: Row, free: Row) -> list[float]:
+    def _back(self, right: SparseRow, free: SparseRow) -> list[float]:
         unknowns = [free.get(j, 0.0) for j in range(self.width)]
         for row, column, entry, others in reversed(self.pivots):
             rest = sum([a * unknowns[j] for j, a in others])
@@ -120,7 +120,7 @@ class Factors:
         return unknowns
 
 
-def factor(rows: Sequence[Row], width: int, last: int | None = None) -> Factors:
+def factor(rows: Sequence[SparseRow], width: int, last: int | None = None) -> EliminatedSystem:
     """Eliminate a system of ``width`` unknowns; column ``last`` is a pivot only if nothing else is.
 
     >>> factors = factor([{0: 1.0, 1: 1.0}, {0: 1.0, 1: -1.0}, {0: 2.0, 1: 2.0}], 2)
@@ -135,7 +135,7 @@ def factor(rows: Sequence[Row], width: int, last: int | None = None) -> Factors:
     )
     elimination = _Elimination(scaled, width, last)
     elimination.run()
-    return Factors(
+    return EliminatedSystem(
         scaled,
         scales,
         width,
@@ -144,7 +144,7 @@ def factor(rows: Sequence[Row], width: int, last: int | None = None) -> Factors:
     )
 
 
-def scale_of(row: Row) -> float:
+def scale_of(row: SparseRow) -> float:
     """Return the power of two that brings the largest entry near 1: scaling rounds nothing."""
     largest = max(map(abs, row.values()), default=0.0)
     return math.ldexp(1.0, -math.frexp(largest)[1]) if largest else 1.0
@@ -153,7 +153,7 @@ def scale_of(row: Row) -> float:
 class _Elimination:
     """The rows while they are being eliminated."""
 
-    def __init__(self, rows: Sequence[Row], width: int, last: int | None) -> None:
+    def __init__(self, rows: Sequence[SparseRow], width: int, last: int | None) -> None:
         self.left = {i: dict(row) for i, row in enumerate(rows)}
         self.columns: list[set[int]] = [set() for _ in range(width)]
         for i, row in self.left.items():
@@ -162,8 +162,8 @@ class _Elimination:
         self.size = [1.0] * len(rows)
         self.last = last
         self.queue = [(len(row), i) for i, row in self.left.items()]
-        self.steps: list[Step] = []
-        self.pivots: list[Pivot] = []
+        self.steps: list[RowAddition] = []
+        self.pivots: list[PivotElement] = []
 
     def run(self) -> None:
         """Take row after row, shortest first, until all are pivots or empty."""
@@ -184,7 +184,7 @@ class _Elimination:
             del row[j]
             self.columns[j].discard(i)
 
-    def _choose(self, row: Row) -> int:
+    def _choose(self, row: SparseRow) -> int:
         enough = THRESHOLD * max(map(abs, row.values()))
         fit = [j for j, v in row.items() if abs(v) >= enough]
         return min(fit, key=lambda j: (j == self.last, len(self.columns[j]), j))
@@ -197,9 +197,9 @@ class _Elimination:
             self._subtract(target, i, row, column)
         self.columns[column].clear()
         others = tuple((j, v) for j, v in row.items() if j != column)
-        self.pivots.append(Pivot(i, column, row[column], others))
+        self.pivots.append(PivotElement(i, column, row[column], others))
 
-    def _subtract(self, target: int, source: int, row: Row, column: int) -> None:
+    def _subtract(self, target: int, source: int, row: SparseRow, column: int) -> None:
         into = self.left[target]
         multiple = into.pop(column) / row[column]
         for j, v in row.items():
@@ -213,5 +213,5 @@ class _Elimination:
             else:
                 into[j] = old - term
                 self.columns[j].add(target)
-        self.steps.append(Step(target, source, multiple))
+        self.steps.append(RowAddition(target, source, multiple))
         heapq.heappush(self.queue, (len(into), target))

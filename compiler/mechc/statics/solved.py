@@ -3,18 +3,18 @@
 import math
 
 from .balanced import Tie, gather, ties, untied, with_loads
-from .cases import Case
-from .cut_free import Solution
+from .cases import LoadCase
+from .cut_free import StaticsSolution
 from .free_bodies import equilibrium
 from .friction import friction_forces
-from .solve import Factors, factor
+from .solve import EliminatedSystem, factor
 from .tolerances import INCONSISTENT
-from .transfers import Bearing, bearings
+from .transfers import PinOnLink, bearings
 from .unfold import Unfolding
 from .verdict import OPEN, SEVERAL, UNBALANCED
 
 
-def ideal(unfolding: Unfolding, case: Case) -> Solution | str:
+def ideal(unfolding: Unfolding, case: LoadCase) -> StaticsSolution | str:
     """Return all forces without friction, or why there are none."""
     assembly, tied = unfolding.assembly(), _ties(unfolding)
     system = equilibrium(assembly)
@@ -35,10 +35,10 @@ def ideal(unfolding: Unfolding, case: Case) -> Solution | str:
         return OPEN
     sizes |= {base: found[column] * units[base] for base, column in places.items()}
     loads = _of_all(sizes, tied)
-    return Solution(assembly, system, found, open_, loads, {}, *_besides(unfolding))
+    return StaticsSolution(assembly, system, found, open_, loads, {}, *_besides(unfolding))
 
 
-def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
+def with_friction(unfolding: Unfolding, case: LoadCase) -> StaticsSolution | str:
     """Return all forces with friction, or why there are none."""
     tied = _ties(unfolding)
     unknown = _unknown(case, tied)
@@ -56,7 +56,7 @@ def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
         {**untied(case.sizes, tied), drive: found[question.drive] * question.unit}, tied
     )
     frictions = zip(slipping.pairs, slipping.senses, slipping.frictions, strict=True)
-    return Solution(
+    return StaticsSolution(
         unfolding.assembly(*((pair.name, pair.actions) for pair in slipping.pairs)),
         question.system,
         found,
@@ -71,7 +71,7 @@ def _ties(unfolding: Unfolding) -> dict[str, Tie]:
     return ties(unfolding.pose.mechanism, unfolding.values)
 
 
-def _unknown(case: Case, tied: dict[str, Tie]) -> list[str]:
+def _unknown(case: LoadCase, tied: dict[str, Tie]) -> list[str]:
     """Return the untied loads that follow from the given ones."""
     known = {tied[name].base for name in case.sizes} | case.known
     return [name for name, tie in tied.items() if tie.base == name and name not in known]
@@ -83,14 +83,14 @@ def _of_all(sizes: dict[str, float], tied: dict[str, Tie]) -> dict[str, float]:
     return {name: sizes[tie.base] * tie.factor for name, tie in acting.items()}
 
 
-def _open(factors: Factors) -> frozenset[int]:
+def _open(factors: EliminatedSystem) -> frozenset[int]:
     """Return the columns of what equilibrium doesn't determine."""
     if len(factors.pivots) == factors.width:
         return frozenset()
     return frozenset(i for i in range(factors.width) if not factors.determined(i))
 
 
-def _besides(unfolding: Unfolding) -> tuple[frozenset[Bearing], frozenset[str]]:
+def _besides(unfolding: Unfolding) -> tuple[frozenset[PinOnLink], frozenset[str]]:
     """Return the other bearings, of wheels, racks and screws, and the points that copies share."""
     copies = unfolding.pose.mechanism.copies
     return bearings(unfolding.pose.mechanism), frozenset(copies.sharing if copies else ())

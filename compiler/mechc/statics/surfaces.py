@@ -30,7 +30,7 @@ from .unfold import Unfolding
 
 
 @frozen
-class Pair:
+class FrictionSurfaces:
     """Two surfaces: a unit of friction between them as a load, by what they are pressed.
 
     They are pressed by the forces of body ``by`` on pin ``on``, or on its own body; and by a
@@ -48,13 +48,13 @@ class Pair:
     thrust: Formula | None = None
 
 
-def pairs_of(unfolding: Unfolding) -> Iterator[Pair]:
+def pairs_of(unfolding: Unfolding) -> Iterator[FrictionSurfaces]:
     """Yield the pairs of surfaces that have friction."""
     for given in unfolding.pose.mechanism.friction.joints:
         yield from _of(given, unfolding)
 
 
-def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
+def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[FrictionSurfaces]:
     match given:
         case PinFriction():
             yield from _on_pin(given, unfolding)
@@ -62,31 +62,33 @@ def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
         case WheelFriction(joint, factor=factor_):
             size = evaluate(factor_, unfolding.values)
-            yield Pair("transmission", joint, _rim(joint, unfolding), joint, "", size)
+            yield FrictionSurfaces("transmission", joint, _rim(joint, unfolding), joint, "", size)
         case ThreadFriction(joint, factor=factor_, thread=thread):
             size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
             actions = _along_thread(joint, diameter, unfolding)
-            yield Pair("transmission", joint, actions, joint, "", size)
+            yield FrictionSurfaces("transmission", joint, actions, joint, "", size)
         case CollarFriction(joint, factor=factor_, radius=radius):
             size, arm = (evaluate(f, unfolding.values) for f in (factor_, radius))
             actions = _on_collar(joint, arm, unfolding)
             more = tuple(_thrusts(joint, unfolding))
-            yield Pair("transmission", f"collar of {joint}", actions, joint, "", size, more)
+            yield FrictionSurfaces(
+                "transmission", f"collar of {joint}", actions, joint, "", size, more
+            )
         case PivotFriction(point, link, factor_, radius, thrust):
             size, arm = (evaluate(f, unfolding.values) for f in (factor_, radius))
             name, couples = f"collar on {point}", unfolding.couple(link, arm)
-            yield Pair("transmission", name, couples, link, point, size, thrust=thrust)
+            yield FrictionSurfaces("transmission", name, couples, link, point, size, thrust=thrust)
         case RopeFriction(joint, point, factor=factor_):
             size, forces = evaluate(factor_, unfolding.values), _around(given, unfolding)
             more = tuple(_along(given, unfolding))
-            yield Pair("rope", f"pulley on {point}", forces, joint, "", size, more)
+            yield FrictionSurfaces("rope", f"pulley on {point}", forces, joint, "", size, more)
         case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:
             assert_never(given)
 
 
-def _on_pin(given: PinFriction, unfolding: Unfolding) -> Iterator[Pair]:
+def _on_pin(given: PinFriction, unfolding: Unfolding) -> Iterator[FrictionSurfaces]:
     """Yield a pair for each body that turns on a pin, but for the one that the pin is fixed to."""
     point, carrier = given.point, given.carrier
     size = evaluate(given.radius, unfolding.values)
@@ -94,7 +96,9 @@ def _on_pin(given: PinFriction, unfolding: Unfolding) -> Iterator[Pair]:
         if body != carrier:
             couples = unfolding.turning(body, point, 1.0)
             back = unfolding.turning(carrier, point, -1.0) if carrier else ()
-            yield Pair("pin", f"pin {point} {body}", (*couples, *back), body, point, size)
+            yield FrictionSurfaces(
+                "pin", f"pin {point} {body}", (*couples, *back), body, point, size
+            )
 
 
 def _thrusts(joint: str, unfolding: Unfolding) -> Iterator[tuple[str, float]]:
@@ -115,7 +119,7 @@ def _along(given: RopeFriction, unfolding: Unfolding) -> Iterator[tuple[str, flo
             yield f"pulley on {other.point}", 0.5 if given.place > other.place else -0.5
 
 
-def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
+def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[FrictionSurfaces]:
     """Yield a guide, but not one that copies share: their side forces cancel around the axis.
 
     On one that mirrored halves share they cancel by themselves, as both are there.
@@ -125,27 +129,31 @@ def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
         return
     body = next((s.name for s in unfolding.pose.mechanism.slides_at(point)), point)
     push = unfolding.push(point, unfolding.direction_of_guide(point))
-    yield Pair("guide", f"guide {point}", push, "guide", body, size)
+    yield FrictionSurfaces("guide", f"guide {point}", push, "guide", body, size)
 
 
-def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
+def _face(point: str, size: float, unfolding: Unfolding) -> FrictionSurfaces:
     """Return the pair that pushes the pin along a face, and the body under it back there."""
     if found := unfolding.pose.mechanism.arc_at(point):
         rod, arc = found
         return _arc(point, size, rod.name, arc, unfolding)
     touch = next(t for t in unfolding.pose.contacts if t.point == point)
     along = direction(touch.normal.evaluate(unfolding.values)).turned()
-    return Pair("face", f"face {point}", _apart(touch, along, unfolding), touch.body, point, size)
+    return FrictionSurfaces(
+        "face", f"face {point}", _apart(touch, along, unfolding), touch.body, point, size
+    )
 
 
-def _arc(point: str, size: float, rod: str, arc: ArcSlot, unfolding: Unfolding) -> Pair:
+def _arc(point: str, size: float, rod: str, arc: ArcSlot, unfolding: Unfolding) -> FrictionSurfaces:
     """Return the pair that turns a pin in a circular slot about the centre, and the link back.
 
     The wall gives N and μN across it: together R = N·√(1 + μ²), at r·μ/√(1 + μ²) of the centre.
     """
     couples = unfolding.turning(rod, arc.centre, 1.0), unfolding.turning(arc.link, arc.centre, -1.0)
     reach = evaluate(arc.radius, unfolding.values) * size / math.hypot(1.0, size)
-    return Pair("pin", f"face {point}", (*couples[0], *couples[1]), rod, arc.centre, reach)
+    return FrictionSurfaces(
+        "pin", f"face {point}", (*couples[0], *couples[1]), rod, arc.centre, reach
+    )
 
 
 # ---------------------------------------------------- a friction of 1, as it acts

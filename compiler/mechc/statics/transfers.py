@@ -11,7 +11,7 @@ from ..model.parts.linkage import primed
 from .assembly import GROUND, Action, Couple, PointForce, Transfer, Wrench, direction
 from .halves import Halves
 
-Bearing = tuple[str, str]
+PinOnLink = tuple[str, str]
 """A pin or slide, and what holds it there against teeth, a belt or a thread."""
 
 
@@ -106,7 +106,7 @@ def both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:
 # ------------------------------------------------------------------------------ bearings
 
 
-def bearings(mechanism: Mechanism) -> frozenset[Bearing]:
+def bearings(mechanism: Mechanism) -> frozenset[PinOnLink]:
     """Return the bearings of wheels, racks and screws, in both halves."""
     half = list(_bearings_of_half(mechanism))
     points = [(primed(point), by) for point, by in half]
@@ -117,7 +117,7 @@ def bearings(mechanism: Mechanism) -> frozenset[Bearing]:
     )
 
 
-def _bearings_of_half(mechanism: Mechanism) -> Iterator[Bearing]:
+def _bearings_of_half(mechanism: Mechanism) -> Iterator[PinOnLink]:
     for joint in mechanism.joints:
         match joint:
             case WheelPair():

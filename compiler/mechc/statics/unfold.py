@@ -21,14 +21,14 @@ from ..model.parts.linkage import primed
 from ..pose.pose import evaluate_vector
 from .assembly import (
     Action,
-    Assembly,
-    Body,
+    AssembledBodies,
     Couple,
     Cylinder,
     Guide,
     PinOnBody,
     Plane,
     PointForce,
+    RigidBody,
     Translation,
     Wrench,
     direction,
@@ -126,10 +126,10 @@ class Unfolding(Halves):
         arm = self.arm(link, next(iter(self.pose.frames[link])), point)
         return Wrench(link, push, arm.x * push.y - arm.y * push.x)
 
-    def assembly(self, *more: tuple[str, tuple[Action, ...]]) -> Assembly:
+    def assembly(self, *more: tuple[str, tuple[Action, ...]]) -> AssembledBodies:
         """Return the unfolded mechanism with its own loads and ``more`` named ones."""
         loads = {load.name: self._actions(load) for load in self.pose.mechanism.loads}
-        return Assembly(
+        return AssembledBodies(
             bodies=tuple(bodies(self)),
             pivots=tuple(pivots(self)),
             guides=tuple(guides(self)),
@@ -142,15 +142,15 @@ class Unfolding(Halves):
         )
 
 
-def bodies(halves: Halves) -> Iterator[Body]:
+def bodies(halves: Halves) -> Iterator[RigidBody]:
     """Yield every link, in both halves."""
     for link in halves.pose.mechanism.links:
         frame = halves.pose.frames[link.name]
         points = {p: Plane(*evaluate_vector(frame[p], halves.values)) for p in link.points}
-        yield Body(link.name, points, link.arc is not None)
+        yield RigidBody(link.name, points, link.arc is not None)
         if not halves.is_shared(link.name):
             twins = {halves.twin(p): halves.reflected(v) for p, v in points.items()}
-            yield Body(primed(link.name), twins, link.arc is not None)
+            yield RigidBody(primed(link.name), twins, link.arc is not None)
 
 
 def pivots(halves: Halves) -> Iterator[str]:
@@ -186,10 +186,10 @@ def slides(halves: Halves) -> Iterator[Translation]:
         along = direction(halves.pose.slides[slide.name].evaluate(halves.values))
         frame = halves.pose.frames[slide.name]
         points = {p: Plane(*evaluate_vector(frame[p], halves.values)) for p in slide.points}
-        yield Translation(Body(slide.name, points), along)
+        yield Translation(RigidBody(slide.name, points), along)
         if not halves.is_shared(slide.name):
             twins = {halves.twin(p): halves.reflected(v) for p, v in points.items()}
-            yield Translation(Body(primed(slide.name), twins), halves.reflected(along))
+            yield Translation(RigidBody(primed(slide.name), twins), halves.reflected(along))
 
 
 def point_contacts(halves: Halves) -> Iterator[PinOnBody]:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ..algebra.factors import Factor
-from ..algebra.orders import Root, order
+from ..algebra.orders import AngleRoot, order
 from ..algebra.product import Product
 from ..algebra.sums import canonical
 from ..formula.walk import symbols
@@ -11,11 +11,13 @@ from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force
 from ..model.parts.loads import SpeedAgainst
-from ..power.balance import Balance, Solved, Term
+from ..power.balance import AlgebraicResult, Balance, Term
 from .analysis import Acted, Cause, DeadCentre
 
 
-def cause(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Cause:
+def cause(
+    factor: Factor, at: Sequence[AngleRoot], item: AlgebraicResult, balance: Balance, side: int
+) -> Cause:
     """Return whether the point of a load stands still or moves across it, if that is known."""
     ratio = across_of(item, balance, side)
     if (
@@ -39,7 +41,7 @@ def _is_of_sizes(factor: Factor, balance: Balance) -> bool:
 
 
 def _is_theirs(
-    factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int
+    factor: Factor, at: Sequence[AngleRoot], item: AlgebraicResult, balance: Balance, side: int
 ) -> bool:
     """Return whether the two loads do it by themselves, not one that is tied to the other.
 
@@ -52,12 +54,12 @@ def _is_theirs(
     return _vanishes(canonical(still.power[0] / moving.power[0]), factor, at)
 
 
-def _still_and_moving(item: Solved, side: int) -> tuple[str, str]:
+def _still_and_moving(item: AlgebraicResult, side: int) -> tuple[str, str]:
     """Return the load of which the power is zero, and the other one."""
     return (item.below, item.above) if side > 0 else (item.above, item.below)
 
 
-def across_of(item: Solved, balance: Balance, side: int) -> Product | None:
+def across_of(item: AlgebraicResult, balance: Balance, side: int) -> Product | None:
     """Return the velocity of a load's point across it, per power of the other load.
 
     0 for a torque, whose power is zero where its link stands still; None where there is no one
@@ -79,7 +81,7 @@ def _acted(speed: SpeedAgainst) -> Acted:
     return Acted(speed.of, is_distance=speed.kind == "distance")
 
 
-def _vanishes(ratio: Product, factor: Factor, at: Sequence[Root]) -> bool:
+def _vanishes(ratio: Product, factor: Factor, at: Sequence[AngleRoot]) -> bool:
     """Return whether a ratio is zero with a factor: by its order where that has roots."""
     if at:
         return all((order(ratio, root.name, root.value) or 0) > 0 for root in at)

@@ -12,7 +12,7 @@ from ..diagnostics import friction as messages
 from ..formula.evaluate import evaluate
 from ..formula.roots import spaced
 from ..formula.walk import symbols
-from ..friction.problem import Problem
+from ..friction.problem import FrictionProblem
 from ..friction.results import by_coefficients
 from ..friction.solution import Solution
 from ..model.mechanism import Find, LoadForm, LoadRatio, WithFriction
@@ -38,7 +38,7 @@ CELLS = 48
 
 def remark_on_constant(solution: Solution, report: Report) -> None:
     """Warn where an efficiency given as one number is far from the truth."""
-    problem = Problem(solution.balance, Report(report.source))
+    problem = FrictionProblem(solution.balance, Report(report.source))
     for find in problem.mechanism.finds:
         if isinstance(find.target, WithFriction):
             ideal = next(r for r in solution.results if r.target == find.target.of)
@@ -50,7 +50,7 @@ def remark_on_constant(solution: Solution, report: Report) -> None:
 
 
 def _by_coefficients(
-    problem: Problem, find: Find, target: WithFriction, ideal: Result
+    problem: FrictionProblem, find: Find, target: WithFriction, ideal: Result
 ) -> FrictionResult | None:
     """Return the result that the joints' friction makes; None where they have none, or forces."""
     if not problem.mechanism.friction.joints or not isinstance(target.of, LoadRatio | LoadForm):

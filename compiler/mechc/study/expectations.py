@@ -280,7 +280,7 @@ def _figures(finding: Finding, unit: str) -> tuple[str, str]:
     return found, expected
 
 
-def likely_a_formula(finding: Finding, given: Values) -> "messages.Slip":
+def likely_a_formula(finding: Finding, given: Values) -> "messages.LikelySlip":
     """Return that a figure was compared as a formula, and refuted at other values than given."""
     expect = finding.expect
     is_figure = not expect.at and not symbols(expect.value)
@@ -288,7 +288,7 @@ def likely_a_formula(finding: Finding, given: Values) -> "messages.Slip":
     return "figure" if is_figure and elsewhere else ""
 
 
-def _slip(finding: Finding) -> "messages.Slip":
+def _slip(finding: Finding) -> "messages.LikelySlip":
     """Return the likely slip between two numbers, where it shows in them."""
     if not finding.expected or not math.isfinite(finding.found) or not finding.found:
         return ""

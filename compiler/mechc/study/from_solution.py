@@ -7,7 +7,7 @@ from math import isclose, isfinite
 
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
-from ..algebra.factors import Constant, Length
+from ..algebra.factors import ConstantSymbol, Length
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..diagnostics import Report
@@ -24,7 +24,7 @@ from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFr
 from ..model.result import Definition, Result
 from ..model.values import Values, holds, usual_units
 from ..pose.pose import Pose
-from ..power.balance import Balance, Solved
+from ..power.balance import AlgebraicResult, Balance
 from ..power.definitions import resting_on
 from ..power.numbers import DefaultNumbers
 from ..units import LENGTH
@@ -77,7 +77,7 @@ def _study(solution: Solution) -> "ratios.Study":
 
 
 def _concluded(
-    item: Solved | SolvedWithFriction,
+    item: AlgebraicResult | SolvedWithFriction,
     solution: Solution,
     numbers: DefaultNumbers,
     study: "Callable[[], ratios.Study]",
@@ -223,7 +223,7 @@ def _proportional(value: Product, result: Result) -> Mapping[str, int]:
     find: nothing else stays as it is where that changes.
     """
     lengths = {f: e for f, e in value.factors.items() if isinstance(f, Length)}
-    factors = {f.name: e for f, e in lengths.items() if not isinstance(f, Constant)}
+    factors = {f.name: e for f, e in lengths.items() if not isinstance(f, ConstantSymbol)}
     rest = Product(1, {f: e for f, e in value.factors.items() if not isinstance(f, Length)})
     inside = symbols(rest.formula()).union(*(symbols(d.formula) for d in result.where))
     inside |= {d.name for d in result.where}

@@ -7,7 +7,7 @@ from itertools import chain, groupby, pairwise
 from ..algebra.from_formula import to_product
 from ..formula.evaluate import evaluate
 from ..formula.operations import count_operations
-from ..formula.solved import Solution, poles, zeros
+from ..formula.solved import AngleSolution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
@@ -33,7 +33,7 @@ SHORT = 12
 LONG = 200
 """A formula of more operations than this is not solved for anything."""
 
-Solve = Callable[[Formula, str], Iterator[Solution]]
+Solve = Callable[[Formula, str], Iterator[AngleSolution]]
 
 
 def locking(study: Study, real: Result, printed: Result) -> Locking | None:

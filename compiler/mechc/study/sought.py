@@ -7,10 +7,10 @@ from functools import cached_property
 from ..algebra.angle import RADIAN
 from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
-from ..algebra.intervals import Box
-from ..algebra.orders import Root, angles, order, roots
+from ..algebra.intervals import IntervalBox
+from ..algebra.orders import AngleRoot, angles, order, roots
 from ..algebra.product import Product, Sum
-from ..algebra.sums import Bound
+from ..algebra.sums import BoundSum
 from ..formula.evaluate import evaluate
 from ..formula.tree import Call, Formula, Power, is_call
 from ..formula.tree import Product as Factors
@@ -18,7 +18,7 @@ from ..formula.tree import Sum as Terms
 from ..formula.walk import reached, symbols, walk
 from ..model.boxes import range_box, stroke_box
 from ..model.values import Chain
-from ..power.balance import Balance, Solved
+from ..power.balance import AlgebraicResult, Balance
 from .analysis import Cause
 from .causes import cause
 from .meeting import TOGETHER, Meetings, flat_sides
@@ -44,7 +44,7 @@ class Sought:
 
     def __init__(
         self,
-        item: Solved,
+        item: AlgebraicResult,
         balance: Balance,
         near: Mapping[str, float],
         side: int,
@@ -62,7 +62,7 @@ class Sought:
         self.moving_first = moving_first(mechanism)
 
     @cached_property
-    def _as_given(self) -> Box:
+    def _as_given(self) -> IntervalBox:
         """Return the box of the ranges, of what has none at its value."""
         mechanism = self.balance.plan.graph.pose.mechanism
         ranged = {name: reach for name, reach in self.box.items() if name in self._ranged}
@@ -74,7 +74,7 @@ class Sought:
         """Return the names in the angles of each four-bar that may lie flat."""
         return list(flat_sides(self.balance.plan.graph.pose, self.near))
 
-    def cause(self, factor: Factor, roots: tuple[Root, ...] = ()) -> Cause:
+    def cause(self, factor: Factor, roots: tuple[AngleRoot, ...] = ()) -> Cause:
         """Return the point or link that stands still at a zero of a factor, or at some roots."""
         return cause(factor, roots, self.item, self.balance, self.side)
 
@@ -99,14 +99,14 @@ class Sought:
         return is_free_of_zeros(Product.of(factor), self._as_given, where)
 
 
-def has_order(root: Root, of: Sought) -> bool:
+def has_order(root: AngleRoot, of: Sought) -> bool:
     """Return whether a value is proved zero (infinite) at a root, at the values given, too."""
     found = order(of.value, root.name, root.value)
     there = found is not None and found * of.side > 0
     return there and not is_refuted(root, of)
 
 
-def is_refuted(root: Root, of: Sought) -> bool:
+def is_refuted(root: AngleRoot, of: Sought) -> bool:
     """Return whether a value does something else where lengths are just as they are given.
 
     With a = b, sin α/(a − b cos α) is infinite where it would vanish. And what is found by
@@ -128,7 +128,7 @@ def _is_otherwise(sizes: Sequence[float], side: int) -> bool:
     return bool(sizes) and math.log2(sizes[0] / sizes[1]) * side < 0.5
 
 
-def _meets_another(root: Root, of: Sought) -> bool:
+def _meets_another(root: AngleRoot, of: Sought) -> bool:
     """Return whether a sine across the line, of what loops find, is zero at a root as well.
 
     Where there is no pose nothing else can refute a root.
@@ -140,7 +140,7 @@ def _meets_another(root: Root, of: Sought) -> bool:
     return any(abs(evaluate(f.formula(), there)) < TOGETHER for f in known)
 
 
-def _beside(root: Root, step: float, of: Sought) -> list[float]:
+def _beside(root: AngleRoot, step: float, of: Sought) -> list[float]:
     """Return the sizes of a value a step from a root, and half of one; none where it has none."""
     x = root.value.evaluate(of.near)
     here = ({**of.given, root.name: x + h} for h in (step, step / 2))
@@ -148,7 +148,7 @@ def _beside(root: Root, step: float, of: Sought) -> list[float]:
     return sizes if all(math.isfinite(size) and size for size in sizes) else []
 
 
-def roots_across(factor: Factor, value: Product) -> list[Root]:
+def roots_across(factor: Factor, value: Product) -> list[AngleRoot]:
     """Return the roots of the sines across the line that have a symbol in common with a sum."""
     return [root for trig in across_the_line(factor, value) for root in roots(trig, value)]
 
@@ -164,7 +164,7 @@ def across_the_line(factor: Factor, value: Product) -> list[Trig]:
     ]
 
 
-def is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
+def is_nil(factor: Factor, root: AngleRoot, near: Mapping[str, float]) -> bool:
     """Return whether a factor is zero at a root for the values given, against its usual size."""
     if not {root.name, *root.value.names} <= near.keys():
         return False
@@ -200,7 +200,7 @@ def may_vanish(factor: Factor, near: Mapping[str, float]) -> bool:
         case Sum():
             return not _all_positive(factor.formula(), near)
         case _:
-            return isinstance(factor, Bound)
+            return isinstance(factor, BoundSum)
 
 
 def _all_positive(formula: Formula, near: Mapping[str, float]) -> bool:

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from ..algebra.factors import Trig
-from ..algebra.intervals import Box, Interval, bounds, sign, spans_no_zero, widened
+from ..algebra.intervals import IntervalBox, NumberInterval, bounds, sign, spans_no_zero, widened
 from ..algebra.product import Product, Sum
 from ..formula.walk import symbols
 from .analysis import Trend
@@ -22,7 +22,7 @@ CELLS = 16
 """Cells along a parameter at whose ends the sign of a divisor is looked at."""
 
 
-def trend(value: Product, slope: Product, name: str, box: Box) -> Trend:
+def trend(value: Product, slope: Product, name: str, box: IntervalBox) -> Trend:
     """Return how a result moves with a parameter, from its derivative by it.
 
     Where the derivative keeps its sign a result still jumps from one infinity to the other
@@ -55,7 +55,7 @@ def _divisors(product: Product) -> Iterator[Product]:
                 yield from _divisors(term)
 
 
-def _changes_sign(divisor: Product, name: str, box: Box) -> bool:
+def _changes_sign(divisor: Product, name: str, box: IntervalBox) -> bool:
     """Return whether a divisor is proved to vanish along a parameter, others in the middle."""
     if name not in box:
         return False
@@ -65,7 +65,7 @@ def _changes_sign(divisor: Product, name: str, box: Box) -> bool:
     return {1, -1} <= signs
 
 
-def _corner(box: Box, name: str = "", end: int = 0) -> Box:
+def _corner(box: IntervalBox, name: str = "", end: int = 0) -> IntervalBox:
     """Return one end of a parameter's range, the others standing in the middle of theirs.
 
     Without a parameter all of them do.
@@ -77,13 +77,13 @@ def _corner(box: Box, name: str = "", end: int = 0) -> Box:
     return {n: widened(x, x) for n, x in at.items()}
 
 
-def _keeps_sign(slope: Product, name: str, box: Box) -> bool:
+def _keeps_sign(slope: Product, name: str, box: IntervalBox) -> bool:
     """Return whether no factor that could change sign does so along a parameter in the box."""
     odd = (Product(1, {f: 1}) for f, e in slope.factors.items() if e % 2)
     return all(_is_free_inside(factor, name, box) for factor in odd)
 
 
-def _is_free_inside(factor: Product, name: str, box: Box) -> bool:
+def _is_free_inside(factor: Product, name: str, box: IntervalBox) -> bool:
     """Return whether a factor is proved to have no zero but at the ends of a parameter's range.
 
     A sine whose angle moves with the parameter, and stays within a half turn from zero to zero,
@@ -98,7 +98,9 @@ def _is_free_inside(factor: Product, name: str, box: Box) -> bool:
     )
 
 
-def is_free_of_zeros(factor: Product, box: Box, where: Sequence[tuple[str, Product]] = ()) -> bool:
+def is_free_of_zeros(
+    factor: Product, box: IntervalBox, where: Sequence[tuple[str, Product]] = ()
+) -> bool:
     """Return whether a factor is proved to have no zero in a box, halved where needed.
 
     ``where`` are definitions of names that the box has not, each by the box and those before it.
@@ -116,7 +118,7 @@ def is_free_of_zeros(factor: Product, box: Box, where: Sequence[tuple[str, Produ
     return not waiting
 
 
-def _with_defined(box: Box, where: Sequence[tuple[str, Product]]) -> Box:
+def _with_defined(box: IntervalBox, where: Sequence[tuple[str, Product]]) -> IntervalBox:
     """Return a box that has the bounds of what is defined, too."""
     found = dict(box)
     for name, value in where:
@@ -124,7 +126,7 @@ def _with_defined(box: Box, where: Sequence[tuple[str, Product]]) -> Box:
     return found
 
 
-def _widest(box: Box) -> str | None:
+def _widest(box: IntervalBox) -> str | None:
     """Return the parameter with the widest finite range, relative to its size."""
     widths = {
         name: (high - low) / max(abs(low), abs(high), SMALLEST)
@@ -135,8 +137,8 @@ def _widest(box: Box) -> str | None:
     return name if name is not None and widths[name] > NARROW_RANGE else None
 
 
-def _halves(box: Box, name: str) -> Iterator[Box]:
+def _halves(box: IntervalBox, name: str) -> Iterator[IntervalBox]:
     low, high = box[name]
     middle = (low + high) / 2
-    for half in (Interval(low, middle), Interval(middle, high)):
+    for half in (NumberInterval(low, middle), NumberInterval(middle, high)):
         yield {**box, name: half}

@@ -6,13 +6,13 @@ from ..algebra.factors import Factor, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.halving import without
 from ..algebra.intervals import Roots, vanishing_values
-from ..algebra.orders import Root, half_turns, order, roots
+from ..algebra.orders import AngleRoot, half_turns, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.trigonometry import sine
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols
 from ..model.result import Definition
-from ..power.balance import Balance, Solved
+from ..power.balance import AlgebraicResult, Balance
 from ..power.definitions import resting_on
 from .analysis import Break, Cause, Vanishing
 from .causes import across_of
@@ -31,7 +31,7 @@ from .sought import (
 
 
 def limits(
-    item: Solved, balance: Balance, near: Mapping[str, float]
+    item: AlgebraicResult, balance: Balance, near: Mapping[str, float]
 ) -> tuple[tuple[Vanishing, ...], tuple[Vanishing, ...]]:
     """Return the conditions under which a ratio is zero, and those under which it is infinite.
 
@@ -125,7 +125,10 @@ def _of_sum(factor: Factor, of: Sought) -> Iterator[Vanishing]:
 
 
 def _without_shared(
-    factor: Factor, across: Sequence[Root], shared: Sequence[Root], near: Mapping[str, float]
+    factor: Factor,
+    across: Sequence[AngleRoot],
+    shared: Sequence[AngleRoot],
+    near: Mapping[str, float],
 ) -> Iterable[Factor]:
     """Return the rest of a sum without the sines that it shares with one across the line.
 
@@ -175,14 +178,14 @@ def _joined(found: Sequence[tuple[Trig, Cause]]) -> list[tuple[Trig, Cause]]:
     return joined if len(joined) == len(found) else _joined(joined)
 
 
-def _roots(trig: Trig, of: Sought) -> list[Root]:
+def _roots(trig: Trig, of: Sought) -> list[AngleRoot]:
     """Return the roots of a sine or cosine that the value tells apart, or what stands still."""
     across = across_of(of.item, of.balance, of.side)
     found = (roots(trig, of.value, across) if across else []) or roots(trig, of.value)
     return [part for root in found for part in _separated(root, of)]
 
 
-def _separated(root: Root, of: Sought) -> tuple[Root, ...]:
+def _separated(root: AngleRoot, of: Sought) -> tuple[AngleRoot, ...]:
     """Return a root as one, or as its two within a turn where the value vanishes at one only.
 
     Angles that loops find need not be the same, nor opposite, half a turn on: with a chord AQ of
@@ -194,7 +197,7 @@ def _separated(root: Root, of: Sought) -> tuple[Root, ...]:
     return parts if len({is_refuted(part, of) for part in parts}) > 1 else (root,)
 
 
-def _but_by_chance(root: Root, of: Sought) -> Iterator[Vanishing]:
+def _but_by_chance(root: AngleRoot, of: Sought) -> Iterator[Vanishing]:
     """Yield a root at which something across the line is zero, too, for the values given only.
 
     With β = 0 it is sin(α + β) where sin(α - β) is, and k = sin(α + β)/sin(α - β) is 1.

@@ -7,7 +7,7 @@ from . import ast
 from .fault import Fault, check_characters, check_length, check_once, note
 from .parser.grammar import keywords, statement_words
 from .parser.lalr import span_of
-from .parser.lines import Line, lines
+from .parser.lines import SourceLine, lines
 from .parser.parse import parse as parse_line
 from .parser.tokens import tokens
 
@@ -44,13 +44,13 @@ def parse(source: Source, report: Report) -> ast.File:
     return ast.File(tuple(statements), trailing)
 
 
-def goes_on(line: Line) -> bool:
+def goes_on(line: SourceLine) -> bool:
     """Return whether a line begins with a word from within a statement: ``along 0 deg``."""
     word = str(line.tokens[0])
     return word in keywords() and word not in statement_words()
 
 
-def statements_of(line: Line) -> list[ast.Statement]:
+def statements_of(line: SourceLine) -> list[ast.Statement]:
     """Return the statements of a line: one, or several behind one ``find``."""
     span = span_of(line.tokens[0]).to(span_of(line.tokens[-1]))
     made = parse_line(line.tokens, "statement", span.end)

@@ -18,12 +18,12 @@ from .yaml import slips
 from .yaml.comments import comments, texts_cut_short, with_comments
 from .yaml.entries import several, statements
 from .yaml.layout import BESIDE, BY_NAME
-from .yaml.nodes import Listing, Mapping, Node, Scalar, compose
+from .yaml.nodes import Listing, Mapping, Scalar, YamlNode, compose
 from .yaml.scalars import described
-from .yaml.sections import Section, Shape
+from .yaml.sections import EntryShape, YamlSection
 from .yaml.values import values
 
-Item = tuple[Scalar | None, Node]
+Item = tuple[Scalar | None, YamlNode]
 
 
 def parse(source: Source, report: Report) -> ast.File:
@@ -45,7 +45,7 @@ def parse(source: Source, report: Report) -> ast.File:
     return with_comments(found_statements, comments(root, source), source)
 
 
-def read_root(root: Node, report: Report) -> Iterator[ast.Statement]:
+def read_root(root: YamlNode, report: Report) -> Iterator[ast.Statement]:
     """Yield the statements of all sections."""
     if not isinstance(root, Mapping):
         if not (isinstance(root, Scalar) and root.empty):
@@ -66,7 +66,7 @@ def read_root(root: Node, report: Report) -> Iterator[ast.Statement]:
 
 
 def read_section(
-    section: Section, name: Scalar, value: Node, root: Mapping, report: Report
+    section: YamlSection, name: Scalar, value: YamlNode, root: Mapping, report: Report
 ) -> Iterator[ast.Statement]:
     """Yield the statements of a section; an entry with an error is reported and left out."""
     for subject, entry in items(section, name, value, report):
@@ -81,10 +81,10 @@ def read_section(
 
 
 def with_beside(
-    statement: ast.Statement, section: Section, name: Scalar, root: Mapping, source: Source
+    statement: ast.Statement, section: YamlSection, name: Scalar, root: Mapping, source: Source
 ) -> ast.Statement:
     """Return the statement of a section that is one entry with what stands beside it."""
-    if section.shape is not Shape.ONE:
+    if section.shape is not EntryShape.ONE:
         return statement
     wanted = {key.name: key for key in section.beside}
     fields: dict[str, Any] = {}
@@ -94,22 +94,22 @@ def with_beside(
     return replace(statement, span=name.span.to(statement.span), **fields)
 
 
-def items(section: Section, name: Scalar, value: Node, report: Report) -> Iterator[Item]:
+def items(section: YamlSection, name: Scalar, value: YamlNode, report: Report) -> Iterator[Item]:
     """Yield the entries of a section with what names them, by the section's shape."""
-    if isinstance(value, Scalar) and value.empty and section.shape is not Shape.ONE:
+    if isinstance(value, Scalar) and value.empty and section.shape is not EntryShape.ONE:
         return
     match section.shape, value:
-        case Shape.ONE, _:
+        case EntryShape.ONE, _:
             yield None, value
-        case ((Shape.NAMED | Shape.BARE | Shape.EITHER), Mapping(entries=entries)):
+        case ((EntryShape.NAMED | EntryShape.BARE | EntryShape.EITHER), Mapping(entries=entries)):
             yield from whole(entries, report)
-        case ((Shape.LISTED | Shape.EITHER), Listing(items=listed)):
+        case ((EntryShape.LISTED | EntryShape.EITHER), Listing(items=listed)):
             yield from ((None, item) for item in listed)
-        case Shape.BARE, Listing(items=listed):
+        case EntryShape.BARE, Listing(items=listed):
             yield from bare_items(listed, report)
-        case Shape.BARE, Scalar():
+        case EntryShape.BARE, Scalar():
             yield from bare_items((value,), report)
-        case ((Shape.LISTED | Shape.EITHER), Scalar()):
+        case ((EntryShape.LISTED | EntryShape.EITHER), Scalar()):
             yield None, value
         case _:
             hint = slips.of_shape(value.text) if isinstance(value, Scalar) else ""
@@ -118,18 +118,18 @@ def items(section: Section, name: Scalar, value: Node, report: Report) -> Iterat
             note(syntax_yaml.wrong_shape(value.span, described(value), expected, hint), report)
 
 
-def expected_shape(section: Section) -> str:
+def expected_shape(section: YamlSection) -> str:
     """Return the shape of a section in words, as what was expected."""
     match section.shape:
-        case Shape.LISTED:
+        case EntryShape.LISTED:
             return f"a list ({section.name}: [{{…}}, {{…}}])"
-        case Shape.EITHER | Shape.BARE:
+        case EntryShape.EITHER | EntryShape.BARE:
             return "a list or a mapping"
-        case Shape.ONE | Shape.NAMED:
+        case EntryShape.ONE | EntryShape.NAMED:
             return f"a mapping ({section.name}: {{…: …}})"
 
 
-def bare_items(listed: tuple[Node, ...], report: Report) -> Iterator[Item]:
+def bare_items(listed: tuple[YamlNode, ...], report: Report) -> Iterator[Item]:
     """Yield names standing alone in a list, or with a value of their own."""
     for item in listed:
         match item:
@@ -142,7 +142,7 @@ def bare_items(listed: tuple[Node, ...], report: Report) -> Iterator[Item]:
                 note(syntax_yaml.wrong_shape(item.span, "a list", "a name", hint), report)
 
 
-def whole(entries: tuple[tuple[Scalar, Node], ...], report: Report) -> Iterator[Item]:
+def whole(entries: tuple[tuple[Scalar, YamlNode], ...], report: Report) -> Iterator[Item]:
     """Yield entries, unless flow style has cut a pair in round brackets in two."""
     cut = False
     for name, value in entries:

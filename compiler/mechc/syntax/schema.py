@@ -10,7 +10,7 @@ from typing import Any
 from ..data import data
 from ..units import DIMENSIONS
 from .yaml.layout import BESIDE, SECTIONS
-from .yaml.sections import Entry, Key, Kind, Section, Shape
+from .yaml.sections import EntryKey, EntryShape, SectionEntry, ValueKind, YamlSection
 
 Schema = dict[str, Any]
 
@@ -39,60 +39,63 @@ def points(least: int, most: int | None = None) -> Schema:
     return {"type": "string", "pattern": f"^{OF_USED}(?:{POINT}){times}$"}
 
 
-KINDS: dict[Kind, Schema] = {
-    Kind.NAME: {"type": "string", "pattern": ANY_NAME},
-    Kind.HEADING: {"type": "string", "pattern": ANY_NAME},
-    Kind.POINT: points(1, 1),
-    Kind.POINTS: points(2),
-    Kind.ROD: points(2, 2),
-    Kind.CORNER: points(3, 3),
-    Kind.BODY: points(1),
-    Kind.PIN: {"type": "string", "pattern": f"^(?:pins|{OF_USED}{POINT})$"},
-    Kind.PAIR: {"type": "array", "items": END, "minItems": 2, "maxItems": 2},
-    Kind.RIM: {**EXPRESSION, "description": "a radius: 40 mm, m*z/2, 40 mm on OA"},
-    Kind.ROUTE: {"type": "string", "description": "a rope: A, K along -y, B along y"},
-    Kind.SHARED: {"anyOf": [points(1, 1), {"type": "array", "items": points(1, 1)}]},
-    Kind.EXPRESSION: EXPRESSION,
-    Kind.DIRECTION: {**EXPRESSION, "description": "a direction: 90 deg, x, -y, AB, perp AB"},
-    Kind.VECTOR: {"anyOf": [EXPRESSION, CARTESIAN, POLAR]},
-    Kind.CARTESIAN: {"anyOf": [CARTESIAN, {"type": "null"}]},
-    Kind.PLACE: {"anyOf": [points(1, 1), CARTESIAN]},
-    Kind.RANGE: {"type": ["string", "null"], "pattern": r"\.\."},
-    Kind.RESULT: EXPRESSION,
-    Kind.CONDITION: {"type": "string", "description": "a condition: 0 deg < alpha < 90 deg"},
-    Kind.EXPECTATION: {"type": "string", "description": "k = 7.1 at alpha = 35 deg"},
-    Kind.REPORTED: {"type": "string", "description": "scheme, k, plot k over alpha"},
-    Kind.MEASURE: {**EXPRESSION, "description": "a value: 40 mm, 2*a, 40 mm +- 0.1 mm"},
-    Kind.LET_VALUE: {
+KINDS: dict[ValueKind, Schema] = {
+    ValueKind.NAME: {"type": "string", "pattern": ANY_NAME},
+    ValueKind.HEADING: {"type": "string", "pattern": ANY_NAME},
+    ValueKind.POINT: points(1, 1),
+    ValueKind.POINTS: points(2),
+    ValueKind.ROD: points(2, 2),
+    ValueKind.CORNER: points(3, 3),
+    ValueKind.BODY: points(1),
+    ValueKind.PIN: {"type": "string", "pattern": f"^(?:pins|{OF_USED}{POINT})$"},
+    ValueKind.PAIR: {"type": "array", "items": END, "minItems": 2, "maxItems": 2},
+    ValueKind.RIM: {**EXPRESSION, "description": "a radius: 40 mm, m*z/2, 40 mm on OA"},
+    ValueKind.ROUTE: {"type": "string", "description": "a rope: A, K along -y, B along y"},
+    ValueKind.SHARED: {"anyOf": [points(1, 1), {"type": "array", "items": points(1, 1)}]},
+    ValueKind.EXPRESSION: EXPRESSION,
+    ValueKind.DIRECTION: {**EXPRESSION, "description": "a direction: 90 deg, x, -y, AB, perp AB"},
+    ValueKind.VECTOR: {"anyOf": [EXPRESSION, CARTESIAN, POLAR]},
+    ValueKind.CARTESIAN: {"anyOf": [CARTESIAN, {"type": "null"}]},
+    ValueKind.PLACE: {"anyOf": [points(1, 1), CARTESIAN]},
+    ValueKind.RANGE: {"type": ["string", "null"], "pattern": r"\.\."},
+    ValueKind.RESULT: EXPRESSION,
+    ValueKind.CONDITION: {"type": "string", "description": "a condition: 0 deg < alpha < 90 deg"},
+    ValueKind.EXPECTATION: {"type": "string", "description": "k = 7.1 at alpha = 35 deg"},
+    ValueKind.REPORTED: {"type": "string", "description": "scheme, k, plot k over alpha"},
+    ValueKind.MEASURE: {**EXPRESSION, "description": "a value: 40 mm, 2*a, 40 mm +- 0.1 mm"},
+    ValueKind.LET_VALUE: {
         **EXPRESSION,
         "description": "2*a, 1 when a < b else 2, m49 at r, next d in pins",
     },
-    Kind.UNIT: {"type": "string", "description": "a unit: MPa, N*m"},
-    Kind.ROWS: {"type": "array", "items": CARTESIAN, "minItems": 1},
-    Kind.SIZES: {"type": "array", "items": EXPRESSION, "minItems": 1},
-    Kind.USED: {"type": "string", "description": "a name of the library, or a path: jaws.mech"},
-    Kind.GIVEN: {
+    ValueKind.UNIT: {"type": "string", "description": "a unit: MPa, N*m"},
+    ValueKind.ROWS: {"type": "array", "items": CARTESIAN, "minItems": 1},
+    ValueKind.SIZES: {"type": "array", "items": EXPRESSION, "minItems": 1},
+    ValueKind.USED: {
+        "type": "string",
+        "description": "a name of the library, or a path: jaws.mech",
+    },
+    ValueKind.GIVEN: {
         "type": "object",
         "patternProperties": {ANY_NAME: EXPRESSION},
         "additionalProperties": False,
         "description": "values of parameters: {F: 3 kN, d: d}",
     },
-    Kind.JOINTS: {
+    ValueKind.JOINTS: {
         "type": "object",
         "patternProperties": {f"^{OF_USED}{POINT}$": points(1, 1)},
         "additionalProperties": False,
         "description": "points that become one: {T.C: B}",
     },
-    Kind.NAMES: {
+    ValueKind.NAMES: {
         "anyOf": [
             {"type": "string", "pattern": ANY_NAME},
             {"type": "array", "items": {"type": "string", "pattern": ANY_NAME}},
         ]
     },
-    Kind.DIMENSION: {"enum": sorted(DIMENSIONS)},
-    Kind.TEXT: {"type": ["string", "number", "null"]},
-    Kind.FLAG: {"type": "boolean"},
-    Kind.VERSION: {"enum": [1, "1"]},
+    ValueKind.DIMENSION: {"enum": sorted(DIMENSIONS)},
+    ValueKind.TEXT: {"type": ["string", "number", "null"]},
+    ValueKind.FLAG: {"type": "boolean"},
+    ValueKind.VERSION: {"enum": [1, "1"]},
 }
 
 
@@ -116,29 +119,29 @@ def schema() -> Schema:
     }
 
 
-def section_schema(section: Section) -> Schema:
+def section_schema(section: YamlSection) -> Schema:
     """Return the schema of a section by its shape."""
     match section.shape:
-        case Shape.ONE:
+        case EntryShape.ONE:
             return entry_schema(section.entries[0])
-        case Shape.NAMED:
+        case EntryShape.NAMED:
             return mapping_schema(section)
-        case Shape.LISTED:
+        case EntryShape.LISTED:
             item = entry_schema(section.entries[0])
             several: Schema = {"type": "array", "items": item}
             return {"anyOf": [several, item]} if section.entries[0].short else several
-        case Shape.BARE:
+        case EntryShape.BARE:
             name = of_key(subject_of(section.entries[0]))
             both = {"type": "array", "items": {"anyOf": [name, mapping_schema(section)]}}
             return {"anyOf": [both, mapping_schema(section), name]}
-        case Shape.EITHER:
+        case EntryShape.EITHER:
             listed = {"type": "array", "items": EXPRESSION}
             return {"anyOf": [listed, mapping_schema(section), EXPRESSION]}
 
 
-def mapping_schema(section: Section) -> Schema:
+def mapping_schema(section: YamlSection) -> Schema:
     """Return the schema of names with entries; entries that share names share a mapping."""
-    patterns: dict[str, list[Entry]] = {}
+    patterns: dict[str, list[SectionEntry]] = {}
     for entry in section.entries:
         # Entries distinguished by their keys have the name of the first: 'pins' or a point.
         namesake = entry if entry.short else section.entries[0]
@@ -148,16 +151,21 @@ def mapping_schema(section: Section) -> Schema:
     return {"type": "object", "patternProperties": found, "additionalProperties": False}
 
 
-def value_schema(entries: list[Entry]) -> Schema:
+def value_schema(entries: list[SectionEntry]) -> Schema:
     """Return the schema of what stands behind a name: an entry, or several in a list."""
     one = entry_schema(entries[0]) if len(entries) == 1 else merged(entries)
     short = entries[0].short
-    if short and short.kind in (Kind.VECTOR, Kind.CARTESIAN, Kind.ROWS, Kind.SIZES):
+    if short and short.kind in (
+        ValueKind.VECTOR,
+        ValueKind.CARTESIAN,
+        ValueKind.ROWS,
+        ValueKind.SIZES,
+    ):
         return one
     return {"anyOf": [one, {"type": "array", "items": one}]}
 
 
-def merged(entries: list[Entry]) -> Schema:
+def merged(entries: list[SectionEntry]) -> Schema:
     """Return the schema of a mapping that states several things at once."""
     keys = [key for entry in entries for key in entry.keys]
     together = {entry.keys[0].name: required(entry)[1:] for entry in entries}
@@ -167,7 +175,7 @@ def merged(entries: list[Entry]) -> Schema:
     return {**found, "anyOf": heads}
 
 
-def entry_schema(entry: Entry) -> Schema:
+def entry_schema(entry: SectionEntry) -> Schema:
     """Return the schema of one entry: its plain value, its mapping, or either."""
     forms: list[Schema] = []
     if entry.short:
@@ -179,7 +187,7 @@ def entry_schema(entry: Entry) -> Schema:
     return forms[0] if len(forms) == 1 else {"anyOf": forms}
 
 
-def with_others(entry: Entry) -> Schema:
+def with_others(entry: SectionEntry) -> Schema:
     """Return the schema of a mapping, keys that are points included."""
     found = object_schema(list(entry.keys))
     if needed := required(entry):
@@ -193,31 +201,31 @@ def with_others(entry: Entry) -> Schema:
     return found
 
 
-def object_schema(keys: list[Key]) -> Schema:
+def object_schema(keys: list[EntryKey]) -> Schema:
     """Return the schema of a mapping with these keys and no other."""
     properties = {key.name: of_key(key) for key in keys}
     return {"type": "object", "properties": properties, "additionalProperties": False}
 
 
-def required(entry: Entry) -> list[str]:
+def required(entry: SectionEntry) -> list[str]:
     """Return the keys that an entry must have."""
     return [key.name for key in entry.keys if key.required]
 
 
-def dependent(keys: list[Key]) -> Schema:
+def dependent(keys: list[EntryKey]) -> Schema:
     """Return which keys need which others."""
     return {key.name: list(key.needs) for key in keys if key.needs}
 
 
-def subject_of(entry: Entry) -> Key:
+def subject_of(entry: SectionEntry) -> EntryKey:
     """Return the key that names an entry."""
     assert entry.subject is not None
     return entry.subject
 
 
-def of_key(key: Key) -> Schema:
+def of_key(key: EntryKey) -> Schema:
     """Return the schema of a value by its kind."""
-    return {"enum": list(key.words)} if key.kind is Kind.WORD else KINDS[key.kind]
+    return {"enum": list(key.words)} if key.kind is ValueKind.WORD else KINDS[key.kind]
 
 
 def written() -> str:

@@ -11,7 +11,7 @@ from typing import Any
 from . import ast, text
 from .to_dsl import commented, given
 from .yaml.layout import ORDER, SECTIONS
-from .yaml.sections import Entry, Key, Kind, Section, Shape
+from .yaml.sections import EntryKey, EntryShape, SectionEntry, ValueKind, YamlSection
 from .yaml.text import scalar
 from .yaml.text import text as text_scalar
 
@@ -43,16 +43,16 @@ def to_yaml(file: ast.File) -> str:
     return "".join(f"{line}\n" for line in lines)
 
 
-def sections(file: ast.File) -> Iterator[tuple[Section, list[ast.Statement]]]:
+def sections(file: ast.File) -> Iterator[tuple[YamlSection, list[ast.Statement]]]:
     """Yield the sections that have statements, in their order."""
     ordered = sorted(file.statements, key=lambda statement: ORDER[type(statement)])
     for number, found in groupby(ordered, key=lambda statement: ORDER[type(statement)]):
         yield SECTIONS[number], list(found)
 
 
-def named(section: Section, found: Statements) -> list[list[ast.Statement]]:
+def named(section: YamlSection, found: Statements) -> list[list[ast.Statement]]:
     """Bring statements with the same name together, where a name is a key."""
-    if section.shape is not Shape.NAMED or keeps_doubles(section):
+    if section.shape is not EntryShape.NAMED or keeps_doubles(section):
         return [[statement] for statement in found]
     groups: dict[str, list[ast.Statement]] = {}
     for statement in found:
@@ -60,28 +60,33 @@ def named(section: Section, found: Statements) -> list[list[ast.Statement]]:
     return list(groups.values())
 
 
-def keeps_doubles(section: Section) -> bool:
+def keeps_doubles(section: YamlSection) -> bool:
     """Return whether a list would mean coordinates, so that doubles stay two (wrong) keys."""
     short = section.entries[0].short
-    return short is not None and short.kind in (Kind.VECTOR, Kind.CARTESIAN, Kind.ROWS, Kind.SIZES)
+    return short is not None and short.kind in (
+        ValueKind.VECTOR,
+        ValueKind.CARTESIAN,
+        ValueKind.ROWS,
+        ValueKind.SIZES,
+    )
 
 
-def section_lines(section: Section, found: Statements) -> list[str]:
+def section_lines(section: YamlSection, found: Statements) -> list[str]:
     """Return the lines of a section."""
     match section.shape:
-        case Shape.ONE:
+        case EntryShape.ONE:
             return [line for statement in found for line in one_lines(section, statement)]
-        case Shape.NAMED:
+        case EntryShape.NAMED:
             return [f"{section.name}:", *named_lines(section, found)]
-        case Shape.LISTED:
+        case EntryShape.LISTED:
             return [f"{section.name}:", *value_lines(found, 2)]
-        case Shape.BARE:
+        case EntryShape.BARE:
             return bare_lines(section, found)
-        case Shape.EITHER:
+        case EntryShape.EITHER:
             return either_lines(section, found)
 
 
-def one_lines(section: Section, statement: ast.Statement) -> list[str]:
+def one_lines(section: YamlSection, statement: ast.Statement) -> list[str]:
     """Return the lines of a section that is one entry, with what stands beside it."""
     lines = with_comments(f"{section.name}: {value_text(statement, False)}", statement, 0)
     for beside in section.beside:
@@ -91,7 +96,7 @@ def one_lines(section: Section, statement: ast.Statement) -> list[str]:
     return lines
 
 
-def named_lines(section: Section, found: Statements) -> Iterator[str]:
+def named_lines(section: YamlSection, found: Statements) -> Iterator[str]:
     """Yield ``name: value`` for each name, a list where a name has several values."""
     for same in named(section, found):
         subject = subject_text(same[0])
@@ -109,7 +114,7 @@ def value_lines(found: Iterable[ast.Statement], indent: int) -> Iterator[str]:
         yield from with_comments(line, statement, indent)
 
 
-def bare_lines(section: Section, found: Statements) -> list[str]:
+def bare_lines(section: YamlSection, found: Statements) -> list[str]:
     """Return a section of names: in one line if nothing else is said of them."""
     valued = [has_value(statement) for statement in found]
     subjects = [subject_text(statement) for statement in found]
@@ -123,7 +128,7 @@ def bare_lines(section: Section, found: Statements) -> list[str]:
     return lines
 
 
-def either_lines(section: Section, found: Statements) -> list[str]:
+def either_lines(section: YamlSection, found: Statements) -> list[str]:
     """Return results: named ones as a mapping, otherwise a list."""
     names = [s.name.text for s in found if isinstance(s, ast.Find) and s.name]
     if len(set(names)) == len(found):
@@ -150,7 +155,7 @@ def with_comments(line: str, statement: ast.Statement, indent: int) -> list[str]
     return [*above, f"{line}  # {statement.remark}" if statement.remark else line]
 
 
-def entry_of(statement: ast.Statement) -> Entry:
+def entry_of(statement: ast.Statement) -> SectionEntry:
     """Return the layout of a statement."""
     section = SECTIONS[ORDER[type(statement)]]
     return next(entry for entry in section.entries if entry.node is type(statement))
@@ -164,7 +169,7 @@ def subject_text(statement: ast.Statement) -> str:
     return "pins" if name is None else scalar(name.text)
 
 
-def fields_of(statement: ast.Statement, key: Key) -> list[Any]:
+def fields_of(statement: ast.Statement, key: EntryKey) -> list[Any]:
     """Return the values of the fields that a key fills."""
     return [getattr(statement, field) for field in key.fields]
 
@@ -186,54 +191,54 @@ def value_text(statement: ast.Statement, flow: bool) -> str:
     return "{" + ", ".join(parts) + "}"
 
 
-def other_text(statement: ast.Statement, key: Key) -> str:
+def other_text(statement: ast.Statement, key: EntryKey) -> str:
     """Return ``O1: r1``."""
     point, *value = fields_of(statement, key)
     return f"{point.text}: {kind_text(key.kind, value, True)}"
 
 
-SCALARS: Mapping[Kind, Callable[..., str]] = {
-    Kind.RANGE: text.range_of,
-    Kind.RIM: text.rim,
-    Kind.ROUTE: text.route,
-    Kind.MEASURE: text.measure,
-    Kind.LET_VALUE: text.let_value,
-    Kind.RESULT: lambda target, name, on: text.result(ast.Find(target.span, target, name, on)),
-    Kind.CONDITION: lambda operands, operators: text.condition(
+SCALARS: Mapping[ValueKind, Callable[..., str]] = {
+    ValueKind.RANGE: text.range_of,
+    ValueKind.RIM: text.rim,
+    ValueKind.ROUTE: text.route,
+    ValueKind.MEASURE: text.measure,
+    ValueKind.LET_VALUE: text.let_value,
+    ValueKind.RESULT: lambda target, name, on: text.result(ast.Find(target.span, target, name, on)),
+    ValueKind.CONDITION: lambda operands, operators: text.condition(
         ast.Require(operands[0].span, operands, operators)
     ),
-    Kind.REPORTED: lambda name, over: text.reported(ast.Reported(name.span, name, over)),
-    Kind.EXPECTATION: lambda subject, *fields: text.expectation(
+    ValueKind.REPORTED: lambda name, over: text.reported(ast.Reported(name.span, name, over)),
+    ValueKind.EXPECTATION: lambda subject, *fields: text.expectation(
         ast.Expect(subject.span, subject, *fields)
     ),
 }
 """Values that YAML has as the DSL's own words, in one scalar."""
 
 
-def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
+def kind_text(kind: ValueKind, fields: list[Any], flow: bool) -> str:
     """Return a value by its kind, the reverse of the reader's table."""
     if kind in SCALARS:
         return scalar(SCALARS[kind](*fields), flow)
     match kind, fields:
-        case Kind.TEXT, [value]:
+        case ValueKind.TEXT, [value]:
             return text_scalar(value, flow)
-        case Kind.USED, [used]:
+        case ValueKind.USED, [used]:
             return text_scalar(used.text, flow)
-        case Kind.FLAG, [value]:
+        case ValueKind.FLAG, [value]:
             return "true" if value else "false"
-        case Kind.PAIR, [first, first_link, second, second_link]:
+        case ValueKind.PAIR, [first, first_link, second, second_link]:
             return _list([text.end(first, first_link), text.end(second, second_link)])
-        case Kind.SHARED, [points]:
+        case ValueKind.SHARED, [points]:
             return _list(point.text for point in points)
-        case Kind.NAMES, [names]:
+        case ValueKind.NAMES, [names]:
             return _list(scalar(name.text, True) for name in names)
-        case Kind.SIZES, [sizes]:
+        case ValueKind.SIZES, [sizes]:
             return _expressions(sizes)
-        case Kind.ROWS, [rows]:
+        case ValueKind.ROWS, [rows]:
             return _list(map(_expressions, rows))
-        case Kind.GIVEN, [settings]:
+        case ValueKind.GIVEN, [settings]:
             return f"{{{', '.join(_setting(*setting) for setting in settings)}}}"
-        case Kind.JOINTS, [joined]:
+        case ValueKind.JOINTS, [joined]:
             return f"{{{', '.join(f'{there.text}: {here.text}' for there, here in joined)}}}"
         case _, [value]:
             return value_of(value, flow)

@@ -13,7 +13,7 @@ from ...named import NamedTuple
 Rows = Sequence[Sequence[Formula]]
 
 
-class Pair(NamedTuple):
+class EquationPair(NamedTuple):
     """An unknown, and the two equations that it occurs in."""
 
     unknown: int
@@ -51,16 +51,16 @@ def reduced(jacobian: Rows) -> Reduced:
     )
 
 
-def _pairs(jacobian: Rows) -> Iterator[Pair]:
+def _pairs(jacobian: Rows) -> Iterator[EquationPair]:
     used: set[int] = set()
     for unknown in range(len(jacobian)):
         rows = [i for i, row in enumerate(jacobian) if row[unknown] != ZERO]
         if len(rows) == 2 and used.isdisjoint(rows):
             used.update(rows)
-            yield Pair(unknown, *rows)
+            yield EquationPair(unknown, *rows)
 
 
-def _turn(pairs: Sequence[Pair], size: int) -> int:
+def _turn(pairs: Sequence[EquationPair], size: int) -> int:
     """Return the sign that the rotations and the places of what they leave alone make."""
     rows, columns, sign = [*range(size)], [*range(size)], 1
     for pair in pairs:
@@ -75,7 +75,7 @@ def _slope(row: int, column: int, size: int) -> str:
     return f"slope[{row * size + column}]"
 
 
-def _entry(jacobian: Rows, pair: Pair | None, row: int, column: int) -> str:
+def _entry(jacobian: Rows, pair: EquationPair | None, row: int, column: int) -> str:
     """Return an entry of the matrix that is left."""
     size = len(jacobian)
     if not pair:
@@ -88,7 +88,7 @@ def _entry(jacobian: Rows, pair: Pair | None, row: int, column: int) -> str:
     return " + ".join(terms).replace("+ -", "- ") or "0.0"
 
 
-def _without(pair: Pair | None, row: int, size: int) -> str:
+def _without(pair: EquationPair | None, row: int, size: int) -> str:
     """Return a right side of the system that is left."""
     if not pair:
         return f"residual[{row}]"
@@ -96,7 +96,7 @@ def _without(pair: Pair | None, row: int, size: int) -> str:
     return f"{second}*residual[{pair.first}] - {first}*residual[{pair.second}]"
 
 
-def _back(jacobian: Rows, pair: Pair, places: dict[int, str]) -> str:
+def _back(jacobian: Rows, pair: EquationPair, places: dict[int, str]) -> str:
     """Return the correction of an unknown that was eliminated."""
     size = len(jacobian)
     parts, squares = [], []

@@ -8,9 +8,9 @@ from ...named import NamedTuple
 from ...routine.steps import (
     Common,
     Function,
+    ProgramStatement,
     Solve,
     Solver,
-    Statement,
     formulas_of,
     mentioned,
     names_of,
@@ -18,7 +18,7 @@ from ...routine.steps import (
 )
 from ...units import si_unit
 from .. import describe
-from ..names import Names, mangle
+from ..names import TargetNames, mangle
 from ..printer import Printer
 from .pose import taking
 from .printer import CIRCULAR, CPrinter, QuickPrinter, guarded, harmless, wrapped
@@ -27,7 +27,7 @@ from .solvers import lines
 from .status import StatusContext, status_context
 
 
-class Body(NamedTuple):
+class FunctionBody(NamedTuple):
     """The body of a function."""
 
     body: list[str]
@@ -46,8 +46,8 @@ class FunctionContext(NamedTuple):
     single: str
     batch: str
     kernel: str
-    plain: Body
-    quick: Body | None
+    plain: FunctionBody
+    quick: FunctionBody | None
     element: str
     call: str
     quick_call: str
@@ -84,7 +84,7 @@ class FileScope(NamedTuple):
         return {name: s.single for name, s in self.symbols.items()}
 
 
-def symbols_of(mechanism: str, functions: list[str], space: Names) -> dict[str, Symbols]:
+def symbols_of(mechanism: str, functions: list[str], space: TargetNames) -> dict[str, Symbols]:
     """Return the names at file scope; no second form may take another function's name."""
     singles = mangle((f"{mechanism}_{f}" for f in functions), space)
     found = {f: singles[f"{mechanism}_{f}"] for f in functions}
@@ -101,7 +101,7 @@ def function_context(
     other = function.otherwise
     called = [singles[other.name]] if other else []
     taken = {*own.values(), *scope.solvers.values(), *scope.commons.values(), *called}
-    inner, outer = Names(RESERVED, taken), Names(RESERVED, {*own.values(), *linked})
+    inner, outer = TargetNames(RESERVED, taken), TargetNames(RESERVED, {*own.values(), *linked})
     number, loop = outer.claim("n"), outer.claim("i")
     result = outer.claim(function.name)
     elements = ", ".join(f"{a}[{loop}]" for a in own.values())
@@ -141,8 +141,8 @@ def _status(
 
 
 def _computed(
-    function: Function, own: Mapping[str, str], solvers: Mapping[Solver, str], inner: Names
-) -> tuple[Body, Body | None]:
+    function: Function, own: Mapping[str, str], solvers: Mapping[Solver, str], inner: TargetNames
+) -> tuple[FunctionBody, FunctionBody | None]:
     """Return the body of a function, and the same without branches where it pays."""
     names = {**own, **mangle((n for s in function.steps for n in names_of(s)), inner)}
     plain = _plain(function, function.steps, CPrinter(names), solvers, inner)
@@ -151,8 +151,8 @@ def _computed(
 
 
 def _taken(
-    function: Function, common: Common, own: Mapping[str, str], scope: FileScope, inner: Names
-) -> Body:
+    function: Function, common: Common, own: Mapping[str, str], scope: FileScope, inner: TargetNames
+) -> FunctionBody:
     """Return a body that takes what many functions have in common, and adds its own steps."""
     taken = taking(common, scope.commons, own, inner)
     steps = mangle((n for s in function.own for n in names_of(s)), inner)
@@ -163,18 +163,18 @@ def _taken(
 
 def _plain(
     function: Function,
-    steps: Sequence[Statement],
+    steps: Sequence[ProgramStatement],
     printer: Printer,
     solvers: Mapping[Solver, str],
-    space: Names,
-) -> Body:
+    space: TargetNames,
+) -> FunctionBody:
     conditions = [printer.condition(guard) for guard in function.guards]
     body, statuses = lines(steps, mentioned(steps, _ends(function)), solvers, printer, space)
     body += [f"(void){name}; /* where it is not 0, the unknowns are NaN */" for name in statuses]
-    return Body(body, conditions, printer.print(function.output))
+    return FunctionBody(body, conditions, printer.print(function.output))
 
 
-def _quick(function: Function, own: Mapping[str, str], printer: Printer) -> Body:
+def _quick(function: Function, own: Mapping[str, str], printer: Printer) -> FunctionBody:
     """Return a body without branches: each guard is a call around the output.
 
     What the form for elsewhere alone needs is not used in it.
@@ -184,8 +184,8 @@ def _quick(function: Function, own: Mapping[str, str], printer: Printer) -> Body
     output = printer.print(function.output)
     for guard in function.guards:
         output = guarded(guard, printer, output)
-    steps, _ = lines(function.steps, frozenset(), {}, printer, Names(RESERVED))
-    return Body([*steps, *unused], [], output)
+    steps, _ = lines(function.steps, frozenset(), {}, printer, TargetNames(RESERVED))
+    return FunctionBody([*steps, *unused], [], output)
 
 
 def _is_circular(function: Function) -> bool:

@@ -7,9 +7,9 @@ from ...formula.walk import walk
 from ...named import NamedTuple
 from ...routine.functions import operations
 from ...routine.gradient import gradients
-from ...routine.steps import Function, Input, Pose, formulas_of, mentioned, names_of
+from ...routine.steps import Function, Input, PoseProgram, formulas_of, mentioned, names_of
 from .. import describe
-from ..names import Names, mangle
+from ..names import TargetNames, mangle
 from ..printer import Printer
 from .printer import CIRCULAR, CPrinter, QuickPrinter, harmless, wrapped
 from .reserved import RESERVED
@@ -41,19 +41,23 @@ class GradientContext(NamedTuple):
 
 
 def gradient_contexts(
-    mechanism: str, functions: Iterable[Function], space: Names, arguments: Mapping[str, str]
+    mechanism: str, functions: Iterable[Function], space: TargetNames, arguments: Mapping[str, str]
 ) -> list[GradientContext]:
     """Return such a function for each result that has a closed form."""
     return [_context(mechanism, f, p, space, arguments) for f, p in gradients(functions)]
 
 
 def _context(
-    mechanism: str, function: Function, program: Pose, space: Names, arguments: Mapping[str, str]
+    mechanism: str,
+    function: Function,
+    program: PoseProgram,
+    space: TargetNames,
+    arguments: Mapping[str, str],
 ) -> GradientContext:
     single = space.claim(f"{mechanism}_{function.name}_gradient")
     batch, kernel = space.claim(f"{single}_n"), space.claim(f"{single}_quick")
     own = {i.name: arguments[i.name] for i in program.inputs}
-    inner = Names(RESERVED, {single, batch, kernel, *own.values()})
+    inner = TargetNames(RESERVED, {single, batch, kernel, *own.values()})
     names = own | mangle((n for s in program.steps for n in names_of(s)), inner)
     outputs = {name: inner.claim(f"{names[name]}_out") for name in program.outputs}
     number, loop, missing = map(inner.claim, ("n", "i", "missing"))
@@ -92,7 +96,9 @@ def _arrays(number: str, inputs: Iterable[str], outputs: Iterable[str]) -> list[
     ]
 
 
-def _body(program: Pose, printer: Printer, outputs: Mapping[str, str], inner: Names) -> list[str]:
+def _body(
+    program: PoseProgram, printer: Printer, outputs: Mapping[str, str], inner: TargetNames
+) -> list[str]:
     """Return the statements of a program, and those that hand its outputs on."""
     statements, _ = lines(program.steps, frozenset(program.outputs), {}, printer, inner)
     used = mentioned(program.steps, ()) | set(program.outputs)
@@ -101,18 +107,18 @@ def _body(program: Pose, printer: Printer, outputs: Mapping[str, str], inner: Na
     return [*statements, *given, *(f"(void){name};" for name in unused)]
 
 
-def _formulas(program: Pose) -> list[Formula]:
+def _formulas(program: PoseProgram) -> list[Formula]:
     return [f for s in program.steps for f in formulas_of(s)]
 
 
-def _is_circular(program: Pose) -> bool:
+def _is_circular(program: PoseProgram) -> bool:
     calls = (part for f in _formulas(program) for part in walk(f))
     return any(isinstance(part, Call) and part.function in CIRCULAR for part in calls)
 
 
 def _remarks(
     function: Function,
-    program: Pose,
+    program: PoseProgram,
     own: Mapping[str, str],
     outputs: Mapping[str, str],
     number: str,

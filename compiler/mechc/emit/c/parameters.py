@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from ...named import NamedTuple
 from ...routine.steps import Function, Input, Routine, inputs_of
 from .. import describe
-from ..names import Names
+from ..names import TargetNames
 from .pose import PoseContext
 from .printer import harmless, wrapped
 from .reserved import RESERVED
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .gradient import GradientContext
 
 
-class Field(NamedTuple):
+class StructField(NamedTuple):
     """A field of the struct, what it means, and the value of the description in C."""
 
     name: str
@@ -35,7 +35,7 @@ class ParametersContext(NamedTuple):
 
     struct: str
     defaults: str
-    fields: list[Field]
+    fields: list[StructField]
     functions: list[ByStruct]
 
 
@@ -68,7 +68,7 @@ def parameters_context(
     poses: Sequence[PoseContext],
     gradients: "Sequence[GradientContext]",
     checks: str,
-    space: Names,
+    space: TargetNames,
     arguments: Mapping[str, str],
 ) -> ParametersContext | None:
     """Return the struct and its functions; None where nothing has a parameter.
@@ -86,7 +86,7 @@ def parameters_context(
     struct, defaults = (space.claim(f"{routine.name}_{end}") for end in ("parameters", "defaults"))
     named = [(each, *_claimed(each.name, space)) for each in listed]
     taken = {struct, *(name for each, one, many in named for name in (each.name, one, many))}
-    own = _own(struct, listed, Names(RESERVED, taken))
+    own = _own(struct, listed, TargetNames(RESERVED, taken))
     return ParametersContext(
         struct,
         defaults,
@@ -95,12 +95,12 @@ def parameters_context(
     )
 
 
-def _claimed(name: str, space: Names) -> tuple[str, str]:
+def _claimed(name: str, space: TargetNames) -> tuple[str, str]:
     """Return the names of the functions that take the struct, and an array of it."""
     return space.claim(f"{name}_of"), space.claim(f"{name}_n_of")
 
 
-def _own(struct: str, listed: Sequence[Positional], inner: Names) -> Own:
+def _own(struct: str, listed: Sequence[Positional], inner: TargetNames) -> Own:
     for output in sorted({output for each in listed for output in each.outputs}):
         inner.claim(output)
     pointer, number, loop = map(inner.claim, ("p", "n", "i"))
@@ -123,9 +123,9 @@ def _of_poses(routine: Routine, poses: Sequence[PoseContext]) -> Iterator[Positi
         yield Positional("int", pose.name, program.inputs, pose.outputs)
 
 
-def _field(item: Input, name: str) -> Field:
+def _field(item: Input, name: str) -> StructField:
     value = "NAN" if item.default is None else repr(float(item.default))
-    return Field(name, harmless(describe.input_words(item, name)), value)
+    return StructField(name, harmless(describe.input_words(item, name)), value)
 
 
 def _taking(

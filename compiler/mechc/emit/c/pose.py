@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 from ...formula.tree import Symbol
 from ...named import NamedTuple
-from ...routine.steps import Common, Pose, Solver, closed_dimensions, mentioned, names_of
+from ...routine.steps import Common, PoseProgram, Solver, closed_dimensions, mentioned, names_of
 from .. import describe
-from ..names import Names, mangle
+from ..names import TargetNames, mangle
 from ..target import Compiled
 from .printer import CPrinter, broken, harmless, wrapped
 from .reserved import RESERVED
@@ -36,7 +36,7 @@ class Forms(NamedTuple):
     batch: str
 
     @classmethod
-    def of(cls, name: str, space: Names) -> "Forms":
+    def of(cls, name: str, space: TargetNames) -> "Forms":
         """Return the names that such functions get."""
         return cls(space.claim(name), space.claim(f"{name}_n"))
 
@@ -60,7 +60,10 @@ class PoseContext(NamedTuple):
 
 
 def pose_contexts(
-    compiled: Compiled, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+    compiled: Compiled,
+    space: TargetNames,
+    arguments: Mapping[str, str],
+    solvers: Mapping[Solver, str],
 ) -> list[PoseContext]:
     """Return the functions of a mechanism's pose and its points, each for one and for many."""
     routine = compiled.routine
@@ -78,7 +81,7 @@ def pose_contexts(
 
 
 def _context(
-    pose: Pose,
+    pose: PoseProgram,
     forms: Forms,
     remarks: list[str],
     meanings: Mapping[str, str],
@@ -87,7 +90,7 @@ def _context(
 ) -> PoseContext:
     own = {i.name: arguments[i.name] for i in pose.inputs}
     single, batch = forms
-    space = Names(RESERVED, {single, batch, *own.values(), *solvers.values()})
+    space = TargetNames(RESERVED, {single, batch, *own.values(), *solvers.values()})
     names = own | mangle((n for s in pose.steps for n in names_of(s)), space)
     outputs = {n: space.claim(f"{names[n]}_out") for n in pose.outputs}
     used = mentioned(pose.steps, map(Symbol, pose.outputs))
@@ -123,7 +126,7 @@ def arrays(number: str, inputs: list[str], outputs: list[str], status: str) -> l
 
 
 def _remarks(
-    pose: Pose,
+    pose: PoseProgram,
     own: Mapping[str, str],
     outputs: Mapping[str, str],
     meanings: Mapping[str, str],
@@ -152,7 +155,7 @@ def common_context(
 ) -> CommonContext:
     """Return the function of what others have in common, which fills an array."""
     own, name = {i.name: arguments[i.name] for i in common.inputs}, names[common.number]
-    space = Names(RESERVED, {*names.values(), *own.values(), *solvers.values()})
+    space = TargetNames(RESERVED, {*names.values(), *own.values(), *solvers.values()})
     values = space.claim("values")
     steps = mangle((n for step in common.steps for n in names_of(step)), space)
     taken = taking(common.before, names, own, space)
@@ -173,7 +176,7 @@ class Taking(NamedTuple):
 
 
 def taking(
-    common: Common | None, called: Mapping[int, str], own: Mapping[str, str], space: Names
+    common: Common | None, called: Mapping[int, str], own: Mapping[str, str], space: TargetNames
 ) -> Taking:
     """Return how a function takes what it has in common with others."""
     if common is None:

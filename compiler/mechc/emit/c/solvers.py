@@ -10,10 +10,10 @@ from ...formula.to_text import text
 from ...formula.walk import symbols
 from ...named import NamedTuple
 from ...routine import steps
-from ...routine.steps import Solve, Solver, Statement
-from ..names import Names, mangle
+from ...routine.steps import ProgramStatement, Solve, Solver
+from ..names import TargetNames, mangle
 from ..printer import Printer
-from ..render import Line
+from ..render import Assignment
 from .elimination import Reduced, reduced
 from .printer import QuickPrinter, harmless, wrapped
 from .reserved import RESERVED
@@ -89,7 +89,7 @@ NEVER = 2
 """No determinant has this sign: nothing can be followed from a singular pose."""
 
 
-class ByArcs(NamedTuple):
+class ByArcsContext(NamedTuple):
     """What follows a branch by its arc length: its equations as a function of what is ``given``.
 
     ``ends`` are the values given, so many in ``number``, ``lines`` what residuals and slopes rest
@@ -97,7 +97,7 @@ class ByArcs(NamedTuple):
     """
 
     name: str
-    lines: list[Line]
+    lines: list[Assignment]
     sides: list[str]
     number: int
     ends: str
@@ -117,9 +117,9 @@ class SolverContext(NamedTuple):
     head: str
     size: int
     start: str
-    turned: list[Line]
-    fixed: list[Line]
-    body: list[Line]
+    turned: list[Assignment]
+    fixed: list[Assignment]
+    body: list[Assignment]
     residuals: list[str]
     jacobian: list[list[str]]
     left: Reduced
@@ -128,17 +128,17 @@ class SolverContext(NamedTuple):
     norm: str
     side: int
     shortest: str
-    by_arcs: ByArcs | None
+    by_arcs: ByArcsContext | None
 
 
-def solvers_of(statements: Iterable[Statement]) -> list[Solver]:
+def solvers_of(statements: Iterable[ProgramStatement]) -> list[Solver]:
     """Return every system once, however many mention it."""
     return list(dict.fromkeys(s.solver for s in statements if isinstance(s, Solve)))
 
 
 def solver_context(solver: Solver, name: str) -> SolverContext:
     """Return a system's function."""
-    space = Names(RESERVED.besides(_OWN), {name})
+    space = TargetNames(RESERVED.besides(_OWN), {name})
     names = mangle(solver.names, space)
     anchored = list(_anchored(solver))
     ends = {outer: space.claim(f"{names[outer]}_end") for outer, _ in anchored}
@@ -151,7 +151,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     fixed, body = _steps(solver, printer)
     left = reduced(solver.jacobian)
     fixed = [*(_between(outer, names, ends, a) for outer, a in anchored), *fixed]
-    body = [*(Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)), *body]
+    body = [*(Assignment(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)), *body]
     return SolverContext(
         title=harmless(f"The unknowns {', '.join(solver.unknowns)}, for which these are zero"),
         zeros=[harmless(text(equation)) for equation in solver.equations],
@@ -180,21 +180,24 @@ def _by_arcs(
     arcs: steps.ByArcs,
     name: str,
     given: Sequence[str],
-    lines: Sequence[Line],
+    lines: Sequence[Assignment],
     printer: Printer,
-) -> ByArcs:
+) -> ByArcsContext:
     """Return the functions that follow a branch by its arc length."""
     size, names = len(solver.unknowns), printer.names
     rows = zip(solver.jacobian, arcs.slopes, strict=True)
     slopes = [entry for row, last in rows for entry in (*row, last)]
     anchors = dict(_anchored(solver))
-    return ByArcs(
+    return ByArcsContext(
         name=name,
         lines=[
-            *(Line(g, f"given[{i}]") for i, g in enumerate(given)),
+            *(Assignment(g, f"given[{i}]") for i, g in enumerate(given)),
             *lines,
-            *(Line(names[c], _gap(given[i], anchors[solver.outer[i]])) for i, c in arcs.changes),
-            *(Line(names[s.name], printer.print(s.formula)) for s in arcs.steps),
+            *(
+                Assignment(names[c], _gap(given[i], anchors[solver.outer[i]]))
+                for i, c in arcs.changes
+            ),
+            *(Assignment(names[s.name], printer.print(s.formula)) for s in arcs.steps),
         ],
         sides=[
             f"{to}[{i}] = {printer.print(f)};"
@@ -207,10 +210,12 @@ def _by_arcs(
     )
 
 
-def _steps(solver: Solver, printer: Printer) -> tuple[list[Line], list[Line]]:
+def _steps(solver: Solver, printer: Printer) -> tuple[list[Assignment], list[Assignment]]:
     """Return the lines that a step along the way fixes, and those of every correction."""
     fixed = fixed_steps(solver)
-    lines = {s.name: Line(printer.names[s.name], printer.print(s.formula)) for s in solver.steps}
+    lines = {
+        s.name: Assignment(printer.names[s.name], printer.print(s.formula)) for s in solver.steps
+    }
     return (
         [line for name, line in lines.items() if name in fixed],
         [line for name, line in lines.items() if name not in fixed],
@@ -223,17 +228,19 @@ def _anchored(solver: Solver) -> Iterator[tuple[str, float]]:
     return ((name, anchor) for name, anchor in pairs if anchor is not None)
 
 
-def _between(name: str, names: Mapping[str, str], ends: Mapping[str, str], anchor: float) -> Line:
+def _between(
+    name: str, names: Mapping[str, str], ends: Mapping[str, str], anchor: float
+) -> Assignment:
     value = f"({anchor!r})" if anchor < 0 else repr(anchor)
-    return Line(names[name], f"rest*{value} + aim*{ends[name]}")
+    return Assignment(names[name], f"rest*{value} + aim*{ends[name]}")
 
 
 def _gap(end: str, anchor: float) -> str:
     return f"({end} + {-anchor!r})" if anchor < 0 else f"({end} - {anchor!r})"
 
 
-def _nearest(name: str, given: str, anchor: float) -> Line:
-    return Line(name, f"{given} - {TAU}*floor({_gap(given, anchor)}/{TAU} + 0.5)")
+def _nearest(name: str, given: str, anchor: float) -> Assignment:
+    return Assignment(name, f"{given} - {TAU}*floor({_gap(given, anchor)}/{TAU} + 0.5)")
 
 
 def _square(part: str, scale: float) -> str:
@@ -244,11 +251,11 @@ def _square(part: str, scale: float) -> str:
 
 
 def lines(
-    statements: Iterable[Statement],
+    statements: Iterable[ProgramStatement],
     used: Set[str],
     solvers: Mapping[Solver, str],
     printer: Printer,
-    space: Names,
+    space: TargetNames,
 ) -> tuple[list[str], list[str]]:
     """Return statements as C and the names of the solutions' statuses.
 
@@ -273,7 +280,7 @@ def _solution(
     used: Set[str],
     solvers: Mapping[Solver, str],
     printer: Printer,
-    space: Names,
+    space: TargetNames,
 ) -> Iterator[str]:
     """Yield the lines that solve a system, its status under a name, and give what is used one."""
     solution = space.claim("solution")

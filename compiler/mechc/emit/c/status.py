@@ -15,7 +15,7 @@ from ...routine.steps import (
     sides_of,
 )
 from .. import describe
-from ..names import Names, mangle
+from ..names import TargetNames, mangle
 from ..printer import driving
 from .pose import arrays
 from .printer import CPrinter, harmless, wrapped
@@ -62,8 +62,8 @@ def status_context(
     if asked is None:
         return None
     reserved = RESERVED.besides([*OWN, *names.values(), batch, *solvers.values()])
-    own = mangle((i.name for i in asked.inputs), Names(reserved))
-    space = Names(reserved, set(own.values()))
+    own = mangle((i.name for i in asked.inputs), TargetNames(reserved))
+    space = TargetNames(reserved, set(own.values()))
     printer = CPrinter(own | mangle((n for s in asked.steps for n in names_of(s)), space))
     used = mentioned(asked.steps, asked.sides)
     body, statuses = lines(asked.steps, used, solvers, printer, space)
@@ -131,7 +131,7 @@ def checks_context(
 ) -> ChecksContext:
     """Return the function of a sheet's conditions, for one and for many."""
     own = {i.name: arguments[i.name] for i in checks.inputs}
-    space = Names(RESERVED, {single, batch, *own.values(), *solvers.values()})
+    space = TargetNames(RESERVED, {single, batch, *own.values(), *solvers.values()})
     printer = CPrinter(own | mangle((n for s in checks.steps for n in names_of(s)), space))
     sides = list(sides_of(checks.guards))
     used = mentioned(checks.steps, sides)

@@ -13,8 +13,8 @@ from ...named import NamedTuple
 from ...patterns import pattern
 from ...routine.steps import Common, Program, Routine, every, inputs_of, programs
 from .. import describe
-from ..names import Names, file_stem, mangle, transliterate
-from ..render import Line, render
+from ..names import TargetNames, file_stem, mangle, transliterate
+from ..render import Assignment, render
 from ..target import Compiled, Emitted, Options
 from . import gradient
 from . import threads as parallel
@@ -35,7 +35,7 @@ _CHOICES = {"min": "<", "max": ">"}
 _SIGNS = {**SIGNS, "same": "=="}
 
 
-Declared: TypeAlias = (
+DeclaringContext: TypeAlias = (
     "FunctionContext | StatusContext | PoseContext | ChecksContext | GradientContext"
 )
 """The declarations of a header."""
@@ -46,7 +46,7 @@ class HeaderContext(NamedTuple):
 
     preface: list[str]
     guard: str
-    functions: list[Declared]
+    functions: list[DeclaringContext]
     parameters: ParametersContext | None
 
 
@@ -69,11 +69,11 @@ class SourceContext(NamedTuple):
 
     preface: list[str]
     header: str
-    public: list[Declared]
+    public: list[DeclaringContext]
     parameters: ParametersContext | None
     helpers: Set[str]
-    choices: list[Line]
-    conditions: list[Line]
+    choices: list[Assignment]
+    conditions: list[Assignment]
     bits: bool
     roots: bool
     pi: bool
@@ -94,7 +94,7 @@ class Parts(NamedTuple):
     parameters: ParametersContext | None
 
     @property
-    def public(self) -> list[Declared]:
+    def public(self) -> list[DeclaringContext]:
         """Return the declarations of the header."""
         with_statuses = (each for f in self.functions for each in (f, f.status) if each)
         checks = [self.checks] if self.checks else []
@@ -151,8 +151,8 @@ def _source(parts: Parts, preface: list[str], header: str, real: Real, threads: 
         public=parts.public,
         parameters=parts.parameters,
         helpers=called,
-        choices=[Line(name, sign) for name, sign in _CHOICES.items() if name in called],
-        conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
+        choices=[Assignment(name, sign) for name, sign in _CHOICES.items() if name in called],
+        conditions=[Assignment(name, _SIGNS[name]) for name in SIGNS if name in called],
         bits=not called.isdisjoint(BITS),
         roots=any("sqrt(" in line for line in _quick_lines(parts)),
         pi=CPrinter.pi in code,
@@ -185,7 +185,7 @@ def _preface(compiled: Compiled, threads: bool) -> list[str]:
     return [harmless(line) for line in lines]
 
 
-def linked_names(routine: Routine, space: Names) -> dict[str, Symbols]:
+def linked_names(routine: Routine, space: TargetNames) -> dict[str, Symbols]:
     """Return the names that the linker knows of results and of their statuses."""
     listed = list(every(routine.functions))
     statuses = (f.status.name for f in listed if f.status)
@@ -193,7 +193,7 @@ def linked_names(routine: Routine, space: Names) -> dict[str, Symbols]:
 
 
 def _parts(compiled: Compiled, slopes: bool) -> Parts:
-    routine, space = compiled.routine, Names(LINKED)
+    routine, space = compiled.routine, TargetNames(LINKED)
     written, listed = programs(routine), list(every(routine.functions))
     linked = linked_names(routine, space)
     status, statuses = (space.claim(f"{routine.name}_status{end}") for end in ("", "_n"))
@@ -220,11 +220,11 @@ def _parts(compiled: Compiled, slopes: bool) -> Parts:
 
 
 def _file_scope(
-    routine: Routine, written: Sequence[Program], linked: Mapping[str, Symbols], space: Names
+    routine: Routine, written: Sequence[Program], linked: Mapping[str, Symbols], space: TargetNames
 ) -> FileScope:
     """Return the names at file scope; no argument is called as a function that a body calls."""
     called = (linked[f.otherwise.name].single for f in every(routine.functions) if f.otherwise)
-    free = Names(RESERVED.besides(called))
+    free = TargetNames(RESERVED.besides(called))
     found = solvers_of(step for program in written for step in program.steps)
     numbers = [program.number for program in written if isinstance(program, Common)]
     return FileScope(
@@ -236,7 +236,7 @@ def _file_scope(
 
 
 def _gradients(
-    routine: Routine, space: Names, arguments: Mapping[str, str]
+    routine: Routine, space: TargetNames, arguments: Mapping[str, str]
 ) -> "list[GradientContext]":
     return gradient.gradient_contexts(routine.name, routine.functions, space, arguments)
 

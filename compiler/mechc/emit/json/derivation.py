@@ -14,14 +14,14 @@ from ...report.steps import (
     Step,
 )
 from .formula import DEFINITION, FORMULA
-from .kinds import TEXT, Kind, list_of, map_of, member, one_of, record
+from .kinds import TEXT, JsonKind, list_of, map_of, member, one_of, record
 
 
 def _equation(equation: Equation) -> str:
     return f"{text(equation.left)} = {text(equation.right)}"
 
 
-STEP: Kind[Step] = record(
+STEP: JsonKind[Step] = record(
     "step",
     "One step of the derivation.",
     member("rule", "The rule of mechanics.", one_of(*Rule), lambda s: s.rule),
@@ -40,7 +40,7 @@ STEP: Kind[Step] = record(
     ),
 )
 
-POSITION: Kind[PositionStep] = record(
+POSITION: JsonKind[PositionStep] = record(
     "position_step",
     "What one loop gives of the position.",
     member("kind", "How the loop is solved.", one_of(*get_args(PositionKind)), lambda s: s.kind),
@@ -49,7 +49,7 @@ POSITION: Kind[PositionStep] = record(
     member("like", "The triangle that one is congruent to.", list_of(TEXT), lambda s: s.like),
 )
 
-TERM: Kind[PowerTerm] = record(
+TERM: JsonKind[PowerTerm] = record(
     "term",
     "The power of one load: times · load · speed.",
     member("load", "Its name.", TEXT, lambda t: t.load),
@@ -58,7 +58,7 @@ TERM: Kind[PowerTerm] = record(
     member("speed", "Signed along the load.", FORMULA, lambda t: t.speed),
 )
 
-PARAGRAPH: Kind[Paragraph] = record(
+PARAGRAPH: JsonKind[Paragraph] = record(
     "passage",
     "A sentence with the equations that it leads to.",
     member("says", "What the sentence says.", one_of(*SentenceKind), lambda p: p.sentence),
@@ -72,7 +72,7 @@ PARAGRAPH: Kind[Paragraph] = record(
     ),
 )
 
-ACCOUNT: Kind[Explanation] = record(
+ACCOUNT: JsonKind[Explanation] = record(
     "account",
     "How results were found that need more than the power equation.",
     member("results", "Their names.", list_of(TEXT), lambda a: a.results),
@@ -80,7 +80,7 @@ ACCOUNT: Kind[Explanation] = record(
     member("where", "What the equations rest on.", list_of(DEFINITION), lambda a: a.where),
 )
 
-DERIVATION: Kind[Derivation] = record(
+DERIVATION: JsonKind[Derivation] = record(
     "derivation",
     "From speeds to the power balance.",
     member("position", "Loop by loop.", list_of(POSITION), lambda d: d.position),

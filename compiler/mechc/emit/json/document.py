@@ -14,8 +14,7 @@ from ...model.result import Definition
 from ...model.statements import is_sheet
 from ...model.values import Chain
 from ...named import NamedTuple
-from ...pose.motion import Kind as Motion
-from ...pose.motion import Quantity
+from ...pose.motion import MotionKind, MotionQuantity
 from ...routine.steps import STATUSES, Function
 from ...statics.verdict import Trial, Verdict
 from ...units import si_unit
@@ -25,7 +24,7 @@ from .derivation import DERIVATION
 from .figure import FIGURE
 from .formula import DEFINITION, FORMULA
 from .free_bodies import DIAGRAM
-from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
+from .kinds import FLOAT, TEXT, TRUTH, JsonKind, list_of, map_of, member, one_of, optional, record
 from .lets import defined_once
 from .results import RESULT
 
@@ -45,7 +44,7 @@ def _dependence(parameter: Parameter) -> Formula | None:
     return parameter.value if parameter.dependent else None
 
 
-FUNCTION: Kind[Function] = record(
+FUNCTION: JsonKind[Function] = record(
     "function",
     "A function of the emitted code.",
     member("name", "The result's.", TEXT, lambda f: f.name),
@@ -71,12 +70,12 @@ FUNCTION: Kind[Function] = record(
     member(
         "operations",
         "With shared parts computed once.",
-        Kind({"type": "integer"}, int),
+        JsonKind({"type": "integer"}, int),
         lambda f: f.operations,
     ),
 )
 
-PARAMETER: Kind[Parameter] = record(
+PARAMETER: JsonKind[Parameter] = record(
     "parameter",
     "A quantity of the description.",
     member("name", "As in the description.", TEXT, lambda p: p.name),
@@ -92,7 +91,7 @@ PARAMETER: Kind[Parameter] = record(
     member("about", "A longer remark, or empty.", TEXT, lambda p: p.about),
 )
 
-TRIAL: Kind[Trial] = record(
+TRIAL: JsonKind[Trial] = record(
     "trial",
     "One pose, computed by virtual power and by free bodies.",
     member("result", "Which result.", TEXT, lambda t: t.result),
@@ -109,7 +108,7 @@ def _said(verdict: Verdict) -> tuple[str, ...]:
     return tuple(map(str, verdict.remarks))
 
 
-VERDICT: Kind[Verdict] = record(
+VERDICT: JsonKind[Verdict] = record(
     "verdict",
     "The second opinion.",
     member("agrees", "Whether every trial agrees.", TRUTH, lambda v: v.agrees),
@@ -122,7 +121,7 @@ VERDICT: Kind[Verdict] = record(
 class Moved(NamedTuple):
     """The quantities of a motion with their values, and the definitions that they rest on."""
 
-    quantities: tuple[tuple[Quantity, float | None], ...]
+    quantities: tuple[tuple[MotionQuantity, float | None], ...]
     definitions: tuple[Definition, ...]
 
 
@@ -140,15 +139,15 @@ def moved(compiled: Compiled) -> Moved | None:
     return Moved(tuple((q, found.get(q.name)) for q in quantities), definitions)
 
 
-def _names(quantities: Sequence[Quantity]) -> frozenset[str]:
+def _names(quantities: Sequence[MotionQuantity]) -> frozenset[str]:
     return frozenset[str]().union(*(symbols(q.formula) for q in quantities))
 
 
-QUANTITY: Kind[tuple[Quantity, float | None]] = record(
+QUANTITY: JsonKind[tuple[MotionQuantity, float | None]] = record(
     "motion_quantity",
     "A coordinate of a point, the direction of a link, or how it changes with the drive.",
     member("name", "In the code.", TEXT, lambda q: q[0].name),
-    member("kind", "What it is.", one_of(*get_args(Motion)), lambda q: q[0].kind),
+    member("kind", "What it is.", one_of(*get_args(MotionKind)), lambda q: q[0].kind),
     member("of", "The point, or the link.", TEXT, lambda q: q[0].of),
     member("axis", "Of a point, else empty.", one_of("x", "y", ""), lambda q: q[0].axis),
     member("about", "In words.", TEXT, lambda q: quantity_words(q[0])),
@@ -157,7 +156,7 @@ QUANTITY: Kind[tuple[Quantity, float | None]] = record(
     member("value", "At the figure's pose, SI; null where there is none.", FLOAT, lambda q: q[1]),
 )
 
-MOVED: Kind[Moved] = record(
+MOVED: JsonKind[Moved] = record(
     "points",
     "Where points are and how links point, along the drive.",
     member("quantities", "Each by itself.", list_of(QUANTITY), lambda m: m.quantities),
@@ -172,7 +171,7 @@ class UsedMechanism(NamedTuple):
     compiled: Compiled
 
 
-USED: Kind[UsedMechanism] = record(
+USED: JsonKind[UsedMechanism] = record(
     "used_mechanism",
     "A mechanism that a calculation sheet uses, compiled at the values that the sheet gives it.",
     member("prefix", "Of its quantities in the sheet: L of L_k.", TEXT, lambda u: u.prefix),
@@ -210,11 +209,11 @@ def _used(compiled: Compiled) -> tuple[UsedMechanism, ...]:
     return tuple(UsedMechanism(*pair) for pair in compiled.used_mechanisms)
 
 
-DOCUMENT: Kind[Compiled] = record(
+DOCUMENT: JsonKind[Compiled] = record(
     "result_document",
     "What mechc found of one mechanism. Numbers are SI and radians.",
     member("schema", "What this is.", one_of("mechc-result"), lambda c: "mechc-result"),
-    member("version", "Of this layout.", Kind({"const": VERSION}, int), lambda c: VERSION),
+    member("version", "Of this layout.", JsonKind({"const": VERSION}, int), lambda c: VERSION),
     member("compiler", "The version of mechc.", TEXT, lambda c: c.version),
     member("name", "The mechanism's.", TEXT, lambda c: c.mechanism.name),
     member("title", "Or empty.", TEXT, lambda c: c.mechanism.title),

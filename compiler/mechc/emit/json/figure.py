@@ -9,7 +9,7 @@ from ...figure.figure import (
     ArcSlot,
     Belt,
     Contact,
-    Dimension,
+    DimensionLine,
     Figure,
     Force,
     Gears,
@@ -35,8 +35,8 @@ from .kinds import (
     TEXT,
     TRUTH,
     WHOLE,
-    Field,
-    Kind,
+    JsonKind,
+    RecordField,
     any_of,
     list_of,
     map_of,
@@ -47,23 +47,23 @@ from .kinds import (
 )
 
 _NAMES = list_of(TEXT)
-_PAIR: Kind[tuple[str, str]] = Kind(
+_PAIR: JsonKind[tuple[str, str]] = JsonKind(
     {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}, list
 )
 
-PLANE: Kind[Plane] = Kind(
+PLANE: JsonKind[Plane] = JsonKind(
     {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}, list
 )
 """A place in metres, a unit direction, or a force in newtons: x, y."""
 
-SEGMENT: Kind[Segment] = record(
+SEGMENT: JsonKind[Segment] = record(
     "segment",
     "A stretch of a line.",
     member("start", "One end.", PLANE, lambda s: s.start),
     member("end", "The other.", PLANE, lambda s: s.end),
 )
 
-FIELDS: Mapping[str, tuple[str, Kind[Any]]] = {
+FIELDS: Mapping[str, tuple[str, JsonKind[Any]]] = {
     "name": ("As in the description; a twin's has a prime.", TEXT),
     "label": ("For drawings, or empty.", TEXT),
     "points": ("Through which it goes.", _NAMES),
@@ -132,30 +132,30 @@ PARTS: Mapping[type[Part], tuple[str, str]] = {
     Torque: ("torque", "A couple on a link."),
     Actuator: ("actuator", "A pair of forces that pushes two points apart."),
     Spring: ("spring", "A spring."),
-    Dimension: ("dimension", "What measures a distance."),
+    DimensionLine: ("dimension", "What measures a distance."),
     AngleMark: ("angle", "What measures an angle."),
 }
 
 
-def _field(name: str) -> Field[Any]:
+def _field(name: str) -> RecordField[Any]:
     about, kind = FIELDS[name]
     return member(name, about, kind, lambda part: getattr(part, name))
 
 
-def _part(of: type[Part]) -> Kind[Any]:
+def _part(of: type[Part]) -> JsonKind[Any]:
     word, about = PARTS[of]
-    what: Field[Part] = member("part", "What it is.", one_of(word), lambda _: word)
+    what: RecordField[Part] = member("part", "What it is.", one_of(word), lambda _: word)
     return record(f"drawn_{word}", about, what, *map(_field, of.__match_args__))
 
 
-MIRROR: Kind[MirrorLine] = record(
+MIRROR: JsonKind[MirrorLine] = record(
     "mirror_line",
     "A line through a place.",
     member("at", "A place on it.", PLANE, lambda m: m.at),
     member("along", "Its unit direction.", PLANE, lambda m: m.along),
 )
 
-FIGURE: Kind[Figure] = record(
+FIGURE: JsonKind[Figure] = record(
     "figure",
     "What a drawing of the default pose shows: both mirrored halves, one branch of copies.",
     member("points", "Where every point is, in metres.", map_of(PLANE), lambda f: f.points),

@@ -6,7 +6,7 @@ from ...formula.operations import count_operations
 from ...formula.to_text import text
 from ...formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ...model.result import Definition
-from .kinds import TEXT, WHOLE, Json, Kind, member, record
+from .kinds import TEXT, WHOLE, Json, JsonKind, member, record
 
 
 def tree(formula: Formula) -> Json:
@@ -92,12 +92,12 @@ _SCHEMA: Json = {
         _SOLUTION,
     ],
 }
-TREE: Kind[Formula] = Kind({"$ref": "#/$defs/tree"}, tree, {"tree": _SCHEMA})
+TREE: JsonKind[Formula] = JsonKind({"$ref": "#/$defs/tree"}, tree, {"tree": _SCHEMA})
 
-LATEX: Kind[Formula] = Kind({"type": "string"}, lambda formula: formula)
+LATEX: JsonKind[Formula] = JsonKind({"type": "string"}, lambda formula: formula)
 """A formula that becomes text with the whole document, whose names are distinct on paper."""
 
-FORMULA: Kind[Formula] = record(
+FORMULA: JsonKind[Formula] = record(
     "formula",
     "A formula in SI and radians.",
     member("text", "In mechc's notation: a*sin(alpha)^2/(2*b).", TEXT, text),
@@ -106,7 +106,7 @@ FORMULA: Kind[Formula] = record(
     member("operations", "Number of operations, as sympy's count_ops.", WHOLE, count_operations),
 )
 
-DEFINITION: Kind[Definition] = record(
+DEFINITION: JsonKind[Definition] = record(
     "definition",
     "A named intermediate.",
     member("name", "The name that formulas mention.", TEXT, lambda d: d.name),

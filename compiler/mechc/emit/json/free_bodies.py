@@ -6,17 +6,17 @@ from typing import get_args
 from ...statics import diagram
 from ...statics.diagram import Acting, Diagram, FreeBody
 from .figure import PLANE
-from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
+from .kinds import FLOAT, TEXT, TRUTH, JsonKind, list_of, map_of, member, one_of, optional, record
 
 
 def _magnitude(acting: Acting) -> float | None:
     return math.hypot(*acting.force) if acting.force else None
 
 
-ACTING: Kind[Acting] = record(
+ACTING: JsonKind[Acting] = record(
     "acting",
     "A force on a body and a couple beside it.",
-    member("kind", "What it comes from.", one_of(*get_args(diagram.Kind)), lambda a: a.kind),
+    member("kind", "What it comes from.", one_of(*get_args(diagram.ActionKind)), lambda a: a.kind),
     member(
         "by",
         "A load, body or pin, ground, branches (other copies); empty of losses in wheels.",
@@ -42,7 +42,7 @@ ACTING: Kind[Acting] = record(
     member("chosen", "It depends on what was chosen for the figure.", TRUTH, lambda a: a.chosen),
 )
 
-FREE_BODY: Kind[FreeBody] = record(
+FREE_BODY: JsonKind[FreeBody] = record(
     "free_body",
     "A link or slide, or a pin on which more acts than two links.",
     member("name", "As in the figure.", TEXT, lambda b: b.name),
@@ -50,7 +50,7 @@ FREE_BODY: Kind[FreeBody] = record(
     member("forces", "All that acts on it.", list_of(ACTING), lambda b: b.forces),
 )
 
-DIAGRAM: Kind[Diagram] = record(
+DIAGRAM: JsonKind[Diagram] = record(
     "free_body_diagram",
     "All free bodies under one set of loads, at the pose of the figure; of copies one branch.",
     member("result", "Whose loads they are.", TEXT, lambda d: d.result),

@@ -20,7 +20,7 @@ R = TypeVar("R")
 
 
 @frozen
-class Kind(Generic[T]):
+class JsonKind(Generic[T]):
     """A kind of value: its schema, its writer, and the named schemas it refers to."""
 
     schema: dict[str, Json]
@@ -29,7 +29,7 @@ class Kind(Generic[T]):
 
 
 @frozen
-class Field(Generic[R]):
+class RecordField(Generic[R]):
     """A member of a record of R: its name, what it means, and its value's kind."""
 
     name: str
@@ -38,13 +38,13 @@ class Field(Generic[R]):
     definitions: Mapping[str, Json]
 
 
-def member(name: str, about: str, kind: Kind[T], read: Callable[[R], T]) -> Field[R]:
+def member(name: str, about: str, kind: JsonKind[T], read: Callable[[R], T]) -> RecordField[R]:
     """Return a member; ``read`` takes its value from the record's."""
     described: dict[str, Json] = {"description": about, **kind.schema}
-    return Field(name, described, lambda value: kind.write(read(value)), kind.definitions)
+    return RecordField(name, described, lambda value: kind.write(read(value)), kind.definitions)
 
 
-def record(name: str, about: str, *fields: Field[R]) -> Kind[R]:
+def record(name: str, about: str, *fields: RecordField[R]) -> JsonKind[R]:
     """Return the kind of objects that have exactly these members."""
     shape: dict[str, Json] = {
         "description": about,
@@ -54,53 +54,53 @@ def record(name: str, about: str, *fields: Field[R]) -> Kind[R]:
         "additionalProperties": False,
     }
     definitions = {key: value for f in fields for key, value in f.definitions.items()}
-    return Kind(
+    return JsonKind(
         {"$ref": f"#/$defs/{name}"},
         lambda value: {f.name: f.write(value) for f in fields},
         {**definitions, name: shape},
     )
 
 
-def list_of(kind: Kind[T]) -> "Kind[tuple[T, ...]]":
+def list_of(kind: JsonKind[T]) -> "JsonKind[tuple[T, ...]]":
     """Return the kind of lists."""
     schema: dict[str, Json] = {"type": "array", "items": kind.schema}
-    return Kind(schema, lambda values: [kind.write(v) for v in values], kind.definitions)
+    return JsonKind(schema, lambda values: [kind.write(v) for v in values], kind.definitions)
 
 
-def map_of(kind: Kind[T]) -> Kind[Mapping[str, T]]:
+def map_of(kind: JsonKind[T]) -> JsonKind[Mapping[str, T]]:
     """Return the kind of objects with names of the description as keys."""
     schema: dict[str, Json] = {"type": "object", "additionalProperties": kind.schema}
-    return Kind(
+    return JsonKind(
         schema, lambda values: {k: kind.write(v) for k, v in values.items()}, kind.definitions
     )
 
 
-def optional(kind: Kind[T]) -> Kind[T | None]:
+def optional(kind: JsonKind[T]) -> JsonKind[T | None]:
     """Return the kind that may also be null."""
     schema: dict[str, Json] = {"anyOf": [kind.schema, {"type": "null"}]}
-    return Kind(schema, lambda v: None if v is None else kind.write(v), kind.definitions)
+    return JsonKind(schema, lambda v: None if v is None else kind.write(v), kind.definitions)
 
 
-def any_of(kinds: Mapping[type[T], Kind[T]]) -> Kind[T]:
+def any_of(kinds: Mapping[type[T], JsonKind[T]]) -> JsonKind[T]:
     """Return the kind of values of several classes, each with a kind of its own."""
     definitions = {
         name: shape for kind in kinds.values() for name, shape in kind.definitions.items()
     }
     shapes: list[Json] = [kind.schema for kind in kinds.values()]
-    return Kind({"anyOf": shapes}, lambda value: kinds[type(value)].write(value), definitions)
+    return JsonKind({"anyOf": shapes}, lambda value: kinds[type(value)].write(value), definitions)
 
 
-def one_of(*words: str) -> Kind[str]:
+def one_of(*words: str) -> JsonKind[str]:
     """Return the kind of a word from a fixed list."""
-    return Kind({"enum": list(words)}, str)
+    return JsonKind({"enum": list(words)}, str)
 
 
 def _finite(value: float | None) -> Json:
     return value if value is not None and math.isfinite(value) else None
 
 
-TEXT: Kind[str] = Kind({"type": "string"}, str)
-WHOLE: Kind[int] = Kind({"type": "integer"}, int)
-TRUTH: Kind[bool] = Kind({"type": "boolean"}, bool)
-FLOAT: Kind[float | None] = Kind({"type": ["number", "null"]}, _finite)
+TEXT: JsonKind[str] = JsonKind({"type": "string"}, str)
+WHOLE: JsonKind[int] = JsonKind({"type": "integer"}, int)
+TRUTH: JsonKind[bool] = JsonKind({"type": "boolean"}, bool)
+FLOAT: JsonKind[float | None] = JsonKind({"type": ["number", "null"]}, _finite)
 """A number; null where there is none, as JSON has neither NaN nor infinity."""

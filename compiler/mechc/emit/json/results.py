@@ -11,8 +11,8 @@ from ...model.mechanism import (
     Normal,
     Reaction,
     Require,
+    ResultTarget,
     SpeedRatio,
-    Target,
     WithFriction,
 )
 from ...model.result import Result
@@ -21,12 +21,12 @@ from ...study.intervals import Bound, EfficiencyRange, Locking, LockingInterval,
 from ...units import si_unit
 from ..describe import dimension_name
 from .formula import DEFINITION, FORMULA
-from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
+from .kinds import FLOAT, TEXT, TRUTH, JsonKind, list_of, map_of, member, one_of, optional, record
 from .lets import LONG
 
 TRENDS, SCOPES = get_args(Trend), get_args(Scope)
 CAUSES = ("dead centre", "perpendicular load", "other")
-KINDS: Mapping[type[Target] | type[None], str] = {
+KINDS: Mapping[type[ResultTarget] | type[None], str] = {
     LoadRatio: "load ratio",
     LoadForm: "load",
     SpeedRatio: "speed ratio",
@@ -39,7 +39,7 @@ KINDS: Mapping[type[Target] | type[None], str] = {
 }
 
 
-CONDITION: Kind[Require] = record(
+CONDITION: JsonKind[Require] = record(
     "condition",
     "What must hold: left operator right.",
     member("left", "One side.", FORMULA, lambda c: c.left),
@@ -60,7 +60,7 @@ def _moving(limit: Vanishing) -> str | None:
     return limit.cause.moving.name if isinstance(limit.cause, DeadCentre) else None
 
 
-VANISHING: Kind[Vanishing] = record(
+VANISHING: JsonKind[Vanishing] = record(
     "vanishing",
     "A condition under which a result is zero, or infinite.",
     member("factor", "It is where this is 0.", FORMULA, lambda v: v.factor),
@@ -75,7 +75,7 @@ VANISHING: Kind[Vanishing] = record(
     member("outside", "Proved: not within the ranges given.", TRUTH, lambda v: v.outside),
 )
 
-BREAK: Kind[Break] = record(
+BREAK: JsonKind[Break] = record(
     "break",
     "A condition under which something that loops find is infinite.",
     member("factor", "It is where this is 0.", FORMULA, lambda b: b.factor),
@@ -85,7 +85,7 @@ BREAK: Kind[Break] = record(
 STATES = ("free", "locked", "jammed")
 _NUMBERS = list_of(FLOAT)
 
-BOUND: Kind[Bound] = record(
+BOUND: JsonKind[Bound] = record(
     "bound",
     "An end of a stretch.",
     member("place", "SI and radians.", FLOAT, lambda b: b.x),
@@ -93,7 +93,7 @@ BOUND: Kind[Bound] = record(
     member("dead_centre", "The ratio changes its sign.", TRUTH, lambda b: b.is_dead_centre),
 )
 
-STRETCH: Kind[LockingInterval] = record(
+STRETCH: JsonKind[LockingInterval] = record(
     "stretch",
     "A stretch on which nothing moves.",
     member("state", "Held, or not to be moved.", one_of(*STATES), lambda s: s.state),
@@ -108,7 +108,7 @@ STRETCH: Kind[LockingInterval] = record(
     member("sampled", "Found by sampling, not solved for.", TRUTH, lambda s: s.sampled),
 )
 
-REACH: Kind[LockingIntervals] = record(
+REACH: JsonKind[LockingIntervals] = record(
     "reach",
     "Where nothing moves as one parameter varies, the others at their values.",
     member("parameter", "Its name.", TEXT, lambda r: r.parameter),
@@ -116,7 +116,7 @@ REACH: Kind[LockingIntervals] = record(
     member("stretches", "In order.", list_of(STRETCH), lambda r: r.stretches),
 )
 
-LOCKING: Kind[Locking] = record(
+LOCKING: JsonKind[Locking] = record(
     "locking",
     "Of a ratio with friction: where the load alone, or the drive, moves nothing.",
     member(
@@ -128,7 +128,7 @@ LOCKING: Kind[Locking] = record(
     member("reaches", "By parameter.", list_of(REACH), lambda k: k.reaches),
 )
 
-EFFICIENCY_RANGE: Kind[EfficiencyRange] = record(
+EFFICIENCY_RANGE: JsonKind[EfficiencyRange] = record(
     "course",
     "What an efficiency runs through over a range, found by sampling.",
     member("parameter", "Its name.", TEXT, lambda c: c.parameter),
@@ -138,10 +138,10 @@ EFFICIENCY_RANGE: Kind[EfficiencyRange] = record(
     member("usual", "Where it is 0.9 … 0.95.", list_of(_NUMBERS), lambda c: c.usual),
 )
 
-_POWERS = map_of(Kind({"type": "integer"}, int))
+_POWERS = map_of(JsonKind({"type": "integer"}, int))
 _PAIRS = list_of(list_of(TEXT))
 
-ELSEWHERE: Kind[Result] = record(
+ELSEWHERE: JsonKind[Result] = record(
     "elsewhere",
     "A result with friction from coupled equations, whichever way its joints are pressed.",
     member("formula", "The whole result.", FORMULA, lambda r: r.formula),
@@ -156,7 +156,7 @@ ELSEWHERE: Kind[Result] = record(
     ),
 )
 
-RESULT: Kind[Analysis] = record(
+RESULT: JsonKind[Analysis] = record(
     "result",
     "A find or a let, solved.",
     member("name", "As in the description.", TEXT, lambda r: r.name),

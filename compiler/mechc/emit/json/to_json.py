@@ -6,7 +6,7 @@ from functools import partial
 
 from ...formula.tree import Formula
 from ...report.latex.document_style import style_of
-from ...report.latex.notation import Notation, notation
+from ...report.latex.notation import LatexNotation, notation
 from ...report.latex.printer import latex
 from ..target import Compiled, Emitted, Options
 from .document import DOCUMENT
@@ -47,11 +47,11 @@ def schema_text() -> str:
     return _text(schema)
 
 
-def _style(compiled: Compiled) -> Notation:
+def _style(compiled: Compiled) -> LatexNotation:
     return style_of(compiled.mechanism, compiled.derivation.results, notation("en"))
 
 
-def _typeset(value: Json, style: Notation) -> Json:
+def _typeset(value: Json, style: LatexNotation) -> Json:
     """Return a value with LaTeX for its formulas: a used mechanism has angles of its own."""
     match value:
         case dict():

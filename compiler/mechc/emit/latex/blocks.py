@@ -37,7 +37,7 @@ class Pictures(NamedTuple):
 NO_PICTURES = Pictures()
 
 
-class Report(NamedTuple):
+class ReportContext(NamedTuple):
     """All that the body's template prints."""
 
     locale: Locale
@@ -82,7 +82,7 @@ class Brief(NamedTuple):
     values: str
 
 
-class UsedMechanism(NamedTuple):
+class UsedMechanismContext(NamedTuple):
     """All that the template of a mechanism in the report of a sheet prints."""
 
     section: str

@@ -12,7 +12,7 @@ from ...report.languages import registry
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
 from ...report.latex.document_style import style_of
-from ...report.latex.notation import Notation, notation, translated
+from ...report.latex.notation import LatexNotation, notation, translated
 from ...report.latex.results import section_block, width
 from ...report.sections import Section, outline
 from ...report.steps import unexplained
@@ -97,7 +97,7 @@ def _rows(number: int, compared: Compared, locale: Locale, language: str) -> Ite
         yield r"} \\" if is_wide else r"\\"
 
 
-def _in_rows(sections: Iterable[Section], style: Notation) -> list[list[Section]]:
+def _in_rows(sections: Iterable[Section], style: LatexNotation) -> list[list[Section]]:
     """Give what stands beside the scheme, maybe nothing, and the rows below it.
 
     A wide section has a row of its own.
@@ -113,12 +113,12 @@ def _in_rows(sections: Iterable[Section], style: Notation) -> list[list[Section]
     return rows
 
 
-def _is_wide(section: Section, style: Notation) -> bool:
+def _is_wide(section: Section, style: LatexNotation) -> bool:
     """Return whether a section is wider than its column."""
     return width(section, style) > _ROOM
 
 
-def _scheme(compared: Compared, style: Notation, locale: Locale) -> Iterator[str]:
+def _scheme(compared: Compared, style: LatexNotation, locale: Locale) -> Iterator[str]:
     mechanism, scheme = compared.compiled.mechanism, compared.scheme
     if scheme is not None:
         (left, bottom), (right, top) = scheme.low, scheme.high
@@ -129,7 +129,7 @@ def _scheme(compared: Compared, style: Notation, locale: Locale) -> Iterator[str
     yield rf"{{\small {translated(mechanism.title or mechanism.name, style)}\par}}"
 
 
-def _cell(sections: Iterable[Section], locale: Locale, style: Notation) -> Iterator[str]:
+def _cell(sections: Iterable[Section], locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield displays, each with what its names stand for.
 
     Braces keep the ``&`` of an ``align*`` from ending the cell.

@@ -11,11 +11,11 @@ from ...report.languages.locale import Locale
 from ...report.latex.display import LINE
 from ...report.latex.document_style import first_orders
 from ...report.latex.given import ParameterRow, parameter_row
-from ...report.latex.notation import Notation, name, relation_sign, spellings, translated
+from ...report.latex.notation import LatexNotation, name, relation_sign, spellings, translated
 from ...report.latex.note import in_numbers, is_plain, measure, remark
 from ...report.latex.printer import Box, box, latex
 from ...report.latex.quantity import decimal, math, spaced
-from ...report.latex.results import Speller
+from ...report.latex.results import LatexSpeller
 from ...report.latex.text import begun
 from ...report.note import Note, NoteLine, note
 from ...report.sentences.noted import label
@@ -73,7 +73,7 @@ class NoteReport(NamedTuple):
 def note_report(
     compiled: Compiled,
     locale: Locale,
-    style: Notation,
+    style: LatexNotation,
     fragment: bool,
     derived: Set[str] | None = None,
 ) -> NoteReport:
@@ -101,13 +101,13 @@ def note_report(
     )
 
 
-def _unused(names: Iterable[str], words: Mapping[str, str], style: Notation) -> str:
+def _unused(names: Iterable[str], words: Mapping[str, str], style: LatexNotation) -> str:
     """Return the sentence about what is not used of other sheets, '' where there is none."""
     said = ", ".join(math(name(n, style)) for n in names)
     return words["unused"].format(names=said) if said else ""
 
 
-def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
+def _style(compiled: Compiled, found: Note, style: LatexNotation) -> LatexNotation:
     """Return the notation with this sheet's angles and with distinct names."""
     parameters = compiled.mechanism.parameters
     angles = {p.name for p in parameters if p.dimension == ANGLE}
@@ -125,7 +125,7 @@ def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
     return replace(style, spellings={**spellings(names, style), **firsts})
 
 
-def table_blocks(tables: Iterable[WrittenTable], style: Notation) -> Iterator[TableBlock]:
+def table_blocks(tables: Iterable[WrittenTable], style: LatexNotation) -> Iterator[TableBlock]:
     """Yield tables and lists of sizes, in parts that a line holds."""
     for table in tables:
         called, source = math(name(table.name, style)), translated(table.source, style)
@@ -152,7 +152,7 @@ def _parts(columns: Sequence[tuple[Box, ...]]) -> Iterator[list[tuple[Box, ...]]
 
 
 def _lines(
-    lines: Iterable[NoteLine], locale: Locale, style: Notation, derived: Set[str] | None
+    lines: Iterable[NoteLine], locale: Locale, style: LatexNotation, derived: Set[str] | None
 ) -> Iterator[LineBlock]:
     """Yield the formulas; what used mechanisms give in a row, where they are reported elsewhere."""
     for is_taken, group in groupby(lines, lambda line: line.is_taken and derived is not None):
@@ -163,7 +163,7 @@ def _lines(
 
 
 def _taken(
-    lines: Sequence[NoteLine], locale: Locale, style: Notation, derived: Container[str]
+    lines: Sequence[NoteLine], locale: Locale, style: LatexNotation, derived: Container[str]
 ) -> Iterator[LineBlock]:
     """Yield results of a mechanism in a row: those that its report derives, then the others."""
     parts = {
@@ -175,7 +175,7 @@ def _taken(
             yield LineBlock(locale.calculation[key], rf"{said}.\par\medskip", "")
 
 
-def _values(lines: Iterable[NoteLine], style: Notation) -> str:
+def _values(lines: Iterable[NoteLine], style: LatexNotation) -> str:
     """Return the values of results, '' where there are none."""
     return ", ".join(
         math(f"{name(line.name, style)}={measure(line.value, style).tex}")
@@ -184,16 +184,16 @@ def _values(lines: Iterable[NoteLine], style: Notation) -> str:
     )
 
 
-def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
+def _line(line: NoteLine, locale: Locale, style: LatexNotation) -> LineBlock:
     return LineBlock(
-        begun(label(line, translated(line.label, style), locale, Speller(style))),
+        begun(label(line, translated(line.label, style), locale, LatexSpeller(style))),
         in_numbers(line, locale.where, style),
         remark(line, locale.calculation, style),
         is_plain(line),
     )
 
 
-def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> CheckRow:
+def _check(check: NoteCheck, words: Mapping[str, str], style: LatexNotation) -> CheckRow:
     sign = relation_sign(check.operator)
     sides = (latex(side, style) for side in (check.left, check.right))
     values = [measure(side, style).tex for side in check.values or ()]
@@ -205,13 +205,13 @@ def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> Check
     return CheckRow(label + condition, numbers, reserve, verdict)
 
 
-def _called(label: str, style: Notation) -> str:
+def _called(label: str, style: LatexNotation) -> str:
     """Return the text of a condition; of one without it that a used sheet has, this sheet alone."""
     text = translated(label, style)
     return text[1:-1] if text.startswith("(") and text.endswith(")") else text
 
 
-def _unknown(missing: Iterable[str], words: Mapping[str, str], style: Notation) -> str:
+def _unknown(missing: Iterable[str], words: Mapping[str, str], style: LatexNotation) -> str:
     """Return that a condition has no numbers, and what it lacks."""
     names = ", ".join(math(name(n, style)) for n in missing)
     return words["missing"].format(names=names) if names else words["unknown"]

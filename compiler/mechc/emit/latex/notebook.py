@@ -7,7 +7,7 @@ from ...model.statements import is_sheet
 from ...patterns import pattern
 from ...report.languages import registry
 from ...report.latex.document_style import style_of
-from ...report.latex.notation import Notation, notation
+from ...report.latex.notation import LatexNotation, notation
 from ...report.latex.results import section_block
 from ...report.latex.text import plain
 from ...report.sections import outline
@@ -62,7 +62,7 @@ def derivation_in_latex(compiled: Compiled) -> str:
     return TARGET.emit(compiled, options)[0].text
 
 
-def _style(compiled: Compiled) -> Notation:
+def _style(compiled: Compiled) -> LatexNotation:
     return style_of(compiled.mechanism, compiled.derivation.results, notation(_LANGUAGE))
 
 

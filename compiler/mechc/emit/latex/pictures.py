@@ -7,11 +7,11 @@ from ...drawing.arrange import parted
 from ...drawing.drawing import Drawing
 from ...drawing.letters import Letters, in_letters
 from ...model.mechanism import Reported
-from ...plot.plot import Column, Plot
+from ...plot.plot import Plot, PlotColumn
 from ...plot.query import ROWS, Query, rows, usual
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale, Words
-from ...report.latex.notation import Notation, name, of_result
+from ...report.latex.notation import LatexNotation, name, of_result
 from ...study.stroke.stroke import Stroke
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
 from ..target import Compiled
@@ -32,7 +32,7 @@ def preamble() -> Iterator[str]:
     yield from definitions()
 
 
-def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
+def pictures(compiled: Compiled, locale: Locale, style: LatexNotation) -> Pictures:
     """Return the pictures of a mechanism at the pose of its description.
 
     They are those that it wants in its report; where it says nothing, the scheme, the free
@@ -60,14 +60,14 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     )
 
 
-def scheme_alone(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
+def scheme_alone(compiled: Compiled, locale: Locale, style: LatexNotation) -> Pictures:
     """Return the scheme of a mechanism as its only picture."""
     drawing = compiled.drawn_scheme(style.language)
     known = _letters(compiled, locale, style)
     return NO_PICTURES._replace(scheme=tuple(_drawn(drawing, locale.pictures["scheme"], known)))
 
 
-def _letters(compiled: Compiled, locale: Locale, style: Notation) -> Letters:
+def _letters(compiled: Compiled, locale: Locale, style: LatexNotation) -> Letters:
     return letters(locale, compiled.mechanism.translations.get(style.language, style.texts))
 
 
@@ -123,12 +123,12 @@ def _afloat(drawing: Drawing | None, caption: str, known: Letters, words: Words)
         yield from _floating(_picture(in_letters(part, known)), said)
 
 
-def _plotted(plot: Plot, known: Letters, locale: Locale, style: Notation) -> Iterator[str]:
+def _plotted(plot: Plot, known: Letters, locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield a plot above its caption."""
     return _floating(plotted(plot, locale.pictures, known), _against(plot, locale, style))
 
 
-def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[str]:
+def _tables(plots: Iterable[Plot], locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield the table of the values of each plot."""
     for plot in plots:
         heads = [head(of_result(c.axis.name, style), c.axis.unit, locale) for c in plot.columns]
@@ -160,11 +160,11 @@ def _floating(lines: Iterable[str], caption: str) -> Iterator[str]:
     yield r"\end{figure}"
 
 
-def _against(plot: Plot, locale: Locale, style: Notation) -> str:
+def _against(plot: Plot, locale: Locale, style: LatexNotation) -> str:
     """Return the caption of a plot: its curves, and the parameter along its axis."""
     names = ", ".join(f"${of_result(curve.name, style)}$" for curve in plot.curves)
     return locale.pictures["plot"].format(names=names, x=f"${name(plot.x.name, style)}$")
 
 
-def _in_unit(column: Column) -> list[float]:
+def _in_unit(column: PlotColumn) -> list[float]:
     return [value / column.axis.size for value in column.values]

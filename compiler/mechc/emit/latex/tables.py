@@ -7,9 +7,9 @@ from typing import assert_never
 
 from ...report.columns import is_constant, legend, repeated
 from ...report.languages.locale import Locale
-from ...report.latex.notation import Notation, name, of_result, points
+from ...report.latex.notation import LatexNotation, name, of_result, points
 from ...report.latex.quantity import decimal, usual_unit
-from ...report.latex.results import Speller
+from ...report.latex.results import LatexSpeller
 from ...report.latex.unit_symbols import unit_symbol
 from ...study.stroke.stroke import AngleAt, Column, SpeedOf, Stroke
 from ...units import size_of
@@ -55,7 +55,7 @@ def head(written: str, unit: str, locale: Locale) -> str:
     return f"${written}${f', ${symbol}$' if symbol else ''}"
 
 
-def numbers(values: Sequence[float], style: Notation) -> list[str]:
+def numbers(values: Sequence[float], style: LatexNotation) -> list[str]:
     r"""Return a column of numbers, all to the same decimals; a dash where there is none.
 
     The largest has five figures, one that is not zero three at least, and what all end with is
@@ -92,7 +92,7 @@ def _decimals(sizes: Sequence[float]) -> int | None:
     return max(map(len, written))
 
 
-def _number(value: float, decimals: int | None, style: Notation) -> str:
+def _number(value: float, decimals: int | None, style: LatexNotation) -> str:
     if math.isnan(value):
         return "--"
     if math.isinf(value):
@@ -103,7 +103,7 @@ def _number(value: float, decimals: int | None, style: Notation) -> str:
     return f"${(digits if float(digits) else digits.lstrip('-')).replace('.', style.decimal)}$"
 
 
-def along_stroke(stroke: Stroke, locale: Locale, style: Notation) -> Iterator[str]:
+def along_stroke(stroke: Stroke, locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield all that is known along the stroke as tables, what is constant in a sentence.
 
     Several tables have the same number of columns, or nearly so.
@@ -142,7 +142,7 @@ def _said(
     alike: Mapping[int, str],
     varying: Sequence[int],
     locale: Locale,
-    style: Notation,
+    style: LatexNotation,
 ) -> Iterator[str]:
     """Yield what is the same at all places, then what the names in the tables mean."""
     constant = [i for i in shown if i not in varying]
@@ -151,7 +151,7 @@ def _said(
         values = ", ".join(said)
         yield locale.along_stroke["throughout"].format(values=values)
     columns = [stroke.columns[i] for i in shown]
-    meant = legend(columns, locale.along_stroke, partial(_symbol, style), Speller(style).point)
+    meant = legend(columns, locale.along_stroke, partial(_symbol, style), LatexSpeller(style).point)
     yield from (f"{sentence}." for sentence in meant)
 
 
@@ -159,14 +159,14 @@ def _is_empty(index: int, stroke: Stroke) -> bool:
     return all(math.isnan(row.values[index]) for row in stroke.rows)
 
 
-def _repeated(index: int, stroke: Stroke, style: Notation) -> str:
+def _repeated(index: int, stroke: Stroke, style: LatexNotation) -> str:
     """Return a ratio of speeds as a result, or less it, that has its values; '' without one."""
     found = repeated(index, stroke)
     ratio = _written(stroke.columns[index], style)
     return f"${ratio}={found.sign}{_written(found.column, style)}$" if found else ""
 
 
-def _constant(index: int, stroke: Stroke, locale: Locale, style: Notation) -> str:
+def _constant(index: int, stroke: Stroke, locale: Locale, style: LatexNotation) -> str:
     """Return a column that has one value as an equation."""
     column = stroke.columns[index]
     unit = _unit(column)
@@ -178,14 +178,14 @@ def _unit(column: Column) -> str:
     return column.unit or usual_unit(column.dimension)
 
 
-def _column(index: int, stroke: Stroke, locale: Locale, style: Notation) -> list[str]:
+def _column(index: int, stroke: Stroke, locale: Locale, style: LatexNotation) -> list[str]:
     """Return the head of a column and its values."""
     column, unit = stroke.columns[index], _unit(stroke.columns[index])
     values = [row.values[index] / size_of(unit) for row in stroke.rows]
     return [head(_written(column, style), unit, locale), *numbers(values, style)]
 
 
-def _written(column: Column, style: Notation) -> str:
+def _written(column: Column, style: LatexNotation) -> str:
     """Return a column's name: a ratio of speeds, a slope, an angle, or a quantity."""
     if column.about:
         return "/".join(_tex(about, style) for about in column.about)
@@ -197,11 +197,11 @@ def _written(column: Column, style: Notation) -> str:
     return f"{D}{result}/{D}{name(below, style)}"
 
 
-def _symbol(style: Notation, about: SpeedOf | AngleAt) -> str:
+def _symbol(style: LatexNotation, about: SpeedOf | AngleAt) -> str:
     return f"${_tex(about, style)}$"
 
 
-def _tex(about: SpeedOf | AngleAt, style: Notation) -> str:
+def _tex(about: SpeedOf | AngleAt, style: LatexNotation) -> str:
     """Return a component of a velocity with its load, another speed, or a transmission angle."""
     alone, bracket, _ = about.name.partition("(")
     match about:

@@ -22,7 +22,7 @@ from ...report.evaluated import (
 )
 from ...report.languages import registry
 from ...report.languages.locale import Locale
-from ...report.latex.display import LINE, Line, display, vanishing
+from ...report.latex.display import LINE, DisplayLine, display, vanishing
 from ...report.latex.document_style import style_of
 from ...report.latex.given import (
     ParameterRow,
@@ -31,12 +31,12 @@ from ...report.latex.given import (
     scheme,
     vector_rows,
 )
-from ...report.latex.notation import Notation, name, notation, translated
+from ...report.latex.notation import LatexNotation, name, notation, translated
 from ...report.latex.numbers import in_line, numbers, values
 from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.quantity import math
 from ...report.latex.results import (
-    Speller,
+    LatexSpeller,
     check,
     definitions,
     section_block,
@@ -45,11 +45,11 @@ from ...report.latex.results import (
 )
 from ...report.latex.text import has_cyrillic
 from ...report.roles import with_places, with_roles
-from ...report.sections import Outline, PositionSection, chosen, outline
+from ...report.sections import PositionSection, ReportOutline, chosen, outline
 from ...report.sentences.powers import power_remarks
 from ...report.sentences.remarks import conditions, subject
 from ...report.sentences.wording import (
-    Sides,
+    EquationSides,
     direction_function,
     directions_named,
     lines,
@@ -66,9 +66,9 @@ from .blocks import (
     Document,
     Pictures,
     PositionBlock,
-    Report,
+    ReportContext,
     StepBlock,
-    UsedMechanism,
+    UsedMechanismContext,
 )
 from .note import note_report, table_blocks
 
@@ -92,7 +92,7 @@ class Latex:
 TARGET = Latex()
 
 
-def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> str:
+def _body(compiled: Compiled, locale: Locale, style: LatexNotation, options: Options) -> str:
     """Return the report of a mechanism, or the calculation note of a sheet."""
     derivation = compiled.by_equilibrium if options.by == "equilibrium" else compiled.reported
     if is_sheet(compiled.mechanism):
@@ -125,7 +125,9 @@ def _used(prefix: str, compiled: Compiled, locale: Locale, options: Options) -> 
         whole = whole._replace(pictures=_scheme(compiled, locale, style))
     words = (locale.calculation[key] for key in ("mechanism", "index"))
     heading, sentence = (said.format(prefix=math(name(prefix, style))) for said in words)
-    part = UsedMechanism(_section(options), heading, sentence, render("latex/body.jinja", whole))
+    part = UsedMechanismContext(
+        _section(options), heading, sentence, render("latex/body.jinja", whole)
+    )
     return render("latex/used.jinja", part)
 
 
@@ -133,7 +135,7 @@ def _section(options: Options) -> str:
     return "subsection" if options.fragment else "section"
 
 
-def _scheme(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
+def _scheme(compiled: Compiled, locale: Locale, style: LatexNotation) -> Pictures:
     return pictures.scheme_alone(compiled, locale, style)
 
 
@@ -164,7 +166,7 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
 
 
 def _parameters(
-    compiled: Compiled, locale: Locale, style: Notation, found: Sequence[Evaluated] | None
+    compiled: Compiled, locale: Locale, style: LatexNotation, found: Sequence[Evaluated] | None
 ) -> Iterator[ParameterRow]:
     """Yield the rows of what is given, with values that are not ``found`` among the numbers."""
     drive = compiled.mechanism.drive_name
@@ -175,8 +177,12 @@ def _parameters(
 
 
 def report(
-    compiled: Compiled, derivation: Derivation, locale: Locale, style: Notation, options: Options
-) -> Report:
+    compiled: Compiled,
+    derivation: Derivation,
+    locale: Locale,
+    style: LatexNotation,
+    options: Options,
+) -> ReportContext:
     """Return all that a report says, with a derivation of what was asked for."""
     mechanism, verdict = compiled.mechanism, compiled.verdict
     whole = outline(derivation, mechanism, stated_above(mechanism))
@@ -184,7 +190,7 @@ def report(
     aside, full = at_length(found, whole)
     shown = {*constants_shown(whole, mechanism), *(e.left for e in full)}
     is_illustrated = bool(options.pictures or mechanism.reported)
-    return Report(
+    return ReportContext(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
         conventions=_conventions(whole, mechanism, locale, style),
@@ -200,11 +206,11 @@ def report(
         vectors=tuple(vector_rows(mechanism, locale, style)),
         position=tuple(_position(whole.position, locale, style)),
         steps=tuple(_steps(derivation.steps, locale, style)),
-        explained=power_remarks(derivation, mechanism, locale, Speller(style)),
+        explained=power_remarks(derivation, mechanism, locale, LatexSpeller(style)),
         balances=_equations(derivation.balances, locale, style),
         last=_last(derivation.last_steps, locale, style),
         results=tuple(section_blocks(whole.results, locale, style)),
-        conditions=conditions(derivation.requires, Speller(style)),
+        conditions=conditions(derivation.requires, LatexSpeller(style)),
         values=values(full, locale, style),
         of_position=tuple(in_line(item, locale, style) for item in aside),
         numbers=numbers(derivation.results, shown, locale, style),
@@ -214,18 +220,20 @@ def report(
     )
 
 
-def _conventions(whole: Outline, mechanism: Mechanism, locale: Locale, style: Notation) -> str:
+def _conventions(
+    whole: ReportOutline, mechanism: Mechanism, locale: Locale, style: LatexNotation
+) -> str:
     said = [locale.conventions.format(x="$x$")]
-    if named := directions_named(named_directions(whole, mechanism), locale, Speller(style)):
+    if named := directions_named(named_directions(whole, mechanism), locale, LatexSpeller(style)):
         said.append(named)
     if has_atan2(whole):
-        said.append(direction_function(locale, Speller(style)))
+        said.append(direction_function(locale, LatexSpeller(style)))
     if hides_units(whole, mechanism):
         said.append(locale.plain_numbers)
     return " ".join(said)
 
 
-def _pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
+def _pictures(compiled: Compiled, locale: Locale, style: LatexNotation) -> Pictures:
     return pictures.pictures(compiled, locale, style)
 
 
@@ -234,7 +242,11 @@ def _preamble() -> Iterable[str]:
 
 
 def brief(
-    compiled: Compiled, derivation: Derivation, locale: Locale, style: Notation, options: Options
+    compiled: Compiled,
+    derivation: Derivation,
+    locale: Locale,
+    style: LatexNotation,
+    options: Options,
 ) -> Brief:
     """Return the formulas of a report alone: of the position, the speeds, the loads, results."""
     mechanism = compiled.mechanism
@@ -262,23 +274,23 @@ def brief(
 
 
 def _position(
-    sections: Sequence[PositionSection], locale: Locale, style: Notation
+    sections: Sequence[PositionSection], locale: Locale, style: LatexNotation
 ) -> Iterator[PositionBlock]:
-    said = position_sentences((s.step for s in sections), locale, Speller(style))
+    said = position_sentences((s.step for s in sections), locale, LatexSpeller(style))
     for section, words in zip(sections, said, strict=True):
         yield PositionBlock(words, definitions(section.where, locale, style, {}))
 
 
-def _steps(steps: Sequence[Step], locale: Locale, style: Notation) -> Iterator[StepBlock]:
-    words = sentences(steps, locale, Speller(style).point)
+def _steps(steps: Sequence[Step], locale: Locale, style: LatexNotation) -> Iterator[StepBlock]:
+    words = sentences(steps, locale, LatexSpeller(style).point)
     for step, sentence in zip(steps, words, strict=True):
         said, hence = (_equations(part, locale, style) for part in lines(step))
         yield StepBlock(sentence, said, hence)
 
 
-def _equations(equations: Iterable[Sides], locale: Locale, style: Notation) -> str:
+def _equations(equations: Iterable[EquationSides], locale: Locale, style: LatexNotation) -> str:
     """Return equations below each other, each by itself where a sum that is zero is too wide."""
-    rows = [(sides, Line(_chained(sides[:-1], style), sides[-1])) for sides in equations]
+    rows = [(sides, DisplayLine(_chained(sides[:-1], style), sides[-1])) for sides in equations]
     if any(_is_wide(line) for _, line in rows):
         return "\n".join(
             vanishing(sides[0], style, locale.where)
@@ -289,24 +301,26 @@ def _equations(equations: Iterable[Sides], locale: Locale, style: Notation) -> s
     return display(tuple(line for _, line in rows), style, locale.where) if rows else ""
 
 
-def _is_wide(line: Line) -> bool:
+def _is_wide(line: DisplayLine) -> bool:
     return line.right == ZERO and line.left.width > LINE
 
 
-def _last(steps: tuple[LastStep, ...], locale: Locale, style: Notation) -> str:
+def _last(steps: tuple[LastStep, ...], locale: Locale, style: LatexNotation) -> str:
     """Return the solution of the power equation, behind the ratios of speeds that are put in."""
-    lines: list[Line] = []
+    lines: list[DisplayLine] = []
     for step in steps:
         if step.chain:
             ratio, links, product = step.chain
             between = (part for link in links for part in (plain(r"\cdot "), box(link, style)))
             _, *product_of_links = between
-            lines.append(Line(box(ratio, style), product, chain=row(tuple(product_of_links))))
-        lines.append(Line(_chained((step.ratio.left,), style), step.ratio.right))
+            lines.append(
+                DisplayLine(box(ratio, style), product, chain=row(tuple(product_of_links)))
+            )
+        lines.append(DisplayLine(_chained((step.ratio.left,), style), step.ratio.right))
     return display(tuple(lines), style, locale.where) if lines else ""
 
 
-def _chained(sides: Sides, style: Notation) -> Box:
+def _chained(sides: EquationSides, style: LatexNotation) -> Box:
     first, *others = (box(side, style) for side in sides)
     return row((first, *(part for b in others for part in (plain("="), b))))
 

@@ -4,10 +4,10 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from ...drawing.axes import heading
 from ...drawing.describe_plot import describe
-from ...drawing.drawing import Pen, Run
+from ...drawing.drawing import Pen, TextRun
 from ...drawing.letters import LATIN, Letters, lettered, spelled
 from ...drawing.marks import DOT, THIN, dots, values_beside
-from ...drawing.panels import Layout, common_entry, entry, laid_out, steps, ways
+from ...drawing.panels import PanelLayout, common_entry, entry, laid_out, steps, ways
 from ...drawing.ticks import Scale
 from ...plot.plot import Curve, Plot
 from ...pose.places import Plane
@@ -49,7 +49,7 @@ def tikzpicture(plot: Plot, words: Mapping[str, str], letters: Letters = LATIN) 
     yield r"\end{tikzpicture}"
 
 
-def _axis(layout: Layout, bottom: float, letters: Letters) -> Iterator[str]:
+def _axis(layout: PanelLayout, bottom: float, letters: Letters) -> Iterator[str]:
     frame = layout.frame
     x, y = heading((layout.plot.x,), layout.across), heading(layout.headed, layout.up)
     yield r"\begin{axis}["
@@ -74,7 +74,7 @@ def _axis(layout: Layout, bottom: float, letters: Letters) -> Iterator[str]:
     yield r"\end{axis}"
 
 
-def _set(runs: Iterable[Run], letters: Letters) -> str:
+def _set(runs: Iterable[TextRun], letters: Letters) -> str:
     """Return text as mathematics in the letters of a language."""
     return f"${mathematics(spelled(runs, letters))}$"
 
@@ -82,11 +82,11 @@ def _set(runs: Iterable[Run], letters: Letters) -> str:
 def _ticks(axis: str, scale: Scale, letters: Letters) -> str:
     """Return the ticks and what is written at them."""
     places = ",".join(f"{tick:.12g}" for tick in scale.ticks)
-    texts = ",".join(_set((Run(scale.text(t)),), letters) for t in scale.ticks)
+    texts = ",".join(_set((TextRun(scale.text(t)),), letters) for t in scale.ticks)
     return f"{axis}tick={{{places}}}, {axis}ticklabels={{{texts}}}, scaled {axis} ticks=false"
 
 
-def _shaded(layout: Layout) -> Iterator[str]:
+def _shaded(layout: PanelLayout) -> Iterator[str]:
     """Yield the zone that is marked, or the range of the description."""
     frame = layout.frame
     for left, right in layout.shaded:
@@ -94,7 +94,7 @@ def _shaded(layout: Layout) -> Iterator[str]:
         yield rf"\fill[black!8] (axis cs:{corners});"
 
 
-def _poles(layout: Layout) -> Iterator[str]:
+def _poles(layout: PanelLayout) -> Iterator[str]:
     frame = layout.frame
     for pole in sorted({pole for curve in layout.panel.curves for pole in curve.poles}):
         x = layout.value(Plane(pole, 0.0)).x
@@ -102,7 +102,7 @@ def _poles(layout: Layout) -> Iterator[str]:
         yield rf"\draw[dash dot, gray] {ends};"
 
 
-def _curve(curve: Curve, pen: Pen, layout: Layout, letters: Letters) -> Iterator[str]:
+def _curve(curve: Curve, pen: Pen, layout: PanelLayout, letters: Letters) -> Iterator[str]:
     for step in steps(curve, layout):
         look = f"mechc{pen.name}, line width={THIN:g}mm"
         yield rf"\addplot[{look}, no markers, forget plot] coordinates {{{_listed(step)}}};"
@@ -118,7 +118,7 @@ def _listed(places: Iterable[Plane]) -> str:
     return " ".join(f"({p.x:.8g},{p.y:.8g})" for p in places)
 
 
-def _marks(layout: Layout, letters: Letters) -> Iterator[str]:
+def _marks(layout: PanelLayout, letters: Letters) -> Iterator[str]:
     """Yield rings and dots, and their values where the picture has them, too."""
     for dot, mark, _ in dots(layout):
         x, y = layout.value(mark.at)

@@ -11,7 +11,7 @@ from typing import Any
 from ...formula.functions import FUNCTIONS
 from ...routine.evaluate import OnArrays, evaluate, scalar_or_array
 from ...routine.steps import Function, Routine, Solve, Step, names_of
-from ..names import Names, Reserved, mangle
+from ..names import Reserved, TargetNames, mangle
 from ..printer import Printer
 from .printer import KEYWORDS
 
@@ -43,7 +43,7 @@ def on_floats(function: Function) -> OnFloats | None:
     if function.common or any(isinstance(step, Solve) for step in function.steps):
         return None
     names = (*(i.name for i in function.inputs), *(n for s in function.steps for n in names_of(s)))
-    printer = FloatPrinter(mangle(names, Names(Reserved(KEYWORDS))))
+    printer = FloatPrinter(mangle(names, TargetNames(Reserved(KEYWORDS))))
     space = {f"_{name}": meaning for name, meaning in _BESIDE.items()}
     exec("\n".join(_lines(function, printer)), space)
     return space["_value"]

@@ -5,10 +5,10 @@ from collections.abc import Iterable, Mapping
 from ...named import NamedTuple
 from ...routine.functions import operations
 from ...routine.gradient import gradients
-from ...routine.steps import Function, Pose, names_of
+from ...routine.steps import Function, PoseProgram, names_of
 from .. import describe
-from ..names import Names, mangle
-from ..render import Line
+from ..names import TargetNames, mangle
+from ..render import Assignment
 from .printer import RESERVED, PythonPrinter
 from .solvers import line
 
@@ -23,26 +23,26 @@ class GradientContext(NamedTuple):
     title: str
     of: str
     arguments: list[str]
-    inputs: list[Line]
+    inputs: list[Assignment]
     remarks: list[str]
-    body: list[Line]
-    outputs: list[Line]
+    body: list[Assignment]
+    outputs: list[Assignment]
     operations: int
-    program: Pose
+    program: PoseProgram
 
 
 def gradient_contexts(
-    functions: Iterable[Function], space: Names, arguments: Mapping[str, str]
+    functions: Iterable[Function], space: TargetNames, arguments: Mapping[str, str]
 ) -> list[GradientContext]:
     """Return such a function for each result that has a closed form."""
     return [_context(f, p, space, arguments) for f, p in gradients(functions)]
 
 
 def _context(
-    function: Function, program: Pose, space: Names, arguments: Mapping[str, str]
+    function: Function, program: PoseProgram, space: TargetNames, arguments: Mapping[str, str]
 ) -> GradientContext:
     own = {i.name: arguments[i.name] for i in program.inputs}
-    inner = Names(RESERVED.besides(["found"]), set(own.values()))
+    inner = TargetNames(RESERVED.besides(["found"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in program.steps for n in names_of(s)), inner))
     used = frozenset(program.outputs)
     return GradientContext(
@@ -50,10 +50,12 @@ def _context(
         title=describe.one_line(function.title),
         of=function.name,
         arguments=list(own.values()),
-        inputs=[Line(own[i.name], describe.input_words(i, own[i.name])) for i in program.inputs],
+        inputs=[
+            Assignment(own[i.name], describe.input_words(i, own[i.name])) for i in program.inputs
+        ],
         remarks=describe.slope_remarks(function),
         body=[line(step, used, {}, printer) for step in program.steps],
-        outputs=[Line(repr(n), printer.names[n]) for n in program.outputs],
+        outputs=[Assignment(repr(n), printer.names[n]) for n in program.outputs],
         operations=operations(program.steps),
         program=program,
     )

@@ -6,7 +6,7 @@ from ...formula.tree import Call, Formula, Power, Product, Sum, Symbol, is_call
 from ...formula.walk import children, rebuild, symbols
 from ...frozen import frozen
 from ...named import NamedTuple
-from ...routine.steps import Statement, Step, formulas_of, names_of
+from ...routine.steps import ProgramStatement, Step, formulas_of, names_of
 
 PAIR = "_cos_sin"
 """The module's function that gives both."""
@@ -16,7 +16,7 @@ Circular = Mapping[Call, str]
 
 
 @frozen
-class Pair:
+class CosineAndSine:
     """``cosine, sine = _cos_sin(angle)``; a name is ``_`` where nothing mentions it."""
 
     cosine: str
@@ -27,13 +27,13 @@ class Pair:
 class InPairs(NamedTuple):
     """Statements behind the pairs that they mention, formulas in these terms, and new names."""
 
-    statements: list[Statement | Pair]
+    statements: list[ProgramStatement | CosineAndSine]
     formulas: list[Formula]
     names: list[str]
 
 
 def in_pairs(
-    statements: Sequence[Statement], formulas: Iterable[Formula], inputs: Iterable[str]
+    statements: Sequence[ProgramStatement], formulas: Iterable[Formula], inputs: Iterable[str]
 ) -> InPairs:
     """Return statements and formulas that take sines and cosines of inputs from pairs.
 
@@ -43,7 +43,7 @@ def in_pairs(
     ends, own = list(formulas), list(inputs)
     given = {name for s in statements for name in names_of(s)}
     found = _named(statements, ends, _varying(statements, own), {*own, *given})
-    lines: list[Statement | Pair] = []
+    lines: list[ProgramStatement | CosineAndSine] = []
     paired = set[Formula]()
     for statement in statements:
         lines += _new_pairs(formulas_of(statement), found, paired)
@@ -58,17 +58,17 @@ def in_pairs(
 
 def _new_pairs(
     formulas: Iterable[Formula], found: Circular, paired: set[Formula]
-) -> Iterator[Pair]:
+) -> Iterator[CosineAndSine]:
     """Yield the pair of each angle that formulas mention and that has none; note the angle."""
     for call in (call for formula in formulas for call in _calls(formula) if call in found):
         (angle,) = call.arguments
         if angle not in paired:
             paired.add(angle)
             cosine, sine = (found.get(Call(f, (angle,)), "_") for f in ("cos", "sin"))
-            yield Pair(cosine, sine, angle)
+            yield CosineAndSine(cosine, sine, angle)
 
 
-def _rewritten(statement: Statement, found: Circular) -> Iterator[Statement]:
+def _rewritten(statement: ProgramStatement, found: Circular) -> Iterator[ProgramStatement]:
     """Yield a statement in variables; none of one that only names a sine or a cosine."""
     if not isinstance(statement, Step):
         yield statement
@@ -76,7 +76,7 @@ def _rewritten(statement: Statement, found: Circular) -> Iterator[Statement]:
         yield Step(statement.name, _taken(statement.formula, found))
 
 
-def _varying(statements: Iterable[Statement], inputs: Iterable[str]) -> set[str]:
+def _varying(statements: Iterable[ProgramStatement], inputs: Iterable[str]) -> set[str]:
     """Return the names whose values rest on inputs."""
     found = set(inputs)
     for statement in statements:
@@ -86,7 +86,7 @@ def _varying(statements: Iterable[Statement], inputs: Iterable[str]) -> set[str]
 
 
 def _named(
-    statements: Iterable[Statement],
+    statements: Iterable[ProgramStatement],
     ends: Iterable[Formula],
     varying: set[str],
     taken: set[str],

@@ -6,19 +6,19 @@ from ...formula.tree import Formula, Symbol
 from ...named import NamedTuple
 from ...routine.steps import (
     Common,
-    Pose,
+    PoseProgram,
+    ProgramStatement,
     Solve,
     Solver,
-    Statement,
     closed_dimensions,
     mentioned,
     names_of,
 )
 from .. import describe
-from ..names import Names, mangle
-from ..render import Line
+from ..names import TargetNames, mangle
+from ..render import Assignment
 from ..target import Compiled
-from .pairs import PAIR, Pair, in_pairs
+from .pairs import PAIR, CosineAndSine, in_pairs
 from .printer import RESERVED, PythonPrinter
 from .solvers import line
 
@@ -33,16 +33,19 @@ class PoseContext(NamedTuple):
     name: str
     title: str
     arguments: list[str]
-    inputs: list[Line]
+    inputs: list[Assignment]
     meanings: list[str]
-    body: list[Line]
-    outputs: list[Line]
+    body: list[Assignment]
+    outputs: list[Assignment]
     closed: list[str]
     statuses: list[str]
 
 
 def pose_contexts(
-    compiled: Compiled, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+    compiled: Compiled,
+    space: TargetNames,
+    arguments: Mapping[str, str],
+    solvers: Mapping[Solver, str],
 ) -> list[PoseContext]:
     """Return the functions of a mechanism's pose and of its points, as far as there are any."""
     routine = compiled.routine
@@ -60,7 +63,7 @@ def pose_contexts(
 
 
 def _context(
-    pose: Pose,
+    pose: PoseProgram,
     name: str,
     title: str,
     meanings: Iterable[str],
@@ -68,10 +71,10 @@ def _context(
     solvers: Mapping[Solver, str],
 ) -> PoseContext:
     own = {i.name: arguments[i.name] for i in pose.inputs}
-    space = Names(RESERVED.besides(["found", "status"]), set(own.values()))
+    space = TargetNames(RESERVED.besides(["found", "status"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in pose.steps for n in names_of(s)), space))
     used = mentioned(pose.steps, map(Symbol, pose.outputs))
-    body: list[Line] = []
+    body: list[Assignment] = []
     statuses: list[str] = []
     for step in pose.steps:
         status = space.claim("status_1") if isinstance(step, Solve) else ""
@@ -81,10 +84,10 @@ def _context(
         name=name,
         title=title,
         arguments=list(own.values()),
-        inputs=[Line(own[i.name], describe.input_words(i, own[i.name])) for i in pose.inputs],
+        inputs=[Assignment(own[i.name], describe.input_words(i, own[i.name])) for i in pose.inputs],
         meanings=list(meanings),
         body=body,
-        outputs=[Line(repr(n), printer.names[n]) for n in pose.outputs],
+        outputs=[Assignment(repr(n), printer.names[n]) for n in pose.outputs],
         closed=[] if pose.closed == pose.outputs else [repr(n) for n in pose.closed],
         statuses=statuses,
     )
@@ -95,8 +98,8 @@ class CommonContext(NamedTuple):
 
     name: str
     arguments: list[str]
-    body: list[Line]
-    outputs: list[Line]
+    body: list[Assignment]
+    outputs: list[Assignment]
 
 
 def common_name(common: Common) -> str:
@@ -109,51 +112,51 @@ def common_context(
 ) -> CommonContext:
     """Return the function of what others have in common."""
     own = {i.name: arguments[i.name] for i in common.inputs}
-    space = Names(RESERVED, set(own.values()))
+    space = TargetNames(RESERVED, set(own.values()))
     ends = [*map(Symbol, common.outputs)]
     body, _, printer = taken(common.before, common.steps, ends, own, space, solvers)
     return CommonContext(
         common_name(common),
         list(own.values()),
         body,
-        [Line(repr(n), printer.names[n]) for n in common.outputs],
+        [Assignment(repr(n), printer.names[n]) for n in common.outputs],
     )
 
 
-class Taken(NamedTuple):
+class TakenLines(NamedTuple):
     """Lines of a function, its ends in their terms, and the printer of these."""
 
-    body: list[Line]
+    body: list[Assignment]
     ends: list[Formula]
     printer: PythonPrinter
 
 
 def taken(
     common: Common | None,
-    steps: Sequence[Statement],
+    steps: Sequence[ProgramStatement],
     ends: Sequence[Formula],
     own: Mapping[str, str],
-    space: Names,
+    space: TargetNames,
     solvers: Mapping[Solver, str],
-) -> Taken:
+) -> TakenLines:
     """Return lines that take what is common and add steps to it, for many poses at once."""
-    names, body = dict(own), list[Line]()
+    names, body = dict(own), list[Assignment]()
     if common:
         values = space.claim("values")
         given = ", ".join(own[i.name] for i in common.inputs)
-        body.append(Line(values, f"{common_name(common)}({given})"))
+        body.append(Assignment(values, f"{common_name(common)}({given})"))
         names.update((name, f'{values}["{name}"]') for name in common.outputs)
     used = mentioned(steps, ends)
     found = in_pairs(steps, ends, names)
     own_names = (*(n for s in steps for n in names_of(s)), *found.names)
     printer = PythonPrinter(names | mangle(own_names, space))
     body += [
-        _pair(s, printer) if isinstance(s, Pair) else line(s, used, solvers, printer)
+        _pair(s, printer) if isinstance(s, CosineAndSine) else line(s, used, solvers, printer)
         for s in found.statements
     ]
-    return Taken(body, found.formulas, printer)
+    return TakenLines(body, found.formulas, printer)
 
 
-def _pair(pair: Pair, printer: PythonPrinter) -> Line:
+def _pair(pair: CosineAndSine, printer: PythonPrinter) -> Assignment:
     cosine, sine = (printer.names.get(name, name) for name in (pair.cosine, pair.sine))
-    return Line(f"{cosine}, {sine}", f"{PAIR}({printer.print(pair.angle)})")
+    return Assignment(f"{cosine}, {sine}", f"{PAIR}({printer.print(pair.angle)})")

@@ -5,9 +5,9 @@ from collections.abc import Iterable, Mapping, Set
 from ...formula import newton
 from ...formula.to_text import text
 from ...named import NamedTuple
-from ...routine.steps import NO_ARCS, Solve, Solver, Statement
-from ..names import Names, mangle
-from ..render import Line
+from ...routine.steps import NO_ARCS, ProgramStatement, Solve, Solver
+from ..names import TargetNames, mangle
+from ..render import Assignment
 from .printer import RESERVED, PythonPrinter
 
 _OWN = {"unknowns", "outer", "changes", "equations", "rows", "start", "anchor", "scales"}
@@ -26,19 +26,19 @@ class SolverContext(NamedTuple):
     unknowns: list[str]
     outer: list[str]
     zeros: list[str]
-    body: list[Line]
+    body: list[Assignment]
     rows: list[list[str]]
     start: list[str]
     anchor: list[str]
-    turned: list[Line]
+    turned: list[Assignment]
     side: int
     by_arcs: bool
-    changes: list[Line]
+    changes: list[Assignment]
     by_share: list[str]
     scales: list[float]
 
 
-def solver_names(statements: Iterable[Statement]) -> dict[Solver, str]:
+def solver_names(statements: Iterable[ProgramStatement]) -> dict[Solver, str]:
     """Return the function that solves each system: one, however many mention it."""
     found = dict.fromkeys(s.solver for s in statements if isinstance(s, Solve))
     return {solver: f"_solution_{i}" for i, solver in enumerate(found, 1)}
@@ -46,7 +46,7 @@ def solver_names(statements: Iterable[Statement]) -> dict[Solver, str]:
 
 def solver_context(solver: Solver, name: str) -> SolverContext:
     """Return a system's function."""
-    names = mangle(solver.names, Names(RESERVED.besides(_OWN)))
+    names = mangle(solver.names, TargetNames(RESERVED.besides(_OWN)))
     arcs = solver.by_arcs or NO_ARCS
     printer = PythonPrinter(names)
     anchored = list(zip(solver.outer, solver.anchor, strict=True))
@@ -55,20 +55,20 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         unknowns=[names[n] for n in solver.unknowns],
         outer=[names[n] for n in solver.outer],
         zeros=zeros(solver),
-        body=[Line(names[s.name], printer.print(s.formula)) for s in solver.steps],
+        body=[Assignment(names[s.name], printer.print(s.formula)) for s in solver.steps],
         rows=[[printer.print(f) for f in row] for row in (solver.residuals, *solver.jacobian)],
         start=[names[s] if isinstance(s, str) else repr(s) for s in solver.start],
         anchor=[names[outer] if a is None else repr(a) for outer, a in anchored],
         turned=[
-            Line(names[n], f"_nearest({names[n]}, {a!r})")
+            Assignment(names[n], f"_nearest({names[n]}, {a!r})")
             for n, a in anchored
             if n in solver.turning
         ],
         side=solver.side,
         by_arcs=solver.by_arcs is not None,
         changes=[
-            *(Line(names[change], f"changes[{i}]") for i, change in arcs.changes),
-            *(Line(names[s.name], printer.print(s.formula)) for s in arcs.steps),
+            *(Assignment(names[change], f"changes[{i}]") for i, change in arcs.changes),
+            *(Assignment(names[s.name], printer.print(s.formula)) for s in arcs.steps),
         ],
         by_share=[printer.print(f) for f in arcs.slopes],
         scales=[newton.scale(s) for s in solver.start],
@@ -81,16 +81,16 @@ def zeros(solver: Solver) -> list[str]:
 
 
 def line(
-    statement: Statement,
+    statement: ProgramStatement,
     used: Set[str],
     solvers: Mapping[Solver, str],
     printer: PythonPrinter,
     status: str = "_",
-) -> Line:
+) -> Assignment:
     """Return a statement as a line; a solution's status goes to the name ``status``."""
     if not isinstance(statement, Solve):
-        return Line(printer.names[statement.name], printer.print(statement.formula))
+        return Assignment(printer.names[statement.name], printer.print(statement.formula))
     names = ", ".join(printer.names[n] if n in used else "_" for n in statement.names)
     given = ", ".join(printer.print(a) for a in statement.arguments)
     comma = "," if len(statement.names) == 1 else ""
-    return Line(f"{status}, ({names}{comma})", f"{solvers[statement.solver]}({given})")
+    return Assignment(f"{status}, ({names}{comma})", f"{solvers[statement.solver]}({given})")

@@ -15,9 +15,9 @@ from ...routine.steps import (
     sides_of,
 )
 from .. import describe
-from ..names import Names, mangle
+from ..names import TargetNames, mangle
 from ..printer import driving
-from ..render import Line
+from ..render import Assignment
 from .printer import RESERVED, PythonPrinter
 from .solvers import line
 
@@ -28,12 +28,12 @@ class StatusContext(NamedTuple):
     name: str
     of: str
     arguments: list[str]
-    inputs: list[Line]
+    inputs: list[Assignment]
     meanings: list[str]
     value: str
     ideal: str
     load: str
-    body: list[Line]
+    body: list[Assignment]
     conditions: list[str]
     loops: list[str]
     friction: str
@@ -58,10 +58,10 @@ def status_context(
     if asked is None:
         return None
     reserved = RESERVED.besides([*OWN, *names.values()])
-    own = mangle((i.name for i in asked.inputs), Names(reserved))
-    space = Names(reserved, set(own.values()))
+    own = mangle((i.name for i in asked.inputs), TargetNames(reserved))
+    space = TargetNames(reserved, set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in asked.steps for n in names_of(s)), space))
-    used, statuses, body = mentioned(asked.steps, asked.sides), list[str](), list[Line]()
+    used, statuses, body = mentioned(asked.steps, asked.sides), list[str](), list[Assignment]()
     for step in asked.steps:
         status = space.claim("status_1") if isinstance(step, Solve) else ""
         body.append(line(step, used, solvers, printer, status))
@@ -72,7 +72,9 @@ def status_context(
         name=names[asked.name],
         of=function.name,
         arguments=list(own.values()),
-        inputs=[Line(own[i.name], describe.input_words(i, own[i.name])) for i in asked.inputs],
+        inputs=[
+            Assignment(own[i.name], describe.input_words(i, own[i.name])) for i in asked.inputs
+        ],
         meanings=list(describe.numbered(STATUSES)),
         value=describe.call(function, names, own),
         ideal=ideal,
@@ -95,8 +97,8 @@ class ChecksContext(NamedTuple):
 
     name: str
     arguments: list[str]
-    inputs: list[Line]
-    body: list[Line]
+    inputs: list[Assignment]
+    body: list[Assignment]
     conditions: list[str]
     meanings: list[str]
 
@@ -106,13 +108,13 @@ def checks_context(
 ) -> ChecksContext:
     """Return the function of a sheet's conditions."""
     own = {i.name: arguments[i.name] for i in checks.inputs}
-    space = Names(RESERVED.besides(["status", "holds", "number"]), set(own.values()))
+    space = TargetNames(RESERVED.besides(["status", "holds", "number"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in checks.steps for n in names_of(s)), space))
     used = mentioned(checks.steps, sides_of(checks.guards))
     return ChecksContext(
         name,
         list(own.values()),
-        [Line(own[i.name], describe.input_words(i, own[i.name])) for i in checks.inputs],
+        [Assignment(own[i.name], describe.input_words(i, own[i.name])) for i in checks.inputs],
         [line(step, used, solvers, printer) for step in checks.steps],
         [printer.condition(guard) for guard in checks.guards],
         describe.status_lines(checks),

@@ -16,7 +16,7 @@ from ...routine.steps import (
     Common,
     Function,
     Input,
-    Pose,
+    PoseProgram,
     Program,
     Routine,
     Solver,
@@ -28,9 +28,9 @@ from ...routine.steps import (
 )
 from ...units import si_unit
 from .. import describe
-from ..names import Names, file_stem, mangle
+from ..names import TargetNames, file_stem, mangle
 from ..printer import Printer
-from ..render import Line, render
+from ..render import Assignment, render
 from ..target import Compiled, Emitted, Options
 from . import gradient
 from .pairs import PAIR
@@ -61,8 +61,8 @@ class FunctionContext(NamedTuple):
     unit: str
     formulas: list[str]
     conditions: list[str]
-    inputs: list[Line]
-    body: list[Line]
+    inputs: list[Assignment]
+    body: list[Assignment]
     result: str
     block: str
     operations: int
@@ -76,14 +76,14 @@ class ModuleContext(NamedTuple):
 
     heading: str
     preface: list[str]
-    defaults: list[Line]
-    ranges: list[Line]
+    defaults: list[Assignment]
+    ranges: list[Assignment]
     solvers: list[SolverContext]
     newton: ModuleType
     arcs: ModuleType
     by_arcs: bool
     turning: bool
-    conditions: list[Line]
+    conditions: list[Assignment]
     chooses: bool
     commons: list[CommonContext]
     functions: list[FunctionContext]
@@ -119,7 +119,7 @@ def _stem(options: Options) -> str:
 
 
 def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
-    routine, space = compiled.routine, Names(RESERVED)
+    routine, space = compiled.routine, TargetNames(RESERVED)
     names, parts = function_names(routine, space), programs(routine)
     inputs = inputs_of(routine)
     arguments = mangle((i.name for i in inputs), _free(routine, names))
@@ -146,7 +146,7 @@ def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
         arcs=arcs,
         by_arcs=any(solver.by_arcs for solver in solvers),
         turning=any(solver.turning for solver in solvers),
-        conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
+        conditions=[Assignment(name, _SIGNS[name]) for name in SIGNS if name in called],
         chooses="choose" in called,
         commons=commons,
         functions=functions,
@@ -158,23 +158,26 @@ def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
     )
 
 
-def _free(routine: Routine, names: Mapping[str, str]) -> Names:
+def _free(routine: Routine, names: Mapping[str, str]) -> TargetNames:
     """Return the names that arguments may have: none of a function that another one calls."""
     called = (f.otherwise.name for f in every(routine.functions) if f.otherwise)
-    return Names(RESERVED.besides(names[name] for name in called))
+    return TargetNames(RESERVED.besides(names[name] for name in called))
 
 
-def _defaults(inputs: Iterable[Input], arguments: Mapping[str, str]) -> list[Line]:
-    return [Line(arguments[i.name], repr(i.default)) for i in inputs if i.default is not None]
+def _defaults(inputs: Iterable[Input], arguments: Mapping[str, str]) -> list[Assignment]:
+    return [Assignment(arguments[i.name], repr(i.default)) for i in inputs if i.default is not None]
 
 
-def _ranges(inputs: Iterable[Input], arguments: Mapping[str, str]) -> list[Line]:
+def _ranges(inputs: Iterable[Input], arguments: Mapping[str, str]) -> list[Assignment]:
     ranged = (i for i in inputs if i.low is not None)
-    return [Line(arguments[i.name], f"({i.low!r}, {i.high!r})") for i in ranged]
+    return [Assignment(arguments[i.name], f"({i.low!r}, {i.high!r})") for i in ranged]
 
 
 def _checks(
-    routine: Routine, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+    routine: Routine,
+    space: TargetNames,
+    arguments: Mapping[str, str],
+    solvers: Mapping[Solver, str],
 ) -> ChecksContext | None:
     if not routine.checks:
         return None
@@ -182,12 +185,12 @@ def _checks(
 
 
 def _gradients(
-    routine: Routine, space: Names, arguments: Mapping[str, str]
+    routine: Routine, space: TargetNames, arguments: Mapping[str, str]
 ) -> "list[GradientContext]":
     return gradient.gradient_contexts(routine.functions, space, arguments)
 
 
-def function_names(routine: Routine, space: Names) -> dict[str, str]:
+def function_names(routine: Routine, space: TargetNames) -> dict[str, str]:
     """Return the names that results and their statuses have in the module."""
     listed = list(every(routine.functions))
     statuses = (f.status.name for f in listed if f.status)
@@ -196,7 +199,7 @@ def function_names(routine: Routine, space: Names) -> dict[str, str]:
 
 def _called(part: Program) -> Iterator[str]:
     """Yield the functions of the language that a program calls."""
-    guards = () if isinstance(part, Common | Pose) else part.guards
+    guards = () if isinstance(part, Common | PoseProgram) else part.guards
     sides = list(sides_of(guards))
     output = [part.output] if isinstance(part, Function) else []
     for formula in (*(f for s in part.steps for f in formulas_of(s)), *sides, *output):
@@ -224,7 +227,7 @@ def _function(
 ) -> FunctionContext:
     own = {i.name: arguments[i.name] for i in function.inputs}
     other = function.otherwise
-    space = Names(RESERVED, {*own.values(), *([names[other.name]] if other else [])})
+    space = TargetNames(RESERVED, {*own.values(), *([names[other.name]] if other else [])})
     result = space.claim(function.name if function.name not in own else "result")
     steps = function.own if function.common else function.steps
     body, ends, printer = taken(function.common, steps, _ends(function), own, space, solvers)
@@ -237,7 +240,7 @@ def _function(
         formulas=[_quoted(words) for words in describe.formula_lines(function)],
         conditions=[_quoted(words) for words in describe.condition_lines(function)],
         inputs=[
-            Line(own[i.name], _quoted(describe.input_words(i, own[i.name])))
+            Assignment(own[i.name], _quoted(describe.input_words(i, own[i.name])))
             for i in function.inputs
         ],
         body=[*body, *_returned(function, ends, result, printer)],
@@ -259,14 +262,14 @@ def _ends(function: Function) -> list[Formula]:
 
 def _returned(
     function: Function, ends: Sequence[Formula], result: str, printer: Printer
-) -> list[Line]:
+) -> list[Assignment]:
     """Return the lines of the output and the guards, which ``ends`` have in the printer's terms."""
     output, *sides = ends
-    lines = [Line(result, printer.print(output))]
+    lines = [Assignment(result, printer.print(output))]
     pairs = zip(sides[::2], sides[1::2], strict=True)
     for guard, (left, right) in zip(function.guards, pairs, strict=True):
         condition = printer.condition(replace(guard, left=left, right=right))
-        lines.append(Line(result, f"np.where({condition}, {result}, np.nan)"))
+        lines.append(Assignment(result, f"np.where({condition}, {result}, np.nan)"))
     return lines
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from ...diagnostics import MechcError
 from ...diagnostics.drawing import no_library
-from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
+from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Shape, TextRun
 from ...drawing.lettering import SMALL, SMALLER
 
 FONTS = (
@@ -133,7 +133,7 @@ def _runs(label: Label) -> Iterator[str]:
         height = shift
 
 
-def _type(run: Run, size: float, step: float) -> str:
+def _type(run: TextRun, size: float, step: float) -> str:
     italic = ' font-style="italic"' if run.italic else ""
     scale = SMALLER if run.level < -1 else SMALL
     small = f' font-size="{_number(scale * size)}"' if run.level else ""

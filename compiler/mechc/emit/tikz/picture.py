@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
-from ...drawing.drawing import PENS, Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
+from ...drawing.drawing import PENS, Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Shape, TextRun
 from ...drawing.lettering import SIZE
 from ...formula.names import GREEK
 from ...patterns import pattern
@@ -149,18 +149,18 @@ def _label(label: Label) -> str:
     return rf"\node{colour} at {_pair(label.at)} {{${mathematics(label.runs)}$}};"
 
 
-def mathematics(runs: Iterable[Run]) -> str:
+def mathematics(runs: Iterable[TextRun]) -> str:
     """Return text in runs as mathematics."""
     return "".join(_runs(runs))
 
 
-def _runs(runs: Iterable[Run]) -> Iterator[str]:
+def _runs(runs: Iterable[TextRun]) -> Iterator[str]:
     for sign, group in groupby(runs, lambda run: (run.level > 0) - (run.level < 0)):
         text = "".join(f"_{{{_run(run)}}}" if run.level < -1 else _run(run) for run in group)
         yield {0: text, -1: f"_{{{text}}}", 1: f"^{{{text}}}"}[sign]
 
 
-def _run(run: Run) -> str:
+def _run(run: TextRun) -> str:
     text = _COMMA.sub("{,}", "".join(map(_spelled, run.text)))
     if any(c.isascii() and c.isalpha() for c in run.text):
         return rf"\mathit{{{text}}}" if run.italic else rf"\mathrm{{{text}}}"

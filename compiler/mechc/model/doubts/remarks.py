@@ -13,7 +13,7 @@ from ...source import Span
 from ..entries import body_through
 from ..mechanism import (
     Absolute,
-    Along,
+    AlongLine,
     Axial,
     Direction,
     Find,
@@ -110,7 +110,7 @@ def _along_a_link(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield the guides whose direction is that of a link that moves: they stand still."""
     for slider in mechanism.each(Slider):
         along = slider.along
-        if not isinstance(along, Along) or along.quarter % 2:
+        if not isinstance(along, AlongLine) or along.quarter % 2:
             continue
         ends = {along.tail, along.head}
         link = next((k for k in mechanism.links if ends <= set(k.points)), None)
@@ -225,7 +225,7 @@ def _is_across(one: Direction, other: Direction, values: Values) -> bool:
             return (
                 abs(math.cos(evaluate(angle, values) - evaluate(against, values))) < SAME_DIRECTION
             )
-        case Along(tail, head, quarter), Along(start, end, turned):
+        case AlongLine(tail, head, quarter), AlongLine(start, end, turned):
             return {tail, head} == {start, end} and (quarter - turned) % 2 == 1
         case _:
             return False

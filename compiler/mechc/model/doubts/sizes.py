@@ -155,7 +155,7 @@ FAR = 100.0
 FAR_OF_ONE = 300
 """The same where there is one other length: an eccentric has a long rod."""
 
-Place = tuple[float, float]
+Coordinates = tuple[float, float]
 
 
 def far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
@@ -304,7 +304,7 @@ def _free(tie: Formula, length: str, known: Values) -> float | None:
     return slack / (slack - stretched) if slack != stretched else None
 
 
-def _places(mechanism: Mechanism, values: Values) -> Mapping[str, Place]:
+def _places(mechanism: Mechanism, values: Values) -> Mapping[str, Coordinates]:
     """Return the places that are given, of drawn points and of pivots."""
     pivots = (e for e in mechanism.geometry if isinstance(e, Offset) and not e.tail)
     given = [(d.point, d.x, d.y) for d in mechanism.drawn] + [(e.head, e.x, e.y) for e in pivots]

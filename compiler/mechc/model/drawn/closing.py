@@ -7,7 +7,7 @@ from ...formula.tree import Formula
 from ...formula.walk import substitute, symbols
 from ...frozen import replace
 from ..mechanism import (
-    Along,
+    AlongLine,
     Arrow,
     Geometry,
     Joint,
@@ -135,7 +135,7 @@ def _inside(entry: Geometry, link: Link) -> bool:
     match entry:
         case Turn(first, vertex, second):
             return {first, vertex, second} <= set(link.points)
-        case Arrow(tail, head, _, Along(start, end)):
+        case Arrow(tail, head, _, AlongLine(start, end)):
             return {tail, head, start, end} <= set(link.points)
         case _:
             return {entry.tail, entry.head} <= set(link.points)

@@ -13,7 +13,7 @@ from ..mechanism import Arrow, Geometry, Mechanism, Pivot, Slider, Slot
 from ..values import Chain, defaults, dependent
 from .driving import drawn_value, with_value
 from .geared import Train
-from .rigidity import Independent, Row, direction, fixed, rows_of, turn
+from .rigidity import Independent, RigidityRow, direction, fixed, rows_of, turn
 from .sketch import Sketch
 
 
@@ -156,7 +156,7 @@ def _standing(
             yield Arrow(*arm, None, sketch.direction(*arm), sketch.span(arm[1]))
 
 
-def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Iterator[Row]:
+def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Iterator[RigidityRow]:
     """Yield the rows that hold the drawn points: pivots, guides, slots, vectors.
 
     A vector holds none while a parameter in it is ``waiting`` for its value.

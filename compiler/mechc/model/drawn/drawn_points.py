@@ -19,7 +19,7 @@ from ..tolerances import SAME_PLACE, SAME_VECTOR
 from ..values import Values
 
 
-class Place(NamedTuple):
+class DrawnPlace(NamedTuple):
     """Where a point is drawn: its coordinates as formulas, and in metres."""
 
     x: Formula
@@ -33,10 +33,10 @@ class Place(NamedTuple):
         return symbols(self.x) | symbols(self.y)
 
 
-ORIGIN = Place(ZERO, ZERO, (0.0, 0.0), Span(0, 0))
+ORIGIN = DrawnPlace(ZERO, ZERO, (0.0, 0.0), Span(0, 0))
 """Where the ground's coordinates begin; its name is empty."""
 
-Components = tuple[Product, Product]
+AlgebraicVector = tuple[Product, Product]
 
 
 class DrawnPoints:
@@ -49,7 +49,7 @@ class DrawnPoints:
     def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
         self.values = values
         self.pivots = mechanism.fixed
-        self.places: dict[str, Place] = {}
+        self.places: dict[str, DrawnPlace] = {}
         self.unit = unit_of_drawing(mechanism)
         for entry in mechanism.geometry:
             if isinstance(entry, Offset) and not entry.tail:
@@ -70,7 +70,7 @@ class DrawnPoints:
     def _place(self, point: str, x: Formula, y: Formula, span: Span) -> None:
         if symbols(x) | symbols(y) <= self.values.keys():
             at = evaluate(x, self.values), evaluate(y, self.values)
-            self.places[point] = Place(x, y, at, span)
+            self.places[point] = DrawnPlace(x, y, at, span)
 
     def put(self, values: Mapping[str, Formula]) -> None:
         """Put values for parameters into the coordinates."""
@@ -147,20 +147,20 @@ class DrawnPoints:
         moved = [add([to_product(at), step * share]).formula() for at, step in ends]
         self._place(point, moved[0], moved[1], self.span(point))
 
-    def components(self, tail: str, head: str) -> Components:
+    def components(self, tail: str, head: str) -> AlgebraicVector:
         """Return the vector between two points; the origin's name is empty."""
         start, end = self.places[tail] if tail else ORIGIN, self.places[head]
         x = add([to_product(end.x), -to_product(start.x)])
         return x, add([to_product(end.y), -to_product(start.y)])
 
-    def are_along(self, one: Components, other: Components) -> bool:
+    def are_along(self, one: AlgebraicVector, other: AlgebraicVector) -> bool:
         """Return whether two vectors have one direction but for rounding."""
         ahead = add([a * b for a, b in zip(one, other, strict=True)])
         across = add([one[0] * other[1], -(one[1] * other[0])])
         sizes = (math.hypot(*map(self.value, vector)) for vector in (one, other))
         return abs(self.value(across)) <= SAME_VECTOR * math.prod(sizes) and self.value(ahead) > 0
 
-    def are_equal(self, one: Components, other: Components) -> bool:
+    def are_equal(self, one: AlgebraicVector, other: AlgebraicVector) -> bool:
         """Return whether two vectors have one length but for rounding."""
         sizes = (math.hypot(*map(self.value, vector)) for vector in (one, other))
         return math.isclose(*sizes, rel_tol=SAME_VECTOR)
@@ -173,7 +173,7 @@ class DrawnPoints:
 # --------------------------------------------------------------------------------------- led points
 
 
-Vector = tuple[Formula, Formula]
+FormulaVector = tuple[Formula, Formula]
 
 
 class _Step(NamedTuple):
@@ -181,16 +181,16 @@ class _Step(NamedTuple):
 
     start: str
     end: str
-    way: Vector
+    way: FormulaVector
     span: Span
 
 
 def _led_points(
-    geometry: Iterable[Geometry], placed: Mapping[str, Vector], values: Values
-) -> dict[str, tuple[Vector, Span]]:
+    geometry: Iterable[Geometry], placed: Mapping[str, FormulaVector], values: Values
+) -> dict[str, tuple[FormulaVector, Span]]:
     """Return where points are to which vectors lead that are given whole, one after another."""
     steps = [step for entry in geometry for step in _steps(entry, values)]
-    known, found = dict(placed), dict[str, tuple[Vector, Span]]()
+    known, found = dict(placed), dict[str, tuple[FormulaVector, Span]]()
     while step := next((s for s in steps if s.start in known and s.end not in known), None):
         at = tuple(total(pair) for pair in zip(known[step.start], step.way, strict=True))
         known[step.end] = at[0], at[1]
@@ -205,7 +205,7 @@ def _steps(entry: Geometry, values: Values) -> Iterator[_Step]:
         yield _Step(entry.head, entry.tail, (negative(way[0]), negative(way[1])), entry.span)
 
 
-def _way(entry: Arrow | Offset, values: Values) -> Vector | None:
+def _way(entry: Arrow | Offset, values: Values) -> FormulaVector | None:
     """Return the components of a vector that is given by them, or by length and direction."""
     match entry:
         case Offset(_, _, x, y):

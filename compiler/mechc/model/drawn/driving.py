@@ -27,11 +27,13 @@ from ..mechanism import (
 from ..tolerances import SAME_VALUE
 from .sketch import Sketch
 
-Ends = tuple[str, str]
+TailAndHead = tuple[str, str]
 """The two points of what is driven."""
 
 
-def fault_of(drive: Drive, ends: Ends, mechanism: Mechanism, sketch: Sketch) -> Diagnostic | None:
+def fault_of(
+    drive: Drive, ends: TailAndHead, mechanism: Mechanism, sketch: Sketch
+) -> Diagnostic | None:
     """Return why a link cannot be driven: it is not drawn, or its direction is given."""
     missing = [p for p in ends if p not in sketch.places]
     entry = vector_between(ends, mechanism.geometry)
@@ -40,7 +42,7 @@ def fault_of(drive: Drive, ends: Ends, mechanism: Mechanism, sketch: Sketch) -> 
     return messages.driven_not_drawn(drive.span, "".join(ends), missing[0]) if missing else None
 
 
-def with_driven(mechanism: Mechanism, drive: Drive, ends: Ends, unit: str) -> Mechanism:
+def with_driven(mechanism: Mechanism, drive: Drive, ends: TailAndHead, unit: str) -> Mechanism:
     """Return the mechanism in which a parameter is the direction, or length, of what is driven.
 
     A length is shown in the ``unit`` of the drawing.

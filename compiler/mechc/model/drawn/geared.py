@@ -29,7 +29,7 @@ from ...named import NamedTuple
 from ..entries import direction_matters, place_matters
 from ..mechanism import (
     Absolute,
-    Along,
+    AlongLine,
     Arrow,
     Direction,
     Feed,
@@ -40,10 +40,10 @@ from ..mechanism import (
     Offset,
     Slider,
 )
-from ..parts.holding import Size, Tied
+from ..parts.holding import SizeLetter, Tied
 from ..tolerances import VANISHED
 from ..values import Values
-from .rigidity import Independent, Row, direction, fixed
+from .rigidity import Independent, RigidityRow, direction, fixed
 from .sketch import Sketch
 
 
@@ -60,7 +60,7 @@ def _with_named_size(joint: Joint, sketch: Sketch) -> Joint:
     if not isinstance(joint, Feed) or joint.point not in sketch.places:
         return joint
 
-    def named(size: Size) -> Formula:
+    def named(size: SizeLetter) -> Formula:
         if not isinstance(size.formula, Number):
             return size.formula
         return sketch.length_called(f"{size.letter}_{size.of}", size.formula, joint.point)
@@ -197,7 +197,7 @@ class Train(NamedTuple):
         match direction:
             case Absolute(angle):
                 return angle
-            case Along(tail, head, quarter) if {tail, head} <= self.mechanism.fixed:
+            case AlongLine(tail, head, quarter) if {tail, head} <= self.mechanism.fixed:
                 if self.sketch.has_all((tail, head)):
                     return total([self.sketch.start(tail, head), degrees(90 * quarter)])
         return None
@@ -207,7 +207,7 @@ class Train(NamedTuple):
         links = (link for link in self.mechanism.links if link.name == term.body)
         return next((arm for link in links for arm in self.sketch.arms(link.points)), None)
 
-    def _row(self, term: Tied) -> Row | None:
+    def _row(self, term: Tied) -> RigidityRow | None:
         """Return the row of a motion; None where nothing drawn takes part in it."""
         if not term.point:
             arm = self._arm(term)

@@ -19,7 +19,7 @@ from ...formula.walk import symbols
 from ...frozen import replace
 from ..entries import directions, joined_to, points_of
 from ..mechanism import (
-    Along,
+    AlongLine,
     Arrow,
     Contact,
     Drawn,
@@ -177,7 +177,7 @@ def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
     A slot has the direction of its pin where it is drawn by that only.
     """
     yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
-    yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
+    yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, AlongLine))
     yield from (ends for rope in mechanism.ropes for ends in pairwise(rope.route))
     drawn = {d.point for d in mechanism.drawn}
     yield from ((s.tail, s.point) for s in mechanism.each(Slot) if s.head not in drawn)

@@ -17,11 +17,11 @@ from ..constants import number_of, rational
 from ..mechanism import Absolute, Mechanism, Parameter
 from ..tolerances import SAME_VECTOR
 from .components import DrawnLengths, Polar, polar
-from .drawn_points import Components, DrawnPoints
+from .drawn_points import AlgebraicVector, DrawnPoints
 
 
 class _Vector(NamedTuple):
-    components: Components
+    components: AlgebraicVector
     length: Formula
     angle: Formula
 
@@ -32,7 +32,7 @@ class Image(NamedTuple):
     sense: int
     turned: int
 
-    def of(self, components: Components) -> Components:
+    def of(self, components: AlgebraicVector) -> AlgebraicVector:
         """Return the image of a vector."""
         x, y = components[0], components[1] if self.sense > 0 else -components[1]
         for _ in range(self.turned // 90 % 4):
@@ -129,7 +129,7 @@ class Sketch(DrawnPoints):
         self._vectors.append(_Vector(components, length, direction.angle))
         return length, direction
 
-    def _image(self, components: Components) -> tuple[_Vector, Formula] | None:
+    def _image(self, components: AlgebraicVector) -> tuple[_Vector, Formula] | None:
         """Return an earlier vector and the direction that follows from its own, if one does.
 
         One that is equal comes before one that is only parallel, and this before an image.

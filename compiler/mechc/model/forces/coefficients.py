@@ -12,13 +12,13 @@ from ...source import Span
 from ...syntax import ast
 from ...units import LENGTH, NUMBER, UNITS
 from ..formulas.expressions import Reader
-from ..names.scope import DESCRIPTION, Scope
+from ..names.scope import DESCRIPTION, NameScope
 
 HAIR = 1e-9
 """How far within a range is looked at, as a part of it."""
 
 
-def coefficient(expression: ast.Expr, of: str, scope: Scope) -> Formula | None:
+def coefficient(expression: ast.Expr, of: str, scope: NameScope) -> Formula | None:
     """Return a coefficient of friction, by a name where it is a number; None after an error.
 
     It is that of a point, or of all pins: then ``of`` is empty.
@@ -84,7 +84,7 @@ def _sizes(statement: ast.Statement) -> Iterator[tuple[str, str, ast.Expr]]:
             yield "free", first.text + second.text, free
 
 
-def positive_length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:
+def positive_length(expression: ast.Expr, what: str, scope: NameScope) -> Formula | None:
     """Return a length above zero; None where an error was reported."""
     formula = Reader(scope, DESCRIPTION).wanted(expression, LENGTH, what)
     return checked(formula, expression.span, what, lambda v: v > 0, scope, _in_mm)
@@ -99,7 +99,7 @@ def checked(
     span: Span,
     what: str,
     fits: Callable[[float], bool],
-    scope: Scope,
+    scope: NameScope,
     show: Callable[[float], str] = "{:g}".format,
 ) -> Formula | None:
     """Return a quantity whose default value makes sense; report one that makes none."""
@@ -113,7 +113,7 @@ def checked(
 
 
 def _out_of_sense(
-    formula: Formula, fits: Callable[[float], bool], scope: Scope
+    formula: Formula, fits: Callable[[float], bool], scope: NameScope
 ) -> tuple[str, float] | None:
     """Return a parameter whose range takes a quantity to where it makes no sense, and to what.
 
@@ -129,7 +129,7 @@ def _out_of_sense(
     return None
 
 
-def value_of(formula: Formula, scope: Scope) -> float | None:
+def value_of(formula: Formula, scope: NameScope) -> float | None:
     """Return the default value of a formula; None where a parameter of it has none."""
     if not symbols(formula) <= scope.values.keys():
         return None

@@ -8,14 +8,14 @@ from ...syntax import ast
 from ...units import FORCE, LENGTH, NUMBER
 from ..formulas.expressions import Reader
 from ..mechanism import Link, Mechanism
-from ..names.scope import DESCRIPTION, TIE, Scope
+from ..names.scope import DESCRIPTION, TIE, NameScope
 from ..parts.friction import PivotFriction
 from .coefficients import checked, coefficient, positive_length, value_of
 from .loads import degree
 
 
 def read_collar(
-    statement: ast.CollarFriction, built: Mechanism, scope: Scope
+    statement: ast.CollarFriction, built: Mechanism, scope: NameScope
 ) -> PivotFriction | None:
     """Return the friction of a collar on a pivot; None where an error was reported."""
     point = statement.point
@@ -32,7 +32,7 @@ def read_collar(
     return PivotFriction(point.text, link.name, factor, radius, thrust, statement.span)
 
 
-def _thrust(statement: ast.CollarFriction, scope: Scope) -> Formula | None:
+def _thrust(statement: ast.CollarFriction, scope: NameScope) -> Formula | None:
     """Return the force along the axis: given, or a multiple of one load."""
     if statement.thrust is None:
         scope.report.add(messages.collar_without_thrust(statement.span, statement.point.text))
@@ -45,7 +45,7 @@ def _thrust(statement: ast.CollarFriction, scope: Scope) -> Formula | None:
     return force
 
 
-def _faces(expression: ast.Expr, scope: Scope) -> Formula | None:
+def _faces(expression: ast.Expr, scope: NameScope) -> Formula | None:
     what = "a number of faces"
     found = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, what)
     return checked(found, expression.span, what, _is_a_number, scope)
@@ -55,7 +55,7 @@ def _is_a_number(value: float) -> bool:
     return value >= 1 and value == int(value)
 
 
-def _turning(statement: ast.CollarFriction, built: Mechanism, scope: Scope) -> Link | None:
+def _turning(statement: ast.CollarFriction, built: Mechanism, scope: NameScope) -> Link | None:
     """Return the link that turns on the pivot with the collar."""
     point = statement.point
     there = [link for link in built.rigid_links if point.text in link.points]
@@ -72,7 +72,7 @@ def _turning(statement: ast.CollarFriction, built: Mechanism, scope: Scope) -> L
     return link if link in there else None
 
 
-def collar_radius(statement: ast.CollarFriction, scope: Scope) -> Formula | None:
+def collar_radius(statement: ast.CollarFriction, scope: NameScope) -> Formula | None:
     """Return the mean radius of a collar; None where an error was reported.
 
     A ring that is worn in wears evenly, so that p·r is the same at each radius and the mean
@@ -88,13 +88,13 @@ def collar_radius(statement: ast.CollarFriction, scope: Scope) -> Formula | None
     return None
 
 
-def _called(kind: str, size: Formula, statement: ast.CollarFriction, scope: Scope) -> Formula:
+def _called(kind: str, size: Formula, statement: ast.CollarFriction, scope: NameScope) -> Formula:
     """Return a diameter, by a name where it is a number."""
     return scope.named(kind, statement.point.text, size, LENGTH, statement.span)
 
 
 def _of_ring(
-    statement: ast.CollarFriction, diameters: tuple[ast.Expr, ast.Expr], scope: Scope
+    statement: ast.CollarFriction, diameters: tuple[ast.Expr, ast.Expr], scope: NameScope
 ) -> Formula | None:
     outer = positive_length(diameters[0], "the outer diameter of a collar", scope)
     inner = positive_length(diameters[1], "the inner diameter of a collar", scope)

@@ -12,12 +12,12 @@ from ...units import LENGTH, STIFFNESS
 from ..formulas.directions import check_sign
 from ..formulas.expressions import Reader
 from ..mechanism import ForcePair, Load, Mechanism, PinFriction
-from ..names.scope import DESCRIPTION, Scope
+from ..names.scope import DESCRIPTION, NameScope
 from ..parts.linkage import PRIME, primed, without_prime
 
 
 def read_force_pair(
-    statement: ast.Actuator | ast.Spring, is_mirrored: bool, times: Fraction, scope: Scope
+    statement: ast.Actuator | ast.Spring, is_mirrored: bool, times: Fraction, scope: NameScope
 ) -> ForcePair | None:
     """Return a pair of forces between two points, or between a point and its twin."""
     ends = _ends(statement, is_mirrored, scope)
@@ -36,7 +36,7 @@ def read_force_pair(
 
 
 def _ends(
-    statement: ast.Actuator | ast.Spring, is_mirrored: bool, scope: Scope
+    statement: ast.Actuator | ast.Spring, is_mirrored: bool, scope: NameScope
 ) -> tuple[str, str] | None:
     """Return the points of a pair of forces; None where an error is reported."""
     first, second = (_end(n, is_mirrored, scope) for n in (statement.first, statement.second))
@@ -52,7 +52,7 @@ def _ends(
     return first, second
 
 
-def _of_spring(statement: ast.Spring, vector: str, scope: Scope) -> Formula | None:
+def _of_spring(statement: ast.Spring, vector: str, scope: NameScope) -> Formula | None:
     """Return the force of a spring, c·(l0 − len_AB): positive where it is in compression."""
     reader = Reader(scope, DESCRIPTION)
     rate = reader.wanted(statement.rate, STIFFNESS, "the rate of a spring")
@@ -67,14 +67,14 @@ def _of_spring(statement: ast.Spring, vector: str, scope: Scope) -> Formula | No
     return product([(rate, 1), (stretch, 1)])
 
 
-def _links(statement: ast.Actuator | ast.Spring, scope: Scope) -> tuple[str, str] | None:
+def _links(statement: ast.Actuator | ast.Spring, scope: NameScope) -> tuple[str, str] | None:
     """Return the links that carry the ends, '' for a pin; None where an error was reported."""
     first = carrying(statement.first_link, statement.first, scope)
     second = carrying(statement.second_link, statement.second, scope)
     return None if first is None or second is None else (first, second)
 
 
-def carrying(name: ast.Name | None, point: ast.Name, scope: Scope) -> str | None:
+def carrying(name: ast.Name | None, point: ast.Name, scope: NameScope) -> str | None:
     """Return the link that is said to carry a load, '' where none is; report a wrong one."""
     if name is None:
         return ""
@@ -87,14 +87,16 @@ def carrying(name: ast.Name | None, point: ast.Name, scope: Scope) -> str | None
     return link.name
 
 
-def inside_telescopes(loads: Sequence[Load], built: Mechanism, scope: Scope) -> tuple[Load, ...]:
+def inside_telescopes(
+    loads: Sequence[Load], built: Mechanism, scope: NameScope
+) -> tuple[Load, ...]:
     """Return the loads; those in a telescope with friction at its ends act on its two parts."""
     rough = {r.point for r in built.friction.joints if isinstance(r, PinFriction)}
     bent = {frozenset(t.points): t.name for t in built.telescopes if rough & {*t.points}}
     return tuple(_inside(load, bent, scope) for load in loads)
 
 
-def _inside(load: Load, bent: Mapping[frozenset[str], str], scope: Scope) -> Load:
+def _inside(load: Load, bent: Mapping[frozenset[str], str], scope: NameScope) -> Load:
     if not isinstance(load, ForcePair):
         return load
     name = bent.get(frozenset((load.first, load.second)), "")
@@ -108,11 +110,11 @@ def spring_name(statement: ast.Spring) -> str:
     return f"S_{statement.first.text}{statement.second.text}".replace(PRIME, "p")
 
 
-def _is_twin(point: str, scope: Scope) -> bool:
+def _is_twin(point: str, scope: NameScope) -> bool:
     return point not in scope.points.places
 
 
-def _end(name: ast.Name, is_mirrored: bool, scope: Scope) -> str | None:
+def _end(name: ast.Name, is_mirrored: bool, scope: NameScope) -> str | None:
     """Return a point, or a twin whose point is described."""
     described = without_prime(name.text)
     is_twin = is_mirrored and name.text not in scope.points.places

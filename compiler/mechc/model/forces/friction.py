@@ -23,7 +23,7 @@ from ..mechanism import (
     Slot,
     WheelPair,
 )
-from ..names.scope import DESCRIPTION, Scope
+from ..names.scope import DESCRIPTION, NameScope
 from ..parts.friction import (
     CollarFriction,
     FaceFriction,
@@ -57,7 +57,7 @@ def _kind_and_point(joint: JointFriction) -> tuple[object, ...]:
     return type(joint), getattr(joint, "kind", ""), joint.point
 
 
-def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
+def read_friction(file: ast.File, built: Mechanism, scope: NameScope) -> Friction:
     """Return the friction of all joints; report what names no joint, or names one twice."""
     points = [s.point for s in every(file, ast.PinFriction) if s.point]
     named = {point.text for point in points if scope.points.acting(point)}
@@ -84,7 +84,7 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     return friction
 
 
-def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None:
+def _remark_on_slots(friction: Friction, built: Mechanism, scope: NameScope) -> None:
     """Say which pins slide in slots without friction, though every pin is said to have it."""
     rough = {joint.point for joint in friction.joints if isinstance(joint, FaceFriction)}
     slots = [(slot.point, slot.span) for slot in built.each(Slot)]
@@ -94,7 +94,7 @@ def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None
             scope.report.add(messages.slot_without_friction(span, point))
 
 
-def _remark_on_blocks(joints: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
+def _remark_on_blocks(joints: Iterable[JointFriction], built: Mechanism, scope: NameScope) -> None:
     """Say that the couple which a block passes on gives no friction of its own."""
     guiding = {slot.point: slot.guided for slot in built.each(Slot) if slot.guided}
     for joint in joints:
@@ -102,7 +102,7 @@ def _remark_on_blocks(joints: Iterable[JointFriction], built: Mechanism, scope: 
             scope.report.add(messages.couple_without_friction(joint.span, guiding[joint.point]))
 
 
-def _check_halves(joints: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
+def _check_halves(joints: Iterable[JointFriction], built: Mechanism, scope: NameScope) -> None:
     """Remark on guides whose side forces cancel, or would in a whole that is drawn by half."""
     for joint in joints:
         if isinstance(joint, GuideFriction) and joint.point in built.shared:
@@ -111,7 +111,7 @@ def _check_halves(joints: Iterable[JointFriction], built: Mechanism, scope: Scop
             _check_half(joint, built, scope)
 
 
-def _check_half(joint: GuideFriction, built: Mechanism, scope: Scope) -> None:
+def _check_half(joint: GuideFriction, built: Mechanism, scope: NameScope) -> None:
     """Refuse a guide that halves would share: what acts on it counts less often than the rest.
 
     A guide with the load that counts most is the half's own. One without a load is open.
@@ -134,7 +134,7 @@ def _times(load: Load) -> Fraction:
 
 
 def _read(
-    statement: ast.Statement, file: ast.File, pins: Pins, built: Mechanism, scope: Scope
+    statement: ast.Statement, file: ast.File, pins: Pins, built: Mechanism, scope: NameScope
 ) -> Iterator[JointFriction]:
     match statement:
         case ast.PinFriction():
@@ -166,7 +166,9 @@ def _read(
 # ------------------------------------------------------------ guides, rollers, faces
 
 
-def _guide(statement: ast.GuideFriction, built: Mechanism, scope: Scope) -> Iterator[JointFriction]:
+def _guide(
+    statement: ast.GuideFriction, built: Mechanism, scope: NameScope
+) -> Iterator[JointFriction]:
     f = coefficient(statement.coefficient, statement.point.text, scope)
     if not _is_guided(statement.point, built, scope) or f is None:
         return
@@ -179,7 +181,7 @@ def _guide(statement: ast.GuideFriction, built: Mechanism, scope: Scope) -> Iter
 
 
 def _tilt(
-    statement: ast.GuideFriction, lengths: tuple[ast.Expr, ast.Expr], scope: Scope
+    statement: ast.GuideFriction, lengths: tuple[ast.Expr, ast.Expr], scope: NameScope
 ) -> Formula | None:
     """Return by what a plunger that tilts in its guide presses harder than its side force.
 
@@ -211,7 +213,7 @@ def _tilt(
 
 
 def _roller(
-    statement: ast.RollerFriction, built: Mechanism, scope: Scope
+    statement: ast.RollerFriction, built: Mechanism, scope: NameScope
 ) -> Iterator[JointFriction]:
     f = coefficient(statement.coefficient, statement.point.text, scope)
     axle = positive_length(statement.axle, "the diameter of an axle", scope)
@@ -229,7 +231,7 @@ def _roller(
     yield GuideFriction(statement.point.text, factor, statement.span)
 
 
-def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[JointFriction]:
+def _face(statement: ast.ContactFriction, scope: NameScope) -> Iterator[JointFriction]:
     f = coefficient(statement.coefficient, statement.point.text, scope)
     if not scope.points.acting(statement.point) or f is None:
         return
@@ -247,7 +249,7 @@ def _transmission(
     statement: TransmissionFriction,
     file: ast.File,
     built: Mechanism,
-    scope: Scope,
+    scope: NameScope,
 ) -> Iterator[JointFriction]:
     """Return the friction of a pair by its first wheel, of a rack or screw by its slider."""
     f = coefficient(statement.coefficient, statement.point.text, scope)
@@ -273,7 +275,7 @@ def _transmission(
 
 
 def _in_thread(
-    statement: ast.ScrewFriction, screw: Screw, f: Formula, scope: Scope
+    statement: ast.ScrewFriction, screw: Screw, f: Formula, scope: NameScope
 ) -> Iterator[JointFriction]:
     point, span = statement.point.text, statement.span
     thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
@@ -284,7 +286,7 @@ def _in_thread(
 
 
 def _on_collar(
-    statement: ast.CollarFriction, screw: Screw, f: Formula, scope: Scope
+    statement: ast.CollarFriction, screw: Screw, f: Formula, scope: NameScope
 ) -> Iterator[JointFriction]:
     point = statement.point.text
     radius = collars.collar_radius(statement, scope)
@@ -294,7 +296,7 @@ def _on_collar(
         yield CollarFriction(screw.id, point, f, radius, statement.span)
 
 
-def _remark_on_lead(screw: Screw, thread: Formula, span: Span, scope: Scope) -> None:
+def _remark_on_lead(screw: Screw, thread: Formula, span: Span, scope: NameScope) -> None:
     """Say that a thread climbs more steeply, or less, than any usual one."""
     pitch, diameter = value_of(screw.pitch, scope), value_of(thread, scope)
     if pitch is None or diameter is None:
@@ -327,7 +329,7 @@ def _transmissions(
             assert_never(statement)
 
 
-def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
+def _is_guided(point: ast.Name, built: Mechanism, scope: NameScope) -> bool:
     if not scope.points.acting(point):
         return False
     if any(point.text in slide for slide in scope.points.slides):
@@ -344,7 +346,7 @@ def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
     return False
 
 
-def _efficiency(file: ast.File, scope: Scope) -> Formula | None:
+def _efficiency(file: ast.File, scope: NameScope) -> Formula | None:
     statement = only(file, ast.Efficiency)
     if statement is None:
         return None

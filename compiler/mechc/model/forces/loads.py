@@ -48,7 +48,7 @@ from ..mechanism import (
     Spread,
     Torque,
 )
-from ..names.scope import DESCRIPTION, TIE, Scope
+from ..names.scope import DESCRIPTION, TIE, NameScope
 from ..statements import every, only
 from ..values import ordered
 from .force_pairs import carrying, read_force_pair
@@ -60,7 +60,7 @@ G_IN_DIGITS = ("9.8", "9.80", "9.81", "9.807", "9.8066", "9.80665")
 """How the acceleration of free fall is written as a plain number."""
 
 
-def read_loads(file: ast.File, built: Mechanism, scope: Scope) -> list[Load]:
+def read_loads(file: ast.File, built: Mechanism, scope: NameScope) -> list[Load]:
     """Return every load in the order of the file; lengths are those of what was ``built``."""
     gravity = _gravity(file, scope)
     is_mirrored = only(file, ast.Mirror) is not None
@@ -88,7 +88,7 @@ def read_loads(file: ast.File, built: Mechanism, scope: Scope) -> list[Load]:
     return loads
 
 
-def _force(statement: ast.Force, scope: Scope) -> Force | None:
+def _force(statement: ast.Force, scope: NameScope) -> Force | None:
     points = scope.points.acting(statement.point)
     link = carrying(statement.link, statement.point, scope)
     along = read_direction(statement.along, scope)
@@ -100,7 +100,7 @@ def _force(statement: ast.Force, scope: Scope) -> Force | None:
     return Force(name, points[0], along, statement.span, tie, times, link=link)
 
 
-def _torque(statement: ast.Torque, scope: Scope) -> Torque | None:
+def _torque(statement: ast.Torque, scope: NameScope) -> Torque | None:
     link = scope.points.link(statement.link)
     times = _times(statement.times, scope)
     tie = _tie(statement.tie, TORQUE, statement.name, scope) if statement.tie else None
@@ -109,7 +109,7 @@ def _torque(statement: ast.Torque, scope: Scope) -> Torque | None:
     return Torque(statement.name.text, link.name, statement.span, tie, times)
 
 
-def _weight(statement: ast.Weight, along: Direction | None, scope: Scope) -> Force | None:
+def _weight(statement: ast.Weight, along: Direction | None, scope: NameScope) -> Force | None:
     points = scope.points.acting(statement.point)
     link = carrying(statement.link, statement.point, scope)
     mass = Reader(scope, DESCRIPTION).wanted(statement.mass, MASS, "a mass")
@@ -123,7 +123,7 @@ def _weight(statement: ast.Weight, along: Direction | None, scope: Scope) -> For
 
 
 def _distributed(
-    statement: ast.Distributed, point: str, built: Mechanism, scope: Scope
+    statement: ast.Distributed, point: str, built: Mechanism, scope: NameScope
 ) -> Force | None:
     """Return the resultant of a load that is spread over a stretch of a link."""
     link, ends = scope.points.link(statement.line), scope.points.acting(statement.line)
@@ -157,7 +157,7 @@ def _distributed(
 
 
 def _check_senses(
-    statement: ast.Distributed, intensities: Sequence[Formula | None], scope: Scope
+    statement: ast.Distributed, intensities: Sequence[Formula | None], scope: NameScope
 ) -> None:
     """Report a spread load that acts against its direction all along; one end alone may."""
     known = [value_of(each, scope) if each else None for each in intensities]
@@ -190,7 +190,7 @@ def _collinear_length(tail: str, head: str, built: Mechanism) -> Formula | None:
             return None
 
 
-def _cancels(intensities: tuple[Formula, ...], scope: Scope) -> bool:
+def _cancels(intensities: tuple[Formula, ...], scope: NameScope) -> bool:
     """Return whether a spread load adds up to nothing, as far as its ends have values."""
     mean = total(intensities)
     return symbols(mean) <= scope.values.keys() and evaluate(mean, scope.values) == 0
@@ -217,7 +217,7 @@ def _centroid(intensities: tuple[Formula, ...]) -> Formula:
     return product([(weighted, 1), (number(3), -1), (total([first, second]), -1)])
 
 
-def _acceleration(scope: Scope) -> Formula | None:
+def _acceleration(scope: NameScope) -> Formula | None:
     """Return g: the parameter of that name if there is one."""
     declared = scope.declared("g")
     if declared is None:
@@ -231,7 +231,7 @@ def _acceleration(scope: Scope) -> Formula | None:
     return g
 
 
-def _gravity(file: ast.File, scope: Scope) -> Direction | None:
+def _gravity(file: ast.File, scope: NameScope) -> Direction | None:
     statement = only(file, ast.Gravity)
     if statement is None:
         weights = every(file, ast.Weight)
@@ -241,7 +241,7 @@ def _gravity(file: ast.File, scope: Scope) -> Direction | None:
     return read_direction(statement.along, scope)
 
 
-def _times(expression: ast.Expr | None, scope: Scope) -> Fraction:
+def _times(expression: ast.Expr | None, scope: NameScope) -> Fraction:
     """Return the factor behind ``times``; 1 where there is none or an error was reported."""
     if expression is None:
         return Fraction(1)
@@ -259,7 +259,7 @@ def _times(expression: ast.Expr | None, scope: Scope) -> Fraction:
 # ---------------------------------------------------------------------------- ties
 
 
-def _tie(tie: ast.Expr, dimension: Dimension, name: ast.Name, scope: Scope) -> Formula | None:
+def _tie(tie: ast.Expr, dimension: Dimension, name: ast.Name, scope: NameScope) -> Formula | None:
     """Return a formula that is proportional to exactly one other load."""
     formula = Reader(scope, TIE).wanted(tie, dimension, f"load '{name.text}'")
     if formula is None:
@@ -297,7 +297,7 @@ def degree(formula: Formula, loads: frozenset[str]) -> int | None:
             return None if symbols(formula) & loads else 0
 
 
-def _check_ties(loads: Sequence[Load], scope: Scope) -> None:
+def _check_ties(loads: Sequence[Load], scope: NameScope) -> None:
     """Report ties that form a cycle."""
     ties = {load.name: load for load in loads if load.tie}
     needs = {name: symbols(load.tie) & ties.keys() for name, load in ties.items() if load.tie}
@@ -306,7 +306,7 @@ def _check_ties(loads: Sequence[Load], scope: Scope) -> None:
         scope.report.add(names.circular_definition(places[0], circle, places[1:]))
 
 
-def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> None:
+def _check_given_once(loads: Sequence[Load], file: ast.File, scope: NameScope) -> None:
     """Report loads that are tied, weights and springs that get a value by ``let`` as well.
 
     A weight whose mass has a value, a spread load whose intensities have, and a spring are not
@@ -324,7 +324,7 @@ def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> No
             scope.report.add(found)
 
 
-def _giver(load: Load, scope: Scope) -> str:
+def _giver(load: Load, scope: NameScope) -> str:
     """Return the giver of a load's value: a spring, a mass or an intensity, '' for none."""
 
     def has_value(formula: Formula) -> bool:
@@ -341,7 +341,7 @@ def _giver(load: Load, scope: Scope) -> str:
             return ""
 
 
-def _remark_on_weight_in_mass(file: ast.File, scope: Scope) -> None:
+def _remark_on_weight_in_mass(file: ast.File, scope: NameScope) -> None:
     """Say of a mass that is multiplied by 9.81, itself or the parameter that it is."""
     values = {p.name.text: p.value for p in every(file, ast.Param) if p.value}
     for statement in every(file, ast.Weight):

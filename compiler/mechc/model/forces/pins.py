@@ -14,7 +14,7 @@ from ...units import LENGTH
 from ..formulas.expressions import Reader
 from ..linkage.carriers import Carriers, is_held
 from ..mechanism import Arrow, Link, Mechanism, Offset, Telescope
-from ..names.scope import DESCRIPTION, Scope
+from ..names.scope import DESCRIPTION, NameScope
 from ..parts.friction import PinFriction, coulomb
 from .coefficients import coefficient, positive_length, value_of
 
@@ -24,7 +24,7 @@ HALF = number(Fraction(1, 2))
 class Pins:
     """Reads the friction of pins; ``named`` are those that have a line of their own."""
 
-    def __init__(self, named: set[str], built: Mechanism, scope: Scope) -> None:
+    def __init__(self, named: set[str], built: Mechanism, scope: NameScope) -> None:
         self._named, self._built, self._scope = named, built, scope
         self._carriers = Carriers(built, scope.values)
 
@@ -119,7 +119,7 @@ class Pins:
         return PinFriction(point, carrier, radius, span, assumed=bool(carrier))
 
 
-def remark_on_pairs(built: Mechanism, scope: Scope) -> None:
+def remark_on_pairs(built: Mechanism, scope: NameScope) -> None:
     """Say which pairs of forces act at points, so that their ends are no pins with friction."""
     for load in built.pairs_at_pins():
         ends, loose = (load.first, load.second), built.loose_ends(load)
@@ -127,7 +127,7 @@ def remark_on_pairs(built: Mechanism, scope: Scope) -> None:
         scope.report.add(found)
 
 
-def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
+def _radius(statement: ast.PinFriction, scope: NameScope) -> Formula | None:
     of = statement.point.text if statement.point else ""
     f = coefficient(statement.coefficient, of, scope)
     diameter = positive_length(statement.diameter, "the diameter of a pin", scope)

@@ -10,13 +10,13 @@ from ...syntax import ast
 from ...units import ANGLE, LENGTH
 from ..formulas.expressions import Reader
 from ..mechanism import Absolute, Direction, Mechanism, Rope
-from ..names.scope import DESCRIPTION, Scope
+from ..names.scope import DESCRIPTION, NameScope
 from ..parts.friction import RopeFriction
 from .coefficients import coefficient, positive_length, value_of
 
 
 def read_rope_friction(
-    statement: ast.RopeFriction, built: Mechanism, scope: Scope
+    statement: ast.RopeFriction, built: Mechanism, scope: NameScope
 ) -> RopeFriction | None:
     """Return the friction of a rope around a pulley; None where an error was reported."""
     point = statement.point.text
@@ -44,7 +44,7 @@ def read_rope_friction(
     return _with_drum(held, statement, clockwise, scope)
 
 
-def _pulley(point: ast.Name, built: Mechanism, scope: Scope) -> tuple[Rope, int] | None:
+def _pulley(point: ast.Name, built: Mechanism, scope: NameScope) -> tuple[Rope, int] | None:
     """Return the only rope that runs over a pulley on a point, and its place in the route."""
     if not scope.points.acting(point):
         return None
@@ -62,7 +62,7 @@ CLOSE = math.radians(0.5)
 
 
 def _fits(
-    statement: ast.RopeFriction, size: float, ways: tuple[Direction, ...], scope: Scope
+    statement: ast.RopeFriction, size: float, ways: tuple[Direction, ...], scope: NameScope
 ) -> bool:
     """Return whether a rope turns by its wrap, either way around a pulley that is held."""
     angles = [value_of(way.angle, scope) for way in ways if isinstance(way, Absolute)]
@@ -79,7 +79,7 @@ def _fits(
 
 
 def _with_drum(
-    held: RopeFriction, statement: ast.RopeFriction, clockwise: bool, scope: Scope
+    held: RopeFriction, statement: ast.RopeFriction, clockwise: bool, scope: NameScope
 ) -> RopeFriction | None:
     """Return the friction of a rope around a drum that turns with a link."""
     if statement.link is None or statement.drum is None:

@@ -10,16 +10,16 @@ from ...formula.walk import symbols
 _TURNED = {"less": "more", "at_most": "at_least", "more": "less", "at_least": "at_most"}
 """A comparison read from its right side."""
 
-Range = tuple[float, float]
+ValueRange = tuple[float, float]
 
-End = tuple[float, bool]
+OpenOrClosed = tuple[float, bool]
 """An end of an interval, the upper one with its sign turned, and whether it is left out.
 
 Of two ends the stricter one is the greater.
 """
 
 
-def never_met(links: Sequence[Formula], ranges: Mapping[str, Range]) -> str:
+def never_met(links: Sequence[Formula], ranges: Mapping[str, ValueRange]) -> str:
     """Return the name of which no value in its range meets all comparisons with numbers, or ''.
 
     Comparisons of other things are not looked at.
@@ -35,7 +35,7 @@ def never_met(links: Sequence[Formula], ranges: Mapping[str, Range]) -> str:
     >>> never_met([Call(c, (v, number(n))) for c, n in (("more", 3), ("same", 5))], {})
     ''
     """
-    ends: dict[str, tuple[End, End]] = {}
+    ends: dict[str, tuple[OpenOrClosed, OpenOrClosed]] = {}
     for name, comparison, value in filter(None, map(_about_a_name, links)):
         first, last = ranges.get(name, (-math.inf, math.inf))
         low, high = ends.get(name, ((first, False), (-last, False)))

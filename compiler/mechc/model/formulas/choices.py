@@ -15,11 +15,11 @@ from ...syntax import ast
 from ...units import LENGTH
 from ..constants import leaves
 from ..mechanism import Require, Subject
-from ..names.scope import FORMULA, Scope
+from ..names.scope import FORMULA, NameScope
 from ..statements import every
 from .bounds import never_met
 from .expressions import Reader
-from .measured import Quantity, alike, fits
+from .measured import MeasuredFormula, alike, fits
 from .parameters import constant
 from .sorts import Sort
 
@@ -30,14 +30,14 @@ class Tables(NamedTuple):
     A table has its rows from the smallest argument on, a list its sizes.
     """
 
-    tables: dict[str, list[tuple[Quantity, Quantity]]]
-    sizes: dict[str, list[Quantity]]
+    tables: dict[str, list[tuple[MeasuredFormula, MeasuredFormula]]]
+    sizes: dict[str, list[MeasuredFormula]]
 
 
 class Chosen(NamedTuple):
     """A user-defined formula, and the conditions under which it has a value."""
 
-    quantity: Quantity
+    quantity: MeasuredFormula
     requires: tuple[Require, ...] = ()
 
 
@@ -51,7 +51,7 @@ MOST = 200
 """Rows of a table, or sizes of a list: more are a file of data."""
 
 
-def read_tables(file: ast.File, scope: Scope) -> Tables:
+def read_tables(file: ast.File, scope: NameScope) -> Tables:
     """Read the tables and lists of a description, whose names the scope knows."""
     found = Tables({}, {})
     lengths = [(table.name, len(table.rows)) for table in every(file, ast.Table)]
@@ -73,7 +73,7 @@ def read_tables(file: ast.File, scope: Scope) -> Tables:
     return found
 
 
-def _rows(table: ast.Table, scope: Scope) -> list[tuple[Quantity, Quantity]]:
+def _rows(table: ast.Table, scope: NameScope) -> list[tuple[MeasuredFormula, MeasuredFormula]]:
     """Return the rows of a table from the smallest argument on; none where one is wrong."""
     columns = list(zip(*table.rows, strict=True))
     read = ([constant(e, scope, "a value of a table") for e in column] for column in columns)
@@ -91,7 +91,7 @@ def _rows(table: ast.Table, scope: Scope) -> list[tuple[Quantity, Quantity]]:
     return rows
 
 
-def _alike(read: Sequence[Quantity | None], scope: Scope) -> list[Quantity]:
+def _alike(read: Sequence[MeasuredFormula | None], scope: NameScope) -> list[MeasuredFormula]:
     """Return quantities of one dimension, a bare 0 of that of the others; none where one is wrong.
 
     That is reported.
@@ -101,7 +101,7 @@ def _alike(read: Sequence[Quantity | None], scope: Scope) -> list[Quantity]:
     return [quantity._replace(sort=sort) for quantity in found] if sort else []
 
 
-def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:
+def _check_order(column: Sequence[MeasuredFormula], name: str, scope: NameScope) -> None:
     """Report the first number that is not larger than the one before it."""
     for before, after in pairwise(column):
         if not _value(before) < _value(after):
@@ -113,7 +113,7 @@ def _check_order(column: Sequence[Quantity], name: str, scope: Scope) -> None:
             return
 
 
-def _check_commas(sizes: Sequence[ast.Expr], scope: Scope) -> None:
+def _check_commas(sizes: Sequence[ast.Expr], scope: NameScope) -> None:
     """Say that two numbers stand like one with a decimal comma, and others do not."""
     text = scope.report.source.text
     pairs = [
@@ -130,7 +130,7 @@ def _check_commas(sizes: Sequence[ast.Expr], scope: Scope) -> None:
 
 
 def _check_units(
-    written: Sequence[ast.Expr], sizes: Sequence[Quantity], what: str, scope: Scope
+    written: Sequence[ast.Expr], sizes: Sequence[MeasuredFormula], what: str, scope: NameScope
 ) -> None:
     """Say that one number alone has another unit, and is far from its neighbours."""
     units = [next((n.unit for n in leaves(e) if isinstance(n, ast.Number)), "") for e in written]
@@ -146,20 +146,20 @@ def _check_units(
         scope.report.add(messages.size_in_another_unit(sizes[here].span, what, usual))
 
 
-def _check_least(least: Quantity, name: str, scope: Scope) -> None:
+def _check_least(least: MeasuredFormula, name: str, scope: NameScope) -> None:
     """Report a length, the first and smallest of a list, that is not positive."""
     if least.dimension == LENGTH and not _value(least) > 0:
         scope.report.add(messages.size_not_positive(least.span, name))
 
 
-def _value(quantity: Quantity) -> float:
+def _value(quantity: MeasuredFormula) -> float:
     return evaluate(quantity.formula, {})
 
 
 # ------------------------------------------------------------------------ formulas
 
 
-def read_let_value(let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
+def read_let_value(let: ast.Let, tables: Tables, scope: NameScope) -> Chosen | None:
     """Read what a ``let`` stands for; None where an error in it was reported."""
     match let.value:
         case ast.Choice() as choice:
@@ -173,7 +173,7 @@ def read_let_value(let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
             return Chosen(found) if found else None
 
 
-def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
+def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: NameScope) -> Chosen | None:
     name = lookup.table.text
     if not _known(lookup.table, tables.tables, "table", scope):
         return None
@@ -191,7 +191,7 @@ def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: Scope) -> C
     )
     low, high = rows[0][0].formula, rows[-1][0].formula
     return Chosen(
-        Quantity(formula, rows[0][1].sort, lookup.span),
+        MeasuredFormula(formula, rows[0][1].sort, lookup.span),
         (
             Require(low, "<=", at.formula, lookup.span, first, dimension=at.dimension),
             Require(at.formula, "<=", high, lookup.span, last, dimension=at.dimension),
@@ -200,7 +200,7 @@ def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: Scope) -> C
 
 
 def note_between(
-    let: ast.Let, statements: Mapping[str, ast.Statement], tables: Tables, scope: Scope
+    let: ast.Let, statements: Mapping[str, ast.Statement], tables: Tables, scope: NameScope
 ) -> None:
     """Warn where a size of a list is looked up in a table that has no row for some sizes.
 
@@ -232,16 +232,18 @@ def _is_row(value: float, rows: Sequence[float]) -> bool:
 
 
 def _row_of(
-    at: Quantity, parts: Sequence[Formula], sort: Sort, lookup: ast.Lookup, let: ast.Let
+    at: MeasuredFormula, parts: Sequence[Formula], sort: Sort, lookup: ast.Lookup, let: ast.Let
 ) -> Chosen:
     """Return the value of a row, on the condition that what is asked for is one."""
     formula, met = Call("row", (at.formula, *parts)), Call("met", (at.formula, *parts[::2]))
     subject = Subject("row", lookup.table.text, let.name.text)
     is_row = Require(at.formula, "=", met, lookup.span, subject, dimension=at.dimension)
-    return Chosen(Quantity(formula, sort, lookup.span), (is_row,))
+    return Chosen(MeasuredFormula(formula, sort, lookup.span), (is_row,))
 
 
-def _next_size(wanted: ast.NextSize, let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
+def _next_size(
+    wanted: ast.NextSize, let: ast.Let, tables: Tables, scope: NameScope
+) -> Chosen | None:
     name = wanted.sizes.text
     if not _known(wanted.sizes, tables.sizes, "list", scope):
         return None
@@ -253,14 +255,14 @@ def _next_size(wanted: ast.NextSize, let: ast.Let, tables: Tables, scope: Scope)
     last, subject = sizes[-1].formula, Subject("list", name, let.name.text)
     dimension = sizes[0].dimension
     largest = Require(least.formula, "<=", last, wanted.span, subject, dimension=dimension)
-    return Chosen(Quantity(formula, sizes[0].sort, wanted.span), (largest,))
+    return Chosen(MeasuredFormula(formula, sizes[0].sort, wanted.span), (largest,))
 
 
-def _fits(found: Quantity, like: Quantity, what: str, scope: Scope) -> bool:
+def _fits(found: MeasuredFormula, like: MeasuredFormula, what: str, scope: NameScope) -> bool:
     return fits(found, like.dimension, what, scope)
 
 
-def _known(name: ast.Name, known: Mapping[str, object], kind: str, scope: Scope) -> bool:
+def _known(name: ast.Name, known: Mapping[str, object], kind: str, scope: NameScope) -> bool:
     """Return whether a table or list was declared; one that was wrong has been reported."""
     entry = scope.entries.get(name.text)
     scope.used.add(name.text)
@@ -273,7 +275,7 @@ def _known(name: ast.Name, known: Mapping[str, object], kind: str, scope: Scope)
 # ------------------------------------------------------------------------- choices
 
 
-def _choice(choice: ast.Choice, let: ast.Let, scope: Scope) -> Chosen | None:
+def _choice(choice: ast.Choice, let: ast.Let, scope: NameScope) -> Chosen | None:
     """Read a choice: its value is that of the first branch whose conditions hold.
 
     More than one may not hold, and one must unless something is said otherwise.
@@ -294,17 +296,17 @@ def _choice(choice: ast.Choice, let: ast.Let, scope: Scope) -> Chosen | None:
     conditions = [condition for condition, _ in branches]
     formula = Call("choose", tuple(_flat(conditions, values)))
     own = _exclusive(conditions, choice, let)
-    return Chosen(Quantity(formula, sort, choice.span), (*own, *requires))
+    return Chosen(MeasuredFormula(formula, sort, choice.span), (*own, *requires))
 
 
-def _otherwise(otherwise: ast.Expr | ast.Choice, let: ast.Let, scope: Scope) -> Chosen | None:
+def _otherwise(otherwise: ast.Expr | ast.Choice, let: ast.Let, scope: NameScope) -> Chosen | None:
     if isinstance(otherwise, ast.Choice):
         return _choice(otherwise, let, scope)
     found = Reader(scope, FORMULA).read(otherwise)
     return Chosen(found) if found else None
 
 
-def _flat(conditions: Sequence[Formula], values: Sequence[Quantity]) -> Iterator[Formula]:
+def _flat(conditions: Sequence[Formula], values: Sequence[MeasuredFormula]) -> Iterator[Formula]:
     for condition, value in zip(conditions, values, strict=False):
         yield from (condition, value.formula)
     yield from (value.formula for value in values[len(conditions) :])
@@ -328,7 +330,9 @@ def _exclusive(
     return (Require(count, "=", number(1), choice.span, subject),)
 
 
-def _branches(choice: ast.Choice, scope: Scope) -> Iterator[tuple[Formula, Quantity] | None]:
+def _branches(
+    choice: ast.Choice, scope: NameScope
+) -> Iterator[tuple[Formula, MeasuredFormula] | None]:
     """Yield the condition and the value of each branch; None where there is an error in it."""
     reader = Reader(scope, FORMULA)
     for branch in choice.branches:

@@ -20,12 +20,12 @@ from ...syntax import ast
 from ...units import ANGLE, DIMENSIONS, FREQUENCY, UNITS, Dimension
 from ..constants import expressions_in, leaves, names_in_let_value
 from ..mechanism import Let, Parameter, Require, Subject
-from ..names.scope import Scope
+from ..names.scope import NameScope
 from ..parts.written import WrittenSides, expression
 from ..statements import every
 from ..values import ordered
 from .choices import note_between, read_let_value, read_tables
-from .measured import Quantity, fits, shown
+from .measured import MeasuredFormula, fits, shown
 from .misplaced_units import note_misplaced_unit, note_unit_factor
 from .parameters import constant, note_unitless, read_parameter
 from .sorts import Nature
@@ -33,14 +33,14 @@ from .sorts import Nature
 LONGEST = 200
 """Parts of a let that is written out: lets of lets can double in length with each."""
 
-Line = ast.Param | ast.Let | ast.Taken
+DefiningStatement = ast.Param | ast.Let | ast.Taken
 """A line that gives a quantity its value or its formula."""
 
 _ENDS: tuple[Literal[">=", "<="], ...] = (">=", "<=")
 """How a quantity stands to the ends of its range."""
 
 
-class Definitions(NamedTuple):
+class DefinedValues(NamedTuple):
     """What was defined, by name, each after those it needs; when lets have values."""
 
     parameters: dict[str, Parameter]
@@ -48,10 +48,10 @@ class Definitions(NamedTuple):
     requires: list[Require]
 
 
-def read_definitions(file: ast.File, scope: Scope) -> Definitions:
+def read_definitions(file: ast.File, scope: NameScope) -> DefinedValues:
     """Read parameters and lets whose names the scope knows."""
     statements, tables = _by_name(file, scope), read_tables(file, scope)
-    found = Definitions({}, {}, [])
+    found = DefinedValues({}, {}, [])
     for name in _ordered(statements, scope):
         match statements[name]:
             case ast.Param() as statement:
@@ -72,10 +72,10 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
     return found
 
 
-def _by_name(file: ast.File, scope: Scope) -> dict[str, Line]:
+def _by_name(file: ast.File, scope: NameScope) -> dict[str, DefiningStatement]:
     """Return the statements that own their names, and the lets that give loads a value."""
-    owned: dict[str, Line] = {}
-    definitions: list[Line] = [*every(file, ast.Param), *every(file, ast.Let)]
+    owned: dict[str, DefiningStatement] = {}
+    definitions: list[DefiningStatement] = [*every(file, ast.Param), *every(file, ast.Let)]
     definitions += every(file, ast.Taken)
     for statement in definitions:
         entry = scope.entries.get(statement.name.text)
@@ -85,7 +85,7 @@ def _by_name(file: ast.File, scope: Scope) -> dict[str, Line]:
     return owned
 
 
-def _ordered(statements: Mapping[str, Line], scope: Scope) -> list[str]:
+def _ordered(statements: Mapping[str, DefiningStatement], scope: NameScope) -> list[str]:
     """Return the names so that each follows those it needs; report circles."""
     order, circles = ordered({name: _needs(s, statements) for name, s in statements.items()})
     for circle in circles:
@@ -95,14 +95,14 @@ def _ordered(statements: Mapping[str, Line], scope: Scope) -> list[str]:
     return order
 
 
-def _places(cycle: list[Line], scope: Scope) -> list[Span]:
+def _places(cycle: list[DefiningStatement], scope: NameScope) -> list[Span]:
     """Return where definitions stand, what the command line sets before all."""
     values = [s.value.span for s in cycle if isinstance(s, ast.Param) and s.value]
     settings = [value for value in values if scope.report.source.is_setting(value)]
     return settings + [statement.span for statement in cycle]
 
 
-def _needs(statement: Line, known: Mapping[str, Line]) -> set[str]:
+def _needs(statement: DefiningStatement, known: Mapping[str, DefiningStatement]) -> set[str]:
     if isinstance(statement, ast.Taken):
         return {symbol.name for symbol in statement.rests_on if symbol.name in known}
     if statement.value is None:
@@ -110,7 +110,7 @@ def _needs(statement: Line, known: Mapping[str, Line]) -> set[str]:
     return {s.name for s in names_in_let_value(statement.value) if s.name in known}
 
 
-def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
+def _let(statement: ast.Let, found: MeasuredFormula, scope: NameScope) -> Let | None:
     name = statement.name.text
     entry = scope.entries[name]
     if isinstance(statement, ast.Given) and not found.sort.fits(statement.measures):
@@ -135,7 +135,7 @@ def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
     return Let(name, found.formula, dimension, statement.span, unit, statement.label)
 
 
-def _note_value(name: str, formula: Formula, scope: Scope) -> None:
+def _note_value(name: str, formula: Formula, scope: NameScope) -> None:
     """Keep the value of a let of parameters alone: a length must be positive, whatever gives it."""
     if symbols(formula) <= scope.values.keys():
         value = evaluate(formula, scope.values)
@@ -143,7 +143,7 @@ def _note_value(name: str, formula: Formula, scope: Scope) -> None:
             scope.values[name] = scope.sizes[name] = value
 
 
-def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Require]:
+def _within_range(statement: ast.Let, let: Let, scope: NameScope) -> Iterator[Require]:
     """Yield that what is given to a parameter of a used sheet is in the range of that."""
     if not isinstance(statement, ast.Given):
         return
@@ -157,7 +157,7 @@ def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Requir
             yield Require(*sides, place, subject, shown, let.dimension)
 
 
-def _fits_its_unit(statement: ast.Let, found: Quantity, scope: Scope) -> bool:
+def _fits_its_unit(statement: ast.Let, found: MeasuredFormula, scope: NameScope) -> bool:
     """Return whether a formula measures what the unit to show it in does; report another one.
 
     Of what rests on it nothing is said then, as either may be meant: one mistake, one message.
@@ -173,17 +173,17 @@ def _fits_its_unit(statement: ast.Let, found: Quantity, scope: Scope) -> bool:
     return False
 
 
-def _plain(formula: Formula, scope: Scope) -> bool:
+def _plain(formula: Formula, scope: NameScope) -> bool:
     entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
     return all(e.kind == "parameter" or (e.kind == "let" and e.plain) for e in entries)
 
 
-def _solved(formula: Formula, scope: Scope) -> bool:
+def _solved(formula: Formula, scope: NameScope) -> bool:
     entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
     return any(e.kind == "result" or e.solved for e in entries)
 
 
-def _posed(formula: Formula, scope: Scope) -> bool:
+def _posed(formula: Formula, scope: NameScope) -> bool:
     """Return whether a formula mentions ``phi_AB`` or ``len_AB``, itself or through lets."""
     names = symbols(formula)
     return any(n not in scope.entries or scope.entries[n].posed for n in names)
@@ -192,7 +192,7 @@ def _posed(formula: Formula, scope: Scope) -> bool:
 # --------------------------------------------------------------- lets as parameters
 
 
-def spread_feeding(found: Definitions, scope: Scope) -> None:
+def spread_feeding(found: DefinedValues, scope: NameScope) -> None:
     """Count the lets that feeding lets are made of as feeding the description too."""
     waiting = list(scope.feeding)
     while waiting:
@@ -203,7 +203,7 @@ def spread_feeding(found: Definitions, scope: Scope) -> None:
 
 
 def in_file_order(
-    found: Definitions, file: ast.File, scope: Scope
+    found: DefinedValues, file: ast.File, scope: NameScope
 ) -> tuple[tuple[Parameter, ...], tuple[Let, ...]]:
     """Return parameters and lets in the order of the file; feeding lets are parameters."""
     parameters: list[Parameter] = []
@@ -234,7 +234,7 @@ def _as_parameter(let: Let, line: ast.Let, known: Mapping[str, str]) -> Paramete
     return Parameter(*own, dependent=dependent, unit=next(units, ""))
 
 
-def written_out(found: Definitions, scope: Scope) -> dict[str, Formula]:
+def written_out(found: DefinedValues, scope: NameScope) -> dict[str, Formula]:
     """Return lets as formulas of parameters and loads; those too long for that are left out."""
     formulas: dict[str, Formula] = {}
     lengths: dict[str, int] = {}
@@ -268,7 +268,7 @@ FLOW = DIMENSIONS["volume"].over(DIMENSIONS["time"])
 
 
 def _note_turns(
-    let: ast.Let, dimension: Dimension, lines: Mapping[str, Line], scope: Scope
+    let: ast.Let, dimension: Dimension, lines: Mapping[str, DefiningStatement], scope: NameScope
 ) -> None:
     """Note where a formula counts radians and its reader may count turns (W267, W268).
 
@@ -291,11 +291,11 @@ def _note_turns(
         scope.report.add(messages.volume_of_a_radian(let.value.span, volume))
 
 
-def _measures(name: str, dimension: Dimension, scope: Scope) -> bool:
+def _measures(name: str, dimension: Dimension, scope: NameScope) -> bool:
     return name in scope.entries and scope.entries[name].dimension == dimension
 
 
-def note_speed(speed: ast.Expr, lines: Mapping[str, Line], scope: Scope) -> None:
+def note_speed(speed: ast.Expr, lines: Mapping[str, DefiningStatement], scope: NameScope) -> None:
     """Note a speed of turning in Hz or 1/min, units in which people count turns (W296).
 
     With pi in it, as in ``2*pi*n``, it has been brought to radians.
@@ -306,7 +306,7 @@ def note_speed(speed: ast.Expr, lines: Mapping[str, Line], scope: Scope) -> None
         scope.report.add(messages.speed_in_radians(speed.span, counted[0]))
 
 
-def _units_in(expression: ast.Expr, lines: Mapping[str, Line]) -> set[str]:
+def _units_in(expression: ast.Expr, lines: Mapping[str, DefiningStatement]) -> set[str]:
     """Return the units written in an expression, pi, and those in the lines of what it rests on."""
     units = set[str]()
     for leaf in leaves(expression):
@@ -320,7 +320,7 @@ def _units_in(expression: ast.Expr, lines: Mapping[str, Line]) -> set[str]:
     return units
 
 
-def _units(line: Line, lines: Mapping[str, Line]) -> set[str]:
+def _units(line: DefiningStatement, lines: Mapping[str, DefiningStatement]) -> set[str]:
     """Return the units written in a line, pi, and those in the lines of what it rests on."""
     units, seen, waiting = set[str](), set[str](), [line]
     while waiting:

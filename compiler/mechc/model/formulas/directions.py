@@ -11,8 +11,8 @@ from ...source import Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH, Dimension
 from ..constants import out_of_reach
-from ..mechanism import Absolute, Along, Direction, Offset
-from ..names.scope import DESCRIPTION, Scope
+from ..mechanism import Absolute, AlongLine, Direction, Offset
+from ..names.scope import DESCRIPTION, NameScope
 from ..tolerances import SAME_DIRECTION
 from .expressions import Reader
 
@@ -21,7 +21,7 @@ QUARTERS = {("x", 1): 0, ("y", 1): 90, ("x", -1): 180, ("y", -1): -90}
 
 
 def read_direction(
-    direction: ast.Direction, scope: Scope, what: str = "a direction"
+    direction: ast.Direction, scope: NameScope, what: str = "a direction"
 ) -> Direction | None:
     """Return a direction; a point that one is aimed by counts as used."""
     match direction:
@@ -30,14 +30,14 @@ def read_direction(
         case ast.Toward(name, sign, perp, span):
             ends = scope.points.acting(name)
             quarter = (1 if perp else 0) + (2 if sign < 0 else 0)
-            return Along(ends[0], ends[1], quarter, span) if ends else None
+            return AlongLine(ends[0], ends[1], quarter, span) if ends else None
         case _:
             angle = Reader(scope, DESCRIPTION).wanted(direction, ANGLE, what)
             check_reach(angle, ANGLE, direction.span, scope)
             return Absolute(angle, direction.span) if angle else None
 
 
-def read_place(tail: str, head: str, place: ast.Cartesian, scope: Scope) -> Offset | None:
+def read_place(tail: str, head: str, place: ast.Cartesian, scope: NameScope) -> Offset | None:
     """Return a vector by its components."""
     reader = Reader(scope, DESCRIPTION)
     x = reader.wanted(place.x, LENGTH, "the place")
@@ -50,7 +50,7 @@ def read_place(tail: str, head: str, place: ast.Cartesian, scope: Scope) -> Offs
     return Offset(tail, head, x, y, place.span) if x and y else None
 
 
-def note_units(ends: Sequence[ast.Expr | None], what: str, span: Span, scope: Scope) -> None:
+def note_units(ends: Sequence[ast.Expr | None], what: str, span: Span, scope: NameScope) -> None:
     """Say that the ends of a range or of a stroke are in two units."""
     units = units_of(end for end in ends if end is not None)
     if len(set(units)) > 1:
@@ -78,14 +78,14 @@ def _unit_of(written: ast.Expr) -> str:
             return ""
 
 
-def value_of(formula: Formula, scope: Scope) -> float | None:
+def value_of(formula: Formula, scope: NameScope) -> float | None:
     """Return the value at the given parameters; None where one of them has none."""
     if not symbols(formula) <= scope.values.keys():
         return None
     return evaluate(formula, scope.values)
 
 
-def check_sign(formula: Formula | None, span: Span, what: str, scope: Scope) -> None:
+def check_sign(formula: Formula | None, span: Span, what: str, scope: NameScope) -> None:
     """Report a quantity that cannot be negative and is; ``what`` names it in messages."""
     value = value_of(formula, scope) if formula else None
     if formula and value is not None and value < 0:
@@ -94,7 +94,9 @@ def check_sign(formula: Formula | None, span: Span, what: str, scope: Scope) -> 
         scope.report.add(quantities.negative_quantity(span, what, written, cause))
 
 
-def check_reach(formula: Formula | None, dimension: Dimension, span: Span, scope: Scope) -> None:
+def check_reach(
+    formula: Formula | None, dimension: Dimension, span: Span, scope: NameScope
+) -> None:
     """Report a value that is no real number, or none to compute with.
 
     Parameters without a value count as 1: multiples of them must be in reach, too.
@@ -108,7 +110,7 @@ def check_reach(formula: Formula | None, dimension: Dimension, span: Span, scope
         scope.report.add(quantities.out_of_reach(span, dimension))
 
 
-def parallel(a: Direction, b: Direction, scope: Scope) -> bool:
+def parallel(a: Direction, b: Direction, scope: NameScope) -> bool:
     """Return whether two directions may lie along one line: False only where surely not."""
     if not isinstance(a, Absolute) or not isinstance(b, Absolute):
         return True

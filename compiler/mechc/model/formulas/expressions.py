@@ -31,9 +31,9 @@ from ...source import Span
 from ...syntax import ast
 from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension
 from ..constants import LARGEST_EXPONENT, rational, too_large
-from ..names.forms import COORDINATES, FORMS, Form, form_of_pose
-from ..names.scope import Scope, Usage
-from .measured import Quantity, alike, fits
+from ..names.forms import COORDINATES, FORMS, ReservedName, form_of_pose
+from ..names.scope import NameScope, Usage
+from .measured import MeasuredFormula, alike, fits
 from .misplaced_units import measured_twice
 from .sorts import Nature, Sort, multiplied, raised
 
@@ -52,7 +52,7 @@ POWER_OF_LENGTH = pattern(r"(mm|cm|dm|m|in|ft)\^([234])")
 class Reader:
     """Reads expressions whose names may be of certain kinds."""
 
-    scope: Scope
+    scope: NameScope
     usage: Usage
 
     @property
@@ -65,11 +65,11 @@ class Reader:
         found = self.read(expression)
         return found.formula if found and fits(found, dimension, what, self.scope) else None
 
-    def read(self, expression: ast.Expr) -> Quantity | None:
+    def read(self, expression: ast.Expr) -> MeasuredFormula | None:
         """Read an expression; None where an error in it was reported."""
         match expression:
             case ast.Number():
-                found: Quantity | None = _number(expression)
+                found: MeasuredFormula | None = _number(expression)
             case ast.Symbol():
                 found = self._symbol(expression)
             case ast.Sum():
@@ -84,18 +84,18 @@ class Reader:
                 assert_never(expression)
         return _sized(found, self.report) if found else None
 
-    def _symbol(self, node: ast.Symbol) -> Quantity | None:
+    def _symbol(self, node: ast.Symbol) -> MeasuredFormula | None:
         if node.name == "pi":
-            return Quantity(PI, Sort(NUMBER, Nature.LOOSE), node.span)
+            return MeasuredFormula(PI, Sort(NUMBER, Nature.LOOSE), node.span)
         if _is_asked_of_the_pose(node.name, self.scope) and (form := form_of_pose(node.name)):
             return _of_the_pose(node, form, self.scope, self.usage)
         entry = self.scope.look_up(node, self.usage)
         if entry is None or entry.dimension is None:
             return None
         known = Sort(NUMBER, Nature.UNITLESS) if entry.unitless else Sort.of(entry.dimension)
-        return Quantity(Symbol(node.name), known, node.span)
+        return MeasuredFormula(Symbol(node.name), known, node.span)
 
-    def _sum(self, node: ast.Sum) -> Quantity | None:
+    def _sum(self, node: ast.Sum) -> MeasuredFormula | None:
         terms = [self.read(term) for _, term in node.terms]
         known = [term for term in terms if term]
         signs = [sign for sign, _ in node.terms]
@@ -105,9 +105,9 @@ class Reader:
             return None
         pairs = zip(signs, known, strict=True)
         formula = total(t.formula if sign > 0 else negative(t.formula) for sign, t in pairs)
-        return Quantity(formula, sort, node.span)
+        return MeasuredFormula(formula, sort, node.span)
 
-    def _product(self, node: ast.Product) -> Quantity | None:
+    def _product(self, node: ast.Product) -> MeasuredFormula | None:
         signs = [sign for sign, _ in node.factors]
         read = [self.read(factor) for _, factor in node.factors]
         factors = [factor for factor in read if factor]
@@ -119,9 +119,9 @@ class Reader:
             sort = Sort(NUMBER, Nature.ZERO)
         if not measured_twice(node, sort.dimension):
             _remark_on_powers(node, self.report)
-        return Quantity(formula, sort, node.span)
+        return MeasuredFormula(formula, sort, node.span)
 
-    def _power(self, node: ast.Power) -> Quantity | None:
+    def _power(self, node: ast.Power) -> MeasuredFormula | None:
         base, exponent = self.read(node.base), self.read(node.exponent)
         if not base or not exponent:
             return None
@@ -137,20 +137,20 @@ class Reader:
         if constant < 0 and rational(base.formula) == 0:
             self.report.add(quantities.divided_by_zero(base.span))
             return None
-        return Quantity(
+        return MeasuredFormula(
             power(base.formula, number(constant)), raised(base.sort, constant), node.span
         )
 
-    def _call(self, node: ast.Call) -> Quantity | None:
+    def _call(self, node: ast.Call) -> MeasuredFormula | None:
         read = [self.read(argument) for argument in node.arguments]
         arguments = [argument for argument in read if argument]
         sort = self._result(node, arguments) if len(arguments) == len(read) else None
         if sort is None:
             return None
         formula = Call(node.function, tuple(a.formula for a in arguments))
-        return Quantity(formula, sort, node.span)
+        return MeasuredFormula(formula, sort, node.span)
 
-    def _result(self, node: ast.Call, arguments: list[Quantity]) -> Sort | None:
+    def _result(self, node: ast.Call, arguments: list[MeasuredFormula]) -> Sort | None:
         """Return the sort of a function's value; report arguments that do not suit it."""
         argument = arguments[0]
         what = f"the argument of {node.function}"
@@ -168,7 +168,7 @@ class Reader:
         return Sort(ANGLE) if sort and node.function == "atan2" else sort
 
 
-def _sized(found: Quantity, report: Report) -> Quantity | None:
+def _sized(found: MeasuredFormula, report: Report) -> MeasuredFormula | None:
     """Refuse constants that grow beyond what anything measured can be."""
     match found.formula:
         case Number(value) | Product((Number(value), *_)) if too_large(value):
@@ -180,24 +180,26 @@ def _sized(found: Quantity, report: Report) -> Quantity | None:
     return found
 
 
-def _number(node: ast.Number) -> Quantity:
+def _number(node: ast.Number) -> MeasuredFormula:
     if not node.unit:
         nature = Nature.BARE if node.value else Nature.ZERO
-        return Quantity(Number(node.value), Sort(NUMBER, nature), node.span)
+        return MeasuredFormula(Number(node.value), Sort(NUMBER, nature), node.span)
     unit = UNITS[node.unit]
     plain = number(node.value * unit.factor)
     formula = product([(plain, 1), (PI, 1)]) if unit.pi else plain
-    return Quantity(formula, Sort(unit.dimension), node.span)
+    return MeasuredFormula(formula, Sort(unit.dimension), node.span)
 
 
-def _is_asked_of_the_pose(name: str, scope: Scope) -> bool:
+def _is_asked_of_the_pose(name: str, scope: NameScope) -> bool:
     """Return whether no name of the user's own is meant; ``x_B`` is one where B is no point."""
     form = form_of_pose(name)
     is_own = form and form.prefix in COORDINATES and form.points[0] not in scope.points.places
     return name not in scope.entries and not is_own
 
 
-def _of_the_pose(node: ast.Symbol, form: Form, scope: Scope, usage: Usage) -> Quantity | None:
+def _of_the_pose(
+    node: ast.Symbol, form: ReservedName, scope: NameScope, usage: Usage
+) -> MeasuredFormula | None:
     """Return a direction or a length that the pose has; refuse other such quantities."""
     if form.prefix not in ("phi", "len", *COORDINATES):
         _refuse(node, form, scope)
@@ -214,10 +216,10 @@ def _of_the_pose(node: ast.Symbol, form: Form, scope: Scope, usage: Usage) -> Qu
         scope.report.add(names.name_out_of_place(node.span, node.name, what, wanted, hint))
         return None
     sort = Sort.of(ANGLE if form.prefix == "phi" else LENGTH)
-    return Quantity(Symbol(node.name), sort, node.span)
+    return MeasuredFormula(Symbol(node.name), sort, node.span)
 
 
-def _refuse(node: ast.Symbol, form: Form, scope: Scope) -> None:
+def _refuse(node: ast.Symbol, form: ReservedName, scope: NameScope) -> None:
     """Say why a quantity of the mechanism cannot stand in a formula."""
     points = ast.Name("".join(form.points), node.span)
     if not scope.points.known(points):
@@ -240,7 +242,7 @@ def _remark_on_powers(node: ast.Product, report: Report) -> None:
             report.add(sizes.area_for_square(place, factor.digits, found[1], found[2]))
 
 
-def _divisible(factors: list[Quantity], signs: list[int], report: Report) -> bool:
+def _divisible(factors: list[MeasuredFormula], signs: list[int], report: Report) -> bool:
     for factor, sign in zip(factors, signs, strict=True):
         if sign < 0 and rational(factor.formula) == 0:
             report.add(quantities.divided_by_zero(factor.span))
@@ -249,16 +251,16 @@ def _divisible(factors: list[Quantity], signs: list[int], report: Report) -> boo
 
 
 def _general_power(
-    base: Quantity, exponent: Quantity, span: Span, report: Report
-) -> Quantity | None:
+    base: MeasuredFormula, exponent: MeasuredFormula, span: Span, report: Report
+) -> MeasuredFormula | None:
     if not base.sort.fits(NUMBER):
         report.add(quantities.exponent_not_number(exponent.span, base.dimension))
         return None
     formula = Power(base.formula, exponent.formula)
-    return Quantity(formula, Sort(NUMBER, Nature.LOOSE), span)
+    return MeasuredFormula(formula, Sort(NUMBER, Nature.LOOSE), span)
 
 
-def _in_a_product(node: ast.Expr, found: Quantity) -> Quantity:
+def _in_a_product(node: ast.Expr, found: MeasuredFormula) -> MeasuredFormula:
     """Return a multiple of an angle as the pure number that it is, as in exp(0.25*theta).
 
     An angle alone may be meant in degrees: it stays one.

@@ -14,10 +14,10 @@ from ..mechanism import Let, Mechanism, Parameter, Require, Taken
 from ..parts import written
 from ..statements import every
 
-Declared = ast.Param | ast.Let
+ParamOrLet = ast.Param | ast.Let
 """A line that says what a quantity is."""
 
-Column = ast.Table | ast.Sizes
+TableOrSizes = ast.Table | ast.Sizes
 """What values are looked up in."""
 
 PUT_IN = (ast.Given, ast.Follows)
@@ -33,11 +33,11 @@ def for_readers(mechanism: Mechanism, file: ast.File, source: Source) -> Mechani
     list that it is looked up in, in what it uses, or anywhere; those of the user's own lines come
     before those of what is used.
     """
-    of_lines: tuple[Declared, ...] = (*every(file, ast.Param), *every(file, ast.Let))
-    lines: Mapping[str, Declared] = {line.name.text: line for line in of_lines}
-    of_columns: tuple[Column, ...] = (*every(file, ast.Table), *every(file, ast.Sizes))
-    columns: Mapping[str, Column] = {column.name.text: column for column in of_columns}
-    named: Mapping[str, Declared | Column] = {**lines, **columns}
+    of_lines: tuple[ParamOrLet, ...] = (*every(file, ast.Param), *every(file, ast.Let))
+    lines: Mapping[str, ParamOrLet] = {line.name.text: line for line in of_lines}
+    of_columns: tuple[TableOrSizes, ...] = (*every(file, ast.Table), *every(file, ast.Sizes))
+    columns: Mapping[str, TableOrSizes] = {column.name.text: column for column in of_columns}
+    named: Mapping[str, ParamOrLet | TableOrSizes] = {**lines, **columns}
     parameters = tuple(_parameter(p, lines.get(p.name)) for p in mechanism.parameters)
     starts = [start for start, _ in source.parts()]
 
@@ -67,7 +67,7 @@ class _Units:
     def __init__(
         self,
         parameters: Iterable[Parameter],
-        lines: Iterable[Declared | Column],
+        lines: Iterable[ParamOrLet | TableOrSizes],
         text: Callable[[Span], int],
     ) -> None:
         self._known = {p.name: p.unit for p in parameters}
@@ -122,7 +122,7 @@ class _Units:
         return sorted(chain.from_iterable(self._in_text.values()), key=lambda unit: unit != usual)
 
 
-def _parameter(parameter: Parameter, line: Declared | None) -> Parameter:
+def _parameter(parameter: Parameter, line: ParamOrLet | None) -> Parameter:
     """Return a parameter with its label, or the remark of its line, and its formula as written."""
     if line is None:
         return parameter
@@ -130,7 +130,7 @@ def _parameter(parameter: Parameter, line: Declared | None) -> Parameter:
     return replace(parameter, label=line.label or line.remark, written=shown)
 
 
-def _let(let: Let, line: Declared, columns: Mapping[str, Column], units: _Units) -> Let:
+def _let(let: Let, line: ParamOrLet, columns: Mapping[str, TableOrSizes], units: _Units) -> Let:
     assert isinstance(line, ast.Let)
     shown = written.let_value(line.value)
     looked_up = _units(columns[shown.of]) if shown.of in columns else ()
@@ -155,7 +155,7 @@ def _taken(file: ast.File, lets: Iterable[Let], units: _Units) -> Iterator[Taken
 
 
 def _with_sides(
-    requires: Iterable[Require], columns: Mapping[str, Column], units: _Units, file: ast.File
+    requires: Iterable[Require], columns: Mapping[str, TableOrSizes], units: _Units, file: ast.File
 ) -> Iterator[Require]:
     """Yield conditions with their unit and with what was written, if anybody wrote them."""
     sides = (link for statement in every(file, ast.Require) for link in written.sides(statement))
@@ -169,14 +169,14 @@ def _with_sides(
         yield replace(require, written=shown, unit=units.first(require.dimension, line, names))
 
 
-def _units(line: Declared | Column) -> Iterator[str]:
+def _units(line: ParamOrLet | TableOrSizes) -> Iterator[str]:
     """Yield the units written in a line: that of its result, those of its numbers."""
     if isinstance(line, ast.Let) and line.unit:
         yield line.unit.text
     yield from (unit for e in _expressions(line) for unit in _in_numbers(e))
 
 
-def _expressions(line: Declared | Column) -> Iterable[ast.Expr]:
+def _expressions(line: ParamOrLet | TableOrSizes) -> Iterable[ast.Expr]:
     match line:
         case ast.Table(rows=rows):
             return chain.from_iterable(rows)

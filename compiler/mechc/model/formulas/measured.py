@@ -9,11 +9,11 @@ from ...named import NamedTuple
 from ...source import Span
 from ...units import Dimension
 from ..constants import rational, too_large
-from ..names.scope import Bare, Scope
+from ..names.scope import Bare, NameScope
 from .sorts import Nature, Sort, agreed
 
 
-class Quantity(NamedTuple):
+class MeasuredFormula(NamedTuple):
     """A formula in SI, what it measures and where it stands."""
 
     formula: Formula
@@ -32,7 +32,7 @@ def shown(formula: Formula) -> str:
     return text(formula) if value is None or too_large(value) else f"{float(value):g}"
 
 
-def fits(found: Quantity, dimension: Dimension, what: str, scope: Scope) -> bool:
+def fits(found: MeasuredFormula, dimension: Dimension, what: str, scope: NameScope) -> bool:
     """Return whether a quantity measures what is wanted; report where it does not."""
     if found.sort.fits(dimension):
         return True
@@ -47,7 +47,9 @@ def fits(found: Quantity, dimension: Dimension, what: str, scope: Scope) -> bool
     return False
 
 
-def _report_dimension(found: Quantity, dimension: Dimension, what: str, scope: Scope) -> None:
+def _report_dimension(
+    found: MeasuredFormula, dimension: Dimension, what: str, scope: NameScope
+) -> None:
     """Report a quantity of another dimension: of a name once, with where it is declared."""
     name = found.formula.name if isinstance(found.formula, Symbol) else ""
     declared = scope.declared(name)
@@ -61,13 +63,13 @@ def _report_dimension(found: Quantity, dimension: Dimension, what: str, scope: S
     scope.report.add(message)
 
 
-def _bare(found: Quantity, scope: Scope) -> Bare | None:
+def _bare(found: MeasuredFormula, scope: NameScope) -> Bare | None:
     """Return the number without unit that a quantity is made of, where it is one."""
     unitless = found.sort.nature is Nature.UNITLESS
     return scope.bare(found.formula) if unitless else None
 
 
-def alike(parts: list[Quantity], act: str, scope: Scope) -> Sort | None:
+def alike(parts: list[MeasuredFormula], act: str, scope: NameScope) -> Sort | None:
     """Return the sort that parts of a sum or comparison share; report where they do not."""
     if not parts:
         return None
@@ -84,7 +86,7 @@ def alike(parts: list[Quantity], act: str, scope: Scope) -> Sort | None:
     return sort
 
 
-def _differ(first: Quantity, part: Quantity, act: str, scope: Scope) -> None:
+def _differ(first: MeasuredFormula, part: MeasuredFormula, act: str, scope: NameScope) -> None:
     for bare, other in ((part, first), (first, part)):
         if bare.sort.nature is Nature.BARE or _bare(bare, scope):
             fits(bare, other.dimension, "a term", scope)
@@ -101,7 +103,7 @@ def _differ(first: Quantity, part: Quantity, act: str, scope: Scope) -> None:
     )
 
 
-def _names(parts: Iterable[Quantity], scope: Scope) -> list[tuple[str, Span]]:
+def _names(parts: Iterable[MeasuredFormula], scope: NameScope) -> list[tuple[str, Span]]:
     """Return the names among quantities, and where each is declared."""
     names = [part.formula.name for part in parts if isinstance(part.formula, Symbol)]
     places = [(name, scope.declared(name)) for name in names]

@@ -8,12 +8,12 @@ from ...diagnostics.model import sheets as messages
 from ...syntax import ast
 from ...units import FREQUENCY, LENGTH, NUMBER, POWER, TORQUE, UNITS, VELOCITY, Dimension
 from ..constants import expressions_in, leaves
-from ..names.scope import Scope
+from ..names.scope import NameScope
 
 AREA = LENGTH.scaled(2)
 
 
-def note_misplaced_unit(statement: ast.Let | ast.Param, found: Dimension, scope: Scope) -> None:
+def note_misplaced_unit(statement: ast.Let | ast.Param, found: Dimension, scope: NameScope) -> None:
     """Say of ``pi*d^2/4 mm^2`` that it is a number, of ``pi*d^2*0.25 mm^2`` that it is mm^4."""
     name, value = statement.name.text, statement.value
     if not isinstance(value, ast.Product):
@@ -48,7 +48,7 @@ def measured_twice(value: ast.Product, found: Dimension) -> ast.Number | None:
     return None
 
 
-def _note_divisor(name: str, value: ast.Product, has_unit: bool, scope: Scope) -> None:
+def _note_divisor(name: str, value: ast.Product, has_unit: bool, scope: NameScope) -> None:
     *others, last = value.factors
     if any(isinstance(factor, ast.Number) and factor.unit for _, factor in others):
         return
@@ -80,7 +80,7 @@ BY_A_FACTOR: Mapping[Dimension, str] = {POWER: "kW", TORQUE: "N*m", VELOCITY: "m
 """What has such a number in formulas of speeds, and the unit that it is to bring about."""
 
 
-def note_unit_factor(statement: ast.Let, dimension: Dimension, scope: Scope) -> None:
+def note_unit_factor(statement: ast.Let, dimension: Dimension, scope: NameScope) -> None:
     """Warn of a factor between units in a formula of a speed, which has its own unit here."""
     if statement.value is None or dimension not in BY_A_FACTOR:
         return

@@ -16,20 +16,20 @@ from ...syntax.vocabulary import points_of
 from ...units import ANGLE, DIMENSIONS, LENGTH, MASS, NUMBER, STIFFNESS, UNITS, Dimension
 from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
-from ..names.points import Points
-from ..names.scope import DESCRIPTION, Bare, Scope
+from ..names.points import PointTable
+from ..names.scope import DESCRIPTION, Bare, NameScope
 from ..tolerances import SAME_VALUE
 from .directions import is_beyond_a_turn, note_units
 from .expressions import Reader
-from .measured import Quantity, fits, shown
+from .measured import MeasuredFormula, fits, shown
 from .misplaced_units import note_misplaced_unit
 from .sorts import Nature
 
-Ends = tuple[Quantity, Quantity]
+RangeEnds = tuple[MeasuredFormula, MeasuredFormula]
 
 
 def read_parameter(
-    statement: ast.Param, scope: Scope, known: Mapping[str, Parameter]
+    statement: ast.Param, scope: NameScope, known: Mapping[str, Parameter]
 ) -> Parameter | None:
     """Read a ``param`` line; ``known`` are the parameters that it may depend on."""
     value = Reader(scope, DESCRIPTION).read(statement.value) if statement.value else None
@@ -62,7 +62,7 @@ def read_parameter(
     return replace(parameter, setting=scope.settings.get(name), replaced=replaced)
 
 
-def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:
+def constant(expression: ast.Expr, scope: NameScope, what: str) -> MeasuredFormula | None:
     """Read an expression that may mention no name; ``what`` names it in messages."""
     for symbol in names_in(expression):
         if symbol.name != "pi":
@@ -71,7 +71,7 @@ def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:
     return Reader(scope, DESCRIPTION).read(expression)
 
 
-def note_unitless(name: str, given: Quantity, scope: Scope) -> None:
+def note_unitless(name: str, given: MeasuredFormula, scope: NameScope) -> None:
     """State of a number without unit that it is one: 30 could be radians, but who means them?"""
     if given.sort.nature is Nature.BARE:
         is_number = not symbols(given.formula)  # what a table has for a name is none
@@ -81,7 +81,7 @@ def note_unitless(name: str, given: Quantity, scope: Scope) -> None:
 
 
 def read_tolerance(
-    expression: ast.Expr, dimension: Dimension | None, what: str, scope: Scope
+    expression: ast.Expr, dimension: Dimension | None, what: str, scope: NameScope
 ) -> Formula | None:
     """Read how far a quantity may be off: a positive constant of its dimension."""
     found = constant(expression, scope, "a tolerance")
@@ -96,7 +96,7 @@ def read_tolerance(
     return found.formula
 
 
-def _tolerance(parameter: Parameter, statement: ast.Param, scope: Scope) -> Formula | None:
+def _tolerance(parameter: Parameter, statement: ast.Param, scope: NameScope) -> Formula | None:
     if statement.tolerance is None:
         return None
     if parameter.dependent:
@@ -142,7 +142,7 @@ def _is_of_all(tolerance: Formula, given: Formula, parameter: Parameter, is_shee
     return 0 < abs(value) <= size and (parameter.dimension != ANGLE or low * high > 0)
 
 
-def _range(statement: ast.Param, scope: Scope) -> Ends | None:
+def _range(statement: ast.Param, scope: NameScope) -> RangeEnds | None:
     if statement.low is None or statement.high is None:
         return None
     low = constant(statement.low, scope, "an end of a range")
@@ -151,7 +151,7 @@ def _range(statement: ast.Param, scope: Scope) -> Ends | None:
 
 
 def _dimension(
-    statement: ast.Param, value: Quantity | None, ends: Ends | None, scope: Scope
+    statement: ast.Param, value: MeasuredFormula | None, ends: RangeEnds | None, scope: NameScope
 ) -> Dimension | None:
     """Return the dimension: the one declared, else the value's, else the range's.
 
@@ -174,9 +174,9 @@ def _dimension(
 def _consistent(
     statement: ast.Param,
     dimension: Dimension,
-    value: Quantity | None,
-    ends: Ends | None,
-    scope: Scope,
+    value: MeasuredFormula | None,
+    ends: RangeEnds | None,
+    scope: NameScope,
 ) -> bool:
     """Report a value or an end of the range that measures something else."""
     name = statement.name.text
@@ -191,7 +191,7 @@ def _consistent(
     return sound and (value is not None or statement.value is None)
 
 
-def _lacks_unit(statement: ast.Param, value: Quantity | None, scope: Scope) -> bool:
+def _lacks_unit(statement: ast.Param, value: MeasuredFormula | None, scope: NameScope) -> bool:
     """Report a number without unit whose tolerance has one: ``200 +- 0.5 mm``."""
     match statement.tolerance:
         case ast.Number(unit=unit) if unit and value and value.sort.nature is Nature.BARE:
@@ -201,7 +201,7 @@ def _lacks_unit(statement: ast.Param, value: Quantity | None, scope: Scope) -> b
             return False
 
 
-def _different(ends: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
+def _different(ends: tuple[MeasuredFormula, ...]) -> tuple[MeasuredFormula, ...]:
     """Return the ends of a range, one of them where both are the same sort of quantity."""
     first, *others = ends or (None,)
     alike = first is not None and all(first.sort == other.sort for other in others)
@@ -226,7 +226,7 @@ def _units(expression: ast.Expr, known: Mapping[str, Parameter]) -> Iterator[str
                 yield known[name].unit
 
 
-def _note_value(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
+def _note_value(parameter: Parameter, statement: ast.Param, scope: NameScope) -> None:
     """Keep the default value for later checks; report a formula that has none."""
     formula, name = parameter.value, parameter.name
     scope.sizes[name] = 1.0
@@ -247,7 +247,7 @@ def _note_value(parameter: Parameter, statement: ast.Param, scope: Scope) -> Non
         scope.values[name] = size
 
 
-def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
+def _check_range(parameter: Parameter, statement: ast.Param, scope: NameScope) -> None:
     if parameter.range is None or statement.low is None or statement.high is None:
         return
     edge = statement.low.span.to(statement.high.span)
@@ -275,7 +275,7 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
         scope.report.add(quantities.value_outside_range(span, parameter.name, edge))
 
 
-def warn_unused(parameters: Mapping[str, Parameter], scope: Scope) -> None:
+def warn_unused(parameters: Mapping[str, Parameter], scope: NameScope) -> None:
     """Warn of parameters that no formula mentions, those of what is used left out."""
     own = len(scope.report.source.text)
     for name, parameter in parameters.items():
@@ -299,7 +299,7 @@ def in_si(name: str, text: str, dimension: Dimension) -> float:
     """
     _, (value, source) = parse(f"{name}={text}", ORIGIN)
     report = Report(source)
-    scope = Scope(report, Points(report))
+    scope = NameScope(report, PointTable(report))
     found = constant(value, scope, "a value")
     if found is not None:
         fits(found, dimension, f"the value of {name}", scope)

@@ -48,10 +48,10 @@ FAR = 10**6
 DIGITS = 9
 """Lengths that agree in so many digits are equal."""
 
-Node = tuple[str, str]
+CarrierNode = tuple[str, str]
 """A ``point`` or a ``body`` by its name."""
 
-Adjacency = tuple[Node, Node, Hashable]
+Adjacency = tuple[CarrierNode, CarrierNode, Hashable]
 
 
 def is_held(point: str, mechanism: Mechanism) -> bool:
@@ -111,10 +111,10 @@ class Carriers:
 
     # ----------------------------------------------------------------- how all hangs together
 
-    def _labels(self) -> dict[Node, Hashable]:
+    def _labels(self) -> dict[CarrierNode, Hashable]:
         """Return the label of each point and body by itself, apart from its neighbours."""
         m = self._mechanism
-        labels: dict[Node, Hashable] = {}
+        labels: dict[CarrierNode, Hashable] = {}
         for point in {p for b in (*self._bodies, *m.slides) for p in b.points}:
             at = [self._role(k) for k in m.loads if isinstance(k, Force) and k.point == point]
             labels["point", point] = ("point", is_held(point, m), _counted(at))
@@ -213,14 +213,16 @@ def _bent(mechanism: Mechanism) -> Iterator[str]:
     yield from (name for joint in m.joints for name in joint.bodies)
 
 
-def refined(labels: Mapping[Node, Hashable], edges: Sequence[Adjacency]) -> Mapping[Node, int]:
+def refined(
+    labels: Mapping[CarrierNode, Hashable], edges: Sequence[Adjacency]
+) -> Mapping[CarrierNode, int]:
     """Return the place of each node among all, by its label and by those that surround it.
 
     Nodes that differ are distinguished by their neighbours round after round. The number of
     classes grows in each round but the last, and there are no more classes than nodes.
     """
     ranks = _ranked({node: repr(label) for node, label in labels.items()})
-    near: dict[Node, list[tuple[str, Node]]] = {node: [] for node in labels}
+    near: dict[CarrierNode, list[tuple[str, CarrierNode]]] = {node: [] for node in labels}
     for first, second, label in edges:
         if first in near and second in near:
             near[first].append((repr(label), second))
@@ -236,7 +238,7 @@ def refined(labels: Mapping[Node, Hashable], edges: Sequence[Adjacency]) -> Mapp
         ranks = finer
 
 
-def _ranked(labels: Mapping[Node, Any]) -> dict[Node, int]:
+def _ranked(labels: Mapping[CarrierNode, Any]) -> dict[CarrierNode, int]:
     """Return the place of each label among the different ones."""
     order: list[Any] = []
     for label in sorted(labels.values()):

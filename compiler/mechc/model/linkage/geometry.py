@@ -12,17 +12,17 @@ from ...units import ANGLE, LENGTH
 from ..formulas.directions import check_reach, read_direction, read_place, value_of
 from ..formulas.expressions import Reader
 from ..mechanism import Arrow, Geometry, Offset, Turn
-from ..names.scope import DESCRIPTION, Scope
+from ..names.scope import DESCRIPTION, NameScope
 
 
-class Ends(NamedTuple):
+class VectorEnds(NamedTuple):
     """The two points of a vector."""
 
     tail: str
     head: str
 
 
-def read_geometry(file: ast.File, scope: Scope) -> list[Geometry]:
+def read_geometry(file: ast.File, scope: NameScope) -> list[Geometry]:
     """Return every vector and angle of the description."""
     found: list[Geometry] = []
     first: dict[frozenset[str] | tuple[str, frozenset[str]], Span] = {}
@@ -30,7 +30,7 @@ def read_geometry(file: ast.File, scope: Scope) -> list[Geometry]:
         match statement:
             case ast.Vector(points=name):
                 points = scope.points.known(name)
-                entry = _vector(statement, Ends(*points), scope) if points else None
+                entry = _vector(statement, VectorEnds(*points), scope) if points else None
                 key: frozenset[str] | tuple[str, frozenset[str]] = frozenset(points or ())
             case ast.Turn(points=name):
                 points = scope.points.known(name)
@@ -48,7 +48,7 @@ def read_geometry(file: ast.File, scope: Scope) -> list[Geometry]:
     return found
 
 
-def _vector(statement: ast.Vector, ends: Ends, scope: Scope) -> Geometry | None:
+def _vector(statement: ast.Vector, ends: VectorEnds, scope: NameScope) -> Geometry | None:
     match statement.value:
         case ast.Cartesian() as place:
             offset = read_place(*ends, place, scope)
@@ -57,7 +57,9 @@ def _vector(statement: ast.Vector, ends: Ends, scope: Scope) -> Geometry | None:
             return _arrow(polar, ends, statement, scope)
 
 
-def _arrow(polar: ast.Polar, ends: Ends, statement: ast.Vector, scope: Scope) -> Arrow | None:
+def _arrow(
+    polar: ast.Polar, ends: VectorEnds, statement: ast.Vector, scope: NameScope
+) -> Arrow | None:
     length = _length(polar.length, statement, scope) if polar.length else None
     towards = polar.direction
     direction = read_direction(towards, scope, "the direction") if towards else None
@@ -66,7 +68,7 @@ def _arrow(polar: ast.Polar, ends: Ends, statement: ast.Vector, scope: Scope) ->
     return Arrow(*ends, length, direction, statement.span)
 
 
-def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | None:
+def _length(length: ast.Expr, statement: ast.Vector, scope: NameScope) -> Formula | None:
     """Read a length, which is positive at the given parameters."""
     formula = Reader(scope, DESCRIPTION).wanted(length, LENGTH, "the length")
     value = value_of(formula, scope) if formula else None
@@ -81,7 +83,7 @@ def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | 
     return formula
 
 
-def _long_enough(offset: Offset, statement: ast.Vector, scope: Scope) -> bool:
+def _long_enough(offset: Offset, statement: ast.Vector, scope: NameScope) -> bool:
     """Return whether a vector has a length; a coordinate that varies may pass zero.
 
     Reports E203 where it has none.
@@ -98,7 +100,7 @@ def _runs(offset: Offset) -> bool:
     return bool(symbols(offset.x) | symbols(offset.y))
 
 
-def _turn(statement: ast.Turn, points: tuple[str, ...], scope: Scope) -> Turn | None:
+def _turn(statement: ast.Turn, points: tuple[str, ...], scope: NameScope) -> Turn | None:
     angle = Reader(scope, DESCRIPTION).wanted(statement.angle, ANGLE, "the angle")
     if angle is None:
         return None
@@ -113,7 +115,7 @@ def _turn(statement: ast.Turn, points: tuple[str, ...], scope: Scope) -> Turn | 
     return Turn(first, vertex, second, angle, statement.span)
 
 
-def _count_uses(found: list[Geometry], scope: Scope) -> None:
+def _count_uses(found: list[Geometry], scope: NameScope) -> None:
     """Count a point as used where two entries meet in it, or one with the ground.
 
     It places something else: a pivot may be but the origin of vectors.

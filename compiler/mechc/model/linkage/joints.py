@@ -13,8 +13,8 @@ from ...units import LENGTH, UNITS
 from ..constants import last_digit, leaves
 from ..formulas.directions import read_direction, read_place, value_of
 from ..mechanism import Drawn, Geometry, Joint, Link, Offset, Pivot, Slider
-from ..names.points import CircularSlot, Points
-from ..names.scope import Scope
+from ..names.points import CircularSlot, PointTable
+from ..names.scope import NameScope
 from ..parts.joints import rope_id
 from ..statements import every
 
@@ -22,7 +22,7 @@ ACCOUNTED = 2
 """Units of the last digit of coordinates that a gap may be wide."""
 
 
-def declare_points(file: ast.File, points: Points) -> None:
+def declare_points(file: ast.File, points: PointTable) -> None:
     """Enter the points of every joint and body, and the links through them."""
     for statement in file.statements:
         match statement:
@@ -53,7 +53,7 @@ def declare_points(file: ast.File, points: Points) -> None:
         points.known(arc.about)
 
 
-def _add_link(name: ast.Name, label: str, points: Points) -> None:
+def _add_link(name: ast.Name, label: str, points: PointTable) -> None:
     carried = points.declare(name)
     if carried is None:
         return
@@ -61,19 +61,19 @@ def _add_link(name: ast.Name, label: str, points: Points) -> None:
         points.add(Link(name.text, carried, name.span, label))
 
 
-def _add_rope(route: Sequence[str], points: Points) -> None:
+def _add_rope(route: Sequence[str], points: PointTable) -> None:
     for ends in dict.fromkeys(map(frozenset, pairwise(route))):
         points.falls.setdefault(ends, []).append(rope_id(route))
 
 
-def _add_slide(name: ast.Name, points: Points) -> None:
+def _add_slide(name: ast.Name, points: PointTable) -> None:
     carried = points.declare(name)
     if carried and not _is_again(name, carried, points):
         points.used.update(carried)
         points.slides[frozenset(carried)] = name
 
 
-def _is_again(name: ast.Name, carried: Sequence[str], points: Points) -> bool:
+def _is_again(name: ast.Name, carried: Sequence[str], points: PointTable) -> bool:
     """Report a second body through the same points."""
     key = frozenset(carried)
     if other := points.bodies.get(key) or points.slides.get(key):
@@ -81,7 +81,7 @@ def _is_again(name: ast.Name, carried: Sequence[str], points: Points) -> bool:
     return other is not None
 
 
-def _check_joints(file: ast.File, points: Points) -> None:
+def _check_joints(file: ast.File, points: PointTable) -> None:
     """Report points that are pivot or slider twice, or both."""
     first: dict[str, tuple[str, Span]] = {}
     joints: list[ast.Pivot | ast.Slider] = [*every(file, ast.Pivot), *every(file, ast.Slider)]
@@ -97,7 +97,7 @@ def _check_joints(file: ast.File, points: Points) -> None:
             points.report.add(messages.pivot_and_slider(span, point, before[1]))
 
 
-def read_pivots(file: ast.File, scope: Scope) -> tuple[list[Pivot], list[Geometry]]:
+def read_pivots(file: ast.File, scope: NameScope) -> tuple[list[Pivot], list[Geometry]]:
     """Return the pivots, and the places given for them."""
     pivots: list[Pivot] = []
     places: list[Geometry] = []
@@ -109,7 +109,7 @@ def read_pivots(file: ast.File, scope: Scope) -> tuple[list[Pivot], list[Geometr
     return pivots, places
 
 
-def read_drawn(file: ast.File, scope: Scope) -> tuple[list[Drawn], list[Offset]]:
+def read_drawn(file: ast.File, scope: NameScope) -> tuple[list[Drawn], list[Offset]]:
     """Return where points are drawn, and the places of pivots among them.
 
     Reports a second place, and one without a value.
@@ -147,7 +147,9 @@ def _drawn(statement: ast.Drawn, place: Offset) -> Drawn:
     return Drawn(place.head, place.x, place.y, slack, unit, statement.span)
 
 
-def read_sliders(file: ast.File, scope: Scope) -> tuple[list[Slider], list[Pivot], list[Geometry]]:
+def read_sliders(
+    file: ast.File, scope: NameScope
+) -> tuple[list[Slider], list[Pivot], list[Geometry]]:
     """Return the sliders, with a fixed point and its place for each ``through (x, y)``."""
     sliders: list[Slider] = []
     pivots: list[Pivot] = []
@@ -164,7 +166,7 @@ def read_sliders(file: ast.File, scope: Scope) -> tuple[list[Slider], list[Pivot
     return sliders, pivots, places
 
 
-def _through(statement: ast.Slider, scope: Scope) -> str | Offset | None:
+def _through(statement: ast.Slider, scope: NameScope) -> str | Offset | None:
     """Return the pivot, or the made-up fixed point (``A_0`` for slider A), of a guide."""
     match statement.through:
         case None:
@@ -179,7 +181,7 @@ def _through(statement: ast.Slider, scope: Scope) -> str | Offset | None:
             return name.text
 
 
-def warn_idle(joints: Iterable[Joint], points: Points) -> None:
+def warn_idle(joints: Iterable[Joint], points: PointTable) -> None:
     """Warn of pivots and sliders that hold no link and that nothing uses."""
     for joint in joints:
         if not isinstance(joint, Pivot | Slider):

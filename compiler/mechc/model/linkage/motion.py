@@ -21,7 +21,7 @@ from ..formulas.expressions import Reader
 from ..formulas.measured import fits
 from ..formulas.parameters import constant
 from ..mechanism import Absolute, Arrow, Assembly, Drive, Mechanism, Offset, Parameter, Turn
-from ..names.scope import DESCRIPTION, Entry, Scope
+from ..names.scope import DESCRIPTION, NameScope, ScopeEntry
 from ..statements import every
 from ..tolerances import SAME_VALUE, VANISHED
 from ..values import Chain, dependent
@@ -33,7 +33,7 @@ STRAY = 0.01
 """The part of a stroke by which the default pose is off it before that is remarked upon."""
 
 
-def read_drives(file: ast.File, scope: Scope) -> list[Drive]:
+def read_drives(file: ast.File, scope: NameScope) -> list[Drive]:
     """Return the driving coordinates with their strokes: the first one moves.
 
     No other parameter may enter a stroke.
@@ -49,7 +49,7 @@ def read_drives(file: ast.File, scope: Scope) -> list[Drive]:
     return list(found.values())
 
 
-def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
+def _drive(statement: ast.Drive, file: ast.File, scope: NameScope) -> Drive | None:
     ends = _link_ends(statement.name, scope)
     name = _of_a_link(statement.name, file, scope) if ends else statement.name
     entry = scope.entries.get(name.text)
@@ -74,7 +74,7 @@ def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
     return Drive(*own, ends=ends, speed=speed, start=start, turns=turns)
 
 
-def _report_no_parameter(name: ast.Name, file: ast.File, scope: Scope) -> None:
+def _report_no_parameter(name: ast.Name, file: ast.File, scope: NameScope) -> None:
     """Report that a drive names no parameter, and what it may be meant to name."""
     is_guided = any(s.point.text == name.text for s in every(file, ast.Slider))
     hint = messages.driven_by_points(name.text, is_guided) if points_of(name.text) else ""
@@ -82,7 +82,10 @@ def _report_no_parameter(name: ast.Name, file: ast.File, scope: Scope) -> None:
 
 
 def _note_units(
-    statement: ast.Drive, ends: tuple[Formula | None, ...], measured: Dimension | None, scope: Scope
+    statement: ast.Drive,
+    ends: tuple[Formula | None, ...],
+    measured: Dimension | None,
+    scope: NameScope,
 ) -> None:
     """Note a stroke in two units, but one beyond a turn: W245 says how many turns it is."""
     sizes = [value_of(end, scope) or 0.0 for end in ends if end is not None]
@@ -96,7 +99,7 @@ def _keep_stroke(
     ends: tuple[float, float],
     start: Formula | None,
     name: ast.Name,
-    scope: Scope,
+    scope: NameScope,
 ) -> None:
     """Keep the stroke of what is driven by points for its range; remark on a start beyond it."""
     low, high = min(ends), max(ends)
@@ -108,7 +111,7 @@ def _keep_stroke(
     scope.report.add(quantities.value_outside_range(given, name.text, first.to(last)))
 
 
-def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
+def _speed(speed: ast.Expr | None, name: ast.Name, scope: NameScope) -> Formula | None:
     """Return the rate of the coordinate in time, which may rest on parameters."""
     dimension = scope.entries[name.text].dimension
     if speed is None or dimension is None:
@@ -119,7 +122,7 @@ def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | No
     return rate
 
 
-def _link_ends(name: ast.Name, scope: Scope) -> tuple[str, str] | None:
+def _link_ends(name: ast.Name, scope: NameScope) -> tuple[str, str] | None:
     """Return the two points that a drive names, where it names no parameter."""
     match points_of(name.text):
         case (tail, head) if name.text not in scope.entries:
@@ -128,15 +131,15 @@ def _link_ends(name: ast.Name, scope: Scope) -> tuple[str, str] | None:
             return None
 
 
-def _of_a_link(vector: ast.Name, file: ast.File, scope: Scope) -> ast.Name:
+def _of_a_link(vector: ast.Name, file: ast.File, scope: NameScope) -> ast.Name:
     """Return the name of what a driven link changes, and enter it: its direction or length."""
     name = ast.Name(f"phi_{vector.text}", vector.span)
     ends = set(scope.points.known(vector) or ())
     if any(ends == set(points_of(t.points.text)) for t in every(file, ast.Telescope)):
         name = ast.Name(f"len_{vector.text}", vector.span)
-        scope.enter(name.text, Entry("parameter", vector.span, LENGTH))
+        scope.enter(name.text, ScopeEntry("parameter", vector.span, LENGTH))
     elif ends and any(ends <= set(link.points) for link in scope.points.links.values()):
-        scope.enter(name.text, Entry("parameter", vector.span, ANGLE))
+        scope.enter(name.text, ScopeEntry("parameter", vector.span, ANGLE))
     elif ends:
         scope.report.add(drawn.driven_between_bodies(vector.span, vector.text))
     return name
@@ -186,7 +189,7 @@ def _strays(parameter: Parameter, low: float, high: float) -> bool:
     return low < high and abs(gap) > (0.5 + STRAY) * (high - low)
 
 
-def _end(end: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
+def _end(end: ast.Expr | None, name: ast.Name, scope: NameScope) -> Formula | None:
     """Return one end of the stroke, a constant of the coordinate's dimension."""
     found = constant(end, scope, "an end of a stroke") if end else None
     dimension = scope.entries[name.text].dimension
@@ -196,7 +199,7 @@ def _end(end: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
     return found.formula if sound else None
 
 
-def read_assemblies(file: ast.File, scope: Scope) -> list[Assembly]:
+def read_assemblies(file: ast.File, scope: NameScope) -> list[Assembly]:
     """Return the closures that are meant: the turn of three points, or a place on a guide."""
     guided = scope.points.guided | {s.point.text for s in every(file, ast.Slot)}
     found: list[Assembly] = []

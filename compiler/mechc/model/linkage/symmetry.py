@@ -33,7 +33,7 @@ from ..mechanism import (
     Slider,
     WheelPair,
 )
-from ..names.scope import Scope
+from ..names.scope import NameScope
 from ..parts.linkage import primed
 from ..statements import every, only
 from ..tolerances import SAME_VECTOR
@@ -43,7 +43,7 @@ MOST_COPIES = 1000
 
 
 def read_mirror(
-    file: ast.File, guided: Sequence[Slider | Slide], loads: Sequence[Load], scope: Scope
+    file: ast.File, guided: Sequence[Slider | Slide], loads: Sequence[Load], scope: NameScope
 ) -> Mirror | None:
     """Return the mirror.
 
@@ -74,7 +74,7 @@ def _guided_apart(
     guided: Sequence[Slider | Slide],
     across: Direction,
     shared: Sequence[str],
-    scope: Scope,
+    scope: NameScope,
 ) -> Iterator[str]:
     """Yield the points that slide along the mirror line where the halves share no moving point."""
     pivots = {statement.point.text for statement in every(file, ast.Pivot)}
@@ -89,7 +89,7 @@ def _off_the_line(
     loads: Sequence[Load],
     across: Direction,
     shared: Sequence[str],
-    scope: Scope,
+    scope: NameScope,
 ) -> Iterator[tuple[Span, str]]:
     """Yield the parts off the mirror line that both halves share, and where they are."""
     for load in loads:
@@ -103,7 +103,9 @@ def _off_the_line(
             yield body.along.span, f"the guide of the shared {common}"
 
 
-def check_shared_vectors(mirror: Mirror | None, geometry: Sequence[Geometry], scope: Scope) -> None:
+def check_shared_vectors(
+    mirror: Mirror | None, geometry: Sequence[Geometry], scope: NameScope
+) -> None:
     """Report vectors between points that both lie on the mirror line, and that do not."""
     for entry in geometry if mirror else ():
         if not mirror or not isinstance(entry, Arrow) or entry.direction is None:
@@ -114,7 +116,7 @@ def check_shared_vectors(mirror: Mirror | None, geometry: Sequence[Geometry], sc
             scope.report.add(load_words.off_the_mirror(entry.span, what, mirror.span))
 
 
-def check_turning_on_the_line(mechanism: Mechanism, scope: Scope) -> None:
+def check_turning_on_the_line(mechanism: Mechanism, scope: NameScope) -> None:
     """Warn of screws and wheels on the line of symmetry: each part has one, though one is seen."""
     for joint in mechanism.joints if mechanism.symmetries else ():
         match joint:
@@ -131,7 +133,7 @@ def check_turning_on_the_line(mechanism: Mechanism, scope: Scope) -> None:
                 pass
 
 
-def _check_screw(screw: Screw, mechanism: Mechanism, scope: Scope) -> None:
+def _check_screw(screw: Screw, mechanism: Mechanism, scope: NameScope) -> None:
     """Warn of a screw that is described for each part, and has no place of its own in one."""
     points = next(k.points for k in mechanism.links if k.name == screw.link)
     placed = {place.head for place in mechanism.geometry if isinstance(place, Offset)}
@@ -145,7 +147,7 @@ def _check_screw(screw: Screw, mechanism: Mechanism, scope: Scope) -> None:
     scope.report.add(wheel_words.screw_in_each_part(screw.span, *found))
 
 
-def check_shared_places(mechanism: Mechanism, scope: Scope) -> None:
+def check_shared_places(mechanism: Mechanism, scope: NameScope) -> None:
     """Report drawn points that both halves share and that are not on one line across the mirror."""
     mirror, slacks = mechanism.mirror, {d.point: d.slack for d in mechanism.drawn}
     if mirror is None or not isinstance(mirror.across, Absolute):
@@ -164,7 +166,7 @@ def check_shared_places(mechanism: Mechanism, scope: Scope) -> None:
             scope.report.add(load_words.off_the_mirror(span, what, mirror.span))
 
 
-def _placed(mechanism: Mechanism, scope: Scope) -> Iterator[tuple[str, tuple[float, float]]]:
+def _placed(mechanism: Mechanism, scope: NameScope) -> Iterator[tuple[str, tuple[float, float]]]:
     """Yield the points that are drawn where their coordinates have values, with these."""
     for point, at in drawn_places(mechanism).items():
         x, y = (value_of(part, scope) for part in at)
@@ -172,18 +174,18 @@ def _placed(mechanism: Mechanism, scope: Scope) -> Iterator[tuple[str, tuple[flo
             yield point, (x, y)
 
 
-def _symmetric(load: Force, across: Direction, shared: Sequence[str], scope: Scope) -> bool:
+def _symmetric(load: Force, across: Direction, shared: Sequence[str], scope: NameScope) -> bool:
     """Return whether a force acts on both halves alike: gravity and forces on shared points."""
     bound = load.weight or load.point in shared
     return not bound or parallel(load.along, across, scope)
 
 
-def _shared(sharing: Sequence[ast.Name], scope: Scope) -> tuple[str, ...]:
+def _shared(sharing: Sequence[ast.Name], scope: NameScope) -> tuple[str, ...]:
     found = [scope.points.acting(name) for name in sharing]
     return tuple(dict.fromkeys(points[0] for points in found if points))
 
 
-def _check_twins(shared: Sequence[str], mirror: Span, scope: Scope) -> None:
+def _check_twins(shared: Sequence[str], mirror: Span, scope: NameScope) -> None:
     places = scope.points.places
     for point in places:
         twin = primed(point)
@@ -191,7 +193,7 @@ def _check_twins(shared: Sequence[str], mirror: Span, scope: Scope) -> None:
             scope.report.add(messages.twin_declared(places[twin], twin, point, mirror))
 
 
-def read_copies(file: ast.File, scope: Scope) -> Copies | None:
+def read_copies(file: ast.File, scope: NameScope) -> Copies | None:
     """Return how many identical branches the description stands for."""
     statement = only(file, ast.Copies)
     if statement is None:
@@ -211,7 +213,7 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
     return Copies(value, shared, statement.span)
 
 
-def check_axis_of_copies(mechanism: Mechanism, scope: Scope) -> None:
+def check_axis_of_copies(mechanism: Mechanism, scope: NameScope) -> None:
     """Warn of points that copies share and no guide keeps on their axis."""
     copies = mechanism.copies
     guided = {slider.point for slider in mechanism.each(Slider)} | mechanism.fixed

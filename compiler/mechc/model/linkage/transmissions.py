@@ -11,7 +11,7 @@ from ...frozen import replace
 from ...syntax import ast
 from ..formulas.directions import read_direction
 from ..mechanism import (
-    Along,
+    AlongLine,
     ArcSlot,
     Contact,
     Direction,
@@ -24,23 +24,23 @@ from ..mechanism import (
     Slot,
     Telescope,
 )
-from ..names.scope import Scope
+from ..names.scope import NameScope
 from ..statements import every
 from .wheels import radius_of, read_wheels, wheel_on
 
 
-def read_slides(file: ast.File, scope: Scope) -> tuple[Slide, ...]:
+def read_slides(file: ast.File, scope: NameScope) -> tuple[Slide, ...]:
     """Return the bodies that only translate."""
     loose = {s.point.text for s in every(file, ast.Slider) if s.through is None}
     return tuple(found(_slide(s, loose, scope) for s in every(file, ast.Slide)))
 
 
-def read_telescopes(file: ast.File, scope: Scope) -> tuple[Telescope, ...]:
+def read_telescopes(file: ast.File, scope: NameScope) -> tuple[Telescope, ...]:
     """Return the links of variable length."""
     return tuple(found(_telescope(s, scope) for s in every(file, ast.Telescope)))
 
 
-def read_joints(file: ast.File, slides: Sequence[Slide], scope: Scope) -> tuple[Joint, ...]:
+def read_joints(file: ast.File, slides: Sequence[Slide], scope: NameScope) -> tuple[Joint, ...]:
     """Return every joint of the description that is neither pin nor guide, kind by kind."""
     return (
         *found(_slot(s, slides, scope) for s in every(file, ast.Slot) if s.about is None),
@@ -60,7 +60,7 @@ def found(items: Iterable[T | None]) -> Iterable[T]:
     return (item for item in items if item is not None)
 
 
-def _slide(statement: ast.Slide, loose: Collection[str], scope: Scope) -> Slide | None:
+def _slide(statement: ast.Slide, loose: Collection[str], scope: NameScope) -> Slide | None:
     """Return a slide; a slider of its own that says where its guide lies is no repetition.
 
     ``loose`` are the sliders that do not.
@@ -74,7 +74,7 @@ def _slide(statement: ast.Slide, loose: Collection[str], scope: Scope) -> Slide 
     return Slide(statement.points.text, points, along, statement.span)
 
 
-def _telescope(statement: ast.Telescope, scope: Scope) -> Telescope | None:
+def _telescope(statement: ast.Telescope, scope: NameScope) -> Telescope | None:
     points = scope.points.known(statement.points)
     if not points:
         return None
@@ -83,7 +83,7 @@ def _telescope(statement: ast.Telescope, scope: Scope) -> Telescope | None:
     return Telescope(statement.points.text, (points[0], points[1]), statement.span)
 
 
-def _body(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> Link | Slide | None:
+def _body(name: ast.Name, slides: Iterable[Slide], scope: NameScope) -> Link | Slide | None:
     """Return the link or slide that points name."""
     points = scope.points.known(name)
     if not points:
@@ -93,7 +93,7 @@ def _body(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> Link | Slide
 
 
 def _on_line(
-    point: ast.Name, line: ast.Name, slides: Iterable[Slide], scope: Scope
+    point: ast.Name, line: ast.Name, slides: Iterable[Slide], scope: NameScope
 ) -> tuple[str, Link | Slide, str, str] | None:
     """Return a pin, the body on whose line it slides, and the two points of the line."""
     acting = scope.points.acting(point)
@@ -107,7 +107,7 @@ def _on_line(
     return acting[0], body, ends[0], ends[1]
 
 
-def _slot(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> Slot | None:
+def _slot(statement: ast.Slot, slides: Iterable[Slide], scope: NameScope) -> Slot | None:
     held = _on_line(statement.point, statement.line, slides, scope)
     if held is None:
         return None
@@ -116,7 +116,7 @@ def _slot(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> Slot | 
     return _guiding(slot, statement.guided, scope) if statement.guided else slot
 
 
-def _guiding(slot: Slot, name: ast.Name, scope: Scope) -> Slot | None:
+def _guiding(slot: Slot, name: ast.Name, scope: NameScope) -> Slot | None:
     """Return a slot whose block is fast in a link, which has to have the pin."""
     guided = scope.points.link(name)
     if guided is None:
@@ -128,12 +128,16 @@ def _guiding(slot: Slot, name: ast.Name, scope: Scope) -> Slot | None:
     return replace(slot, guided=guided.name)
 
 
-def read_arcs(file: ast.File, slides: Sequence[Slide], scope: Scope) -> list[tuple[str, ArcSlot]]:
+def read_arcs(
+    file: ast.File, slides: Sequence[Slide], scope: NameScope
+) -> list[tuple[str, ArcSlot]]:
     """Return the circular slots with the pins in them."""
     return list(found(_arc(s, slides, scope) for s in every(file, ast.Slot)))
 
 
-def _arc(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> tuple[str, ArcSlot] | None:
+def _arc(
+    statement: ast.Slot, slides: Iterable[Slide], scope: NameScope
+) -> tuple[str, ArcSlot] | None:
     if statement.about is None or statement.radius is None:
         return None
     held = _on_line(statement.point, statement.line, slides, scope)
@@ -148,7 +152,7 @@ def _arc(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> tuple[st
     return point, ArcSlot(body.name, centre[0], radius, statement.span)
 
 
-def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: Scope) -> Contact | None:
+def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: NameScope) -> Contact | None:
     held = _on_line(statement.point, statement.line, slides, scope)
     normal = read_direction(statement.normal, scope)
     if held is None or normal is None:
@@ -160,7 +164,7 @@ def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: Scope) -> C
 # ------------------------------------------------------------------- racks, screws
 
 
-def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: Scope) -> Rack | None:
+def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: NameScope) -> Rack | None:
     point = _guided(statement.point, slides, scope)
     link = wheel_on(statement.pivot, scope)
     radius = radius_of(statement.radius, scope, signed=True)
@@ -169,7 +173,7 @@ def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: Scope) -> Rack | 
     return Rack(point, statement.pivot.text, link.name, radius, statement.span)
 
 
-def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: Scope) -> Screw | None:
+def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: NameScope) -> Screw | None:
     point = _guided(statement.point, slides, scope)
     link = scope.points.link(statement.link)
     pitch = radius_of(statement.pitch, scope, signed=True, what="a pitch")
@@ -182,7 +186,7 @@ def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: Scope) -> Screw
     return Screw(point, pitch, link.name, statement.span)
 
 
-def _guided(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> str | None:
+def _guided(name: ast.Name, slides: Iterable[Slide], scope: NameScope) -> str | None:
     """Return a slider, or a point of a body that only translates."""
     points = scope.points.acting(name)
     if not points:
@@ -193,7 +197,7 @@ def _guided(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> str | None
     return points[0]
 
 
-def read_ropes(file: ast.File, scope: Scope) -> Iterator[Rope]:
+def read_ropes(file: ast.File, scope: NameScope) -> Iterator[Rope]:
     """Yield the ropes; their lengths determine no pose, so that none goes with a drive."""
     for statement in every(file, ast.Rope):
         rope = _rope(statement, scope)
@@ -204,7 +208,7 @@ def read_ropes(file: ast.File, scope: Scope) -> Iterator[Rope]:
             scope.report.add(messages.rope_with_drive(statement.span, drive.span))
 
 
-def _rope(statement: ast.Rope, scope: Scope) -> Rope | None:
+def _rope(statement: ast.Rope, scope: NameScope) -> Rope | None:
     names = [statement.start, *(point for point, _ in statement.falls)]
     route = [point[0] for point in map(scope.points.acting, names) if point]
     ways = [_way(tail, head, along, scope) for tail, (head, along) in _falls(statement)]
@@ -217,7 +221,7 @@ def _rope(statement: ast.Rope, scope: Scope) -> Rope | None:
     return Rope(tuple(route), tuple(way for way in ways if way), statement.span)
 
 
-def _warn_of_friction(rope: Rope, file: ast.File, scope: Scope) -> None:
+def _warn_of_friction(rope: Rope, file: ast.File, scope: NameScope) -> None:
     """Warn of friction that is given for pins on which pulleys turn."""
     axles = list(dict.fromkeys(rope.route[1:-1]))
     for friction in every(file, ast.PinFriction):
@@ -233,9 +237,9 @@ def _falls(statement: ast.Rope) -> Iterator[tuple[ast.Name, ast.Fall]]:
 
 
 def _way(
-    tail: ast.Name, head: ast.Name, along: ast.Direction | None, scope: Scope
+    tail: ast.Name, head: ast.Name, along: ast.Direction | None, scope: NameScope
 ) -> Direction | None:
     """Return the direction of a fall: that which is written, else from point to point."""
     if along is not None:
         return read_direction(along, scope)
-    return Along(tail.text, head.text, 0, head.span)
+    return AlongLine(tail.text, head.text, 0, head.span)

@@ -13,13 +13,13 @@ from ...units import LENGTH
 from ..formulas.directions import value_of
 from ..formulas.expressions import Reader
 from ..mechanism import Geometry, Joint, Link, Offset, WheelPair
-from ..names.scope import DESCRIPTION, Scope
+from ..names.scope import DESCRIPTION, NameScope
 from ..parts.linkage import without_prime
 from ..statements import every
 from ..tolerances import SAME_VALUE
 
 
-def read_wheels(file: ast.File, scope: Scope) -> Iterator[WheelPair]:
+def read_wheels(file: ast.File, scope: NameScope) -> Iterator[WheelPair]:
     """Yield the pairs of gears and the belts, in the order of the text."""
     is_mirrored = bool(every(file, ast.Mirror))
     for statement in file.statements:
@@ -30,7 +30,7 @@ def read_wheels(file: ast.File, scope: Scope) -> Iterator[WheelPair]:
             yield from (pair,) if pair else ()
 
 
-def _pair(statement: ast.Gear | ast.Belt, scope: Scope) -> WheelPair | None:
+def _pair(statement: ast.Gear | ast.Belt, scope: NameScope) -> WheelPair | None:
     centres = [scope.points.acting(name) for name in (statement.first, statement.second)]
     radii = [radius_of(r, scope) for r in (statement.first_radius, statement.second_radius)]
     if not all(centres) or radii[0] is None or radii[1] is None:
@@ -55,14 +55,14 @@ def _pair(statement: ast.Gear | ast.Belt, scope: Scope) -> WheelPair | None:
     return WheelPair(kind, *ends[0], *ends[1], same, statement.span, arm)
 
 
-def _alike(radii: Iterable[Formula | None], scope: Scope) -> bool:
+def _alike(radii: Iterable[Formula | None], scope: NameScope) -> bool:
     """Return whether two radii are one and the same, by their values or as they are written."""
     first, second = (radius for radius in radii if radius)
     sizes = value_of(first, scope), value_of(second, scope)
     return first == second or (None not in sizes and sizes[0] == sizes[1])
 
 
-def _arm(statement: ast.Gear | ast.Belt, scope: Scope) -> str | None:
+def _arm(statement: ast.Gear | ast.Belt, scope: NameScope) -> str | None:
     """Return the link that carries both centres, '' for the ground; None where it is reported.
 
     A slide that carries them does not turn, as the ground does not. Pivots at one place are
@@ -87,14 +87,14 @@ def _arm(statement: ast.Gear | ast.Belt, scope: Scope) -> str | None:
     return None
 
 
-def _links(statement: ast.Gear | ast.Belt, arm: str, scope: Scope) -> tuple[str, str] | None:
+def _links(statement: ast.Gear | ast.Belt, arm: str, scope: NameScope) -> tuple[str, str] | None:
     """Return the bodies that the wheels are fixed to, '' for the ground."""
     first = _fixed_to(statement.first, statement.first_link, arm, scope)
     second = _fixed_to(statement.second, statement.second_link, arm, scope)
     return None if first is None or second is None else (first, second)
 
 
-def _fixed_to(centre: ast.Name, on: ast.Name | None, arm: str, scope: Scope) -> str | None:
+def _fixed_to(centre: ast.Name, on: ast.Name | None, arm: str, scope: NameScope) -> str | None:
     if on is None:
         link = _only_link(centre, arm, scope)
     elif on.text == GROUND:
@@ -115,7 +115,7 @@ def _fixed_to(centre: ast.Name, on: ast.Name | None, arm: str, scope: Scope) -> 
     return link.name
 
 
-def wheel_on(pivot: ast.Name, scope: Scope) -> Link | None:
+def wheel_on(pivot: ast.Name, scope: NameScope) -> Link | None:
     """Return the one link on a pivot, to which the wheel there is fixed."""
     points = scope.points.acting(pivot)
     if not points:
@@ -129,7 +129,7 @@ def wheel_on(pivot: ast.Name, scope: Scope) -> Link | None:
     return link
 
 
-def _only_link(centre: ast.Name, arm: str, scope: Scope) -> Link | None:
+def _only_link(centre: ast.Name, arm: str, scope: NameScope) -> Link | None:
     """Return the one link on a centre beside the arm."""
     links = [k for k in scope.points.carried.get(centre.text, []) if k.name != arm]
     if len(links) == 1:
@@ -140,7 +140,7 @@ def _only_link(centre: ast.Name, arm: str, scope: Scope) -> Link | None:
 
 
 def radius_of(
-    radius: ast.Expr, scope: Scope, signed: bool = False, what: str = "a radius"
+    radius: ast.Expr, scope: NameScope, signed: bool = False, what: str = "a radius"
 ) -> Formula | None:
     """Return a radius or a pitch; only one that is ``signed`` may be negative."""
     formula = Reader(scope, DESCRIPTION).wanted(radius, LENGTH, what)
@@ -152,7 +152,7 @@ def radius_of(
     return formula
 
 
-def check_belts(joints: Iterable[Joint], places: Iterable[Geometry], scope: Scope) -> None:
+def check_belts(joints: Iterable[Joint], places: Iterable[Geometry], scope: NameScope) -> None:
     """Report belts whose wheels overlap, where the places of both pivots are given."""
     known = [place for place in places if isinstance(place, Offset)]
     located = {place.head: _values((place.x, place.y), scope) for place in known}
@@ -169,14 +169,14 @@ def check_belts(joints: Iterable[Joint], places: Iterable[Geometry], scope: Scop
             scope.report.add(messages.wheels_overlap(mesh.span, pivots, apart, sum(radii)))
 
 
-def _values(formulas: Iterable[Formula], scope: Scope) -> list[float] | None:
+def _values(formulas: Iterable[Formula], scope: NameScope) -> list[float] | None:
     """Return the values at the given parameters; None where one of them has none."""
     values = [value_of(formula, scope) for formula in formulas]
     known = [value for value in values if value is not None]
     return known if len(known) == len(values) else None
 
 
-def _joins_halves(statement: ast.Gear | ast.Belt, scope: Scope) -> bool:
+def _joins_halves(statement: ast.Gear | ast.Belt, scope: NameScope) -> bool:
     """Return whether a wheel is on the twin of a described point, which is reported."""
     first, second = statement.first.text, statement.second.text
     for name in (statement.first, statement.second):

@@ -27,7 +27,7 @@ _SEVERAL_POINTS = frozenset({"omega", "phi", "len"})
 _ONE_POINT = frozenset({"V", "R"})
 
 
-class Form(NamedTuple):
+class ReservedName(NamedTuple):
     """A reserved name taken apart: ``omega_OB`` is ``omega`` of O and B, ``V_D_x`` has an axis."""
 
     prefix: str
@@ -35,29 +35,29 @@ class Form(NamedTuple):
     axis: Literal["", "x", "y"] = ""
 
 
-def form_of(name: str) -> Form | None:
+def form_of(name: str) -> ReservedName | None:
     """Take a reserved name apart; None for any other name.
 
     >>> form_of("omega_OB"), form_of("R_o"), form_of("phi_A")
-    (Form(prefix='omega', points=('O', 'B'), axis=''), None, None)
+    (ReservedName(prefix='omega', points=('O', 'B'), axis=''), None, None)
     >>> form_of("V_D_x"), form_of("omega_OB_x")
-    (Form(prefix='V', points=('D',), axis='x'), None)
+    (ReservedName(prefix='V', points=('D',), axis='x'), None)
     """
     match = _FORM.fullmatch(name)
     points = points_of(match[2]) if match else ()
     if not match or not points or (match[3] and match[1] != "V"):
         return None
     misfits = _ONE_POINT if len(points) > 1 else _SEVERAL_POINTS
-    return None if match[1] in misfits else Form(match[1], points, AXES[match[3]])
+    return None if match[1] in misfits else ReservedName(match[1], points, AXES[match[3]])
 
 
-def form_of_pose(name: str) -> Form | None:
+def form_of_pose(name: str) -> ReservedName | None:
     """Take a name apart that stands for something of the pose, ``x_B`` too where none has it.
 
     >>> form_of_pose("y_B"), form_of_pose("y_AB"), form_of_pose("phi_AB")
-    (Form(prefix='y', points=('B',), axis=''), None, Form(prefix='phi', points=('A', 'B'), axis=''))
+    (ReservedName(prefix='y', points=('B',), axis=''), None, ReservedName(prefix='phi', points=('A', 'B'), axis=''))
     """
     if match := _COORDINATE.fullmatch(name):
         points = points_of(match[2])
-        return Form(match[1], points) if len(points) == 1 else None
+        return ReservedName(match[1], points) if len(points) == 1 else None
     return form_of(name)

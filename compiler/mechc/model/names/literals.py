@@ -41,9 +41,9 @@ from ..mechanism import (
     Offset,
     Parameter,
 )
-from .scope import Named
+from .scope import NamedNumber
 
-Key = tuple[str, str, Formula]
+LengthKey = tuple[str, str, Formula]
 """A number of metres: the kind of length, whose it is, and the number."""
 
 
@@ -51,18 +51,18 @@ Measures = Mapping[str, Dimension]
 """What names measure; an angle, as a factor, is a pure number."""
 
 
-class Names(NamedTuple):
+class LengthNaming(NamedTuple):
     """What stands for numbers of metres, and what names measure."""
 
-    known: Mapping[Key, Formula]
+    known: Mapping[LengthKey, Formula]
     measures: Measures
 
 
-Lengths = Mapping[tuple[str, str], Formula]
+LengthNames = Mapping[tuple[str, str], Formula]
 """The lengths of vectors, by their ends."""
 
 
-class Quantity(NamedTuple):
+class NamedLength(NamedTuple):
     """A length of the description under the name that it gets where it is a number."""
 
     kind: str
@@ -76,12 +76,12 @@ class Quantity(NamedTuple):
         return f"{self.kind}_{self.of}"
 
     @property
-    def key(self) -> Key:
+    def key(self) -> LengthKey:
         """Return the key by which it is one: a wheel of two pairs is one wheel."""
         return self.kind, self.of, self.formula
 
 
-def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -> Mechanism:
+def with_names(mechanism: Mechanism, file: ast.File, named: Collection[NamedNumber]) -> Mechanism:
     """Return the mechanism with a named quantity for each length that is a number.
 
     ``named`` are the numbers that have names already, with their places.
@@ -92,19 +92,19 @@ def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -
     if not literals and not named:
         return mechanism
     taken, written = _names(mechanism) | {n.symbol.name for n in named}, tuple(_written(file))
-    known: dict[Key, Formula] = {}
+    known: dict[LengthKey, Formula] = {}
     parameters = [_parameter(*one, written) for one in named]
     for literal in literals:
         symbol = Constant(_free(literal.name, taken), literal.formula)
         known[literal.key] = symbol
         parameters.append(_parameter(symbol, LENGTH, literal.span, written))
-    return _put(replace(mechanism, literals=tuple(parameters)), Names(known, measures))
+    return _put(replace(mechanism, literals=tuple(parameters)), LengthNaming(known, measures))
 
 
 # ----------------------------------------------------------------------- what is a number
 
 
-def _lengths(mechanism: Mechanism) -> Iterator[Quantity]:
+def _lengths(mechanism: Mechanism) -> Iterator[NamedLength]:
     made = _reaches(mechanism.loads).keys()
     for entry in mechanism.geometry:
         if (
@@ -112,15 +112,15 @@ def _lengths(mechanism: Mechanism) -> Iterator[Quantity]:
             and entry.length is not None
             and (entry.tail, entry.head) not in made
         ):
-            yield Quantity("len", f"{entry.tail}{entry.head}", entry.length, entry.span)
+            yield NamedLength("len", f"{entry.tail}{entry.head}", entry.length, entry.span)
 
 
-def _coordinates(mechanism: Mechanism) -> Iterator[Quantity]:
+def _coordinates(mechanism: Mechanism) -> Iterator[NamedLength]:
     for entry in mechanism.geometry:
         if isinstance(entry, Offset):
             vector = _vector(entry.tail, entry.head)
-            yield Quantity("x", vector, entry.x, entry.span)
-            yield Quantity("y", vector, entry.y, entry.span)
+            yield NamedLength("x", vector, entry.x, entry.span)
+            yield NamedLength("y", vector, entry.y, entry.span)
 
 
 def _vector(tail: str, head: str) -> str:
@@ -128,12 +128,12 @@ def _vector(tail: str, head: str) -> str:
     return f"{tail}{head}".replace("_", "")
 
 
-def _of_joints(mechanism: Mechanism) -> Iterator[Quantity]:
+def _of_joints(mechanism: Mechanism) -> Iterator[NamedLength]:
     for joint in mechanism.joints:
-        yield from (Quantity(*size, joint.span) for size in joint.sizes)
+        yield from (NamedLength(*size, joint.span) for size in joint.sizes)
 
 
-def _numbers(quantity: Quantity, measures: Measures) -> Iterator[Quantity]:
+def _numbers(quantity: NamedLength, measures: Measures) -> Iterator[NamedLength]:
     """Yield a length that is a number, or those in it that are: ``2*(d + 15 mm)``."""
     if _is_number(quantity.formula):
         yield quantity
@@ -274,7 +274,7 @@ def _written(node: object) -> Iterator[ast.Number]:
         yield from _written(part)
 
 
-def _put(mechanism: Mechanism, names: Names) -> Mechanism:
+def _put(mechanism: Mechanism, names: LengthNaming) -> Mechanism:
     """Return the mechanism with numbers replaced by what stands for them."""
     lengths = {
         (e.tail, e.head): length
@@ -293,12 +293,12 @@ def _put(mechanism: Mechanism, names: Names) -> Mechanism:
     )
 
 
-def _between(tail: str, head: str, lengths: Lengths) -> Formula | None:
+def _between(tail: str, head: str, lengths: LengthNames) -> Formula | None:
     """Return the named length that is given of a vector or of its opposite."""
     return lengths.get((tail, head), lengths.get((head, tail)))
 
 
-def _link(link: Link, lengths: Lengths) -> Link:
+def _link(link: Link, lengths: LengthNames) -> Link:
     if link.arc is None:
         return link
     centre, pin = link.points
@@ -306,13 +306,13 @@ def _link(link: Link, lengths: Lengths) -> Link:
     return replace(link, arc=replace(link.arc, radius=radius))
 
 
-def _reaches(loads: Iterable[Load]) -> Lengths:
+def _reaches(loads: Iterable[Load]) -> LengthNames:
     """Return how far along its stretch each spread load acts, by the vector to its point."""
     spread = [(k.point, k.spread) for k in loads if isinstance(k, Force) and k.spread]
     return {(found.tail, point): found.reach for point, found in spread}
 
 
-def _load(load: Load, lengths: Lengths) -> Load:
+def _load(load: Load, lengths: LengthNames) -> Load:
     """Return a load; one that is spread out over a length that is a number, by its name.
 
     So is a spring between points at a distance that is one.
@@ -330,7 +330,7 @@ def _load(load: Load, lengths: Lengths) -> Load:
     return replace(load, spread=spread, tie=spread.resultant)
 
 
-def _entry(entry: Geometry, names: Names, lengths: Lengths) -> Geometry:
+def _entry(entry: Geometry, names: LengthNaming, lengths: LengthNames) -> Geometry:
     match entry:
         case Arrow(tail, head) if (tail, head) in lengths:
             return replace(entry, length=lengths[tail, head])
@@ -342,7 +342,7 @@ def _entry(entry: Geometry, names: Names, lengths: Lengths) -> Geometry:
             return entry
 
 
-def _named(kind: str, of: str, length: Formula, names: Names) -> Formula:
+def _named(kind: str, of: str, length: Formula, names: LengthNaming) -> Formula:
     """Return a length with names for the numbers that it is, or that are lengths in it."""
     if (kind, of, length) in names.known:
         return names.known[kind, of, length]

@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterable, Mapping
 from ...diagnostics.model import names as messages
 from ...syntax import ast
 from ..parts.targets import WITH_FRICTION
-from .forms import COORDINATES, Form, form_of, form_of_pose
+from .forms import COORDINATES, ReservedName, form_of, form_of_pose
 
 OF_THE_POSE = frozenset({"phi", "len", *COORDINATES})
 """The quantities that a mechanism has without being asked."""
@@ -50,7 +50,7 @@ def reason(name: str, use: ast.Brought, known: Collection[str]) -> str:
     return messages.found_if_asked(use.used, ideal, _alike(form, use, known)) if form else ""
 
 
-def _alike(form: Form, use: ast.Brought, known: Iterable[str]) -> list[str]:
+def _alike(form: ReservedName, use: ast.Brought, known: Iterable[str]) -> list[str]:
     """Return the names of one form under a prefix, as ``M_R_C`` of forces: one may be meant."""
     begins = f"{use.prefix}_"
     own = ((name, form_of(name.removeprefix(begins))) for name in known if name.startswith(begins))

@@ -21,7 +21,7 @@ class CircularSlot(NamedTuple):
     about: ast.Name
 
 
-class Points:
+class PointTable:
     """The points of one description, filled while its joints are read.
 
     ``places`` are where each point was first named; ``carried`` the links through it,

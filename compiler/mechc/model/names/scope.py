@@ -7,7 +7,7 @@ from typing import Literal
 from ...diagnostics import Report
 from ...diagnostics.model import names as messages
 from ...formula.evaluate import evaluate
-from ...formula.names import Name, another, split_name
+from ...formula.names import ParsedName, another, split_name
 from ...formula.tree import ZERO, Constant, Formula, Number
 from ...formula.walk import symbols
 from ...named import NamedTuple
@@ -17,12 +17,12 @@ from ...syntax.vocabulary import points_of
 from ...units import PARTS, Dimension
 from . import not_brought
 from .forms import FORMS, form_of, form_of_pose
-from .points import Points
+from .points import PointTable
 
-Kind = Literal["parameter", "let", "load", "result", "table", "list"]
+NameKind = Literal["parameter", "let", "load", "result", "table", "list"]
 
 
-class Entry(NamedTuple):
+class ScopeEntry(NamedTuple):
     """What a name stands for. ``dimension`` is None where an error hid it.
 
     ``plain`` states of a ``let`` that it depends on no loads and results, ``solved`` that it
@@ -31,7 +31,7 @@ class Entry(NamedTuple):
     numbers without unit only; where it is one such number, that is ``bare``.
     """
 
-    kind: Kind
+    kind: NameKind
     span: Span
     dimension: Dimension | None = None
     plain: bool = True
@@ -48,7 +48,7 @@ class Bare(NamedTuple):
     span: Span
 
 
-class Named(NamedTuple):
+class NamedNumber(NamedTuple):
     """A number under a name that it was given, and where it stands."""
 
     symbol: Constant
@@ -65,7 +65,7 @@ class Usage(NamedTuple):
     mention ``phi_AB`` and ``len_AB``.
     """
 
-    kinds: frozenset[Kind]
+    kinds: frozenset[NameKind]
     wanted: str
     plain: bool = True
     feeds: bool = True
@@ -91,7 +91,7 @@ AXES = {
 """What people call the directions of the axes."""
 
 
-class Scope:
+class NameScope:
     """The names of one description, filled while it is read.
 
     ``lets`` holds the names of all lets, which are entered behind what is asked for, and
@@ -104,11 +104,11 @@ class Scope:
     prefix. Of a calculation ``sheet`` a condition keeps the names of lets.
     """
 
-    def __init__(self, report: Report, points: Points, sheet: bool = False) -> None:
+    def __init__(self, report: Report, points: PointTable, sheet: bool = False) -> None:
         self.report = report
         self.sheet = sheet
         self.points = points
-        self.entries: dict[str, Entry] = {}
+        self.entries: dict[str, ScopeEntry] = {}
         self.used: set[str] = set()
         self.feeding: set[str] = set()
         self.lets: set[str] = set()
@@ -116,23 +116,23 @@ class Scope:
         self.settings: dict[str, Span] = {}
         self.sizes: dict[str, float] = {}
         self.ranges: dict[str, tuple[float, float]] = {}
-        self.constants: dict[tuple[str, Formula], Named] = {}
+        self.constants: dict[tuple[str, Formula], NamedNumber] = {}
         self.shared = frozenset[Formula]()
         self.shared_sizes = frozenset[tuple[str, Formula]]()
         self.brought: dict[str, ast.Brought] = {}
-        self._on_paper: dict[Name, str] = {}
+        self._on_paper: dict[ParsedName, str] = {}
         self._misfits: set[tuple[str, Dimension]] = set()
         self._unknowns: set[tuple[str, str]] = set()
 
-    def declare(self, name: ast.Name, kind: Kind, dimension: Dimension | None = None) -> bool:
+    def declare(self, name: ast.Name, kind: NameKind, dimension: Dimension | None = None) -> bool:
         """Enter a name; False where it is taken or reserved, which is reported."""
         if form := form_of(name.text):
             meaning = f"{FORMS[form.prefix]} {''.join(form.points)}"
             self.report.add(messages.reserved_form(name.span, name.text, meaning))
             return False
-        return self.enter(name.text, Entry(kind, name.span, dimension))
+        return self.enter(name.text, ScopeEntry(kind, name.span, dimension))
 
-    def enter(self, name: str, entry: Entry) -> bool:
+    def enter(self, name: str, entry: ScopeEntry) -> bool:
         """Enter a name made up by the compiler or vetted before; False where it is taken."""
         first = self.entries.get(name)
         if first and first.span == entry.span:
@@ -191,7 +191,7 @@ class Scope:
             taken = {*self.entries, *(known.symbol.name for known in self.constants.values())}
             while name in taken:
                 name = another(name)
-            self.constants[key] = Named(Constant(name, formula), dimension, span)
+            self.constants[key] = NamedNumber(Constant(name, formula), dimension, span)
         return self.constants[key].symbol
 
     def first_misfit(self, name: str, wanted: Dimension) -> bool:
@@ -264,7 +264,7 @@ class Scope:
             place = use.span if use else None
             self.report.add(messages.unknown_name(span, name, offered, hint, place))
 
-    def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
+    def look_up(self, symbol: ast.Symbol, usage: Usage) -> ScopeEntry | None:
         """Return the entry of a name in a formula; None where that is an error."""
         entry = self.entries.get(symbol.name)
         if entry is None:
@@ -304,7 +304,7 @@ class Scope:
         """Return the value of a formula of the description, what is open being 1."""
         return evaluate(formula, dict.fromkeys(symbols(formula), 1.0) | self.sizes)
 
-    def names(self, kinds: Iterable[Kind]) -> list[str]:
+    def names(self, kinds: Iterable[NameKind]) -> list[str]:
         """Return the names of some kinds, in order of declaration."""
         return [name for name, entry in self.entries.items() if entry.kind in kinds]
 

@@ -63,7 +63,7 @@ class OnLink:
 # ---------------------------------------------------------------------------- sizes
 
 
-class Size(NamedTuple):
+class SizeLetter(NamedTuple):
     """A radius, or a pitch, by the letter of its name and the point that it is of: ``r_O``."""
 
     letter: str
@@ -77,7 +77,7 @@ class Unsized:
     __slots__ = ()
 
     @property
-    def sizes(self) -> tuple[Size, ...]:
+    def sizes(self) -> tuple[SizeLetter, ...]:
         """Return its radii and its pitch: none."""
         return ()
 

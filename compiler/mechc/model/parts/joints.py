@@ -12,7 +12,17 @@ from typing import Literal
 from ...formula.tree import Formula, negative, total
 from ...frozen import frozen, replace
 from ...source import Span
-from .holding import Feed, HoldsNothing, Meshing, OnePoint, OnGround, OnLine, Size, Tied, Unsized
+from .holding import (
+    Feed,
+    HoldsNothing,
+    Meshing,
+    OnePoint,
+    OnGround,
+    OnLine,
+    SizeLetter,
+    Tied,
+    Unsized,
+)
 from .linkage import Direction
 
 
@@ -155,10 +165,10 @@ class WheelPair(Meshing):
         return (*wheels, Tied(self.arm, "", arm))
 
     @property
-    def sizes(self) -> tuple[Size, Size]:
+    def sizes(self) -> tuple[SizeLetter, SizeLetter]:
         """Return the radii of both wheels."""
-        first = Size("r", self.first, self.first_radius)
-        return first, Size("r", self.second, self.second_radius)
+        first = SizeLetter("r", self.first, self.first_radius)
+        return first, SizeLetter("r", self.second, self.second_radius)
 
     def with_sizes(self, formulas: Sequence[Formula]) -> "WheelPair":
         """Return the pair with other radii."""
@@ -211,9 +221,9 @@ class Rack(Feed):
         return self.pivot
 
     @property
-    def sizes(self) -> tuple[Size]:
+    def sizes(self) -> tuple[SizeLetter]:
         """Return the radius of the gear."""
-        return (Size("r", self.pivot, self.radius),)
+        return (SizeLetter("r", self.pivot, self.radius),)
 
     def with_sizes(self, formulas: Sequence[Formula]) -> "Rack":
         """Return the rack with another radius of its gear."""
@@ -259,9 +269,9 @@ class Screw(Feed):
         return True
 
     @property
-    def sizes(self) -> tuple[Size]:
+    def sizes(self) -> tuple[SizeLetter]:
         """Return the pitch."""
-        return (Size("p", self.point, self.pitch),)
+        return (SizeLetter("p", self.point, self.pitch),)
 
     def with_sizes(self, formulas: Sequence[Formula]) -> "Screw":
         """Return the screw with another pitch."""

@@ -25,7 +25,7 @@ class Absolute:
 
 
 @frozen
-class Along:
+class AlongLine:
     """The direction from ``tail`` to ``head``, turned by ``quarter`` · 90° (0 … 3)."""
 
     tail: str
@@ -34,7 +34,7 @@ class Along:
     span: Span
 
 
-Direction = Absolute | Along
+Direction = Absolute | AlongLine
 
 
 # -------------------------------------------------------------------------- bodies

@@ -13,8 +13,8 @@ from ...frozen import frozen, replace
 from ...named import NamedTuple
 from ...source import Span
 from ...units import NUMBER, Dimension
-from .targets import Target
-from .written import Written, WrittenSides
+from .targets import ResultTarget
+from .written import WrittenFormula, WrittenSides
 
 
 class Interval(NamedTuple):
@@ -47,7 +47,7 @@ class Parameter:
     about: str = ""
     dependent: bool = False
     tolerance: Formula | None = None
-    written: Written | None = None
+    written: WrittenFormula | None = None
     setting: Span | None = None
     replaced: Formula | None = None
     outside: Formula | None = None
@@ -71,7 +71,7 @@ class Find:
     """A result asked for. An unnamed one is called ``P_over_F``, ``V_D_over_V_A``, ``P``."""
 
     name: str
-    target: Target
+    target: ResultTarget
     span: Span
 
 
@@ -89,7 +89,7 @@ class Let:
     span: Span
     unit: str = ""
     label: str = ""
-    written: Written | None = None
+    written: WrittenFormula | None = None
 
 
 @frozen

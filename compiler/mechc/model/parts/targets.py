@@ -118,10 +118,10 @@ class Efficiency:
     sense: Sense
 
 
-Target = LoadRatio | LoadForm | SpeedRatio | ForceAtJoint | WithFriction | Efficiency
+ResultTarget = LoadRatio | LoadForm | SpeedRatio | ForceAtJoint | WithFriction | Efficiency
 
 
-def whole(target: Target) -> Target:
+def whole(target: ResultTarget) -> ResultTarget:
     """Return the force that a component or a direction is a part of; else the target itself.
 
     >>> whole(WithFriction(Reaction("O", "", "x"), "tightening"))
@@ -143,7 +143,7 @@ WITH_FRICTION = ("_f", "_f1", HOLDING)
 """What the names of results with friction end in."""
 
 
-def drives_from_below(target: Target | None, name: str, driven: bool | None) -> bool:
+def drives_from_below(target: ResultTarget | None, name: str, driven: bool | None) -> bool:
     """Return whether the load below the line drives, as ``motion releasing`` of ``N/P`` means.
 
     Of ``k_hold`` it does as well, but there the load above the line is what is looked at.
@@ -159,7 +159,9 @@ def drives_from_below(target: Target | None, name: str, driven: bool | None) -> 
             return False
 
 
-def drives_the_return(target: Target | None, driven: bool | None, value: float | None) -> bool:
+def drives_the_return(
+    target: ResultTarget | None, driven: bool | None, value: float | None
+) -> bool:
     """Return whether a load that others would drive back has to drive itself: they are held.
 
     Its power, that of a unit of its motion, is positive then, as that of k_hold < 0 is.

@@ -40,7 +40,7 @@ class WrittenTable:
 
 
 @frozen
-class Written:
+class WrittenFormula:
     """A user-defined formula as it is written.
 
     One that is looked up has the ``kind`` of what it is ``of``; the formula is what that is asked
@@ -61,17 +61,17 @@ class WrittenSides:
     label: str = ""
 
 
-def let_value(value: ast.LetValue) -> Written:
+def let_value(value: ast.LetValue) -> WrittenFormula:
     """Return a user-defined formula as it is written."""
     match value:
         case ast.Choice():
-            return Written(_choice(value))
+            return WrittenFormula(_choice(value))
         case ast.Lookup(table, at, exactly=exactly):
-            return Written(expression(at), "row" if exactly else "table", table.text)
+            return WrittenFormula(expression(at), "row" if exactly else "table", table.text)
         case ast.NextSize(least, sizes):
-            return Written(expression(least), "list", sizes.text)
+            return WrittenFormula(expression(least), "list", sizes.text)
         case _:
-            return Written(expression(value))
+            return WrittenFormula(expression(value))
 
 
 def tables(statements: Iterable[ast.Statement]) -> tuple[WrittenTable, ...]:

@@ -16,13 +16,13 @@ from ...frozen import replace
 from ...syntax import ast
 from ...units import NUMBER, Dimension, in_unit, si_unit
 from ..constants import last_digit
-from ..formulas.definitions import Definitions, written_out
+from ..formulas.definitions import DefinedValues, written_out
 from ..formulas.expressions import Reader
-from ..formulas.measured import Quantity, alike, fits
+from ..formulas.measured import MeasuredFormula, alike, fits
 from ..formulas.parameters import constant, read_tolerance
 from ..formulas.sorts import Nature
 from ..mechanism import Expect, Find, Require, Subject
-from ..names.scope import CONDITION, EXPECTED, Scope
+from ..names.scope import CONDITION, EXPECTED, NameScope
 from ..statements import every
 from ..tolerances import SAME_VALUE
 from ..values import Chain, Values, compare, holds
@@ -30,7 +30,9 @@ from . import failures
 from .finds import read_target
 
 
-def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -> Formula:
+def _of_parameters(
+    found: MeasuredFormula, lets: Mapping[str, Formula], scope: NameScope
+) -> Formula:
     """Return the formula with every let that is no parameter written out.
 
     A sheet's conditions keep the names that people wrote: its lets have values as parameters do.
@@ -46,7 +48,7 @@ def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -
 # ---------------------------------------------------------------------- conditions
 
 
-def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Require]:
+def read_requires(file: ast.File, found: DefinedValues, scope: NameScope) -> list[Require]:
     """Return every condition; a chain is split into its links."""
     lets = written_out(found, scope)
     values = Chain({let.name: let.value for let in found.lets.values()}).complete(scope.values)
@@ -75,7 +77,7 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
     return [*sorted(found.requires, key=lambda r: r.span), *requires]
 
 
-def _remark_on(conditions: Sequence[Require], found: Definitions, scope: Scope) -> None:
+def _remark_on(conditions: Sequence[Require], found: DefinedValues, scope: NameScope) -> None:
     """Say of a condition that it names nothing, or that it holds at one value alone."""
     for condition in conditions:
         sides = condition.left, condition.right
@@ -89,17 +91,17 @@ def _remark_on(conditions: Sequence[Require], found: Definitions, scope: Scope) 
                 scope.report.add(doubts.condition_of_one_value(condition.span, free[0]))
 
 
-def _is_free(name: str, found: Definitions) -> bool:
+def _is_free(name: str, found: DefinedValues) -> bool:
     parameter = found.parameters.get(name)
     return parameter is not None and not parameter.dependent
 
 
-def implied(found: Definitions) -> Iterator[Require]:
+def implied(found: DefinedValues) -> Iterator[Require]:
     """Yield what tables, lists and choices demand, for when the pose and results are known."""
     return (require for require in found.requires if not _is_range(require))
 
 
-def _refuse_without(implied: Sequence[Require], values: Values, scope: Scope) -> None:
+def _refuse_without(implied: Sequence[Require], values: Values, scope: NameScope) -> None:
     """Report the tables, choices and lists that have no value at those of a mechanism.
 
     Where a sheet is given what is outside its range, that alone is reported.
@@ -125,7 +127,7 @@ def _is_range(require: Require) -> bool:
 
 
 def _ranges(
-    found: Definitions, lets: Mapping[str, Formula], values: Values, scope: Scope
+    found: DefinedValues, lets: Mapping[str, Formula], values: Values, scope: NameScope
 ) -> Iterator[Require]:
     """Yield that what a mechanism gives to sheets is in the ranges that these have for it."""
     refused = set[str]()
@@ -161,7 +163,7 @@ def _outside(require: Require, subject: Subject, values: Values) -> Diagnostic |
 
 
 def read_expects(
-    file: ast.File, finds: Sequence[Find], found: Definitions, scope: Scope
+    file: ast.File, finds: Sequence[Find], found: DefinedValues, scope: NameScope
 ) -> list[Expect]:
     """Return the expected values of results, and their tolerances."""
     subjects = _subjects(file, finds, found, scope)
@@ -185,7 +187,7 @@ def _expect(
     subject: str | None,
     dimension: Dimension | None,
     lets: Mapping[str, Formula],
-    scope: Scope,
+    scope: NameScope,
 ) -> Expect | None:
     """Return an expectation; None where it is of no result, or where it cannot be read."""
     value = Reader(scope, EXPECTED).read(statement.value)
@@ -198,7 +200,9 @@ def _expect(
     return Expect(subject, formula, at, tolerance, statement.span, stated)
 
 
-def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: Scope) -> Fraction:
+def _tolerance(
+    statement: ast.Expect, value: MeasuredFormula, formula: Formula, scope: NameScope
+) -> Fraction:
     """Return how far a figure may be off, in SI: as stated, or half of its last digit."""
     if statement.tolerance is None:
         return half_a_digit(statement.value)
@@ -217,7 +221,7 @@ def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: 
 
 
 def _subjects(
-    file: ast.File, finds: Sequence[Find], found: Definitions, scope: Scope
+    file: ast.File, finds: Sequence[Find], found: DefinedValues, scope: NameScope
 ) -> dict[str, Dimension | None]:
     """Return the possible subjects of expectations: finds, lets of results, used results."""
     known = [find.name for find in finds] + [n for n in found.lets if n not in scope.feeding]
@@ -225,7 +229,7 @@ def _subjects(
     return {name: scope.entries[name].dimension for name in known}
 
 
-def _failed(file: ast.File, known: Mapping[str, object], found: Definitions) -> set[str]:
+def _failed(file: ast.File, known: Mapping[str, object], found: DefinedValues) -> set[str]:
     """Return the names of results that were reported already.
 
     They are of finds that ask for nothing, and of lets that cannot be read. Without any result,
@@ -241,7 +245,7 @@ def _failed(file: ast.File, known: Mapping[str, object], found: Definitions) -> 
 
 
 def _subject(
-    subject: ast.Expr, finds: Sequence[Find], known: Mapping[str, object], scope: Scope
+    subject: ast.Expr, finds: Sequence[Find], known: Mapping[str, object], scope: NameScope
 ) -> str | None:
     """Return the name of a result that is named or repeated as a ratio."""
     match subject:
@@ -261,11 +265,13 @@ def _subject(
     return None
 
 
-def _suits(value: Quantity, dimension: Dimension | None, what: str, scope: Scope) -> bool:
+def _suits(
+    value: MeasuredFormula, dimension: Dimension | None, what: str, scope: NameScope
+) -> bool:
     return dimension is None or fits(value, dimension, what, scope)
 
 
-def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
+def _settings(statement: ast.Expect, scope: NameScope) -> dict[str, Formula]:
     """Return the values behind ``at``."""
     at: dict[str, Formula] = {}
     for name, expression in statement.at:
@@ -278,7 +284,7 @@ def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
     return at
 
 
-def _setting(name: ast.Name, expression: ast.Expr, scope: Scope) -> Formula | None:
+def _setting(name: ast.Name, expression: ast.Expr, scope: NameScope) -> Formula | None:
     """Return the value that a parameter or a load is set to, None where that is wrong."""
     entry, what = scope.entries.get(name.text), f"the value of '{name.text}'"
     value = constant(expression, scope, what)
@@ -295,7 +301,7 @@ def _setting(name: ast.Name, expression: ast.Expr, scope: Scope) -> Formula | No
     return None
 
 
-def _remark_on_setting(name: ast.Name, value: float, scope: Scope) -> None:
+def _remark_on_setting(name: ast.Name, value: float, scope: NameScope) -> None:
     """Say that a parameter is set to a value outside its range."""
     if ends := scope.ranges.get(name.text):
         slack = SAME_VALUE * max(map(abs, ends))

@@ -13,14 +13,14 @@ from ..mechanism import (
     ForceAtJoint,
     LoadForm,
     LoadRatio,
+    ResultTarget,
     Sense,
     Speed,
     SpeedRatio,
-    Target,
     WithFriction,
 )
-from ..names.forms import COORDINATES, Form, form_of, form_of_pose
-from ..names.scope import Entry, Scope
+from ..names.forms import COORDINATES, ReservedName, form_of, form_of_pose
+from ..names.scope import NameScope, ScopeEntry
 from ..parts.linkage import PRIME
 from ..parts.targets import HOLDING, WITH_FRICTION
 from ..statements import every, only
@@ -38,12 +38,12 @@ class Operand(NamedTuple):
 class AskedTarget(NamedTuple):
     """A target, what it measures, and the name it gets where the user gave none."""
 
-    target: Target
+    target: ResultTarget
     dimension: Dimension
     name: str
 
 
-def read_finds(file: ast.File, scope: Scope) -> list[Find]:
+def read_finds(file: ast.File, scope: NameScope) -> list[Find]:
     """Return every find and enter its name; points and loads are known by now.
 
     Behind them stand those that friction adds.
@@ -63,7 +63,7 @@ def read_finds(file: ast.File, scope: Scope) -> list[Find]:
     return finds
 
 
-def _remark_on_names(file: ast.File, scope: Scope) -> None:
+def _remark_on_names(file: ast.File, scope: NameScope) -> None:
     """Say which results have a name as those with friction have, and are the ideal ones."""
     for statement in every(file, ast.Find):
         name = statement.name
@@ -74,13 +74,15 @@ def _remark_on_names(file: ast.File, scope: Scope) -> None:
             scope.report.add(messages.named_as_with_friction(name.span, name.text, stem))
 
 
-def _with_friction(find: Find, sense: Sense, has_friction: bool, scope: Scope) -> Iterator[Find]:
+def _with_friction(
+    find: Find, sense: Sense, has_friction: bool, scope: NameScope
+) -> Iterator[Find]:
     """Yield the load or ratio with friction, to first order, when holding, its efficiency."""
     of = find.target
     if not isinstance(of, LoadRatio | LoadForm | ForceAtJoint):
         return
     dimension = scope.entries[find.name].dimension
-    more: list[tuple[str, Target, Dimension | None]] = [
+    more: list[tuple[str, ResultTarget, Dimension | None]] = [
         (f"{find.name}_f", WithFriction(of, sense), dimension)
     ]
     if isinstance(of, ForceAtJoint):
@@ -91,11 +93,11 @@ def _with_friction(find: Find, sense: Sense, has_friction: bool, scope: Scope) -
             more.append((f"{find.name}{HOLDING}", WithFriction(of, "releasing"), dimension))
         more.append((f"eta_{find.name}", Efficiency(of, sense), NUMBER))
     for name, target, measure in more:
-        if scope.enter(name, Entry("result", find.span, measure)):
+        if scope.enter(name, ScopeEntry("result", find.span, measure)):
             yield Find(name, target, find.span)
 
 
-def _read(statement: ast.Find, scope: Scope) -> Iterator[Find]:
+def _read(statement: ast.Find, scope: NameScope) -> Iterator[Find]:
     target = statement.target
     if isinstance(target, ast.Symbol) and (form := _joint_force(target)):
         yield from _reactions(statement, target, form, scope)
@@ -108,33 +110,37 @@ def _read(statement: ast.Find, scope: Scope) -> Iterator[Find]:
         yield Find(name, asked.target, target.span)
 
 
-def _joint_force(symbol: ast.Symbol) -> Form | None:
+def _joint_force(symbol: ast.Symbol) -> ReservedName | None:
     form = form_of(symbol.name)
     return form if form and form.prefix in "RN" else None
 
 
-def _reactions(statement: ast.Find, symbol: ast.Symbol, form: Form, scope: Scope) -> Iterator[Find]:
+def _reactions(
+    statement: ast.Find, symbol: ast.Symbol, form: ReservedName, scope: NameScope
+) -> Iterator[Find]:
     """Enter a force at a joint: ``R_B``, or ``R_B_on_AB`` where the link is named."""
     on = f"_on_{statement.on.text}" if statement.on else ""
     name = statement.name.text if statement.name else symbol.name.replace(PRIME, "p") + on
     for suffix, target, dimension in read_reaction(symbol, form, statement.on, scope):
-        entry = Entry("result", symbol.span, dimension)
+        entry = ScopeEntry("result", symbol.span, dimension)
         if scope.enter(name + suffix, entry):
             yield Find(name + suffix, target, symbol.span)
 
 
-def _entered(statement: ast.Find, asked: AskedTarget, scope: Scope) -> str | None:
+def _entered(statement: ast.Find, asked: AskedTarget, scope: NameScope) -> str | None:
     """Enter the name of a find; a load asked for may go by its own."""
     if statement.name and statement.name.text != asked.name:
         entered = scope.declare(statement.name, "result", asked.dimension)
         return statement.name.text if entered else None
     if isinstance(asked.target, LoadForm):
         return asked.name
-    entry = Entry("result", statement.target.span, asked.dimension)
+    entry = ScopeEntry("result", statement.target.span, asked.dimension)
     return asked.name if scope.enter(asked.name, entry) else None
 
 
-def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> AskedTarget | None:
+def read_target(
+    target: ast.Expr, scope: NameScope, on: ast.Name | None = None
+) -> AskedTarget | None:
     """Read what is asked for; None where an error in it was reported."""
     match target:
         case ast.Symbol() as symbol:
@@ -149,7 +155,7 @@ def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> A
     return asked
 
 
-def _single(symbol: ast.Symbol, scope: Scope) -> AskedTarget | None:
+def _single(symbol: ast.Symbol, scope: NameScope) -> AskedTarget | None:
     form = form_of_pose(symbol.name) if symbol.name not in scope.entries else None
     if form and (form.prefix not in COORDINATES or form.points[0] in scope.points.places):
         is_speed = form.prefix in ("V", "omega")
@@ -161,11 +167,11 @@ def _single(symbol: ast.Symbol, scope: Scope) -> AskedTarget | None:
     return AskedTarget(LoadForm(symbol.name), part.dimension, symbol.name) if part else None
 
 
-def _ratio(above: ast.Symbol, below: ast.Symbol, scope: Scope) -> AskedTarget | None:
+def _ratio(above: ast.Symbol, below: ast.Symbol, scope: NameScope) -> AskedTarget | None:
     first, second = _part(above, scope), _part(below, scope)
     if first is None or second is None:
         return None
-    target: Target
+    target: ResultTarget
     match first.quantity, second.quantity:
         case str(p), str(q) if p != q:
             target = LoadRatio(p, q)
@@ -180,12 +186,12 @@ def _ratio(above: ast.Symbol, below: ast.Symbol, scope: Scope) -> AskedTarget | 
     return AskedTarget(target, dimension, f"{first.name}_over_{second.name}")
 
 
-def _part(symbol: ast.Symbol, scope: Scope) -> Operand | None:
+def _part(symbol: ast.Symbol, scope: NameScope) -> Operand | None:
     form = form_of(symbol.name)
     return _velocity(symbol, form, scope) if form else _load(symbol, scope)
 
 
-def _load(symbol: ast.Symbol, scope: Scope, alone: bool = False) -> Operand | None:
+def _load(symbol: ast.Symbol, scope: NameScope, alone: bool = False) -> Operand | None:
     entry = scope.entries.get(symbol.name)
     if entry is None and symbol.name in scope.lets:
         scope.report.add(messages.let_asked_for(symbol.span, symbol.name, alone))
@@ -201,7 +207,7 @@ def _load(symbol: ast.Symbol, scope: Scope, alone: bool = False) -> Operand | No
     return Operand(symbol.name, entry.dimension, symbol.name)
 
 
-def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Operand | None:
+def _velocity(symbol: ast.Symbol, form: ReservedName, scope: NameScope) -> Operand | None:
     """Read ``V_D``, ``V_D_x`` or ``omega_OB``."""
     points = ast.Name("".join(form.points), symbol.span)
     identifier = symbol.name.replace(PRIME, "p")
@@ -216,7 +222,9 @@ def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Operand | None:
             return None
 
 
-def _point_velocity(point: ast.Name, form: Form, identifier: str, scope: Scope) -> Operand | None:
+def _point_velocity(
+    point: ast.Name, form: ReservedName, identifier: str, scope: NameScope
+) -> Operand | None:
     if not scope.points.acting(point):
         return None
     if point.text in scope.points.fixed:

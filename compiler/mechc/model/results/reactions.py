@@ -14,14 +14,14 @@ from ..mechanism import (
     Mechanism,
     Normal,
     Reaction,
+    ResultTarget,
     Slider,
-    Target,
 )
-from ..names.forms import Form
-from ..names.scope import Scope
+from ..names.forms import ReservedName
+from ..names.scope import NameScope
 from ..parts.friction import PinFriction, RopeFriction
 
-Ending = tuple[str, Target, Dimension]
+Ending = tuple[str, ResultTarget, Dimension]
 """The end of a result's name, what it is and what it measures."""
 
 PARTS: tuple[tuple[str, ComponentPart, Dimension], ...] = (
@@ -33,7 +33,7 @@ PARTS: tuple[tuple[str, ComponentPart, Dimension], ...] = (
 
 
 def read_reaction(
-    symbol: ast.Symbol, form: Form, on: ast.Name | None, scope: Scope
+    symbol: ast.Symbol, form: ReservedName, on: ast.Name | None, scope: NameScope
 ) -> tuple[Ending, ...]:
     """Return the results that one such ``find`` asks for; none where an error was reported.
 
@@ -52,7 +52,9 @@ def read_reaction(
     return (("", target, FORCE),) if target else ()
 
 
-def _force(symbol: ast.Symbol, point: str, on: ast.Name | None, scope: Scope) -> Iterator[Ending]:
+def _force(
+    symbol: ast.Symbol, point: str, on: ast.Name | None, scope: NameScope
+) -> Iterator[Ending]:
     held = scope.points
     if on is None and point not in held.fixed | held.guided:
         links = [link.name for link in held.carried.get(point, [])]
@@ -65,7 +67,7 @@ def _force(symbol: ast.Symbol, point: str, on: ast.Name | None, scope: Scope) ->
         yield suffix, Reaction(point, link.name if link else "", part), dimension
 
 
-def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -> bool:
+def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: NameScope) -> bool:
     """Return whether a link has the point, and anything else there to press on it."""
     points = scope.points
     if point not in link.points:
@@ -80,7 +82,7 @@ def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -
     return True
 
 
-def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
+def _axial(symbol: ast.Symbol, name: ast.Name, scope: NameScope) -> ResultTarget | None:
     ends = scope.points.split(name) or ()
     rods = [link for link in scope.points.links.values() if {*link.points} == {*ends}]
     pin = next((p for p in ends if p in scope.points.arcs), None)
@@ -99,7 +101,9 @@ def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
     return Axial(link.name, tail, head)
 
 
-def _in_arc(symbol: ast.Symbol, pin: str, ends: tuple[str, ...], scope: Scope) -> Target | None:
+def _in_arc(
+    symbol: ast.Symbol, pin: str, ends: tuple[str, ...], scope: NameScope
+) -> ResultTarget | None:
     """Return the force between a pin and the centre of its circular slot."""
     centre = scope.points.centre(pin)
     if centre is None:
@@ -110,7 +114,7 @@ def _in_arc(symbol: ast.Symbol, pin: str, ends: tuple[str, ...], scope: Scope) -
     return Axial(f"{centre}{pin}", ends[0], ends[1], slot=pin)
 
 
-def check_rods(mechanism: Mechanism, scope: Scope) -> None:
+def check_rods(mechanism: Mechanism, scope: NameScope) -> None:
     """Report rods that loads act on at both ends: the force along them is not that of a pin."""
     on = {end for load in mechanism.loads for end in load.ends}
     sliding = {j.joint for j in mechanism.friction.joints if isinstance(j, RopeFriction)}
@@ -134,7 +138,7 @@ def _pulling(ends: Collection[str], mechanism: Mechanism) -> list[str]:
     return [load.name for load in loads if load.point in ends]
 
 
-def warn_of_shared_pivots(mechanism: Mechanism, scope: Scope) -> None:
+def warn_of_shared_pivots(mechanism: Mechanism, scope: NameScope) -> None:
     """Warn of forces of the ground where several links, or those of both halves, share a pivot."""
     for find in mechanism.finds:
         match find.target:
@@ -144,7 +148,7 @@ def warn_of_shared_pivots(mechanism: Mechanism, scope: Scope) -> None:
                     scope.report.add(messages.force_of_the_ground(find.span, point, links))
 
 
-def warn_of_loads_on_pins(mechanism: Mechanism, scope: Scope) -> None:
+def warn_of_loads_on_pins(mechanism: Mechanism, scope: NameScope) -> None:
     """Warn of loads at a shared pin on no link, where the force of the pin on one is asked for.
 
     Where the pin has friction W540 says so.
@@ -163,7 +167,7 @@ def warn_of_loads_on_pins(mechanism: Mechanism, scope: Scope) -> None:
                 scope.report.add(messages.load_on_the_pin(*words))
 
 
-def check_guides_of_copies(mechanism: Mechanism, scope: Scope) -> None:
+def check_guides_of_copies(mechanism: Mechanism, scope: NameScope) -> None:
     """Report forces of a guide on whose slider several copies push, each from where it stands."""
     if mechanism.copies is None:
         return
@@ -177,7 +181,7 @@ def check_guides_of_copies(mechanism: Mechanism, scope: Scope) -> None:
                 scope.report.add(messages.guide_of_copies(find.span, point, link))
 
 
-def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
+def _normal(symbol: ast.Symbol, point: str, scope: NameScope) -> ResultTarget | None:
     if scope.points.touching[point] > 1:
         scope.report.add(messages.several_in_contact(symbol.span, point))
         return None

@@ -6,7 +6,7 @@ from ...diagnostics import near_miss
 from ...diagnostics.model import results as messages
 from ...syntax import ast
 from ..mechanism import Mechanism, Reported
-from ..names.scope import Scope
+from ..names.scope import NameScope
 from ..statements import is_sheet
 from ..values import range_of
 
@@ -15,7 +15,7 @@ PICTURES = ("scheme", "bodies", "plans", "stroke")
 
 
 def checked(
-    parts: Sequence[ast.Reported], mechanism: Mechanism, scope: Scope
+    parts: Sequence[ast.Reported], mechanism: Mechanism, scope: NameScope
 ) -> tuple[Reported, ...]:
     """Return the parts of the report, in order; reject those that the mechanism does not have."""
     if is_sheet(mechanism):
@@ -25,7 +25,7 @@ def checked(
 
 
 def _checked(
-    parts: Sequence[ast.Reported], mechanism: Mechanism, scope: Scope
+    parts: Sequence[ast.Reported], mechanism: Mechanism, scope: NameScope
 ) -> Iterator[Reported]:
     found = {find.name for find in mechanism.finds}  # a load that is asked for is one of them
     entries = scope.entries.items()

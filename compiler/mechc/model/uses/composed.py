@@ -6,7 +6,7 @@ from ...source import Source, Span
 from ...syntax import ast
 from ..mechanism import Mechanism, Parameter, Subassembly
 from ..parts.loads import Load
-from ..result import Solved
+from ..result import SolvedMechanism
 from ..statements import every
 from . import put_in
 
@@ -25,7 +25,7 @@ class Used(NamedTuple):
     file: ast.File
     mechanism: Mechanism
     source: Source
-    solved: Solved
+    solved: SolvedMechanism
     start: int = 0
     mechanisms: tuple[tuple[str, Source], ...] = ()
 
@@ -58,7 +58,7 @@ class Composed(NamedTuple):
     """
 
     file: ast.File
-    solved: Solved = Solved()
+    solved: SolvedMechanism = SolvedMechanism()
     parts: tuple[Subassembly, ...] = ()
     mechanisms: tuple[tuple[str, Source], ...] = ()
     prefixes: tuple[str, ...] = ()

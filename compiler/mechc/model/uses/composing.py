@@ -19,14 +19,14 @@ from ...source import Source
 from ...syntax import ast
 from ..mechanism import Subassembly
 from ..names.forms import FORMS, form_of
-from ..result import Solved
+from ..result import SolvedMechanism
 from ..statements import WRITTEN_IN_SHEETS, declared, every, is_sheet
 from . import part_names
 from .brought import brought_in, without_given
 from .composed import DOTTED, Composed, Used
 from .joining import part_of
-from .joint_points import UsedPart, Whole, points_of_parts, structural
-from .part_names import Names, spelled_out
+from .joint_points import UsedPart, WholeMechanism, points_of_parts, structural
+from .part_names import Renaming, spelled_out
 from .renamed import renamed
 
 MOST = 64
@@ -64,7 +64,7 @@ class _Composing:
         self._translated = {line.text for line in every(file, ast.Translate)}
         self._joined = structural(file)
         self._parts: dict[str, UsedPart] = {}
-        self._solved = Solved()
+        self._solved = SolvedMechanism()
         self._mechanisms: list[tuple[str, Source]] = []
         self._prefixes: list[str] = []
 
@@ -134,7 +134,10 @@ class _Composing:
 
     def _part(self, use: ast.Use, used: Used) -> Sequence[ast.Statement] | None:
         parts = [s for part in self._parts.values() for s in part.statements]
-        whole, met = Whole((*self._own, *parts), self._parts), self._joined[use.prefix.text]
+        whole, met = (
+            WholeMechanism((*self._own, *parts), self._parts),
+            self._joined[use.prefix.text],
+        )
         part = part_of(use, used, whole, met, self._report)
         if part is None:
             return None
@@ -178,7 +181,7 @@ def _prefixes(prefix: str, used: Used) -> Iterator[str]:
     yield from (f"{prefix}_{inner}" for inner in used.mechanism.prefixes)
 
 
-def _without_dots(statements: Iterable[ast.Statement], names: Names) -> list[ast.Statement]:
+def _without_dots(statements: Iterable[ast.Statement], names: Renaming) -> list[ast.Statement]:
     """Return statements in which points of parts have the names that they have in the whole."""
     return [part_names.renamed(statement, names) for statement in statements]
 

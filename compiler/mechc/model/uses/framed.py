@@ -23,7 +23,7 @@ NOTHING = (Fraction(0), "")
 """A zero without a unit, which it needs none of."""
 
 
-class Frame(NamedTuple):
+class PartFrame(NamedTuple):
     """How a frame lies: turned by ``turned``, its origin at ``at``; None for not at all."""
 
     at: ast.Cartesian | None = None
@@ -100,11 +100,11 @@ class Frame(NamedTuple):
         return ast.Cartesian(x, plus(_times(at.x, sine), _times(at.y, cosine)), at.span)
 
 
-def between(here: ast.Cartesian, there: ast.Cartesian, turned: ast.Expr | None) -> Frame:
+def between(here: ast.Cartesian, there: ast.Cartesian, turned: ast.Expr | None) -> PartFrame:
     """Return the frame that is turned so and in which one place falls on another outside."""
-    seen = Frame(None, turned).place(there)
+    seen = PartFrame(None, turned).place(there)
     x, y = plus(here.x, negative(seen.x)), plus(here.y, negative(seen.y))
-    return Frame(ast.Cartesian(x, y, here.span), turned)
+    return PartFrame(ast.Cartesian(x, y, here.span), turned)
 
 
 def same(one: ast.Cartesian, other: ast.Cartesian) -> bool:

@@ -29,8 +29,8 @@ from ..statements import declared
 from .at_joints import AtJoints
 from .brought import given_to, labelled, labels, parameter, translated, with_origin
 from .composed import Used
-from .framed import Frame, between, literal, negative, number, plus, same
-from .joint_points import Joining, UsedPart, Whole, is_a_part, joints, move_alike
+from .framed import PartFrame, between, literal, negative, number, plus, same
+from .joint_points import Joining, UsedPart, WholeMechanism, is_a_part, joints, move_alike
 from .part_names import declared_points, numbered, of_a_part, renamed, symbols_in
 
 BEHIND = (ast.Version, ast.Heading, ast.SourceNote, ast.Find, ast.Expect, ast.Motion, ast.Gravity)
@@ -41,7 +41,7 @@ FOUND = frozenset({"V", "omega", "R", "N"})
 
 
 def part_of(
-    use: ast.Use, used: Used, whole: Whole, met: frozenset[str], report: Report
+    use: ast.Use, used: Used, whole: WholeMechanism, met: frozenset[str], report: Report
 ) -> UsedPart | None:
     """Return a used mechanism as a part of the whole; None where something is wrong, reported.
 
@@ -124,13 +124,13 @@ def _rests(statement: ast.Statement, behind: set[str] | frozenset[str]) -> bool:
 # ---------------------------------------------------------------------------- the frame
 
 
-def _frame(joining: Joining, report: Report) -> Frame:
+def _frame(joining: Joining, report: Report) -> PartFrame:
     """Return the frame of a part: as it is said, or so that drawn places of a joint coincide."""
     there, here = _places(joining.own), _places(joining.whole.statements)
     use = joining.use
     drawn = [(p, q) for p, q in joining.joined.items() if p in there and q in here]
     turned = _turn(use, report)
-    frame = Frame(use.at, turned)
+    frame = PartFrame(use.at, turned)
     if use.at is None and drawn:
         first, outside = drawn[0]
         frame = between(here[outside], there[first], turned)

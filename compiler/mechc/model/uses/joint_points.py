@@ -10,7 +10,7 @@ from ...syntax import ast
 from ...syntax.vocabulary import of_used
 from ..statements import every
 from .composed import Used
-from .part_names import Lookup
+from .part_names import FindName
 
 WHOLE = (ast.Mirror, ast.Copies, ast.Efficiency)
 """What cannot be said of a part."""
@@ -25,7 +25,7 @@ class UsedPart(NamedTuple):
     statements: tuple[ast.Statement, ...] = ()
 
 
-class Whole(NamedTuple):
+class WholeMechanism(NamedTuple):
     """What a part is joined to: statements of the file and of parts above, and these parts."""
 
     statements: Sequence[ast.Statement]
@@ -46,7 +46,7 @@ class Joining(NamedTuple):
     use: ast.Use
     used: Used
     own: tuple[ast.Statement, ...]
-    whole: Whole
+    whole: WholeMechanism
     joined: Mapping[str, str]
     met: frozenset[str]
 
@@ -77,7 +77,7 @@ def structural(file: ast.File) -> Mapping[str, frozenset[str]]:
     return {prefix: frozenset(points) for prefix, points in found.items()}
 
 
-def points_of_parts(parts: Mapping[str, UsedPart], report: Report) -> Lookup:
+def points_of_parts(parts: Mapping[str, UsedPart], report: Report) -> FindName:
     """Return the function that names a part's point in the whole; unknown ones are reported."""
 
     def lookup(prefix: str, point: str, span: Span) -> str | None:

@@ -27,7 +27,7 @@ _POINT = pattern(r"([A-Z][0-9]*)('*)")
 _NUMBERED = pattern(r"[0-9]+$")
 
 
-class Names(NamedTuple):
+class Renaming(NamedTuple):
     """How names change: those of points, those of quantities, and a direction that is asked for."""
 
     points: Callable[[ast.Name], ast.Name]
@@ -35,7 +35,7 @@ class Names(NamedTuple):
     quantities: Mapping[str, str]
 
 
-def renamed(node: T, names: Names, field: str = "") -> T:
+def renamed(node: T, names: Renaming, field: str = "") -> T:
     """Return a node of the tree with other names."""
     changed: Any = node
     match changed:
@@ -116,7 +116,7 @@ def numbered(
 
 def of_a_part(
     points: Mapping[str, str], quantities: Mapping[str, str], seen: Callable[[ast.Expr], ast.Expr]
-) -> Names:
+) -> Renaming:
     """Return how the names of a used mechanism change where it becomes a part.
 
     ``seen`` gives a direction of the whole as the part has it.
@@ -138,14 +138,14 @@ def of_a_part(
             return seen(changed) if form.prefix == "phi" else changed
         return known
 
-    return Names(word, symbol, quantities)
+    return Renaming(word, symbol, quantities)
 
 
-Lookup = Callable[[str, str, Span], str | None]
+FindName = Callable[[str, str, Span], str | None]
 """Gives a point of a part its name in the whole; an unknown one is reported, and None."""
 
 
-def spelled_out(lookup: Lookup) -> Names:
+def spelled_out(lookup: FindName) -> Renaming:
     """Return how ``T.O`` becomes the name that the point has in the whole."""
 
     def text(name: str, span: Span) -> str:
@@ -164,4 +164,4 @@ def spelled_out(lookup: Lookup) -> Names:
             return known
         return ast.Symbol(text(known.name, known.span), known.span)
 
-    return Names(word, symbol, {})
+    return Renaming(word, symbol, {})

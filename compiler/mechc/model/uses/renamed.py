@@ -6,13 +6,21 @@ from ...formula.tree import Constant, Formula, Implicit, Symbol
 from ...formula.walk import children, rebuild
 from ...frozen import on_demand, replace
 from ..mechanism import Parameter, Require
-from ..parts.targets import Efficiency, LoadForm, LoadRatio, Target, WithFriction
-from ..result import Case, ClosedLoop, Definition, DrivingLoad, FrictionResult, Result, Solved
+from ..parts.targets import Efficiency, LoadForm, LoadRatio, ResultTarget, WithFriction
+from ..result import (
+    ClosedLoop,
+    Definition,
+    DrivingLoad,
+    FrictionResult,
+    Result,
+    SignCase,
+    SolvedMechanism,
+)
 
 Rename = Callable[[str], str]
 
 
-def renamed(solved: Solved, prefix: str, by: int) -> Solved:
+def renamed(solved: SolvedMechanism, prefix: str, by: int) -> SolvedMechanism:
     """Return the solution with a prefix before every name, and its spans moved on."""
     return _Renaming(prefix, by).solved(solved)
 
@@ -24,8 +32,8 @@ class _Renaming:
         self._prefix, self._by = prefix, by
         self._known: dict[int, tuple[Formula, Formula]] = {}
 
-    def solved(self, found: Solved) -> Solved:
-        return Solved(
+    def solved(self, found: SolvedMechanism) -> SolvedMechanism:
+        return SolvedMechanism(
             tuple(map(self._result, found.results)),
             self._definitions(found.definitions),
             tuple(map(self._loop, found.loops)),
@@ -94,8 +102,8 @@ class _Renaming:
     def _elsewhere(self, result: Result) -> Result | None:
         return self._result(result.elsewhere) if result.elsewhere else None
 
-    def _case(self, case: Case) -> Case:
-        return Case(
+    def _case(self, case: SignCase) -> SignCase:
+        return SignCase(
             self._formula(case.formula),
             self._definitions(case.where),
             self._requires(case.holds),
@@ -103,7 +111,7 @@ class _Renaming:
         )
 
 
-def _of_loads(target: Target, rename: Rename) -> Target:
+def _of_loads(target: ResultTarget, rename: Rename) -> ResultTarget:
     """Return a target whose loads have other names; points and links keep theirs."""
     match target:
         case LoadRatio(above, below):

@@ -11,7 +11,7 @@ from ...source import Span
 from ..pose import Limit
 from ..samples import Values
 from ..tolerances import SAME_ANGLE, SAME_DIRECTION, SAME_PLACE
-from ..vector_graph import Cycle, Names
+from ..vector_graph import Cycle, NameSet
 from .guide_lines import GuideLine
 
 
@@ -24,7 +24,7 @@ class Loops(Protocol):
         ...
 
     @property
-    def unknown(self) -> Names:
+    def unknown(self) -> NameSet:
         """Return the unknowns."""
         ...
 

@@ -9,18 +9,18 @@ from random import Random
 
 from ...diagnostics import pose as messages
 from ...formula.evaluate import numeric
-from ...formula.folds import Curve
+from ...formula.folds import SolutionCurve
 from ...model.values import Chain, dependent
 from ...units import ANGLE
-from .groups import Block, draw, rows_of, size_of, system_of
+from .groups import LoopGroup, draw, rows_of, size_of, system_of
 from .reach import limits_of_drive
-from .state import State
+from .state import LoopState
 
 STARTS = 60
 """Random starts from which poses that close are looked for."""
 
 
-def branches(block: Block, state: State) -> "list[messages.AssemblyRange]":
+def branches(block: LoopGroup, state: LoopState) -> "list[messages.AssemblyRange]":
     """Return the stretches of the drive on which a block closes, empty without a drive."""
     drive = state.mechanism.drive
     if drive is None:
@@ -36,7 +36,7 @@ def branches(block: Block, state: State) -> "list[messages.AssemblyRange]":
     return _joined(found)
 
 
-def _curve(block: Block, state: State, drive: str, is_angle: bool) -> Curve:
+def _curve(block: LoopGroup, state: LoopState, drive: str, is_angle: bool) -> SolutionCurve:
     system = system_of(block, state)
     chain = Chain({**dependent(state.mechanism), **dict(state.definitions)})
     given = {n: v for n, v in state.base.items() if n not in chain.names}
@@ -48,10 +48,12 @@ def _curve(block: Block, state: State, drive: str, is_angle: bool) -> Curve:
 
     size = size_of(rows_of(block), system.unknowns, state.base)
     scales = [1.0 if n in state.angles else size for n in system.unknowns]
-    return Curve(numeric(system), outer, [*scales, 1.0 if is_angle else size])
+    return SolutionCurve(numeric(system), outer, [*scales, 1.0 if is_angle else size])
 
 
-def _closed(block: Block, state: State, curve: Curve) -> Iterator[tuple[list[float], float]]:
+def _closed(
+    block: LoopGroup, state: LoopState, curve: SolutionCurve
+) -> Iterator[tuple[list[float], float]]:
     """Yield poses that close, as unknowns and the drive."""
     assert state.mechanism.drive is not None
     dice, x = Random(state.mechanism.name), state.base[state.mechanism.drive.parameter]

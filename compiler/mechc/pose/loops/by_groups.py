@@ -22,23 +22,23 @@ from ...model.mechanism import Assembly, Link, Mechanism
 from ...model.values import Chain, dependent
 from ...units import LENGTH
 from ..directions import Directions
-from ..pose import OF_A_TRIANGLE, ClosedLoop, Definition, Limit, LoopKind
-from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
+from ..pose import OF_A_TRIANGLE, ClosedLoop, Limit, LoopKind, PoseDefinition
+from ..vector_graph import Cycle, NameSet, loop_name, mentioned, points_around
 from ..vectors import Vectors
 from . import branches
-from .choosing import Choice
+from .choosing import AssemblyChoice
 from .closed import Closed
 from .drawn import start
 from .dyad_closures import dyad
-from .dyad_sides import Sides
-from .dyads import Closure, Loop
+from .dyad_sides import DyadSides
+from .dyads import Closure, DyadLoop
 from .groups import closures, left_open, remaining_blocks
 from .recognition import familiar, in_known_angles, unwound
 from .redundant import check_fit, joined
-from .state import State
+from .state import LoopState
 
 
-def closed(state: State, directions: Directions, vectors: Vectors, report: Report) -> Closed:
+def closed(state: LoopState, directions: Directions, vectors: Vectors, report: Report) -> Closed:
     """Close what is sought, and put the directions in."""
     idle = _Closing(state, report).run()
     report.stop_on_errors()
@@ -56,7 +56,7 @@ def closed(state: State, directions: Directions, vectors: Vectors, report: Repor
     )
 
 
-def _put_in(state: State, directions: Directions, vectors: Vectors) -> Names:
+def _put_in(state: LoopState, directions: Directions, vectors: Vectors) -> NameSet:
     """Put what was found into directions and vectors; return the lengths that vanish so."""
     directions.put(state.directions)
     vectors.lay(state.laid())
@@ -66,7 +66,7 @@ def _put_in(state: State, directions: Directions, vectors: Vectors) -> Names:
     return frozenset(short)
 
 
-def _in_one_term(state: State) -> dict[str, Product]:
+def _in_one_term(state: LoopState) -> dict[str, Product]:
     """Return the lengths that closing found as one product, such as ``g/cos(phi)``."""
     found: dict[str, Product] = {}
     for name, formula in state.definitions:
@@ -77,7 +77,7 @@ def _in_one_term(state: State) -> dict[str, Product]:
     return found
 
 
-def _with_solved(mechanism: Mechanism, state: State, report: Report) -> Mechanism:
+def _with_solved(mechanism: Mechanism, state: LoopState, report: Report) -> Mechanism:
     """Return the mechanism with the parameters that loops gave; W303 names one with a range."""
     solved: dict[str, Formula] = {
         d.name: d.formula for d in state.definitions if d.name in state.named
@@ -95,9 +95,9 @@ def _with_solved(mechanism: Mechanism, state: State, report: Report) -> Mechanis
 class _Closing:
     """Finds one group after another."""
 
-    def __init__(self, state: State, report: Report) -> None:
+    def __init__(self, state: LoopState, report: Report) -> None:
         self._state, self._report = state, report
-        self._choice = Choice(state, report)
+        self._choice = AssemblyChoice(state, report)
         self._fixed = state.mechanism.fixed
 
     def run(self) -> tuple[Assembly, ...]:
@@ -165,7 +165,7 @@ class _Closing:
             del values[name]
         state.graph.sought.add(name)
 
-    def _bodies_around(self, cycle: Cycle) -> Names:
+    def _bodies_around(self, cycle: Cycle) -> NameSet:
         """Return the points of the bodies that a loop goes through."""
         points = frozenset(points_around(cycle))
         bodies = (frozenset(body.points) for body in self._state.mechanism.bodies)
@@ -210,19 +210,19 @@ class _Closing:
         edges = [e for e in self._state.graph.edges if name in mentioned(e.arms)]
         return min(e.span.start for e in edges), name
 
-    def _close_next(self, within: Names | None = None) -> bool:
+    def _close_next(self, within: NameSet | None = None) -> bool:
         """Close one cycle; False where none is left that two unknowns close."""
         pairs = list(self._state.graph.pairs(within))
         turning = [pair for pair in pairs if not pair[0].isdisjoint(self._state.angles)]
         return any(self._close(*pair, within) for pair in (*turning, *pairs))
 
-    def _close(self, wanted: Names, cycle: Cycle, within: Names | None) -> bool:
+    def _close(self, wanted: NameSet, cycle: Cycle, within: NameSet | None) -> bool:
         if len(wanted) == 1:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state
         name, base, found = state.free_name, state.base, state.definitions
-        sides = Sides(name, state.named, self._fixed, base, state.signed, found, state.twice)
-        loop = Loop.of(cycle, wanted)
+        sides = DyadSides(name, state.named, self._fixed, base, state.signed, found, state.twice)
+        loop = DyadLoop.of(cycle, wanted)
         group = dyad(loop, sides)
         if group is None:
             return False
@@ -253,7 +253,7 @@ class _Closing:
         return True
 
 
-def _turns_as_a_whole(cycle: Cycle, wanted: Names, reference: str, state: State) -> bool:
+def _turns_as_a_whole(cycle: Cycle, wanted: NameSet, reference: str, state: LoopState) -> bool:
     """Return whether a loop is a triangle that keeps its shape whatever direction it has.
 
     None of its other directions is one that the user named: what names it has rests on the
@@ -279,7 +279,7 @@ def _how(closure: Closure, kind: LoopKind) -> LoopKind:
     return "mirrored" if by_side else "equal"
 
 
-def in_closed_form(loop: str, definitions: Sequence[Definition], root: Call) -> ClosedLoop:
+def in_closed_form(loop: str, definitions: Sequence[PoseDefinition], root: Call) -> ClosedLoop:
     """Return a loop whose definitions rest on a root, or on an arc sine.
 
     One of which a direction turned out to be another one all the way has no margin: it closes
@@ -294,7 +294,7 @@ def _margin(root: Call) -> Formula:
     return inner if root.function == "sqrt" else total([ONE, negative(Call("abs", (inner,)))])
 
 
-def _resting_on(root: Call, definitions: Sequence[Definition]) -> frozenset[str]:
+def _resting_on(root: Call, definitions: Sequence[PoseDefinition]) -> frozenset[str]:
     names = set[str]()
     for name, formula in definitions:
         if root in walk(formula) or not names.isdisjoint(symbols(formula)):
@@ -302,7 +302,7 @@ def _resting_on(root: Call, definitions: Sequence[Definition]) -> frozenset[str]
     return frozenset(names)
 
 
-def iterated(loop: str, definitions: Sequence[Definition]) -> ClosedLoop:
+def iterated(loop: str, definitions: Sequence[PoseDefinition]) -> ClosedLoop:
     """Return a loop that is closed by iteration: what it finds is NaN where the branch ends."""
     names = sorted(name for name, formula in definitions if isinstance(formula, Implicit))
     return ClosedLoop(loop, frozenset(names), Call("abs", (Symbol(names[0]),)))

@@ -17,15 +17,15 @@ from .drawn import nearest
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .reach import reach_of
-from .state import Place, State
+from .state import LoopState, PointSide
 
 Corner = tuple[float, float]
 
 
-class Choice:
+class AssemblyChoice:
     """Takes the ``assembly`` lines to the closures that they decide."""
 
-    def __init__(self, state: State, report: Report) -> None:
+    def __init__(self, state: LoopState, report: Report) -> None:
         self._state, self._report = state, report
         self._unused = list(state.mechanism.assemblies)
         self._in_slots: dict[str, tuple[Assembly, str]] = {}
@@ -52,7 +52,7 @@ class Choice:
         if len(closures) == 1:
             return closures[0]
         possible = _with_lengths(possible, poses, group, state) or possible
-        read = Reading(state, _guide_lines(group, state), _longest_side(group, state.base))
+        read = AssemblyReading(state, _guide_lines(group, state), _longest_side(group, state.base))
         lines = [a for a in self._unused if within is None or _is_of_shape(a, within)]
         decisive = read.decisive(lines, poses, possible)
         self._unused = [a for a in self._unused if a not in decisive]
@@ -68,12 +68,12 @@ class Choice:
             self._report_open(decisive, [poses[i] for i in left], group, read, not meant)
         return closures[left[0]]
 
-    def place(self, closures: Sequence[Closure], group: Loops, chosen: Closure) -> Place | None:
+    def place(self, closures: Sequence[Closure], group: Loops, chosen: Closure) -> PointSide | None:
         """Return which of two places the closure that was chosen gives a point on its guide.
 
         None where closures do not differ by that.
         """
-        read = Reading(self._state, _guide_lines(group, self._state), 0.0)
+        read = AssemblyReading(self._state, _guide_lines(group, self._state), 0.0)
         pins = [pin for pin, line in read.lines.items() if line.length in group.unknown]
         if len(pins) != 1 or len(closures) != 2:
             return None
@@ -86,13 +86,15 @@ class Choice:
             return None
         return pin, mine > its
 
-    def _note_slots(self, decisive: Sequence[Assembly], group: Loops, read: "Reading") -> None:
+    def _note_slots(
+        self, decisive: Sequence[Assembly], group: Loops, read: "AssemblyReading"
+    ) -> None:
         """Note the pins in slots whose place along them a line has decided, and in which loop."""
         for line in decisive:
             if len(line.points) == 1 and read.lines[line.points[0]].in_slot:
                 self._in_slots[line.points[0]] = line, loop_name(group.cycle)
 
-    def _doubt_slots(self, group: Loops, read: "Reading") -> None:
+    def _doubt_slots(self, group: Loops, read: "AssemblyReading") -> None:
         """Warn of lines that may be meant of another slot, on the same pin, than they decided."""
         for pin, guide in read.lines.items():
             if guide.in_slot and guide.length in group.unknown and pin in self._in_slots:
@@ -116,7 +118,7 @@ class Choice:
         decisive: Sequence[Assembly],
         poses: Sequence[Values],
         group: Loops,
-        read: "Reading",
+        read: "AssemblyReading",
         refuted: bool,
     ) -> None:
         """Report that nothing distinguishes the closures at some poses, and what would."""
@@ -139,7 +141,7 @@ def _is_of_shape(assembly: Assembly, points: Collection[str]) -> bool:
 
 
 def _with_lengths(
-    indices: Sequence[int], poses: Sequence[Values], group: Loops, state: State
+    indices: Sequence[int], poses: Sequence[Values], group: Loops, state: LoopState
 ) -> list[int]:
     """Return the closures in which no vector has a negative length; places may be negative."""
     places = {line.length for line in state.guide_lines} | state.named
@@ -147,7 +149,7 @@ def _with_lengths(
     return [i for i in indices if all(poses[i].get(n, 0.0) >= 0 for n in lengths)]
 
 
-def _guide_lines(group: Loops, state: State) -> Mapping[str, GuideLine]:
+def _guide_lines(group: Loops, state: LoopState) -> Mapping[str, GuideLine]:
     """Return the line of each pin; of several lines the one along which the group closes."""
     guide_lines = sorted(state.guide_lines, key=lambda line: line.length in group.unknown)
     return {line.pin: line for line in guide_lines}
@@ -160,26 +162,28 @@ def _longest_side(group: Loops, values: Values) -> float:
     return max((abs(length.evaluate(values)) for length in known), default=0.0)
 
 
-def _ahead(possible: list[int], group: Loops, poses: Sequence[Values], state: State) -> list[int]:
+def _ahead(
+    possible: list[int], group: Loops, poses: Sequence[Values], state: LoopState
+) -> list[int]:
     """Return the one closure ahead of its guide; else all."""
     ahead = _reaching_ahead(group, poses, state)
     return ahead if len(ahead) == 1 else possible
 
 
-def _reaching_ahead(group: Loops, poses: Sequence[Values], state: State) -> list[int]:
+def _reaching_ahead(group: Loops, poses: Sequence[Values], state: LoopState) -> list[int]:
     """Return the closures in which no length is negative."""
     names = group.unknown - state.angles
     lengths = [[p[n] for n in names if n in p] for p in poses]
     return [i for i, sizes in enumerate(lengths) if sizes and min(sizes) >= 0]
 
 
-class Reading(NamedTuple):
+class AssemblyReading(NamedTuple):
     """How ``assembly`` lines are read at poses; a line on a pin along its guide, of ``lines``.
 
     ``size`` is the longest side of the loops.
     """
 
-    state: State
+    state: LoopState
     lines: Mapping[str, GuideLine]
     size: float
 

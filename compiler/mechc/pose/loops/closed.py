@@ -8,14 +8,14 @@ from ...named import NamedTuple
 from ..pose import ClosedLoop, Limit, SolvedLoop
 
 
-class Open(NamedTuple):
+class OpenUnknowns(NamedTuple):
     """What loops leave open: all their unknowns, and how many of these they do not determine."""
 
     unknown: frozenset[str]
     missing: int
 
 
-NOTHING = Open(frozenset(), 0)
+NOTHING = OpenUnknowns(frozenset(), 0)
 """No loop is left."""
 
 
@@ -33,7 +33,7 @@ class Closed(NamedTuple):
     rates: Mapping[str, Product]
     limits: tuple[Limit, ...]
     loops: tuple[ClosedLoop, ...]
-    left: Open
+    left: OpenUnknowns
     idle: tuple[Assembly, ...]
     put_in: frozenset[str] = frozenset()
     solved: tuple[SolvedLoop, ...] = ()

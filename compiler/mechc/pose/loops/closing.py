@@ -11,8 +11,8 @@ from ...diagnostics import Report
 from ...model.mechanism import Mechanism, Parameter
 from ...units import ANGLE, LENGTH
 from ..directions import Directions
-from ..terms import Terms
-from ..vector_graph import Edge, Names, VectorGraph, mentioned
+from ..terms import AlgebraicTerms
+from ..vector_graph import Edge, NameSet, VectorGraph, mentioned
 from ..vectors import Vectors
 from . import by_groups, state
 from .closed import NOTHING, Closed
@@ -20,7 +20,11 @@ from .guide_lines import GuideLine, guide_lines
 
 
 def close(
-    mechanism: Mechanism, terms: Terms, directions: Directions, vectors: Vectors, report: Report
+    mechanism: Mechanism,
+    terms: AlgebraicTerms,
+    directions: Directions,
+    vectors: Vectors,
+    report: Report,
 ) -> Closed:
     """Close all loops that mention a sought direction, and put the directions in.
 
@@ -38,21 +42,21 @@ def close(
         lengths = crossed
     angles = frozenset(directions.sought) | _turning(mechanism, named)
     graph = VectorGraph(edges, {*angles, *named, *lengths})
-    sought = state.State(mechanism, terms, graph, lines, angles, named)
+    sought = state.LoopState(mechanism, terms, graph, lines, angles, named)
     return by_groups.closed(sought, directions, vectors, report)
 
 
-def _turning(mechanism: Mechanism, named: Names) -> Names:
+def _turning(mechanism: Mechanism, named: NameSet) -> NameSet:
     """Return the parameters among some that are angles."""
     return named & mechanism.angles
 
 
-def _open_lengths(edges: Iterable[Edge], terms: Terms) -> Names:
+def _open_lengths(edges: Iterable[Edge], terms: AlgebraicTerms) -> NameSet:
     named = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
     return frozenset(named - {d.name for d in terms.definitions})
 
 
-def _crossed(lines: Sequence[GuideLine], edges: Iterable[Edge], lengths: Names) -> Names:
+def _crossed(lines: Sequence[GuideLine], edges: Iterable[Edge], lengths: NameSet) -> NameSet:
     """Return the distances along lines to the pins that two lines give a place.
 
     They follow with all directions given, with no drive, and tie nothing. The second line of a

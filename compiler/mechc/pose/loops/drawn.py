@@ -5,16 +5,19 @@ from collections.abc import Collection, Mapping, Sequence, Set
 from itertools import combinations
 
 from ...algebra.product import Product
-from ..drawn import Place, places_of
+from ..drawn import Coordinates, places_of
 from ..samples import Values
 from ..tolerances import EQUALLY_NEAR
 from ..vector_graph import Edge
-from .groups import Block
-from .state import State
+from .groups import LoopGroup
+from .state import LoopState
 
 
 def nearest(
-    poses: Sequence[Values], indices: Sequence[int], state: State, within: Collection[str] | None
+    poses: Sequence[Values],
+    indices: Sequence[int],
+    state: LoopState,
+    within: Collection[str] | None,
 ) -> list[int]:
     """Return which of some closures is nearest to the drawing; none where several are.
 
@@ -34,14 +37,14 @@ def nearest(
     return [indices[order[0]]] if is_clear else []
 
 
-def _gap(values: Values, drawn: Mapping[str, Place], state: State) -> float:
+def _gap(values: Values, drawn: Mapping[str, Coordinates], state: LoopState) -> float:
     """Return the way from the drawn places to those of a closure, of all points together."""
     places = state.graph.places("", values)
     return math.hypot(*(math.dist(places[p], at) for p, at in drawn.items() if p in places))
 
 
 def _within(
-    values: Values, drawn: Mapping[str, Place], state: State, points: Collection[str]
+    values: Values, drawn: Mapping[str, Coordinates], state: LoopState, points: Collection[str]
 ) -> float:
     """Return how much a body differs from the drawn one, by its triangles, which have a sense."""
     known = [p for p in points if p in drawn]
@@ -53,12 +56,12 @@ def _within(
     )
 
 
-def _area(corners: Sequence[Place]) -> float:
+def _area(corners: Sequence[Coordinates]) -> float:
     (ax, ay), (bx, by), (cx, cy) = corners
     return ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2
 
 
-def start(block: Block, state: State) -> Values:
+def start(block: LoopGroup, state: LoopState) -> Values:
     """Return the unknowns of a block as measured in the drawing, as far as it shows them."""
     if not state.mechanism.drawn:
         return {}
@@ -72,12 +75,12 @@ def start(block: Block, state: State) -> Values:
     return {name: values[name] for name in block.unknown & values.keys()}
 
 
-def _between(places: Mapping[str, Place], edge: Edge) -> Place:
+def _between(places: Mapping[str, Coordinates], edge: Edge) -> Coordinates:
     (ax, ay), (bx, by) = places[edge.tail], places[edge.head]
     return bx - ax, by - ay
 
 
-def _angle(edge: Edge, drawn: Place, values: Values) -> dict[str, float]:
+def _angle(edge: Edge, drawn: Coordinates, values: Values) -> dict[str, float]:
     """Return the only angle of a drawn arm that has no value yet, as measured."""
     ((_, angle),) = edge.arms
     unknown = [(n, c) for n, c in angle.terms if n not in values]
@@ -89,7 +92,7 @@ def _angle(edge: Edge, drawn: Place, values: Values) -> dict[str, float]:
     return {name: math.remainder(math.atan2(dy, dx) - at_zero, 2 * math.pi) / float(factor)}
 
 
-def _length(edge: Edge, drawn: Place, values: Values, unknown: Set[str]) -> dict[str, float]:
+def _length(edge: Edge, drawn: Coordinates, values: Values, unknown: Set[str]) -> dict[str, float]:
     """Return the unknown length of a drawn arm, as measured along its direction."""
     ((length, angle),) = edge.arms
     names = [n for n in unknown - values.keys() if length == Product.symbol(n)]

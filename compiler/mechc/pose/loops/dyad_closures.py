@@ -21,16 +21,16 @@ from ...algebra.trigonometry import cosine, sine
 from ...formula.names import another
 from ...formula.tree import Call, Formula, negative, product, total
 from ...frozen import replace
-from ..pose import Arm, Definition, Limit, gathered
+from ..pose import Arm, Limit, PoseDefinition, gathered
 from ..vector_graph import loop_name, mentioned
-from .dyad_sides import HALF_TURN, Sides
-from .dyads import Closure, Dyad, Loop, Reaching, Turning
+from .dyad_sides import HALF_TURN, DyadSides
+from .dyads import Closure, Dyad, DyadLoop, Reaching, Turning
 from .triangle import along, heron
 
 QUARTER = Angle.constant(90)
 
 
-def dyad(loop: Loop, sides: Sides) -> Dyad | None:
+def dyad(loop: DyadLoop, sides: DyadSides) -> Dyad | None:
     """Return how a loop closes; None for one of another kind."""
     found = _dyad(loop, sides)
     if found is None or not found.closures:
@@ -39,13 +39,13 @@ def dyad(loop: Loop, sides: Sides) -> Dyad | None:
     return replace(found, closures=tuple(closures))
 
 
-def _with(shared: Iterable[Definition], closure: Closure) -> Closure:
+def _with(shared: Iterable[PoseDefinition], closure: Closure) -> Closure:
     own = {d.name for d in closure.definitions}
     others = (d for d in shared if d.name not in own)
     return closure._replace(definitions=(*others, *closure.definitions))
 
 
-def _dyad(loop: Loop, sides: Sides) -> Dyad | None:
+def _dyad(loop: DyadLoop, sides: DyadSides) -> Dyad | None:
     match _parts(loop, sides):
         case [first, second], []:
             return _triangle(loop, *_grounded_last(first, second, loop, sides), sides)
@@ -62,13 +62,13 @@ def _dyad(loop: Loop, sides: Sides) -> Dyad | None:
             return None
 
 
-def _bare(loop: Loop, reach: Reaching) -> Turning:
+def _bare(loop: DyadLoop, reach: Reaching) -> Turning:
     """Return a part of no length that turns with what is reached along."""
     (name,) = loop.unknown - {reach.name}
     return Turning(name, int(dict(reach.direction.terms).get(name, 0)), Product(0), Angle())
 
 
-def _parts(loop: Loop, sides: Sides) -> tuple[list[Turning], list[Reaching]]:
+def _parts(loop: DyadLoop, sides: DyadSides) -> tuple[list[Turning], list[Reaching]]:
     """Return the arms of unknown angle and of unknown length; none where others are there."""
     turns: dict[str, list[Arm]] = {}
     reaches: dict[str, Reaching] = {}
@@ -91,7 +91,7 @@ def _parts(loop: Loop, sides: Sides) -> tuple[list[Turning], list[Reaching]]:
     return [t for t in turning if t], list(reaches.values())
 
 
-def _turning(name: str, arms: list[Arm], sides: Sides) -> Turning | None:
+def _turning(name: str, arms: list[Arm], sides: DyadSides) -> Turning | None:
     senses = {dict(arm.angle.terms)[name] for arm in arms}
     sense = senses.pop()
     if senses or abs(sense) != 1:
@@ -102,7 +102,7 @@ def _turning(name: str, arms: list[Arm], sides: Sides) -> Turning | None:
 
 
 def _grounded_last(
-    first: Turning, second: Turning, loop: Loop, sides: Sides
+    first: Turning, second: Turning, loop: DyadLoop, sides: DyadSides
 ) -> tuple[Turning, Turning]:
     """Put the part that hangs on a pivot last: the direction of the coupler is named."""
 
@@ -116,7 +116,7 @@ def _grounded_last(
 # --------------------------------------------------------------------------- two turns
 
 
-def _triangle(loop: Loop, first: Turning, second: Turning, sides: Sides) -> Dyad | None:
+def _triangle(loop: DyadLoop, first: Turning, second: Turning, sides: DyadSides) -> Dyad | None:
     """RRR: a triangle of three known sides d, p, q."""
     if not loop.known:
         return None
@@ -138,17 +138,17 @@ def _triangle(loop: Loop, first: Turning, second: Turning, sides: Sides) -> Dyad
 
 
 def _hinged(
-    loop: Loop,
+    loop: DyadLoop,
     turns: tuple[Turning, Turning],
     lead: tuple[Angle, int, Formula],
     inner_angle: Angle,
-    sides: Sides,
+    sides: DyadSides,
 ) -> Closure:
     """Return a closure of a triangle: the angle at its base names or gives a direction."""
     (first, second), (outside, sign, base) = turns, lead
     if len(loop.known) > 1 or first.name in sides.kept:
         put = _turned_alike(first, outside, sign, base, sides)
-        named = [] if put else [Definition(first.name, _turned(outside, sign, base, sides))]
+        named = [] if put else [PoseDefinition(first.name, _turned(outside, sign, base, sides))]
         other = second.angle_at(first.direction.put(put) + HALF_TURN - inner_angle)
         closure = _closure(named, {**put, second.name: other}, sides)
         return closure._replace(across=next(iter(put), ""))
@@ -160,7 +160,7 @@ def _hinged(
 
 
 def _turned_alike(
-    first: Turning, outside: Angle, sign: int, base: Formula, sides: Sides
+    first: Turning, outside: Angle, sign: int, base: Formula, sides: DyadSides
 ) -> Mapping[str, Angle]:
     """Return the direction of a part that a congruent triangle across a line of symmetry gives.
 
@@ -174,7 +174,7 @@ def _turned_alike(
     return {} if shorter == angle else {first.name: principal(shorter)}
 
 
-def _turned(outside: Angle, sign: int, base: Formula, sides: Sides) -> Formula:
+def _turned(outside: Angle, sign: int, base: Formula, sides: DyadSides) -> Formula:
     """Return a direction turned by the angle at a triangle's base, one way or the other."""
     known = sides.turn_by(base)
     if known is not None:
@@ -185,7 +185,7 @@ def _turned(outside: Angle, sign: int, base: Formula, sides: Sides) -> Formula:
 # -------------------------------------------------------------------- a turn and a length
 
 
-def _guided(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad:
+def _guided(loop: DyadLoop, turn: Turning, reach: Reaching, sides: DyadSides) -> Dyad:
     """RRP: the part that turns spans the distance to the line that is reached along."""
     height = along(loop.known, reach.direction + QUARTER)
     if not height:
@@ -204,7 +204,9 @@ def _guided(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad:
     return Dyad(loop, "guide", tuple(closures), limit, inclination)
 
 
-def _along_the_guide(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Iterator[Closure]:
+def _along_the_guide(
+    loop: DyadLoop, turn: Turning, reach: Reaching, sides: DyadSides
+) -> Iterator[Closure]:
     """Yield how a part lies that begins on the line that it ends on."""
     for line in (reach.direction, reach.direction + HALF_TURN):
         behind = (*loop.known, Arm(turn.size, line))
@@ -212,7 +214,7 @@ def _along_the_guide(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -
         yield _closure([length], {turn.name: turn.angle_at(line)}, sides)
 
 
-Lean = tuple[Definition, Angle, Mapping[str, Angle]]
+Lean = tuple[PoseDefinition, Angle, Mapping[str, Angle]]
 """What is defined, the direction of the part that turns, and what is put in for an unknown."""
 
 
@@ -221,7 +223,7 @@ def _inclined(turn: Turning, line: Angle, flip: int, forward: bool, inclination:
     start = turn.angle_at(line if forward else line + HALF_TURN)
     sign = flip * turn.sense * (1 if forward else -1)
     lean = inclination if sign > 0 else negative(inclination)
-    return Definition(turn.name, total([start.formula(), lean])), turn.direction, {}
+    return PoseDefinition(turn.name, total([start.formula(), lean])), turn.direction, {}
 
 
 def _leaning(name: str) -> Callable[[Turning, Angle, int, bool, Call], Lean]:
@@ -230,12 +232,12 @@ def _leaning(name: str) -> Callable[[Turning, Angle, int, bool, Call], Lean]:
     def lean(turn: Turning, line: Angle, flip: int, forward: bool, inclination: Call) -> Lean:
         by = Angle.of(name) * flip
         direction = line + by if forward else line + HALF_TURN - by
-        return Definition(name, inclination), direction, {turn.name: turn.angle_at(direction)}
+        return PoseDefinition(name, inclination), direction, {turn.name: turn.angle_at(direction)}
 
     return lean
 
 
-def _sliding(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad | None:
+def _sliding(loop: DyadLoop, turn: Turning, reach: Reaching, sides: DyadSides) -> Dyad | None:
     """RPR: the part that is reached along turns with the unknown direction."""
     if not loop.known:
         return None
@@ -274,7 +276,7 @@ def _slid(
         size = product([(total([stem, negative(ahead)]), 1), (reach.scale.formula(), -1)])
         offset = Call("atan2", (across, stem))
         angle = total([lead, negative(offset) if turn.sense > 0 else offset])
-        yield Closure((Definition(reach.name, size), Definition(turn.name, angle)), {})
+        yield Closure((PoseDefinition(reach.name, size), PoseDefinition(turn.name, angle)), {})
 
 
 def _difference_of_squares(a: Formula, b: Formula) -> Call:
@@ -285,7 +287,9 @@ def _difference_of_squares(a: Formula, b: Formula) -> Call:
 # ---------------------------------------------------------------------------- two lengths
 
 
-def _two_lengths(loop: Loop, first: Reaching, second: Reaching, sides: Sides) -> Dyad | None:
+def _two_lengths(
+    loop: DyadLoop, first: Reaching, second: Reaching, sides: DyadSides
+) -> Dyad | None:
     """PRP and RPP: two lengths along known directions."""
     angle = sine(first.direction - second.direction)
     if not angle:
@@ -296,9 +300,11 @@ def _two_lengths(loop: Loop, first: Reaching, second: Reaching, sides: Sides) ->
     return Dyad(loop, "lengths", (closure,))
 
 
-def _closure(definitions: list[Definition], put: Mapping[str, Angle], sides: Sides) -> Closure:
+def _closure(
+    definitions: list[PoseDefinition], put: Mapping[str, Angle], sides: DyadSides
+) -> Closure:
     """Return a closure; a direction that the user named is defined, others are put in."""
-    named = [Definition(n, a.formula()) for n, a in put.items() if n in sides.kept]
+    named = [PoseDefinition(n, a.formula()) for n, a in put.items() if n in sides.kept]
     return Closure((*definitions, *named), {n: a for n, a in put.items() if n not in sides.kept})
 
 
@@ -312,7 +318,7 @@ def _by_own_name(closure: Closure) -> Closure:
         side = next((d for d in closure.definitions if angle == Angle.of(d.name)), None)
         if side and side.name == another(name) and len(closure.directions) == 1:
             others = (d for d in closure.definitions if d is not side)
-            definitions = (*others, Definition(name, side.formula))
+            definitions = (*others, PoseDefinition(name, side.formula))
             return closure._replace(definitions=definitions, directions={})
     return closure
 
@@ -326,13 +332,13 @@ def _beta(name: str) -> str:
     return f"beta_{name.removeprefix('phi_')}"
 
 
-def _reached(reach: Reaching, length: Product, sides: Sides) -> list[Definition]:
+def _reached(reach: Reaching, length: Product, sides: DyadSides) -> list[PoseDefinition]:
     """Return how far is reached; none where the known side has this name already."""
     if length == Product.symbol(reach.name):
         return []
     side = next((d for d in sides.definitions if d.name == reach.name), None)
-    return [Definition(side.name, negative(side.formula))] if side else [_reach(reach, length)]
+    return [PoseDefinition(side.name, negative(side.formula))] if side else [_reach(reach, length)]
 
 
-def _reach(reach: Reaching, length: Product) -> Definition:
-    return Definition(reach.name, (length / reach.scale).formula())
+def _reach(reach: Reaching, length: Product) -> PoseDefinition:
+    return PoseDefinition(reach.name, (length / reach.scale).formula())

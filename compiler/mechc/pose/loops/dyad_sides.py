@@ -7,10 +7,10 @@ from ...algebra.from_formula import to_angle
 from ...algebra.product import Product
 from ...formula.layout import has_minus
 from ...formula.tree import Call, Formula, Sum, negative, total
-from ..pose import Arm, Definition, Vector, components, gathered, halved
+from ..pose import Arm, PoseDefinition, Vector, components, gathered, halved
 from ..samples import Values, is_behind
-from ..vector_graph import Names, known_span, mentioned
-from .dyads import Loop
+from ..vector_graph import NameSet, known_span, mentioned
+from .dyads import DyadLoop
 from .triangle import common_turn, is_of_vector, is_same_angle
 
 HALF_TURN = Angle.constant(180)
@@ -39,7 +39,7 @@ def _within(vector: Vector) -> tuple[Product, Product]:
     return components(gathered(Arm(arm.length, arm.angle - turn) for arm in vector))
 
 
-class Sides:
+class DyadSides:
     """Names sides and angles; ``definitions`` are those that the names given so far need.
 
     ``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
@@ -51,18 +51,18 @@ class Sides:
     def __init__(
         self,
         name: Namer,
-        kept: Names,
-        fixed: Names,
+        kept: NameSet,
+        fixed: NameSet,
         values: Values,
-        signed: Names = frozenset(),
-        defined: Iterable[Definition] = (),
+        signed: NameSet = frozenset(),
+        defined: Iterable[PoseDefinition] = (),
         twice: dict[str, Angle] | None = None,
     ) -> None:
         self.name, self.kept, self.fixed = name, kept, fixed
         self._values, self._signed = values, signed
         self._defined, self._twice = tuple(defined), {} if twice is None else twice
         self._vectors = {d.name for d in self._defined if is_of_vector(d.formula)}
-        self.definitions: list[Definition] = []
+        self.definitions: list[PoseDefinition] = []
         self.again: set[str] = set()
 
     def polar(
@@ -86,15 +86,15 @@ class Sides:
         size = called or self.name(f"len_{name}")
         like = size if size.startswith("len_") else f"len_{name}"
         way = self.name(f"delta_{name}" if turn.terms else like.replace("len", "phi", 1))
-        self.definitions.append(Definition(size, Call("hypot", parts)))
-        self.definitions.append(Definition(way, Call("atan2", parts[::-1])))
+        self.definitions.append(PoseDefinition(size, Call("hypot", parts)))
+        self.definitions.append(PoseDefinition(way, Call("atan2", parts[::-1])))
         return Product.symbol(size), turn + Angle.of(way)
 
     def _may_turn(self, length: Product) -> bool:
         return not self._signed.isdisjoint(mentioned((Arm(length, Angle()),)))
 
     def known_side(
-        self, loop: Loop, positive: bool, lead: Callable[[Angle], Angle], reached: str = ""
+        self, loop: DyadLoop, positive: bool, lead: Callable[[Angle], Angle], reached: str = ""
     ) -> tuple[Product, Angle]:
         """Return the known side of the loop; one that has a name keeps it, whatever leads there.
 
@@ -108,7 +108,7 @@ class Sides:
         return size, psi
 
     def _known_side(
-        self, loop: Loop, positive: bool, lead: Callable[[Angle], Angle], reached: str
+        self, loop: DyadLoop, positive: bool, lead: Callable[[Angle], Angle], reached: str
     ) -> tuple[Product, Angle]:
         ends = known_span(loop.cycle, loop.unknown)
         for tail, head, turn in ((*ends, Angle()), (*ends[::-1], HALF_TURN)) if ends else ():
@@ -142,7 +142,7 @@ class Sides:
         )
         named = next(known, None)
         if named is None:
-            named = Definition(self.name(f"{letter}_{of}"), formula)
+            named = PoseDefinition(self.name(f"{letter}_{of}"), formula)
             self.definitions.append(named)
         elif named not in self.definitions:
             self.again.add(named.name)

@@ -11,8 +11,8 @@ from ...algebra.product import Product
 from ...formula.tree import Call
 from ...frozen import frozen
 from ...named import NamedTuple
-from ..pose import Definition, Limit, LoopKind, Vector, gathered
-from ..vector_graph import Cycle, Edge, Names, mentioned
+from ..pose import Limit, LoopKind, PoseDefinition, Vector, gathered
+from ..vector_graph import Cycle, Edge, NameSet, mentioned
 
 
 class Closure(NamedTuple):
@@ -24,7 +24,7 @@ class Closure(NamedTuple):
     vectors all the way, as in a parallelogram.
     """
 
-    definitions: tuple[Definition, ...]
+    definitions: tuple[PoseDefinition, ...]
     directions: Mapping[str, Angle]
     across: str = ""
     alike: Mapping[str, Angle] = MappingProxyType({})
@@ -57,16 +57,16 @@ class Reaching(NamedTuple):
 
 
 @frozen
-class Loop:
+class DyadLoop:
     """A loop with two unknowns; ``known`` is its known side, ``moving`` the rest."""
 
     cycle: Cycle
-    unknown: Names
+    unknown: NameSet
     known: Vector
     moving: Vector
 
     @classmethod
-    def of(cls, cycle: Cycle, unknown: Names) -> "Loop":
+    def of(cls, cycle: Cycle, unknown: NameSet) -> "DyadLoop":
         """Take a loop apart."""
         arms = [(arm, unknown.isdisjoint(mentioned((arm,)))) for edge in cycle for arm in edge.arms]
         known = gathered(arm for arm, is_known in arms if is_known)
@@ -122,7 +122,7 @@ class Dyad:
     value where there is none.
     """
 
-    loop: Loop
+    loop: DyadLoop
     kind: LoopKind
     closures: tuple[Closure, ...]
     limit: Limit | None = None
@@ -134,7 +134,7 @@ class Dyad:
         return self.loop.cycle
 
     @property
-    def unknown(self) -> Names:
+    def unknown(self) -> NameSet:
         """Return the two unknowns."""
         return self.loop.unknown
 

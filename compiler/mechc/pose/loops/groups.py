@@ -17,13 +17,13 @@ from ...formula.tree import Call, Formula, Sum, Symbol, System, implicit, is_cal
 from ...formula.tree import Product as Factors
 from ...frozen import replace
 from ...named import NamedTuple
-from ..pose import Arm, Definition, Limit, Vector, components, gathered
+from ..pose import Arm, Limit, PoseDefinition, Vector, components, gathered
 from ..samples import Values
 from ..tolerances import SAME_CLOSURE, SOLVED_GAP
 from ..vector_graph import Cycle, mentioned
-from .closed import Open
+from .closed import OpenUnknowns
 from .dyads import Closure
-from .state import State
+from .state import LoopState
 
 STARTS = 400
 """Random starts from which closures are looked for."""
@@ -35,7 +35,7 @@ STEPS = 40
 """Newton steps after which a start is given up."""
 
 
-class Block(NamedTuple):
+class LoopGroup(NamedTuple):
     """Loops that close together: equations (a loop, 0 for x or 1 for y) and their unknowns."""
 
     loops: tuple[Cycle, ...]
@@ -69,7 +69,7 @@ class Block(NamedTuple):
         return list(found.values())
 
 
-def remaining_blocks(state: State) -> Iterator[Block]:
+def remaining_blocks(state: LoopState) -> Iterator[LoopGroup]:
     """Yield the blocks of what is left, each after those that it rests on.
 
     A loop of one unknown is a body's, turns as a whole and says nothing.
@@ -86,14 +86,14 @@ def remaining_blocks(state: State) -> Iterator[Block]:
         used = sorted({i for i, _ in chosen})
         rows = tuple(sorted((used.index(i), part) for i, part in chosen))
         unknown = frozenset(names[u] for u in group)
-        yield Block(tuple(loops[i] for i in used), rows, unknown)
+        yield LoopGroup(tuple(loops[i] for i in used), rows, unknown)
 
 
-def _open_loops(state: State) -> list[Cycle]:
+def _open_loops(state: LoopState) -> list[Cycle]:
     return [loop for loop in state.graph.fundamental() if len(_unknown(loop, state)) > 1]
 
 
-def _columns(loops: Sequence[Cycle], state: State) -> tuple[list[str], list[frozenset[int]]]:
+def _columns(loops: Sequence[Cycle], state: LoopState) -> tuple[list[str], list[frozenset[int]]]:
     """Return the unknowns of loops, and which of them are in each equation, two a loop."""
     names = sorted({n for loop in loops for n in _unknown(loop, state)})
     number = {n: i for i, n in enumerate(names)}
@@ -101,13 +101,13 @@ def _columns(loops: Sequence[Cycle], state: State) -> tuple[list[str], list[froz
     return names, [frozenset(number[n] for n in _unknown(loop, state)) for loop in twice]
 
 
-def left_open(state: State) -> Open:
+def left_open(state: LoopState) -> OpenUnknowns:
     """Return the unknowns of the loops that did not close, and how many conditions are missing."""
     names, columns = _columns(_open_loops(state), state)
-    return Open(frozenset(names), len(names) - len(match(columns)))
+    return OpenUnknowns(frozenset(names), len(names) - len(match(columns)))
 
 
-def _unknown(loop: Cycle, state: State) -> set[str]:
+def _unknown(loop: Cycle, state: LoopState) -> set[str]:
     return {n for e in loop for n in mentioned(e.arms)} & state.graph.sought
 
 
@@ -127,7 +127,7 @@ def _determined(
     return frozenset(range(size)) - open_
 
 
-def closures(block: Block, state: State, drawn: Values) -> list[Closure]:
+def closures(block: LoopGroup, state: LoopState, drawn: Values) -> list[Closure]:
     """Return every closure of a block that was found at the default pose.
 
     Where all unknowns are ``drawn``, that is the one to which Newton's method leads from there.
@@ -138,7 +138,7 @@ def closures(block: Block, state: State, drawn: Values) -> list[Closure]:
     return [_closure(replace(system, start=start)) for start in found]
 
 
-def system_of(block: Block, state: State) -> System:
+def system_of(block: LoopGroup, state: LoopState) -> System:
     """Return the equations of a block, without a start."""
     rows = rows_of(block)
     equations = tuple(_equation(arms, part) for arms, part in rows)
@@ -148,7 +148,7 @@ def system_of(block: Block, state: State) -> System:
     return System(tuple(sorted(block.unknown)), equations, anchor, (), turning=turning)
 
 
-def _is_known_but_for_turns(name: str, rows: Sequence["Row"], state: State) -> bool:
+def _is_known_but_for_turns(name: str, rows: Sequence["LoopEquation"], state: LoopState) -> bool:
     """Return whether an angle may jump by whole turns, which leave the rows as they are.
 
     What turns with the drive itself does so all the way, however far that goes.
@@ -182,14 +182,14 @@ def _has_cut(formula: Formula) -> bool:
             return False
 
 
-def rows_of(block: Block) -> list["Row"]:
+def rows_of(block: LoopGroup) -> list["LoopEquation"]:
     """Return the loop and the axis of each equation."""
     return [(_side_arms(block.loops[i]), part) for i, part in block.equations]
 
 
 def _closure(system: System) -> Closure:
     names = enumerate(system.unknowns)
-    return Closure(tuple(Definition(n, implicit(system, i)) for i, n in names), {})
+    return Closure(tuple(PoseDefinition(n, implicit(system, i)) for i, n in names), {})
 
 
 def _side_arms(loop: Cycle) -> Vector:
@@ -203,11 +203,11 @@ def _equation(arms: Vector, part: int) -> Formula:
 
 # ------------------------------------------------------------------- numbers at the default pose
 
-Row = tuple[Vector, int]
+LoopEquation = tuple[Vector, int]
 
 
 def _solutions(
-    rows: Sequence[Row], names: Sequence[str], state: State, drawn: Values
+    rows: Sequence[LoopEquation], names: Sequence[str], state: LoopState, drawn: Values
 ) -> list[tuple[float, ...]]:
     """Return the solution near the drawn one, or those that random starts lead to, each once."""
     dice = Random(state.mechanism.name)
@@ -245,12 +245,12 @@ def _apart(one: Sequence[float], other: Sequence[float]) -> float:
     return max(abs(math.remainder(a - b, 2 * math.pi)) for a, b in zip(one, other, strict=True))
 
 
-def size_of(rows: Sequence[Row], names: Sequence[str], values: Values) -> float:
+def size_of(rows: Sequence[LoopEquation], names: Sequence[str], values: Values) -> float:
     """Return the largest known arm."""
     return max(_sizes(rows, names, values), default=1.0)
 
 
-def _sizes(rows: Sequence[Row], names: Sequence[str], values: Values) -> Iterator[float]:
+def _sizes(rows: Sequence[LoopEquation], names: Sequence[str], values: Values) -> Iterator[float]:
     for arms, _ in rows:
         for arm in arms:
             if not any(Length(n) in arm.length.factors for n in names):
@@ -258,7 +258,7 @@ def _sizes(rows: Sequence[Row], names: Sequence[str], values: Values) -> Iterato
 
 
 def _newton(
-    rows: Sequence[Row],
+    rows: Sequence[LoopEquation],
     slopes: Sequence[Sequence[Vector]],
     names: Sequence[str],
     values: Values,

@@ -15,12 +15,12 @@ from ...algebra.trigonometry import cosine, sine
 from ...formula.derivative import derivative as slope
 from ...formula.tree import Formula, Symbol
 from ...formula.walk import substitute, symbols
-from ..pose import Arm, Definition, Vector, components, gathered
+from ..pose import Arm, PoseDefinition, Vector, components, gathered
 from ..vector_graph import mentioned
 from .triangle import is_of_vector
 
 
-def given_rates(definitions: Iterable[Definition], drive: str) -> dict[str, Product]:
+def given_rates(definitions: Iterable[PoseDefinition], drive: str) -> dict[str, Product]:
     """Return the rates of what the user made to move with the drive, itself included."""
     rates = {drive: Product(1)}
     for name, formula in definitions:
@@ -35,7 +35,7 @@ def rate_of(formula: Formula, rates: Mapping[str, Product]) -> Product:
     return add(to_product(slope(formula, n)) * rates[n] for n in parts)
 
 
-def moved_by(drive: str, definitions: Iterable[Definition]) -> frozenset[str]:
+def moved_by(drive: str, definitions: Iterable[PoseDefinition]) -> frozenset[str]:
     """Return the names that move with the drive, itself included."""
     moving = {drive}
     for name, formula in definitions:
@@ -63,7 +63,7 @@ class Rated:
 
     def enter(
         self,
-        found: Sequence[Definition],
+        found: Sequence[PoseDefinition],
         loops: Sequence[Vector],
         twins: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
@@ -87,7 +87,7 @@ class Rated:
             if moves and name not in self.rates:
                 self.unknown.add(name)
 
-    def _rate_turns(self, found: Sequence[Definition], fresh: set[str]) -> set[str]:
+    def _rate_turns(self, found: Sequence[PoseDefinition], fresh: set[str]) -> set[str]:
         """Enter the rates of directions that a known side has within its body; return the names.
 
         No loop gives them: a side whose length passes zero is turned round there.
@@ -102,7 +102,7 @@ class Rated:
         self.rates |= turns
         return turns.keys() & fresh
 
-    def _rate_twins(self, found: Sequence[Definition]) -> None:
+    def _rate_twins(self, found: Sequence[PoseDefinition]) -> None:
         """Enter the rates of sides of which what a loop gives is but a multiple."""
         sides = {d.name for d in found} - self.rates.keys()
         for name, formula in found:
@@ -111,7 +111,7 @@ class Rated:
                 case [(Length(twin), 1)] if name in self.rates and twin in sides:
                     self.rates[twin] = self.rates[name].scaled(1 / Fraction(value.coefficient))
 
-    def _rates_by_one_name(self, found: Sequence[Definition]) -> None:
+    def _rates_by_one_name(self, found: Sequence[PoseDefinition]) -> None:
         """Write a side that is another one by the name of that one in all rates."""
         twins = {d.name: d.formula.name for d in found if isinstance(d.formula, Symbol)}
         for name, rate in self.rates.items() if twins else ():

@@ -25,7 +25,7 @@ from ...units import ANGLE, Dimension
 from ..pose import Limit
 from .dyads import Closure
 from .rated import moved_by
-from .state import State
+from .state import LoopState
 
 SAMPLES = 720
 """Places along the stroke that are tried: every half degree of a full turn."""
@@ -34,14 +34,16 @@ LONGEST = 80
 """A limit of more characters than this is given as a number only."""
 
 
-class End(NamedTuple):
+class PossibleEnd(NamedTuple):
     """A value at which a stretch may end, and its formula, '' where there is none."""
 
     x: float
     exact: str = ""
 
 
-def reach_of(state: State, closure: Closure, limit: Limit | None) -> "list[messages.AssemblyRange]":
+def reach_of(
+    state: LoopState, closure: Closure, limit: Limit | None
+) -> "list[messages.AssemblyRange]":
     """Return the stretches of the drive in which a group closes, empty without a drive."""
     drive = state.mechanism.drive
     if drive is None:
@@ -56,7 +58,7 @@ def reach_of(state: State, closure: Closure, limit: Limit | None) -> "list[messa
         if not reach.closes((start.x + end.x) / 2):
             continue
         if found and found[-1].high == start.x:
-            start = End(found[-1].low, found[-1].low_exact)
+            start = PossibleEnd(found[-1].low, found[-1].low_exact)
             found.pop()
         found.append(
             messages.AssemblyRange(start.x, end.x, parameter.dimension, start.exact, end.exact)
@@ -64,7 +66,7 @@ def reach_of(state: State, closure: Closure, limit: Limit | None) -> "list[messa
     return found
 
 
-def limits_of_drive(state: State, dimension: Dimension) -> tuple[float, float]:
+def limits_of_drive(state: LoopState, dimension: Dimension) -> tuple[float, float]:
     """Return the ends of the stroke, or of what the drive may be where none is given."""
     drive = state.mechanism.drive
     assert drive is not None
@@ -79,7 +81,7 @@ def limits_of_drive(state: State, dimension: Dimension) -> tuple[float, float]:
 class _Reach:
     """The loops closed so far and one more, along the drive."""
 
-    def __init__(self, state: State, closure: Closure, drive: str) -> None:
+    def __init__(self, state: LoopState, closure: Closure, drive: str) -> None:
         definitions = dict((*state.definitions, *closure.definitions))
         self._chain = Chain({**dependent(state.mechanism), **definitions})
         self._given = {n: v for n, v in state.base.items() if n not in self._chain.names}
@@ -93,15 +95,15 @@ class _Reach:
         """Return whether everything has a value."""
         return all(map(math.isfinite, self._values(x).values()))
 
-    def ends(self, margins: Iterable[Product], low: float, high: float) -> list[End]:
+    def ends(self, margins: Iterable[Product], low: float, high: float) -> list[PossibleEnd]:
         """Return ``low``, where a margin vanishes, and ``high``, in ascending order.
 
         All are values of the drive in SI, rad or m.
         """
         inner = [e for m in margins for e in self._zeros(m, low, high) if low < e.x < high]
-        return [End(low), *sorted(inner), End(high)]
+        return [PossibleEnd(low), *sorted(inner), PossibleEnd(high)]
 
-    def _zeros(self, margin: Product, low: float, high: float) -> Iterator[End]:
+    def _zeros(self, margin: Product, low: float, high: float) -> Iterator[PossibleEnd]:
         known = self._values(low)
         forms = _closed_forms(margin, self._drive, self._moving)
         exact = [(i, c) for i, c in forms if symbols(total([i, c.formula()])) <= known.keys()]
@@ -109,10 +111,10 @@ class _Reach:
             x = evaluate(total([inverse, constant.formula()]), known)
             for turn in _turns(x, low, high):
                 whole = total([inverse, (constant + Angle.constant(360 * turn)).formula()])
-                yield End(x + turn * 2 * math.pi, _shown(whole))
+                yield PossibleEnd(x + turn * 2 * math.pi, _shown(whole))
         if not exact:
             grid = [low + (high - low) * i / SAMPLES for i in range(SAMPLES + 1)]
-            yield from (End(root.x) for root in roots(self._function(margin), grid))
+            yield from (PossibleEnd(root.x) for root in roots(self._function(margin), grid))
 
     def _function(self, margin: Product) -> Callable[[float], float]:
         def at(x: float) -> float:

@@ -9,18 +9,18 @@ from ...algebra.from_formula import to_angle
 from ...formula.evaluate import evaluate
 from ...formula.tree import Call, Formula, Sum, degrees, is_call, negative, total
 from ...formula.walk import symbols
-from ..pose import Arm, Definition, Vector
+from ..pose import Arm, PoseDefinition, Vector
 from ..samples import Values
 from ..tolerances import SAME_ANGLE
-from ..vector_graph import Cycle, Names
-from .dyads import Closure, Loop
-from .state import State
+from ..vector_graph import Cycle, NameSet
+from .dyads import Closure, DyadLoop
+from .state import LoopState
 
 MOST_OF_THEM = 3
 """The default pose, and one of each pair of poses around it."""
 
 
-def unwound(closure: Closure, state: State) -> Closure:
+def unwound(closure: Closure, state: LoopState) -> Closure:
     """Return a closure with each angle of the user's within half a turn of the default pose.
 
     Where it stands in a multiple that is no whole one, or in a length, it may not jump by
@@ -35,11 +35,11 @@ def unwound(closure: Closure, state: State) -> Closure:
             # What is defined before may have been turned back: this follows it.
             kept = _unwound(name, formula, evaluate(formula, here), state)
             here[name] = evaluate(kept, here)
-        definitions.append(Definition(name, kept))
+        definitions.append(PoseDefinition(name, kept))
     return closure._replace(definitions=tuple(definitions))
 
 
-def _unwound(name: str, formula: Formula, value: float, state: State) -> Formula:
+def _unwound(name: str, formula: Formula, value: float, state: LoopState) -> Formula:
     is_within, turns = -math.pi < value < math.tau, round(value / math.tau)
     if all(_turns_whole(name, arm) for edge in state.graph.edges for arm in edge.arms):
         return turned_back(formula, turns if name in state.named or not is_within else 0)
@@ -50,14 +50,16 @@ def _unwound(name: str, formula: Formula, value: float, state: State) -> Formula
     return total([middle, Call("atan2", (Call("sin", (apart,)), Call("cos", (apart,))))])
 
 
-def familiar(cycle: Cycle, state: State) -> list[Angle]:
+def familiar(cycle: Cycle, state: LoopState) -> list[Angle]:
     """Return the directions of the vectors of a loop, and of those that hang on its points."""
     points = {p for edge in cycle for p in (edge.tail, edge.head)}
     around = (e for e in state.graph.edges if not points.isdisjoint((e.tail, e.head)))
     return list(dict.fromkeys(arm.angle for edge in (*cycle, *around) for arm in edge.arms))
 
 
-def in_known_angles(closure: Closure, loop: Loop, around: Iterable[Angle], state: State) -> Closure:
+def in_known_angles(
+    closure: Closure, loop: DyadLoop, around: Iterable[Angle], state: LoopState
+) -> Closure:
     """Return a closure without its law, where its lengths are equal: else the closure.
 
     Its directions are those of other vectors, or those of its known arms, mirrored in the side
@@ -79,7 +81,9 @@ def _mirrored(closure: Closure, known: Vector) -> list[Angle]:
     return [Angle.of(side) * 2 - arm.angle for arm in known]
 
 
-def recognised(closure: Closure, unknown: Names, around: Iterable[Angle], state: State) -> Closure:
+def recognised(
+    closure: Closure, unknown: NameSet, around: Iterable[Angle], state: LoopState
+) -> Closure:
     """Return a closure with each direction that is one of those ``around`` written as that one.
 
     A parallelogram's coupler stays parallel to its frame: the numbers at several poses
@@ -134,7 +138,7 @@ def _rewritten(closure: Closure, name: str, angle: Angle, keep: bool) -> Closure
     directions = {n: a for n, a in closure.directions.items() if n != name}
     alike = {**closure.alike, name: angle}
     if keep:
-        others = (*others, Definition(name, angle.formula()))
+        others = (*others, PoseDefinition(name, angle.formula()))
         return closure._replace(definitions=others, directions=directions, alike=alike)
     put: Callable[[Angle], Angle] = lambda a: a.put({name: angle})  # noqa: E731
     put_in = {**{n: put(a) for n, a in directions.items()}, name: angle}

@@ -7,16 +7,16 @@ from ...algebra.angle import Angle, principal
 from ...diagnostics import Diagnostic
 from ...diagnostics import pose as messages
 from ...formula.tree import Call
-from ..pose import Arm, Definition, LoopKind, Vector, components, evaluate_vector, gathered
+from ..pose import Arm, LoopKind, PoseDefinition, Vector, components, evaluate_vector, gathered
 from ..tolerances import LOOP_GAP, SAME_PLACE
-from ..vector_graph import Cycle, Names, loop_name, mentioned, points_around
+from ..vector_graph import Cycle, NameSet, loop_name, mentioned, points_around
 from .dyads import Closure
 from .recognition import familiar, recognised
-from .state import State
+from .state import LoopState
 from .triangle import common_turn
 
 
-def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
+def check_fit(name: str, cycle: Cycle, state: LoopState) -> Diagnostic | None:
     """Take the one unknown of a loop, or return the error of a loop that does not close.
 
     The data may agree for all lengths (a parallelogram's third bar), or for those given.
@@ -43,7 +43,7 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     return None
 
 
-def _whole(known: Vector, state: State) -> Iterator[dict[str, float]]:
+def _whole(known: Vector, state: LoopState) -> Iterator[dict[str, float]]:
     """Yield the poses at which all that is known has a value, the default one first."""
     for values in (state.base, *state.values):
         if mentioned(known) <= values.keys():
@@ -71,7 +71,7 @@ def _side_gap(known: Vector, moving: list[Arm], values: dict[str, float]) -> tup
     return longest, y * math.cos(theta) - x * math.sin(theta)
 
 
-def joined(closure: Closure, wanted: Names, cycle: Cycle, state: State) -> Closure:
+def joined(closure: Closure, wanted: NameSet, cycle: Cycle, state: LoopState) -> Closure:
     """Return a closure one of whose two directions is that of another vector all the way.
 
     The other vector joins points that are placed then. The law of the loop would put it into
@@ -94,7 +94,7 @@ def joined(closure: Closure, wanted: Names, cycle: Cycle, state: State) -> Closu
     return closure._replace(definitions=(*own, *rest.definitions), directions=directions)
 
 
-def _present(arms: Iterable[Arm], state: State) -> Vector:
+def _present(arms: Iterable[Arm], state: LoopState) -> Vector:
     """Return a vector without arms that vanish by the numbers given, such as ``OA − QB``."""
     sums = gathered(arms)
     poses = [v for v in (state.base, *state.values) if mentioned(sums) <= v.keys()]
@@ -107,21 +107,21 @@ def _present(arms: Iterable[Arm], state: State) -> Vector:
     )
 
 
-def closure_of(name: str, known: Vector, moving: list[Arm], state: State) -> Closure:
+def closure_of(name: str, known: Vector, moving: list[Arm], state: LoopState) -> Closure:
     """Return the unknown; what turns as one body has a direction within it, ``delta``."""
     if name not in state.angles:
         theta = moving[0].angle
         reach = components(tuple(Arm(a.length, a.angle - theta) for a in known))[0]
-        return Closure((Definition(name, (-reach).formula()),), {})
+        return Closure((PoseDefinition(name, (-reach).formula()),), {})
     sense = int(dict(moving[0].angle.terms)[name])
     offset = moving[0].angle - Angle.of(name) * sense
     turn = common_turn(known)
     x, y = components(tuple(Arm(-a.length, a.angle - turn) for a in known))
     direction = Call("atan2", (y.formula(), x.formula()))
     if moving[0].angle == Angle.of(name) and not turn.terms:
-        return Closure((Definition(name, direction),), {})
+        return Closure((PoseDefinition(name, direction),), {})
     own = state.free_name(f"{'delta' if turn.terms else 'phi'}_{name.removeprefix('phi_')}_")
     angle = principal((turn + Angle.of(own) - offset) * sense)
     if name in state.named:
-        return Closure((Definition(own, direction), Definition(name, angle.formula())), {})
-    return Closure((Definition(own, direction),), {name: angle})
+        return Closure((PoseDefinition(own, direction), PoseDefinition(name, angle.formula())), {})
+    return Closure((PoseDefinition(own, direction),), {name: angle})

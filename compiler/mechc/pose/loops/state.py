@@ -10,10 +10,10 @@ from ...formula.walk import symbols
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ...units import LENGTH
-from ..pose import ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vector, turned_by
+from ..pose import ClosedLoop, Limit, LoopKind, PoseDefinition, SolvedLoop, Vector, turned_by
 from ..samples import Values, poses_nearby
-from ..terms import Terms
-from ..vector_graph import Edge, Names, VectorGraph
+from ..terms import AlgebraicTerms
+from ..vector_graph import Edge, NameSet, VectorGraph
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .rated import Rated, given_rates
@@ -22,11 +22,11 @@ MANY = 3
 """The angles that a direction is the sum of, from which on it keeps its name."""
 
 
-Place = tuple[str, bool]
+PointSide = tuple[str, bool]
 """A point on a guide, and whether of its two places it has the one farther along it."""
 
 
-class State:
+class LoopState:
     """The unknowns found, in order; ``values`` are the default pose and poses near it.
 
     ``angles`` are the unknown directions, ``named`` the unknowns that the user named, ``twice``
@@ -36,11 +36,11 @@ class State:
     def __init__(
         self,
         mechanism: Mechanism,
-        terms: Terms,
+        terms: AlgebraicTerms,
         graph: VectorGraph,
         lines: Iterable[GuideLine],
-        angles: Names,
-        named: Names,
+        angles: NameSet,
+        named: NameSet,
     ) -> None:
         self.mechanism, self.graph, self.angles, self.named = mechanism, graph, angles, named
         self.guide_lines = list(lines)
@@ -109,12 +109,12 @@ class State:
     def take(
         self,
         closure: Closure,
-        unknown: Names,
+        unknown: NameSet,
         loops: Sequence[Vector],
         kind: LoopKind,
         points: tuple[str, ...],
         again: Set[str] = frozenset(),
-        place: Place | None = None,
+        place: PointSide | None = None,
     ) -> None:
         """Enter a closure for good, with the rates that the loops it closes give it.
 
@@ -144,7 +144,7 @@ class State:
         like = next((loop.points for loop in self.solved if not known.isdisjoint(loop.names)), ())
         known_by = {closure.across, *closure.alike}
         put_in = tuple(
-            Definition(name, principal(angle).formula())
+            PoseDefinition(name, principal(angle).formula())
             for name, angle in closure.directions.items()
             if name in known_by
         )
@@ -165,7 +165,7 @@ class State:
                 yield name
 
     def _define_direction(self, name: str, angle: Angle) -> None:
-        self.definitions.append(Definition(name, angle.formula()))
+        self.definitions.append(PoseDefinition(name, angle.formula()))
         self.rated.define(name, angle)
         for values in self.values:
             values[name] = angle.evaluate(values)

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...formula.tree import ZERO, Formula, Symbol, is_call
 from ...formula.walk import substitute, symbols
-from ...friction.solution import Step
+from ...friction.solution import FrictionStep
 from ...frozen import replace
 from ...model.mechanism import (
     LoadForm,
@@ -48,8 +48,8 @@ class EarlierSteps:
         return f"{name.partition('_')[2]}_".startswith(self._threads)
 
     def enter_forces(
-        self, steps: Sequence[Step], asked: WithFriction, result: str
-    ) -> Sequence[Step]:
+        self, steps: Sequence[FrictionStep], asked: WithFriction, result: str
+    ) -> Sequence[FrictionStep]:
         """Enter the forces of a result; return its steps, with a new name for each that differs.
 
         The force in a rod is another one while the drive moves than while it just holds.
@@ -65,7 +65,9 @@ class EarlierSteps:
         self._found |= {names.get(n, Symbol(n)).name: formula for n, formula in found.items()}
         return [renamed(step, names) for step in steps] if names else steps
 
-    def enter_equations(self, steps: Sequence[Step], asked: WithFriction) -> Sequence[Step]:
+    def enter_equations(
+        self, steps: Sequence[FrictionStep], asked: WithFriction
+    ) -> Sequence[FrictionStep]:
         """Enter the equations of steps; return those of a force at a joint that say something new.
 
         A load is derived as a whole, what came before it or not.
@@ -81,7 +83,7 @@ class EarlierSteps:
             others |= {n for n, f in found.items() if n in self._found and symbols(f) & others}
         return others
 
-    def enter(self, step: Step) -> list[Equation] | None:
+    def enter(self, step: FrictionStep) -> list[Equation] | None:
         """Enter a step; return its definitions that are new, None for a line shown before."""
         changed: set[str] = set()
         for name, formula in step.defined:
@@ -113,7 +115,7 @@ class EarlierSteps:
                 yield paragraph
 
 
-def _forces(steps: Iterable[Step]) -> Iterator[tuple[Symbol, Formula]]:
+def _forces(steps: Iterable[FrictionStep]) -> Iterator[tuple[Symbol, Formula]]:
     """Yield the unknowns that steps solve for, and what they are."""
     for step in steps:
         named = {definition.name for definition in step.defined}
@@ -122,7 +124,7 @@ def _forces(steps: Iterable[Step]) -> Iterator[tuple[Symbol, Formula]]:
                 yield left, right
 
 
-def renamed(step: Step, names: Mapping[str, Formula]) -> Step:
+def renamed(step: FrictionStep, names: Mapping[str, Formula]) -> FrictionStep:
     """Return a step with other names in its formulas."""
     equations = ((substitute(a, names), substitute(b, names)) for a, b in step.equations)
     defined = (d._replace(formula=substitute(d.formula, names)) for d in step.defined)

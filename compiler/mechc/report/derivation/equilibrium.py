@@ -3,7 +3,14 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
-from ...equilibrium.equilibrium import Balance, Equilibrium, Found, JointForce, Step, Terms
+from ...equilibrium.equilibrium import (
+    Equilibrium,
+    EquilibriumStep,
+    EquilibriumSum,
+    FoundForce,
+    JointForce,
+    LoadTerms,
+)
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
 from ...formula.walk import symbols
@@ -12,7 +19,7 @@ from ...frozen import replace
 from ...model.mechanism import ArcSlot, Mechanism, Reaction
 from ...model.parts.targets import whole
 from ...pose.pose import Pose
-from ...power.balance import Solved
+from ...power.balance import AlgebraicResult
 from ...power.definitions import intermediates
 from ...study.analysis import Analysis
 from ..kinds import SentenceKind
@@ -83,7 +90,7 @@ def _together(
     solution: Solution, loads: Mapping[str, Equilibrium]
 ) -> Iterator[tuple[tuple[str, ...], tuple[Equilibrium, ...]]]:
     """Yield results that are explained together, with the steps to each of their components."""
-    ideal = [one for one in solution.solved if isinstance(one, Solved)]
+    ideal = [one for one in solution.solved if isinstance(one, AlgebraicResult)]
     for force, group in groupby(ideal, lambda one: one.result.target and whole(one.result.target)):
         names = tuple(one.result.name for one in group)
         found = tuple(loads[name] for name in names if name in loads)
@@ -97,7 +104,7 @@ class _Writer:
     def __init__(self, pose: Pose) -> None:
         self._pose = pose
         self._met: set[str] = set()
-        self._found: dict[str, Terms] = {}
+        self._found: dict[str, LoadTerms] = {}
 
     def explanation(self, names: tuple[str, ...], found: Sequence[Equilibrium]) -> Explanation:
         """Return how results follow: each force when it is met first, then the sums.
@@ -126,7 +133,7 @@ class _Writer:
                 yield from self._forces(step, equilibrium.forces)
                 yield from self._sums(step, equilibrium)
 
-    def _forces(self, step: Step, forces: Iterable[JointForce]) -> Iterator[Paragraph]:
+    def _forces(self, step: EquilibriumStep, forces: Iterable[JointForce]) -> Iterator[Paragraph]:
         """Yield the explanation of the forces that a step meets first."""
         mentioned = {name for balance in step.balances for name in balance.terms}
         for force in forces:
@@ -134,7 +141,7 @@ class _Writer:
                 self._met.update(force.names)
                 yield _force(force, self._pose)
 
-    def _sums(self, step: Step, equilibrium: Equilibrium) -> Iterator[Paragraph]:
+    def _sums(self, step: EquilibriumStep, equilibrium: Equilibrium) -> Iterator[Paragraph]:
         """Yield the sums of a step, the last with what follows."""
         *most, last = step.balances
         found = tuple(map(_solved, step.found))
@@ -149,7 +156,7 @@ class _Writer:
         else:
             yield _sum(last, () if self._is_result(step, equilibrium) else found, self._pose)
 
-    def _is_result(self, step: Step, equilibrium: Equilibrium) -> bool:
+    def _is_result(self, step: EquilibriumStep, equilibrium: Equilibrium) -> bool:
         """Return whether a step gives a force in given loads, as the result is stated."""
         (found,) = step.found
         is_found = equilibrium.is_at_joint and equilibrium.result == found.name
@@ -157,7 +164,7 @@ class _Writer:
         return is_found and loads >= found.terms.keys()
 
     def _made_up(
-        self, balance: Balance, found: tuple[Equation, ...], equilibrium: Equilibrium
+        self, balance: EquilibriumSum, found: tuple[Equation, ...], equilibrium: Equilibrium
     ) -> Paragraph:
         """Return the sum that a force at a joint is, with the reason."""
         names = {"point": (balance.pin,), "link": (balance.body,)}
@@ -203,7 +210,7 @@ def _of_circular_slot(force: JointForce, arc: ArcSlot, mechanism: Mechanism) -> 
     return Paragraph(SentenceKind.FORCE_OF_CIRCULAR_SLOT, names=names, formulas=formulas)
 
 
-def _sum(balance: Balance, found: tuple[Equation, ...], pose: Pose) -> Paragraph:
+def _sum(balance: EquilibriumSum, found: tuple[Equation, ...], pose: Pose) -> Paragraph:
     equations = tuple(dict.fromkeys((Equation(_left(balance), ZERO), *found)))
     body = "link" if balance.body in pose.frames else "point"
     names = {"link": (balance.body,), "point": (balance.body,)}
@@ -222,7 +229,7 @@ def _sum(balance: Balance, found: tuple[Equation, ...], pose: Pose) -> Paragraph
     return Paragraph(sentence, equations, names, direction)
 
 
-def _left(balance: Balance) -> Formula:
+def _left(balance: EquilibriumSum) -> Formula:
     """Return a sum with most of its terms positive."""
     terms = _terms(balance.terms)
     if 2 * sum(map(has_minus, terms)) > len(terms):
@@ -230,9 +237,9 @@ def _left(balance: Balance) -> Formula:
     return total(positive_first(terms))
 
 
-def _solved(found: Found) -> Equation:
+def _solved(found: FoundForce) -> Equation:
     return Equation(Symbol(found.name), total(positive_first(_terms(found.terms))))
 
 
-def _terms(terms: Terms) -> list[Formula]:
+def _terms(terms: LoadTerms) -> list[Formula]:
     return [product([(part.formula(), 1), (Symbol(name), 1)]) for name, part in terms.items()]

@@ -13,7 +13,7 @@ from ...frozen import replace
 from ...model.mechanism import Axial, Load, Normal, Reaction
 from ...model.result import Definition
 from ...pose.pose import Pose, Vector
-from ...power.balance import Release, Solved, Term
+from ...power.balance import AlgebraicResult, Release, Term
 from ...power.definitions import resting_on
 from ..kinds import SentenceKind
 from ..sentences.order import positive_first
@@ -39,7 +39,7 @@ def of_forces(solution: Solution, met: Set[str] = frozenset()) -> Iterator[Expla
     opening: tuple[Paragraph, ...] = ()
     explained: set[str] = set()
     for place, group in groupby(solution.solved, _place):
-        solved = tuple(s for s in group if isinstance(s, Solved))
+        solved = tuple(s for s in group if isinstance(s, AlgebraicResult))
         if place is None or not solved or solved[0].result.name in met:
             continue
         writer = _Writer(pose, solved, explained)
@@ -53,7 +53,7 @@ def of_forces(solution: Solution, met: Set[str] = frozenset()) -> Iterator[Expla
         yield Explanation(writer.names, paragraphs, tuple(writer.definitions()))
 
 
-def _place(solved: Solved | SolvedWithFriction) -> tuple[str, ...] | None:
+def _place(solved: AlgebraicResult | SolvedWithFriction) -> tuple[str, ...] | None:
     """Return at which joint a force acts; None for any other result."""
     match solved.result.target:
         case Reaction(point, link):
@@ -69,7 +69,7 @@ def _place(solved: Solved | SolvedWithFriction) -> tuple[str, ...] | None:
 class _Writer:
     """Writes the explanation of one force."""
 
-    def __init__(self, pose: Pose, solved: Sequence[Solved], explained: Set[str]) -> None:
+    def __init__(self, pose: Pose, solved: Sequence[AlgebraicResult], explained: Set[str]) -> None:
         mechanism = pose.mechanism
         self._pose, self._mechanism, self._explained = pose, mechanism, explained
         self.names = tuple(s.result.name for s in solved)

@@ -6,7 +6,7 @@ from typing import assert_never
 
 from ...formula.tree import ZERO, Call, Formula, Product, Sum, Symbol, is_call, product, total
 from ...formula.walk import symbols, walk
-from ...friction.solution import Solution, SolvedWithFriction, Step, StepKind
+from ...friction.solution import FrictionStep, Solution, SolvedWithFriction, StepKind
 from ...frozen import replace
 from ...model.mechanism import (
     Axial,
@@ -20,7 +20,7 @@ from ...model.mechanism import (
 from ...model.parts.targets import Sense, drives_from_below, drives_the_return, whole
 from ...model.result import FrictionResult, Result
 from ...pose.pose import Pose
-from ...power.balance import Solved
+from ...power.balance import AlgebraicResult
 from ...study.analysis import Analysis
 from ..kinds import SentenceKind
 from ..sentences.order import geometry_first, positive_first
@@ -105,14 +105,14 @@ def _explanation(
     return Explanation(names, (*_opening(place, first, steps, pose, earlier), *paragraphs))
 
 
-def _steps(solved: Sequence[SolvedWithFriction]) -> Sequence[Step]:
+def _steps(solved: Sequence[SolvedWithFriction]) -> Sequence[FrictionStep]:
     """Return the steps to all parts of one force: the last one has an equation for each."""
     (*before, last), others = solved[0].steps, solved[1:]
     parts = [e for other in others for e in other.steps[-1].equations]
     return (*before, replace(last, equations=tuple(dict.fromkeys((*last.equations, *parts)))))
 
 
-def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
+def _place(solved: AlgebraicResult | SolvedWithFriction) -> WithFriction | None:
     """Return the quantity of a result with friction, the same for all parts of one force."""
     target = solved.result.target and whole(solved.result.target)
     return target if isinstance(target, WithFriction) else None
@@ -141,7 +141,7 @@ _BESIDE_THE_LOAD = ("first order", "iterated", "efficiency")
 """Steps in which a load has its own name for what it is without friction."""
 
 
-def _with_result(step: Step, asked: WithFriction, result: str) -> Step:
+def _with_result(step: FrictionStep, asked: WithFriction, result: str) -> FrictionStep:
     """Return a step in which a load that is asked for has the name that it has with friction."""
     drive = driving(asked)
     if drive is None or not isinstance(asked.of, LoadForm) or step.kind in _BESIDE_THE_LOAD:
@@ -169,7 +169,7 @@ _RETURNS: Mapping[Sense, SentenceKind] = {
 def _opening(
     target: WithFriction,
     result: FrictionResult,
-    steps: Sequence[Step],
+    steps: Sequence[FrictionStep],
     pose: Pose,
     earlier: EarlierSteps,
 ) -> Iterator[Paragraph]:
@@ -201,7 +201,7 @@ def _way(target: WithFriction, result: FrictionResult, drive: Formula) -> Paragr
     return Paragraph(ways[target.sense], formulas={"drive": drive})
 
 
-def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:
+def _unit(asked: LoadRatio, steps: Sequence[FrictionStep], result: str) -> Paragraph:
     """Return the paragraph on the unit of forces, and on the driving load if it is met then."""
     names, drive = {"load": (asked.below,)}, Symbol(asked.above)
     met = {name for step in steps for pair in step.equations for s in pair for name in symbols(s)}
@@ -211,7 +211,7 @@ def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:
     return Paragraph(SentenceKind.UNIT_AND_DRIVE, names=names, formulas=formulas)
 
 
-def _how(steps: Sequence[Step], pose: Pose) -> Iterator[Paragraph]:
+def _how(steps: Sequence[FrictionStep], pose: Pose) -> Iterator[Paragraph]:
     """Yield how each kind of friction resists, which forces have names, and which part is meant."""
     mechanism = pose.mechanism
     radii = [d.name for step in steps for d in step.defined if d.name.startswith("rho")]
@@ -234,11 +234,11 @@ def _how(steps: Sequence[Step], pose: Pose) -> Iterator[Paragraph]:
         yield Paragraph(SentenceKind.PART)
 
 
-def _has_friction_along(step: Step) -> bool:
+def _has_friction_along(step: FrictionStep) -> bool:
     return step.kind == "slider" and step.equations[0][1] != ZERO
 
 
-def _sentence_along(step: Step) -> SentenceKind:
+def _sentence_along(step: FrictionStep) -> SentenceKind:
     """Return the sentence of the forces along a guide."""
     has_friction = _has_friction_along(step)
     return SentenceKind.ALONG_WITH_FRICTION if has_friction else SentenceKind.ALONG
@@ -248,7 +248,7 @@ def _sentence_along(step: Step) -> SentenceKind:
 
 
 def _paragraphs(
-    step: Step, earlier: EarlierSteps, asked: WithFriction, result: str
+    step: FrictionStep, earlier: EarlierSteps, asked: WithFriction, result: str
 ) -> Iterator[Paragraph]:
     """Yield the paragraphs of a step; the load that is asked for is left to the result."""
     new = earlier.enter(step)
@@ -276,7 +276,7 @@ def _paragraphs(
 
 
 def _of_step(
-    step: Step,
+    step: FrictionStep,
     new: Sequence[Equation],
     equations: Sequence[Equation],
     found: Sequence[Equation],
@@ -327,7 +327,7 @@ def _by_name(equations: Sequence[Equation]) -> tuple[Equation, ...]:
     return tuple(found)
 
 
-def _of_joint(step: Step, equations: Sequence[Equation], of_rod: bool) -> Paragraph:
+def _of_joint(step: FrictionStep, equations: Sequence[Equation], of_rod: bool) -> Paragraph:
     """Return how a force at a joint follows from what is solved."""
     names = {"link": (step.body,), "point": (step.pivot,)} if step.body else {}
     whole = {"rod part": "S_", "normal part": "R_"}.get(step.kind, "")
@@ -388,7 +388,9 @@ def _of_threads(
         yield Paragraph(kind, formulas=formulas)
 
 
-def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> Iterator[Paragraph]:
+def _moments(
+    step: FrictionStep, new: Sequence[Equation], found: Sequence[Equation]
+) -> Iterator[Paragraph]:
     """Yield the moments about a pivot, and what they give where they had to be squared."""
     turns = {1: SentenceKind.TURNS_LEFT, -1: SentenceKind.TURNS_RIGHT}
     names = {"link": (step.body,), "point": (step.pivot,)}

@@ -11,7 +11,7 @@ from ...algebra.angle import Angle
 from ...algebra.product import ONE, Product
 from ...algebra.sums import add, canonical, readable
 from ...formula.tree import Formula, Sum, Symbol, product, total
-from ...kinematics.graph import Form, Kind, Rule, Unknown
+from ...kinematics.graph import LinearForm, Rule, SpeedKind, UnknownSpeed
 from ...kinematics.plan import Plan
 from ...named import NamedTuple
 from ...power.balance import Balance
@@ -19,7 +19,7 @@ from ...power.numbers import default_values
 from ..sentences.order import positive_first
 
 
-class Named(NamedTuple):
+class WrittenUnknown(NamedTuple):
     """An unknown as ``factor · symbol``; ``point`` is the one whose speed the symbol is."""
 
     symbol: Symbol
@@ -27,10 +27,10 @@ class Named(NamedTuple):
     point: str = ""
 
 
-Names = Mapping[int, Named]
+WrittenUnknowns = Mapping[int, WrittenUnknown]
 
 
-class Notation:
+class SpeedNotation:
     """Knows how each unknown is written, and which way it is positive."""
 
     def __init__(self, balance: Balance) -> None:
@@ -64,21 +64,21 @@ class Notation:
                 self._values[name] = _evaluated(definition, self._values)
         return value
 
-    def of_point(self, unknown: int, point: str) -> Named | None:
+    def of_point(self, unknown: int, point: str) -> WrittenUnknown | None:
         """Return an unknown written by the speed of a point that moves with it alone."""
         velocity = self._plan.graph.velocities.get(point, ())
         kind = self._plan.graph.unknowns[unknown].kind
-        if len(velocity) != 1 or velocity[0].unknown != unknown or kind is Kind.COMPONENT:
+        if len(velocity) != 1 or velocity[0].unknown != unknown or kind is SpeedKind.COMPONENT:
             return None
         size = velocity[0].size
         sense = Product(self._sense(unknown, size))
-        return Named(Symbol(f"V_{point}"), sense / size, point)
+        return WrittenUnknown(Symbol(f"V_{point}"), sense / size, point)
 
-    def of_itself(self, unknown: int) -> Named:
+    def of_itself(self, unknown: int) -> WrittenUnknown:
         """Return an unknown written by itself: a spin, a slide, a projection."""
         what = self._plan.graph.unknowns[unknown]
-        point = what.of if what.kind is Kind.SLIDE else ""
-        return Named(Symbol(_name(what, self._plan)), Product(self._sense(unknown)), point)
+        point = what.of if what.kind is SpeedKind.SLIDE else ""
+        return WrittenUnknown(Symbol(_name(what, self._plan)), Product(self._sense(unknown)), point)
 
 
 def _evaluated(value: Product, values: Mapping[str, float]) -> float:
@@ -88,17 +88,17 @@ def _evaluated(value: Product, values: Mapping[str, float]) -> float:
         return 1.0
 
 
-def _name(unknown: Unknown, plan: Plan) -> str:
+def _name(unknown: UnknownSpeed, plan: Plan) -> str:
     match unknown.kind:
-        case Kind.SPIN:
+        case SpeedKind.SPIN:
             return f"omega_{unknown.of}"
-        case Kind.SLIDE:
+        case SpeedKind.SLIDE:
             return f"V_{unknown.of}"
-        case Kind.COMPONENT:
+        case SpeedKind.COMPONENT:
             return f"V_{unknown.of}_{_axis(unknown) or _rod(unknown, plan)}"
 
 
-def _axis(unknown: Unknown) -> str:
+def _axis(unknown: UnknownSpeed) -> str:
     """Return the axis along which a velocity is projected, "" for another direction."""
     direction = unknown.direction
     if direction is None or direction.terms or direction.degrees % 90:
@@ -106,7 +106,7 @@ def _axis(unknown: Unknown) -> str:
     return "y" if direction.degrees % 180 else "x"
 
 
-def _rod(unknown: Unknown, plan: Plan) -> str:
+def _rod(unknown: UnknownSpeed, plan: Plan) -> str:
     """Return the rod on which a velocity is projected, or n for its normal."""
     for relation in plan.graph.relations:
         on_rod = relation.rule is Rule.PROJECTION and relation.along == unknown.direction
@@ -115,15 +115,15 @@ def _rod(unknown: Unknown, plan: Plan) -> str:
     return "n"
 
 
-def times(factor: Product, named: Named) -> Formula:
+def times(factor: Product, named: WrittenUnknown) -> Formula:
     """Return ``factor · symbol``, a long factor as it is read."""
     read = readable(canonical(factor), [factor])
     return product([(read.formula(), 1), (named.symbol, 1)])
 
 
-def linear(form: Form, names: Names) -> Formula:
+def linear(form: LinearForm, names: WrittenUnknowns) -> Formula:
     """Return a linear form written with the names of its unknowns."""
-    parts: dict[Named, list[Product]] = {}
+    parts: dict[WrittenUnknown, list[Product]] = {}
     for u, p in form.items():
         parts.setdefault(names[u], []).append(p * names[u].factor)
     sums = [(add(ps), named) for named, ps in parts.items()]

@@ -6,7 +6,7 @@ know nothing of these: there it is written by the forces that they give, each di
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
-from ...equilibrium.equilibrium import Equilibrium, Terms
+from ...equilibrium.equilibrium import Equilibrium, LoadTerms
 from ...formula.names import another
 from ...formula.tree import Formula, Symbol, product, quotient, total
 from ...formula.walk import symbols
@@ -82,7 +82,7 @@ def _by_forces(
     return replace(result, formula=formula, where=where), paragraph
 
 
-def _divided(terms: Terms, names: Mapping[str, str]) -> Formula:
+def _divided(terms: LoadTerms, names: Mapping[str, str]) -> Formula:
     """Return a sum of forces divided by the load that all of them are proportional to."""
     return total(
         positive_first(

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ...kinematics.forms import speed_of_load
-from ...kinematics.graph import Form
+from ...kinematics.graph import LinearForm
 from ...model.mechanism import Force, ForcePair
 from ...named import NamedTuple
 from ...power.balance import Term
@@ -75,7 +75,7 @@ def _power_term(term: Term, speeds: SpeedSteps, along: Mapping[str, AlongLoad]) 
     return PowerTerm(load.name, at[0], term.count.formula(), speed)
 
 
-def _moving(form: Form, speeds: SpeedSteps) -> Form:
+def _moving(form: LinearForm, speeds: SpeedSteps) -> LinearForm:
     """Return a form without the unknowns that are zero in every motion."""
     return {u: p for u, p in form.items() if any(speeds.plan.speeds[u])}
 

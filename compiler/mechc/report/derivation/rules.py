@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import assert_never
 
-from ...kinematics.graph import Graph, Kind, Relation
+from ...kinematics.graph import Graph, Relation, SpeedKind
 from ...kinematics.graph import Rule as Law
 from ...model.mechanism import ArcSlot, Joint, Meshing, WheelPair
 from ..kinds import Rule
@@ -64,7 +64,7 @@ def _rule_of_mesh(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ..
 def rule_of_component(point: str, load: str, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
     """Return the rule for the component of a point's velocity along a load, and its names."""
     velocity = graph.velocities[point]
-    if all(graph.unknowns[flow.unknown].kind is Kind.COMPONENT for flow in velocity):
+    if all(graph.unknowns[flow.unknown].kind is SpeedKind.COMPONENT for flow in velocity):
         return Rule.COMPONENT_OF_TWO, (point, load)
     for link, pole in _poles(point, graph):
         if graph.pose.mechanism.arc_of(link):

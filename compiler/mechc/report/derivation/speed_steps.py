@@ -9,14 +9,14 @@ from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula, Symbol, product, quotient, total
 from ...kinematics.contacts import turning
 from ...kinematics.forms import scaled, spin
-from ...kinematics.graph import Form, Graph, Kind, Relation
+from ...kinematics.graph import Graph, LinearForm, Relation, SpeedKind
 from ...kinematics.plan import Block, Plan
 from ...model.mechanism import Force, Load, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
 from ..kinds import Rule
 from ..steps import Equation, NamedRatio, Reason, Step
-from .notation import Named, Names, Notation, linear, times
+from .notation import SpeedNotation, WrittenUnknown, WrittenUnknowns, linear, times
 from .rules import involved, pole_of, rule_of
 
 
@@ -59,15 +59,15 @@ class SpeedSteps:
 
     def __init__(self, balance: Balance) -> None:
         self.balance, self.plan, self._graph = balance, balance.plan, balance.plan.graph
-        self._notation = Notation(balance)
-        self._ratios = Ratios(balance.reading, self._notation)
-        self._names: dict[int, Named] = {}
+        self._notation = SpeedNotation(balance)
+        self._ratios = NamedRatios(balance.reading, self._notation)
+        self._names: dict[int, WrittenUnknown] = {}
         self._levered: set[str] = set()
         self._composed: set[str] = set()
-        self._turning: dict[int, Named] = {}
+        self._turning: dict[int, WrittenUnknown] = {}
 
     @property
-    def names(self) -> Names:
+    def names(self) -> WrittenUnknowns:
         """Return the names of the unknowns that the steps so far have met."""
         return self._names
 
@@ -76,7 +76,7 @@ class SpeedSteps:
         """Return the ratios of speeds that the steps so far have given a name."""
         return self._ratios.shown
 
-    def names_at(self, form: Form, *points: str) -> Names:
+    def names_at(self, form: LinearForm, *points: str) -> WrittenUnknowns:
         """Return the names of a form's unknowns, by the speed of one of the points if it is met.
 
         Of a link under a couple it is its angular velocity that is met.
@@ -122,7 +122,7 @@ class SpeedSteps:
         relation = Equation(known.symbol, arm) if is_positive else rate
         return Step(Rule.ARM, (pivot, known.point), (relation,), (rate,))
 
-    def _first_name(self, unknown: int) -> Named:
+    def _first_name(self, unknown: int) -> WrittenUnknown:
         """Name a drive by the first loaded point that moves with it."""
         for term in self.balance.terms:
             if isinstance(term.load, Force):
@@ -145,7 +145,7 @@ class SpeedSteps:
 
     def _single(self, relation: Relation, unknown: int) -> Iterator[Step]:
         """Yield the lever steps that a relation needs first, then the relation itself."""
-        local: dict[int, Named] = {}
+        local: dict[int, WrittenUnknown] = {}
         for point in relation.points:
             for u in relation.form:
                 if named := self._notation.of_point(u, point):
@@ -205,7 +205,9 @@ class SpeedSteps:
             if speed
         )
 
-    def _written(self, form: Form, unknown: int, names: Names) -> tuple[Equation, Equation]:
+    def _written(
+        self, form: LinearForm, unknown: int, names: WrittenUnknowns
+    ) -> tuple[Equation, Equation]:
         """Return a relation with the new speed on the left, positive, and solved for it."""
         lead = form[unknown] * names[unknown].factor
         rest = {u: -p for u, p in form.items() if u != unknown}
@@ -221,11 +223,11 @@ class SpeedSteps:
 
     # ------------------------------------------------------------------------- levers
 
-    def _lever(self, unknown: int, named: Named) -> Iterator[Step]:
+    def _lever(self, unknown: int, named: WrittenUnknown) -> Iterator[Step]:
         """Yield the step from the speed a pivoted link is known by to another of its points."""
         known = self._names[unknown]
         what = self._graph.unknowns[unknown]
-        if what.kind is not Kind.SPIN or named.symbol == known.symbol:
+        if what.kind is not SpeedKind.SPIN or named.symbol == known.symbol:
             return
         if named.symbol.name in self._levered:
             return
@@ -254,10 +256,10 @@ class SpeedSteps:
         return Symbol(given if known else f"len_{pivot}{point}")
 
 
-class Ratios:
+class NamedRatios:
     """The named ratios of the plan that formulas are read off; ``shown`` are those in steps."""
 
-    def __init__(self, read: Plan, notation: Notation) -> None:
+    def __init__(self, read: Plan, notation: SpeedNotation) -> None:
         self._read, self._notation = read, notation
         self.shown: list[NamedRatio] = []
 
@@ -276,10 +278,10 @@ class Ratios:
 
     def _rate(self, unknown: int) -> Dimension:
         kind = self._read.graph.unknowns[unknown].kind
-        return FREQUENCY if kind is Kind.SPIN else VELOCITY
+        return FREQUENCY if kind is SpeedKind.SPIN else VELOCITY
 
 
-def seen_from_arm(relation: Relation, graph: Graph, names: Names) -> Equation | None:
+def seen_from_arm(relation: Relation, graph: Graph, names: WrittenUnknowns) -> Equation | None:
     """Return ``z₁(ω₁ - ω_arm) = z₂(ω₂ + ω_arm)``: equal speeds of rims relative to the arm.
 
     Factors that both radii have, such as the module, are left out. None for other relations, and

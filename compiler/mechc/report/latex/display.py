@@ -14,7 +14,7 @@ from ...formula.layout import is_angle
 from ...formula.tree import Formula, Product, Sum, negative
 from ...formula.walk import children, rebuild, symbols
 from ...named import NamedTuple
-from .notation import Notation
+from .notation import LatexNotation
 from .printer import Box, Boxes, box, plain, row, signed
 
 LINE = 38.0
@@ -33,7 +33,7 @@ _GAP = 1.0
 """What two equations in one line keep apart at least, in em."""
 
 
-class Line(NamedTuple):
+class DisplayLine(NamedTuple):
     """One equation to display: its left side as it stands, its right side as a formula.
 
     ``unit`` stands behind a right side that is a number. What it is equal to on the way, a
@@ -50,7 +50,7 @@ class Line(NamedTuple):
 class _Display:
     """The names that one display uses, of which those made up in it are defined below it."""
 
-    def __init__(self, style: Notation, shown: Iterable[Formula]) -> None:
+    def __init__(self, style: LatexNotation, shown: Iterable[Formula]) -> None:
         self._names = style.made
         self.box = Boxes(style).whole
         self._names.take(name for formula in shown for name in symbols(formula))
@@ -65,14 +65,16 @@ class _Display:
         return known
 
 
-def display(lines: tuple[Line, ...], style: Notation, where: str, boxed: bool = False) -> str:
+def display(
+    lines: tuple[DisplayLine, ...], style: LatexNotation, where: str, boxed: bool = False
+) -> str:
     """Return the equations as displays; ``where`` is the word before names made up here."""
     names = _Display(style, [line.right for line in lines])
     rows = [_row(line, style, names) for line in lines]
     return _with_names(_environment(rows, boxed), names, style, where)
 
 
-def _row(line: Line, style: Notation, names: _Display) -> tuple[Box, list[Box]]:
+def _row(line: DisplayLine, style: LatexNotation, names: _Display) -> tuple[Box, list[Box]]:
     """Return the sides of an equation, the right one as the lines that it takes."""
     if line.chain is None:
         return line.left, _fitted(line, style, names)
@@ -83,18 +85,18 @@ def _row(line: Line, style: Notation, names: _Display) -> tuple[Box, list[Box]]:
     return line.left, [line.chain, row((plain("="), first)), *others]
 
 
-def vanishing(formula: Formula, style: Notation, where: str) -> str:
+def vanishing(formula: Formula, style: LatexNotation, where: str) -> str:
     """Return ``formula = 0`` as a display, broken between the terms of its sum."""
     names = _Display(style, [formula])
-    *parts, last = _fitted(Line(plain(""), formula), style, names)
+    *parts, last = _fitted(DisplayLine(plain(""), formula), style, names)
     return _with_names(_multline([*parts, row((last, plain("=0")))]), names, style, where)
 
 
-def balance(left: Formula, right: Formula, style: Notation, where: str) -> str:
+def balance(left: Formula, right: Formula, style: LatexNotation, where: str) -> str:
     """Return an equation of two wide sides as a display, the right one on lines of its own."""
     names = _Display(style, [left, right])
-    parts = _fitted(Line(plain(""), left), style, names)
-    first, *others = _fitted(Line(plain("="), right), style, names)
+    parts = _fitted(DisplayLine(plain(""), left), style, names)
+    first, *others = _fitted(DisplayLine(plain("="), right), style, names)
     whole = _multline([*parts, row((plain("="), first)), *others])
     return _with_names(whole, names, style, where)
 
@@ -109,12 +111,12 @@ def _break(lines: int) -> str:
     return r"\\*" if lines <= TOGETHER else r"\\"
 
 
-def _with_names(whole: str, names: _Display, style: Notation, where: str) -> str:
+def _with_names(whole: str, names: _Display, style: LatexNotation, where: str) -> str:
     """Return a display followed by the definitions of the names made up in it."""
     defined: list[tuple[Box, list[Box]]] = []
     for formula, symbol in names.made:  # which grows while long sums are broken in turn
         left = box(symbol, style)
-        defined.append((left, _fitted(Line(left, formula), style, names)))
+        defined.append((left, _fitted(DisplayLine(left, formula), style, names)))
     return f"{whole}\n{where}\n{_environment(defined)}" if defined else whole
 
 
@@ -180,7 +182,7 @@ def _aligned(left: Box, parts: list[Box]) -> str:
     return f"{left.tex}&={first.tex}{continued}"
 
 
-def _fitted(line: Line, style: Notation, names: _Display) -> list[Box]:
+def _fitted(line: DisplayLine, style: LatexNotation, names: _Display) -> list[Box]:
     """Return the right side as the lines that it takes."""
     room = max(LINE - line.left.width - _INDENT, LINE / 2)
     whole = names.box(line.right, line.angle)
@@ -193,7 +195,7 @@ def _fitted(line: Line, style: Notation, names: _Display) -> list[Box]:
     return _pack([signed(t, style, i == 0, angle) for i, t in enumerate(terms)], room)
 
 
-def broken(line: Line, style: Notation) -> list[Box]:
+def broken(line: DisplayLine, style: LatexNotation) -> list[Box]:
     """Return the right side as the lines that it takes; none where a part of it fits on none."""
     room = LINE - line.left.width - _INDENT
     if isinstance(line.right, Sum):
@@ -214,7 +216,7 @@ def _pack(pieces: list[Box], room: float) -> list[Box]:
     return [row(line) for line in lines]
 
 
-def _named(formula: Formula, room: float, style: Notation, names: _Display) -> Formula:
+def _named(formula: Formula, room: float, style: LatexNotation, names: _Display) -> Formula:
     """Name inner sums in reading order, wide ones first, until the formula fits."""
     while names.box(formula).width > room:
         inner = [s for s in _inner_sums(formula) if not is_angle(s, style.angles)]
@@ -225,7 +227,7 @@ def _named(formula: Formula, room: float, style: Notation, names: _Display) -> F
     return formula
 
 
-def _term(term: Formula, room: float, style: Notation, names: _Display) -> Formula:
+def _term(term: Formula, room: float, style: LatexNotation, names: _Display) -> Formula:
     """Return a term that fits a line of its own, under a name where nothing else helps."""
     shorter = _named(term, room, style, names)
     return shorter if names.box(shorter).width <= room else names.name(shorter)
@@ -247,7 +249,7 @@ def _replace(formula: Formula, old: Formula, new: Formula) -> Formula:
     return rebuild(formula, tuple(_replace(p, old, new) for p in parts)) if parts else formula
 
 
-def _factor_lines(formula: Formula, room: float, style: Notation) -> list[Box]:
+def _factor_lines(formula: Formula, room: float, style: LatexNotation) -> list[Box]:
     """Continue a product of many factors on further lines."""
     if not isinstance(formula, Product) or box(formula, style).width <= room:
         return [box(formula, style)]
@@ -268,5 +270,5 @@ def _joined(factors: list[Formula]) -> Formula:
     return factors[0] if len(factors) == 1 else Product(tuple(factors))
 
 
-def _width(factors: tuple[Formula, ...], style: Notation) -> float:
+def _width(factors: tuple[Formula, ...], style: LatexNotation) -> float:
     return box(_joined(list(factors)), style).width

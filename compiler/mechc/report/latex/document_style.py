@@ -8,10 +8,12 @@ from ...study.analysis import Analysis
 from ..made_names import names_of, points_of
 from ..sentences.remarks import called, reaction
 from ..sentences.speller import angles_of, couples_of, guided_of, own_names
-from .notation import Notation, of_first_order, of_force, spellings
+from .notation import LatexNotation, of_first_order, of_force, spellings
 
 
-def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation) -> Notation:
+def style_of(
+    mechanism: Mechanism, results: Sequence[Analysis], style: LatexNotation
+) -> LatexNotation:
     """Return a notation with this mechanism's angles, and its names set apart from each other."""
     texts = mechanism.translations.get(style.language, style.texts)
     known = replace(
@@ -35,7 +37,7 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
     return replace(known, spellings={**known.spellings, **forces, **first_orders(results, known)})
 
 
-def first_orders(results: Iterable[Analysis], style: Notation) -> dict[str, str]:
+def first_orders(results: Iterable[Analysis], style: LatexNotation) -> dict[str, str]:
     """Return how results of first order in friction are spelled."""
     return {
         r.name: of_first_order(r.name, style)

@@ -22,12 +22,12 @@ from ...model.mechanism import (
 from ..languages.locale import Locale
 from ..sentences.order import enumeration
 from ..sentences.speller import LoadWords
-from .notation import Notation, name, points
+from .notation import LatexNotation, name, points
 from .printer import latex
 from .quantity import length_of, math
 
 
-def friction_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
+def friction_sentences(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield a sentence for all pins of one radius, each other joint, and the motion meant."""
     friction = mechanism.friction
     if friction.is_ideal:
@@ -55,7 +55,7 @@ def _driving(mechanism: Mechanism) -> list[str]:
     return list(dict.fromkeys(drives))
 
 
-def _pins(friction: Friction, locale: Locale, style: Notation) -> Iterator[str]:
+def _pins(friction: Friction, locale: Locale, style: LatexNotation) -> Iterator[str]:
     alike: dict[Formula, list[str]] = {}
     for joint in friction.joints:
         if isinstance(joint, PinFriction):
@@ -67,7 +67,7 @@ def _pins(friction: Friction, locale: Locale, style: Notation) -> Iterator[str]:
         )
 
 
-def _joint(joint: JointFriction, locale: Locale, style: Notation) -> Iterator[str]:
+def _joint(joint: JointFriction, locale: Locale, style: LatexNotation) -> Iterator[str]:
     point = math(points(joint.point))
     match joint:
         case PinFriction():

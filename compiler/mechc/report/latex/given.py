@@ -23,7 +23,7 @@ from ...model.mechanism import (
     Torque,
     Turn,
 )
-from ...model.parts.written import Written
+from ...model.parts.written import WrittenFormula
 from ...model.values import is_constant, own_stroke
 from ...named import NamedTuple
 from ...units import DIMENSIONS
@@ -32,7 +32,7 @@ from ..languages.locale import Locale
 from ..sentences.order import enumeration
 from .friction import friction_sentences
 from .joints import joint_sentences
-from .notation import Notation, name, points, translated
+from .notation import LatexNotation, name, points, translated
 from .note import side
 from .printer import latex
 from .quantity import direction, length_of, math, quantity, spaced, spoken, usual_unit
@@ -60,7 +60,7 @@ class VectorRow(NamedTuple):
 def parameter_row(
     parameter: Parameter,
     locale: Locale,
-    style: Notation,
+    style: LatexNotation,
     drive: str = "",
     value: Formula | None = None,
 ) -> ParameterRow:
@@ -82,11 +82,11 @@ def parameter_row(
     )
 
 
-def _value(parameter: Parameter, locale: Locale, style: Notation) -> str:
+def _value(parameter: Parameter, locale: Locale, style: LatexNotation) -> str:
     if parameter.value is None:
         return locale.any_value
     if parameter.dependent and not is_constant(parameter):
-        shown = parameter.written or Written(parameter.value)
+        shown = parameter.written or WrittenFormula(parameter.value)
         return math(side(shown, shown.formula, style, parameter.name in style.angles).tex)
     dimension, unit = parameter.dimension, parameter.unit
     value = quantity(parameter.value, dimension, unit, locale, style)
@@ -100,7 +100,7 @@ def _value(parameter: Parameter, locale: Locale, style: Notation) -> str:
     return math(rf"{value} \pm {off}")
 
 
-def _range(parameter: Parameter, locale: Locale, style: Notation) -> str:
+def _range(parameter: Parameter, locale: Locale, style: LatexNotation) -> str:
     if parameter.range is None:
         return ""
     dimension, unit = parameter.dimension, parameter.unit
@@ -111,7 +111,7 @@ def _range(parameter: Parameter, locale: Locale, style: Notation) -> str:
     return math(rf"{low}\ \ldots\ {{{high}}}")
 
 
-def vector_rows(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[VectorRow]:
+def vector_rows(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> Iterator[VectorRow]:
     """Yield the entries of the geometry, and points as drawn rather than what follows from them."""
     drawn = {d.span: Offset("", d.point, d.x, d.y, d.span) for d in mechanism.drawn}
     given = [entry for entry in mechanism.geometry if entry.span not in drawn]
@@ -124,7 +124,11 @@ def vector_rows(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterat
 
 
 def _vector_row(
-    entry: Geometry, literals: Mapping[str, Parameter], unit: str, locale: Locale, style: Notation
+    entry: Geometry,
+    literals: Mapping[str, Parameter],
+    unit: str,
+    locale: Locale,
+    style: LatexNotation,
 ) -> VectorRow:
     match entry:
         case Arrow(tail, head, _, line):
@@ -142,7 +146,7 @@ def _vector_row(
 
 
 def _length(
-    entry: Arrow, literals: Mapping[str, Parameter], locale: Locale, style: Notation
+    entry: Arrow, literals: Mapping[str, Parameter], locale: Locale, style: LatexNotation
 ) -> str:
     """Return a vector's length; a number with its unit, and the name of the first such length."""
     if entry.length is None:
@@ -173,7 +177,7 @@ def _vector(tail: str, head: str) -> str:
     return math(points(tail) + points(head) if tail else points(head))
 
 
-def scheme(mechanism: Mechanism, locale: Locale, style: Notation) -> tuple[str, ...]:
+def scheme(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> tuple[str, ...]:
     """Return the mechanism in sentences: joints, links, loads, symmetry."""
     sentences = [*_parts(mechanism, locale, style), *_joints(mechanism, locale, style)]
     sentences += _links(mechanism, locale, style)
@@ -186,7 +190,7 @@ def scheme(mechanism: Mechanism, locale: Locale, style: Notation) -> tuple[str, 
     return tuple(f"{s[0].upper()}{s[1:]}." for s in dict.fromkeys(sentences))
 
 
-def _stroke(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
+def _stroke(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield from where to where the drive goes, where no table of ranges shows it."""
     if found := own_stroke(mechanism):
         parameter, *ends = found
@@ -197,7 +201,7 @@ def _stroke(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[s
         yield locale.joints["driven"].format(parameter=symbol, low=low, high=high)
 
 
-def _parts(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
+def _parts(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield the mechanisms that this one is joined of, and the names of their points here."""
     for part in mechanism.subassemblies:
         there, here = (_listed(names, locale) for names in zip(*part.points, strict=True))
@@ -205,7 +209,7 @@ def _parts(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[st
         yield locale.joints["part"].format(part=symbol, name=title, there=there, here=here)
 
 
-def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
+def _joints(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> list[str]:
     pivots = _listed((p.point for p in mechanism.each(Pivot) if split_points(p.point)), locale)
     sentences = [locale.pivots.format(points=pivots)] if pivots else []
     for slider in mechanism.each(Slider):
@@ -216,7 +220,7 @@ def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
     return sentences
 
 
-def _links(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
+def _links(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> list[str]:
     rods = [link for link in mechanism.rigid_links if _is_rod(link, mechanism)]
     bodies = [link for link in mechanism.rigid_links if link not in rods]
     return [
@@ -233,7 +237,7 @@ def _is_rod(link: Link, mechanism: Mechanism) -> bool:
     return len(link.points) == 2 and {*link.points} <= held | others
 
 
-def _link(link: Link, style: Notation) -> str:
+def _link(link: Link, style: LatexNotation) -> str:
     """Return a link by its points, and what it is called."""
     called = f" ({translated(link.label, style)})" if link.label else ""
     return math(points(link.name)) + called
@@ -251,7 +255,7 @@ def _end(point: str, link: str, links: Set[str], locale: Locale) -> str:
     return locale.joints["on link"].format(point=math(points(point)), link=math(points(link)))
 
 
-def _load(load: Load, links: Set[str], locale: Locale, style: Notation) -> str:
+def _load(load: Load, links: Set[str], locale: Locale, style: LatexNotation) -> str:
     symbol = latex(product([(number(load.times), 1), (Symbol(load.name), 1)]), style)
     tie = _tie(load, locale, style) if load.tie else ""
     match load:
@@ -278,7 +282,7 @@ def _load(load: Load, links: Set[str], locale: Locale, style: Notation) -> str:
     return said + tie
 
 
-def _tie(load: Load, locale: Locale, style: Notation) -> str:
+def _tie(load: Load, locale: Locale, style: LatexNotation) -> str:
     """Return the formula of a tied load, with the value of g where a weight takes the usual one."""
     assert load.tie
     usual = takes_usual_g(load)
@@ -291,7 +295,7 @@ def _tie(load: Load, locale: Locale, style: Notation) -> str:
     return f"{said}, {math(f'g={g}')}"
 
 
-def _symmetry(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
+def _symmetry(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> list[str]:
     sentences = []
     if mechanism.mirror:
         across = spoken(mechanism.mirror.across, locale, style)

@@ -21,11 +21,11 @@ from ...model.mechanism import (
     WheelPair,
 )
 from ..languages.locale import Locale
-from .notation import Notation, points
+from .notation import LatexNotation, points
 from .quantity import length_of, math, spoken
 
 
-def joint_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
+def joint_sentences(mechanism: Mechanism, locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield a sentence for each slide, slot, contact, pair of wheels, rack and screw."""
     say = locale.joints
     for slide in mechanism.slides:
@@ -54,14 +54,14 @@ def _in_two_parts(mechanism: Mechanism) -> frozenset[str]:
     return frozenset(centre for centre, links in held.items() if len(links) > 1)
 
 
-def _arc(rod: Link, arc: ArcSlot, locale: Locale, style: Notation) -> str:
+def _arc(rod: Link, arc: ArcSlot, locale: Locale, style: LatexNotation) -> str:
     pin, body, centre = (math(points(name)) for name in (rod.points[1], arc.link, arc.centre))
     line, length = points(rod.name), length_of(arc.radius, locale, style)
     radius = math(line if length == line else f"{line}={length}")
     return locale.joints["arc"].format(point=pin, body=body, centre=centre, radius=radius)
 
 
-def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
+def _sentence(joint: Joint, locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield the sentence of a joint; pivots and sliders are named with the points, ropes apart."""
     say = locale.joints
     match joint:
@@ -103,7 +103,7 @@ def _rope(rope: Rope, mechanism: Mechanism, locale: Locale) -> str:
     return locale.joints[kind].format(points=route)
 
 
-def _wheels(mesh: WheelPair, locale: Locale, style: Notation) -> str:
+def _wheels(mesh: WheelPair, locale: Locale, style: LatexNotation) -> str:
     kinds = {
         ("gear", False): "gear",
         ("gear", True): "inner",
@@ -118,7 +118,9 @@ def _wheels(mesh: WheelPair, locale: Locale, style: Notation) -> str:
     )
 
 
-def _on_arm(mesh: WheelPair, shared: Set[str], locale: Locale, style: Notation) -> Iterator[str]:
+def _on_arm(
+    mesh: WheelPair, shared: Set[str], locale: Locale, style: LatexNotation
+) -> Iterator[str]:
     """Yield the carrier of the centres of two wheels, and the bodies that they are fixed to.
 
     Of several about a ``shared`` centre it is said by its radius which one is meant.

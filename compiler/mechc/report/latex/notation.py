@@ -9,8 +9,8 @@ from types import MappingProxyType
 
 from ...formula.names import (
     GREEK,
-    JointForce,
-    Point,
+    JointForceName,
+    PointName,
     corner_of,
     split_force,
     split_name,
@@ -53,7 +53,7 @@ def relation_sign(sign: str) -> str:
 
 
 @frozen
-class Notation:
+class LatexNotation:
     """How functions, decimals and names are written, and which names are angles or couples.
 
     ``texts`` has what texts of the description are in the ``language``, where they are translated,
@@ -101,12 +101,12 @@ class Notation:
         return "," if self.decimal == "." else r";\ "
 
 
-def notation(language: str) -> Notation:
+def notation(language: str) -> LatexNotation:
     """Return the notation of a language's books, for one document."""
     known = locale(language)
     functions, made = {**_COMMON, **known.functions}, MadeNames()
     otherwise = known.calculation["otherwise"]
-    return Notation(
+    return LatexNotation(
         functions,
         known.decimal,
         made,
@@ -117,12 +117,12 @@ def notation(language: str) -> Notation:
     )
 
 
-def translated(text: str, style: Notation) -> str:
+def translated(text: str, style: LatexNotation) -> str:
     r"""Return a text of the description in the language of the document, as LaTeX.
 
     Points, vectors and loads of the mechanism stand in it as they do in formulas.
 
-    >>> style = Notation({}, ".", MadeNames(), {}, "", pictured=frozenset({"O1", "A"}))
+    >>> style = LatexNotation({}, ".", MadeNames(), {}, "", pictured=frozenset({"O1", "A"}))
     >>> translated("A lever O1A about O1", style)
     'A lever $O_{1}A$ about $O_{1}$'
     >>> translated("Norton, fig. 2a: V = r·ω/(2b sin φ)", style).split(": ")[1]
@@ -158,14 +158,14 @@ _WORDS = {"en": frozenset({"A", "I"})}
 """Letters that are words of a language, too."""
 
 
-def _as_drawn(word: str, style: Notation) -> str:
+def _as_drawn(word: str, style: LatexNotation) -> str:
     """Return a word of a text, as mathematics where it is made of names of the picture."""
     parts = ["".join(part) for part in split_points(word)]
     known = word not in _WORDS.get(style.language, ()) and style.pictured.issuperset(parts)
     return f"${points(word)}$" if known else word
 
 
-def name(symbol: str, style: Notation) -> str:
+def name(symbol: str, style: LatexNotation) -> str:
     r"""Return a quantity's name as LaTeX.
 
     >>> [name(s, notation("uk")) for s in ("alpha_1", "l_A", "phi", "eff", "omega_O1B")]
@@ -174,7 +174,7 @@ def name(symbol: str, style: Notation) -> str:
     return style.spellings.get(symbol) or _by_rule(symbol, style)
 
 
-def of_result(symbol: str, style: Notation) -> str:
+def of_result(symbol: str, style: LatexNotation) -> str:
     r"""Return a result's name, one that was asked for without a name as the ratio that it is.
 
     >>> of_result("M_over_F", notation("en")), of_result("k", notation("en"))
@@ -183,7 +183,7 @@ def of_result(symbol: str, style: Notation) -> str:
     return "/".join(name(part, style) for part in split_ratio(symbol))
 
 
-def of_force(symbol: str, force: Reaction, style: Notation) -> str:
+def of_force(symbol: str, force: Reaction, style: LatexNotation) -> str:
     r"""Return a force on a link with the link above, a direction as an angle.
 
     >>> of_force("R_B_on_BC_x", Reaction("B", "BC", "x"), notation("en"))
@@ -199,7 +199,7 @@ def of_force(symbol: str, force: Reaction, style: Notation) -> str:
     return f"{{{whole}^{{{points(force.link)}}}}}" if force.link and on else whole
 
 
-def of_first_order(symbol: str, style: Notation) -> str:
+def of_first_order(symbol: str, style: LatexNotation) -> str:
     """Return a result of first order in friction, its 1 not below the f.
 
     >>> of_first_order("k_f1", notation("en"))
@@ -208,7 +208,7 @@ def of_first_order(symbol: str, style: Notation) -> str:
     return name(symbol, style).replace("f_{1}}", "f1}")
 
 
-def _by_rule(symbol: str, style: Notation) -> str:
+def _by_rule(symbol: str, style: LatexNotation) -> str:
     if prefix := style.prefix(symbol):
         return _of_part(symbol.removeprefix(f"{prefix}_"), prefix, style)
     if symbol.startswith("len_"):
@@ -218,11 +218,11 @@ def _by_rule(symbol: str, style: Notation) -> str:
     return _whole(symbol, style)
 
 
-def _whole(symbol: str, style: Notation, *last: str) -> str:
+def _whole(symbol: str, style: LatexNotation, *last: str) -> str:
     r"""Return a name in the language, the last indices as they are.
 
     >>> texts = {"F_C": "F_ц", "far": "дал", "row": "ряд"}
-    >>> style = Notation({}, ",", MadeNames(), {}, "", texts=texts)
+    >>> style = LatexNotation({}, ",", MadeNames(), {}, "", texts=texts)
     >>> [_whole(symbol, style) for symbol in ("F_C", "P_far", "row")]
     ['F_{\\text{\\mechccyr{ц}}}', 'P_{\\text{\\mechccyr{дал}}}', '\\text{\\mechccyr{ряд}}']
     """
@@ -234,7 +234,7 @@ def _whole(symbol: str, style: Notation, *last: str) -> str:
     return _indexed(called, words, *last)
 
 
-def _of_part(symbol: str, prefix: str, style: Notation) -> str:
+def _of_part(symbol: str, prefix: str, style: LatexNotation) -> str:
     r"""Return a name that something else brings in: as it is there, with the prefix as an index.
 
     >>> style = notation("en")
@@ -248,7 +248,7 @@ def _of_part(symbol: str, prefix: str, style: Notation) -> str:
     part = _text(escape(called.replace("_", " "))) if is_text else _index(prefix)
     if symbol.startswith("len_"):
         return f"{{{points(symbol.removeprefix('len_'))}}}_{{{part}}}"
-    own, link, is_direction = split_force(symbol) or JointForce(symbol, "", False)
+    own, link, is_direction = split_force(symbol) or JointForceName(symbol, "", False)
     whole = _whole(own, style, part).replace("f_{1},", "f1,")
     if link:
         whole = f"{{{whole}^{{{points(link)}}}}}"
@@ -315,12 +315,12 @@ def points(names: str) -> str:
     return "".join(map(_point, found)) or rf"\mathrm{{{names}}}"
 
 
-def _point(point: Point) -> str:
+def _point(point: PointName) -> str:
     number = f"_{{{point.number}}}" if point.number else ""
     return point.letter + number + point.primes
 
 
-def spellings(names: Iterable[str], style: Notation) -> dict[str, str]:
+def spellings(names: Iterable[str], style: LatexNotation) -> dict[str, str]:
     r"""Return spellings letter by letter for names that the rules would write alike.
 
     >>> sorted(spellings(["alpha1", "alpha_1", "b"], notation("en")).values())

@@ -3,19 +3,19 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from ...formula.tree import Formula, Symbol
-from ...model.parts.written import Written
+from ...model.parts.written import WrittenFormula
 from ...units import ANGLE
 from ..languages.locale import Locale
 from ..note import NoteLine
-from ..put_in import Quantity
-from .display import LINE, Line, display
-from .notation import Notation, name, translated
+from ..put_in import GivenQuantity
+from .display import LINE, DisplayLine, display
+from .notation import LatexNotation, name, translated
 from .printer import Box, box, latex, plain, row
 from .quantity import in_unit, math
 from .text import begun
 
 
-def alone(line: NoteLine, locale: Locale, style: Notation) -> Iterator[str]:
+def alone(line: NoteLine, locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield the text of a formula, the formula as it is written, and what there is to say of it."""
     if line.label:
         yield rf"\noindent {begun(translated(line.label, style))}:"
@@ -25,12 +25,12 @@ def alone(line: NoteLine, locale: Locale, style: Notation) -> Iterator[str]:
         shown = side(line, line.formula, style, angle)
         yield rf"\[ \boxed{{{left.tex}={shown.tex}}} \]"
     else:
-        yield display((Line(left, line.formula, angle),), style, locale.where, boxed=True)
+        yield display((DisplayLine(left, line.formula, angle),), style, locale.where, boxed=True)
     if said := remark(line, locale.calculation, style):
         yield rf"\noindent ({said})\par"
 
 
-def remark(line: NoteLine, words: Mapping[str, str], style: Notation) -> str:
+def remark(line: NoteLine, words: Mapping[str, str], style: LatexNotation) -> str:
     """Return which list a size is of, where a table is from, which of several things decides."""
     looked_up = line.kind in ("row", "list")
     remarks = [words[line.kind].format(name=math(name(line.of, style)))] if looked_up else []
@@ -41,7 +41,7 @@ def remark(line: NoteLine, words: Mapping[str, str], style: Notation) -> str:
     return "; ".join(remarks)
 
 
-def in_numbers(line: NoteLine, where: str, style: Notation) -> str:
+def in_numbers(line: NoteLine, where: str, style: LatexNotation) -> str:
     """Return a formula, the numbers put in and its value, as one display."""
     left = box(Symbol(line.name), style)
     if is_plain(line):
@@ -72,7 +72,7 @@ def _behind_cases(left: Box, sides: Sequence[Box]) -> str:
     return rf"\[ {left.tex}={sides[0].tex}{between}{value} \]"
 
 
-def _sides(line: NoteLine, style: Notation) -> Iterator[Box]:
+def _sides(line: NoteLine, style: LatexNotation) -> Iterator[Box]:
     """Yield what a name is equal to: its formula, that in numbers, the rows between, its value."""
     angle = line.dimension == ANGLE
     for formula in (line.formula, line.numbers):
@@ -90,7 +90,7 @@ def is_plain(line: NoteLine) -> bool:
     return bool(line.label and line.formula and line.value and named and not line.kind)
 
 
-def _in_the_line(line: NoteLine, left: Box, style: Notation) -> str:
+def _in_the_line(line: NoteLine, left: Box, style: LatexNotation) -> str:
     """Return a value that is taken as it is, to stand behind its text."""
     assert line.formula
     assert line.value
@@ -100,14 +100,16 @@ def _in_the_line(line: NoteLine, left: Box, style: Notation) -> str:
 
 
 def _broken(
-    line: NoteLine, formula: Formula, left: Box, value: Box, where: str, style: Notation
+    line: NoteLine, formula: Formula, left: Box, value: Box, where: str, style: LatexNotation
 ) -> str:
     """Return a formula that no line holds, broken, and its value, without the numbers."""
-    broken = display((Line(left, formula, line.dimension == ANGLE),), style, where)
+    broken = display((DisplayLine(left, formula, line.dimension == ANGLE),), style, where)
     return f"{broken}\n\\[ {left.tex}={value.tex} \\]" if line.value else broken
 
 
-def side(line: NoteLine | Written, formula: Formula, style: Notation, angle: bool) -> Box:
+def side(
+    line: NoteLine | WrittenFormula, formula: Formula, style: LatexNotation, angle: bool
+) -> Box:
     """Return a formula; of a table its name, applied to what it is asked for."""
     if not line.of:
         return box(formula, style, angle)
@@ -116,6 +118,6 @@ def side(line: NoteLine | Written, formula: Formula, style: Notation, angle: boo
     return row((table, Box(rf"\left({inner.tex}\right)", inner.width + 1.0, inner.tall)))
 
 
-def measure(quantity: Quantity, style: Notation) -> Box:
+def measure(quantity: GivenQuantity, style: LatexNotation) -> Box:
     """Return a value in its unit."""
     return plain(in_unit(quantity.value, quantity.unit, style, style))

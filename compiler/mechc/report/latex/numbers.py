@@ -12,8 +12,8 @@ from ..by_parts import by_parts
 from ..evaluated import Evaluated
 from ..languages.locale import Locale
 from ..sentences.remarks import asked
-from .display import LINE, Line, aligned, broken
-from .notation import Notation, name
+from .display import LINE, DisplayLine, aligned, broken
+from .notation import LatexNotation, name
 from .printer import Box, box, latex, plain
 from .quantity import in_unit, measured, usual_unit
 
@@ -21,7 +21,7 @@ LONGEST_DERIVATIVE = 34
 """A derivative of more operations than this is given by its value."""
 
 
-def values(found: Iterable[Evaluated], locale: Locale, style: Notation) -> str:
+def values(found: Iterable[Evaluated], locale: Locale, style: LatexNotation) -> str:
     """Return formulas with the numbers put in, below each other.
 
     Where they are too long for a line, the sums that have names on the page come first.
@@ -31,19 +31,19 @@ def values(found: Iterable[Evaluated], locale: Locale, style: Notation) -> str:
     return aligned(lines) if lines else ""
 
 
-def _parts(item: Evaluated, style: Notation) -> list[Box]:
+def _parts(item: Evaluated, style: LatexNotation) -> list[Box]:
     """Return the numbers of a formula as the lines that they take; none where they fit on none."""
     left = box(item.left, style)
-    return broken(Line(left, item.numbers, item.angle), style) if item.numbers else []
+    return broken(DisplayLine(left, item.numbers, item.angle), style) if item.numbers else []
 
 
-def in_line(item: Evaluated, locale: Locale, style: Notation) -> str:
+def in_line(item: Evaluated, locale: Locale, style: LatexNotation) -> str:
     """Return a name and its value, to stand in a line of text."""
     value = in_unit(item.value.value, item.value.unit, locale, style)
     return f"${latex(item.left, style)}={value}$"
 
 
-def _line(item: Evaluated, locale: Locale, style: Notation) -> tuple[str, float]:
+def _line(item: Evaluated, locale: Locale, style: LatexNotation) -> tuple[str, float]:
     """Return a formula in numbers and its value, on several lines where one is too short.
 
     With it comes its width.
@@ -60,7 +60,7 @@ def _line(item: Evaluated, locale: Locale, style: Notation) -> tuple[str, float]
 
 
 def numbers(
-    results: Iterable[Analysis], shown: Collection[Formula], locale: Locale, style: Notation
+    results: Iterable[Analysis], shown: Collection[Formula], locale: Locale, style: LatexNotation
 ) -> tuple[str, ...]:
     """Return the results at the default pose, and those of their derivatives that are long.
 
@@ -88,7 +88,7 @@ def is_own_value(result: Analysis) -> bool:
     return formula == ZERO or (is_bare and decimal(formula.value) is not None)
 
 
-def _number(result: Analysis, locale: Locale, style: Notation) -> str:
+def _number(result: Analysis, locale: Locale, style: LatexNotation) -> str:
     symbol = latex(asked(result), style)
     if result.undetermined:
         return rf"${symbol}$ {locale.undetermined} ($0/0$)"
@@ -102,7 +102,7 @@ def _number(result: Analysis, locale: Locale, style: Notation) -> str:
     return f"${symbol}={measured(result.default, result.dimension, locale, style)}$"
 
 
-def _slopes(result: Analysis, locale: Locale, style: Notation) -> Iterator[str]:
+def _slopes(result: Analysis, locale: Locale, style: LatexNotation) -> Iterator[str]:
     symbol, short = latex(asked(result), style), dict(short_derivatives(result))
     for parameter, (value, dimension, unit) in result.slopes.items():
         if parameter not in short and (result.derivatives or {})[parameter] != ZERO:
@@ -118,7 +118,7 @@ def short_derivatives(result: Analysis) -> Iterator[tuple[str, Formula]]:
             yield parameter, formula
 
 
-def slope(symbol: str, parameter: str, style: Notation, total: bool) -> Box:
+def slope(symbol: str, parameter: str, style: LatexNotation, total: bool) -> Box:
     """Return the sign of a derivative: a total one where other angles follow the parameter."""
     d = r"\mathrm{d}" if total else r"\partial"
     whole = rf"\frac{{{d} {symbol}}}{{{d} {name(parameter, style)}}}"

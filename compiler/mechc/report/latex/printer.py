@@ -22,11 +22,11 @@ from itertools import pairwise
 
 from ...formula.layout import SIZES, TRIGONOMETRIC, in_degrees
 from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
-from ...formula.typesetting import Around, Row, Typesetter
+from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
 from ...named import NamedTuple
 from ...patterns import pattern
 from ...syntax.vocabulary import split_quantity
-from .notation import Notation, relation_sign
+from .notation import LatexNotation, relation_sign
 from .notation import name as name_of
 from .unit_symbols import unit_symbol
 
@@ -53,17 +53,17 @@ class Box(NamedTuple):
     open: bool = False
 
 
-def latex(formula: Formula, style: Notation, angle: bool = False) -> str:
+def latex(formula: Formula, style: LatexNotation, angle: bool = False) -> str:
     """Return a formula as LaTeX mathematics, without delimiters."""
     return box(formula, style, angle).tex
 
 
-def box(formula: Formula, style: Notation, angle: bool = False) -> Box:
+def box(formula: Formula, style: LatexNotation, angle: bool = False) -> Box:
     """Set a formula; one that is an angle, or is said to be one, has constants in degrees."""
     return _Latex(style).whole(formula, angle)
 
 
-def signed(term: Formula, style: Notation, first: bool, angle: bool = False) -> Box:
+def signed(term: Formula, style: LatexNotation, first: bool, angle: bool = False) -> Box:
     """Return a term of a sum with the sign that joins it to what stands before."""
     return _Latex(style).term(term, first, angle)
 
@@ -83,7 +83,7 @@ def plain(tex: str, tall: bool = False) -> Box:
     return Box(tex, EM_PER_GLYPH * len(glyphs) + EM_PER_CAPITAL * capitals, tall)
 
 
-def scientific(figures: str, style: Notation) -> str:
+def scientific(figures: str, style: LatexNotation) -> str:
     r"""Return a number with the language's decimal sign, a power of ten as one.
 
     >>> from .notation import notation
@@ -116,7 +116,7 @@ class _Latex(Typesetter[Box]):
     built = True
     raised = True
 
-    def __init__(self, style: Notation) -> None:
+    def __init__(self, style: LatexNotation) -> None:
         self.style, self.angles = style, style.angles
 
     def numeral(self, figures: str) -> Box:
@@ -164,7 +164,7 @@ class _Latex(Typesetter[Box]):
     def row(self, pieces: Sequence[Box]) -> Box:
         return row(pieces)
 
-    def factors(self, formulas: Row, pieces: Sequence[Box]) -> Box:
+    def factors(self, formulas: FormulaRow, pieces: Sequence[Box]) -> Box:
         """Return factors side by side, with a dot where they would run together."""
         boxes = [pieces[0]]
         for (before, piece), (lead, formula) in zip(
@@ -243,11 +243,11 @@ class _Latex(Typesetter[Box]):
 class Boxes(_Latex):
     """Sets formulas that have much in common, each part of them once."""
 
-    def __init__(self, style: Notation) -> None:
+    def __init__(self, style: LatexNotation) -> None:
         super().__init__(style)
-        self._known: dict[tuple[Formula, Around, bool], Box] = {}
+        self._known: dict[tuple[Formula, Surroundings, bool], Box] = {}
 
-    def set(self, formula: Formula, around: Around, angle: bool) -> Box:
+    def set(self, formula: Formula, around: Surroundings, angle: bool) -> Box:
         """Return a formula as it stands inside another."""
         key = formula, around, angle
         if key not in self._known:

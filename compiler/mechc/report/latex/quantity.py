@@ -15,12 +15,12 @@ from fractions import Fraction
 from ...formula.evaluate import evaluate
 from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Constant, Formula, Number, Sum, negative, total
-from ...model.mechanism import Absolute, Along, Direction
+from ...model.mechanism import Absolute, AlongLine, Direction
 from ...units import ANGLE, DEGREES, LENGTH, UNITS, Dimension, si_unit, size_of, small_angle
 from ...units import in_unit as text_in_unit
 from ..languages.locale import Locale
 from ..put_in import in_degrees as rounded
-from .notation import Notation, points
+from .notation import LatexNotation, points
 from .printer import latex, scientific
 from .unit_symbols import UnitLetters, unit_symbol
 
@@ -28,7 +28,7 @@ _DIGITS = 6
 
 
 def quantity(
-    value: Formula, dimension: Dimension, unit: str, locale: Locale, style: Notation
+    value: Formula, dimension: Dimension, unit: str, locale: Locale, style: LatexNotation
 ) -> str:
     """Return a constant, given in SI, in a unit (the SI unit when none was written)."""
     chosen = unit or usual_unit(dimension)
@@ -37,7 +37,7 @@ def quantity(
     return figures + unit_symbol(chosen, locale)
 
 
-def length_of(formula: Formula, locale: Locale, style: Notation, unit: str = "") -> str:
+def length_of(formula: Formula, locale: Locale, style: LatexNotation, unit: str = "") -> str:
     r"""Return a length; a number, also one that is added, with its unit: metre unless one is named.
 
     >>> from ...formula.tree import Symbol
@@ -65,12 +65,12 @@ def _with_unit(term: Formula, unit: str) -> Formula:
     return shown if term.value > 0 else negative(shown)
 
 
-def measured(value: float, dimension: Dimension, locale: Locale, style: Notation) -> str:
+def measured(value: float, dimension: Dimension, locale: Locale, style: LatexNotation) -> str:
     """Return a computed value, given in SI, in the usual unit of its dimension."""
     return in_unit(value, usual_unit(dimension), locale, style)
 
 
-def in_unit(value: float, unit: str, words: UnitLetters, style: Notation) -> str:
+def in_unit(value: float, unit: str, words: UnitLetters, style: LatexNotation) -> str:
     """Return a computed value, given in SI, in a unit; degrees as :func:`rounded` has them."""
     if unit == "deg":
         turn = in_degrees(rounded(value, _DIGITS))
@@ -97,7 +97,7 @@ def _in_unit(value: Formula, unit: str) -> Fraction | float:
     return evaluate(value, {}) / size_of(unit)
 
 
-def decimal(value: Fraction | float, style: Notation, figures: int = _DIGITS) -> str:
+def decimal(value: Fraction | float, style: LatexNotation, figures: int = _DIGITS) -> str:
     r"""Return a number to so many significant digits, with the language's decimal sign.
 
     >>> from .notation import notation
@@ -107,7 +107,7 @@ def decimal(value: Fraction | float, style: Notation, figures: int = _DIGITS) ->
     return scientific(f"{float(value):.{figures}g}", style)
 
 
-def _degrees(value: Fraction | float, style: Notation, figures: int = _DIGITS) -> str:
+def _degrees(value: Fraction | float, style: LatexNotation, figures: int = _DIGITS) -> str:
     """Return a number of degrees; that of a small angle has no power of ten."""
     return scientific(small_angle(f"{float(value):.{figures}g}"), style)
 
@@ -126,7 +126,7 @@ def spaced(cell: str) -> str:
     return rf"\rule[-1.4ex]{{0pt}}{{4.2ex}}{cell}" if r"\frac" in cell else cell
 
 
-def direction(given: Direction, style: Notation) -> str:
+def direction(given: Direction, style: LatexNotation) -> str:
     r"""Return a direction as mathematics: an angle, or that of a vector, turned or not."""
     if isinstance(given, Absolute):
         return r"0^\circ" if given.angle == ZERO else latex(given.angle, style, angle=True)
@@ -134,13 +134,13 @@ def direction(given: Direction, style: Notation) -> str:
     return rf"{vector}+90^\circ" if given.quarter % 2 else rf"\parallel {vector}"
 
 
-def _vector(given: Along) -> str:
+def _vector(given: AlongLine) -> str:
     """Return the vector that a direction is that of, or is turned from by a quarter."""
     ends = (given.tail, given.head) if given.quarter < 2 else (given.head, given.tail)
     return rf"\overrightarrow{{{''.join(map(points, ends))}}}"
 
 
-def spoken(given: Direction, locale: Locale, style: Notation) -> str:
+def spoken(given: Direction, locale: Locale, style: LatexNotation) -> str:
     """Return a direction as sentences say it, in words where the language has some."""
     if isinstance(given, Absolute):
         return locale.directions["absolute"].format(angle=math(direction(given, style)))

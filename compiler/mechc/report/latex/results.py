@@ -13,13 +13,13 @@ from ...named import NamedTuple
 from ...statics.verdict import Verdict
 from ...study.analysis import Analysis
 from ...units import ANGLE, behind
-from ..definitions import Solved, grouped, without_minus
+from ..definitions import SolvedSystem, grouped, without_minus
 from ..languages.locale import Locale
 from ..sections import Section
 from ..sentences.remarks import asked, heading, headings, is_nameless, ratio, remarks, said
 from ..steps import Equation, Paragraph
-from .display import LINE, Line, balance, display, vanishing
-from .notation import Notation, name, points, relation_sign
+from .display import LINE, DisplayLine, balance, display, vanishing
+from .notation import LatexNotation, name, points, relation_sign
 from .note import alone
 from .numbers import short_derivatives, slope
 from .printer import Box, box, latex, plain
@@ -60,15 +60,15 @@ class SectionBlock(NamedTuple):
 
 
 def section_blocks(
-    sections: Sequence[Section], locale: Locale, style: Notation
+    sections: Sequence[Section], locale: Locale, style: LatexNotation
 ) -> Iterator[SectionBlock]:
     """Yield everything a report says of its results, each under its heading."""
-    titles = headings((s.results[0] for s in sections), locale, Speller(style))
+    titles = headings((s.results[0] for s in sections), locale, LatexSpeller(style))
     for section, title in zip(sections, titles, strict=True):
         yield section_block(section, locale, style)._replace(heading=title)
 
 
-def section_block(section: Section, locale: Locale, style: Notation) -> SectionBlock:
+def section_block(section: Section, locale: Locale, style: LatexNotation) -> SectionBlock:
     """Return everything the report says of the results of one section.
 
     Its parts are written in the order in which they are read: a name is defined where it
@@ -82,68 +82,70 @@ def section_block(section: Section, locale: Locale, style: Notation) -> SectionB
     else:
         main = _together(section.results, style, locale) or _main(first, locale, style, units)
     return SectionBlock(
-        heading(first, locale, Speller(style)),
+        heading(first, locale, LatexSpeller(style)),
         paragraphs,
         (*main, *_where(section.where, locale, style, units)),
         tuple(_findings(r, locale, style) for r in section.results),
     )
 
 
-def width(section: Section, style: Notation) -> float:
+def width(section: Section, style: LatexNotation) -> float:
     """Return the length in em of the longest equation that a section displays."""
     results = (_left(r, style).width + box(r.formula, style).width for r in section.results)
     where = (box(Symbol(d.name), style).width + box(d.formula, style).width for d in section.where)
     return max((*results, *where))
 
 
-def _together(results: Sequence[Analysis], style: Notation, locale: Locale) -> tuple[str, ...]:
+def _together(results: Sequence[Analysis], style: LatexNotation, locale: Locale) -> tuple[str, ...]:
     """Return the components of one force below each other; nothing for a single result."""
     if len(results) == 1:
         return ()
-    lines = tuple(Line(_left(r, style), r.formula) for r in results)
+    lines = tuple(DisplayLine(_left(r, style), r.formula) for r in results)
     return (display(lines, style, locale.where),)
 
 
-def _paragraph(paragraph: Paragraph, locale: Locale, style: Notation) -> ParagraphBlock:
+def _paragraph(paragraph: Paragraph, locale: Locale, style: LatexNotation) -> ParagraphBlock:
     shown = "\n".join(_displays(paragraph.equations, locale, style))
-    return ParagraphBlock(said(paragraph, locale, Speller(style)), shown)
+    return ParagraphBlock(said(paragraph, locale, LatexSpeller(style)), shown)
 
 
-def _displays(equations: Iterable[Equation], locale: Locale, style: Notation) -> Iterator[str]:
+def _displays(equations: Iterable[Equation], locale: Locale, style: LatexNotation) -> Iterator[str]:
     """Yield displays of equations; one with a wide left side stands alone."""
     for _, group in groupby(equations, lambda e: e if _is_wide(e, style) else None):
         part = tuple(group)
-        line = Line(box(part[0].left, style), part[0].right)
+        line = DisplayLine(box(part[0].left, style), part[0].right)
         if _is_wide(part[0], style) and line.left.width + box(line.right, style).width > LINE:
             yield _balance(part[0], locale, style)
         else:
             yield _display(part, locale, style)
 
 
-def _is_wide(equation: Equation, style: Notation) -> bool:
+def _is_wide(equation: Equation, style: LatexNotation) -> bool:
     return box(equation.left, style).width > _WIDE
 
 
-def _display(equations: Iterable[Equation], locale: Locale, style: Notation) -> str:
-    lines = [Line(box(e.left, style), e.right, is_angle(e.right, style.angles)) for e in equations]
+def _display(equations: Iterable[Equation], locale: Locale, style: LatexNotation) -> str:
+    lines = [
+        DisplayLine(box(e.left, style), e.right, is_angle(e.right, style.angles)) for e in equations
+    ]
     return display(tuple(lines), style, locale.where)
 
 
-def _balance(equation: Equation, locale: Locale, style: Notation) -> str:
+def _balance(equation: Equation, locale: Locale, style: LatexNotation) -> str:
     if equation.right == ZERO:
         return vanishing(equation.left, style, locale.where)
     return balance(*equation, style, locale.where)
 
 
-def _findings(result: Analysis, locale: Locale, style: Notation) -> Findings:
+def _findings(result: Analysis, locale: Locale, style: LatexNotation) -> Findings:
     return Findings(
-        remarks(result, locale, Speller(style)),
+        remarks(result, locale, LatexSpeller(style)),
         _derivatives(result, locale, style),
         locale.slope if result.where else locale.derivatives,
     )
 
 
-def _left(result: Analysis, style: Notation) -> Box:
+def _left(result: Analysis, style: LatexNotation) -> Box:
     """Return the left side, ``k = P/F`` for a ratio with a name of its own."""
     symbol, asked_for = box(asked(result), style), ratio(result)
     if asked_for is None or is_nameless(result):
@@ -153,46 +155,46 @@ def _left(result: Analysis, style: Notation) -> Box:
 
 
 def _main(
-    result: Analysis, locale: Locale, style: Notation, units: Mapping[str, str]
+    result: Analysis, locale: Locale, style: LatexNotation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
     left = _left(result, style)
     short = left.width + box(result.formula, style).width <= LINE
     if result.coefficients and not short:
         return _as_form(left, result.coefficients, locale, style)
     angle = result.dimension == ANGLE
-    line = Line(left, result.formula, angle, units.get(result.name, ""))
+    line = DisplayLine(left, result.formula, angle, units.get(result.name, ""))
     return (display((line,), style, locale.where, boxed=True),)
 
 
 def _as_form(
-    left: Box, coefficients: Mapping[str, Formula], locale: Locale, style: Notation
+    left: Box, coefficients: Mapping[str, Formula], locale: Locale, style: LatexNotation
 ) -> tuple[str, ...]:
     """Return a long linear form with a name for the coefficient of every load."""
-    made: list[Line] = []
+    made: list[DisplayLine] = []
     terms = []
     for load, formula in coefficients.items():
         named = style.made.known(formula)
         if named is None:
             named = style.made.of_coefficient(formula, load)
-            made.append(Line(box(named, style), formula))
+            made.append(DisplayLine(box(named, style), formula))
         terms.append(product([(named, 1), (Symbol(load), 1)]))
-    first = display((Line(left, total(terms)),), style, locale.where, boxed=True)
+    first = display((DisplayLine(left, total(terms)),), style, locale.where, boxed=True)
     return (first, locale.where, display(tuple(made), style, locale.where)) if made else (first,)
 
 
 def _where(
-    where: Iterable[Definition], locale: Locale, style: Notation, units: Mapping[str, str]
+    where: Iterable[Definition], locale: Locale, style: LatexNotation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
     shown = definitions(where, locale, style, units)
     return (locale.where, *shown) if shown else ()
 
 
 def definitions(
-    where: Iterable[Definition], locale: Locale, style: Notation, units: Mapping[str, str]
+    where: Iterable[Definition], locale: Locale, style: LatexNotation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
     """Return definitions, neighbours in one display; a system's names before its equations."""
     parts: list[str] = []
-    for solved, groups in groupby(grouped(where), lambda group: isinstance(group, Solved)):
+    for solved, groups in groupby(grouped(where), lambda group: isinstance(group, SolvedSystem)):
         if solved:
             parts += (part for group in groups for part in _solved(group, locale, style))
         else:
@@ -202,38 +204,42 @@ def definitions(
     return tuple(parts)
 
 
-def _line(definition: Definition | Solved, style: Notation, units: Mapping[str, str]) -> Line:
+def _line(
+    definition: Definition | SolvedSystem, style: LatexNotation, units: Mapping[str, str]
+) -> DisplayLine:
     assert isinstance(definition, Definition)
     own = definition.name
     unit = units.get(own, "")
-    return Line(
+    return DisplayLine(
         plain(name(own, style)), definition.formula, is_angle(Symbol(own), style.angles), unit
     )
 
 
-def _solved(group: Definition | Solved, locale: Locale, style: Notation) -> tuple[str, str]:
-    assert isinstance(group, Solved)
+def _solved(
+    group: Definition | SolvedSystem, locale: Locale, style: LatexNotation
+) -> tuple[str, str]:
+    assert isinstance(group, SolvedSystem)
     names = ", ".join(f"${name(n, style)}$" for n in group.names)
     both = map(without_minus, group.zeros)
-    lines = tuple(Line(box(left, style), right) for left, right in both)
+    lines = tuple(DisplayLine(box(left, style), right) for left, right in both)
     return locale.solve.format(names=names), display(lines, style, locale.where)
 
 
-def _derivatives(result: Analysis, locale: Locale, style: Notation) -> str:
+def _derivatives(result: Analysis, locale: Locale, style: LatexNotation) -> str:
     if isinstance(result.target, SpeedRatio):
         return ""
     symbol = latex(asked(result), style)
     lines = tuple(
-        Line(slope(symbol, parameter, style, total=bool(result.where)), formula)
+        DisplayLine(slope(symbol, parameter, style, total=bool(result.where)), formula)
         for parameter, formula in short_derivatives(result)
     )
     return display(lines, style, locale.where) if lines else ""
 
 
-class Speller(NamedTuple):
+class LatexSpeller(NamedTuple):
     """Mathematics inside a sentence, between dollar signs."""
 
-    style: Notation
+    style: LatexNotation
 
     @property
     def angles(self) -> frozenset[str]:
@@ -281,7 +287,7 @@ class Speller(NamedTuple):
         return f"${points(names) if is_drawn else latex(Symbol(names), self.style)}$"
 
 
-def check(verdict: Verdict, locale: Locale, style: Notation) -> str:
+def check(verdict: Verdict, locale: Locale, style: LatexNotation) -> str:
     """Return the referee's line."""
     if not verdict.trials:
         return locale.pending
@@ -291,9 +297,9 @@ def check(verdict: Verdict, locale: Locale, style: Notation) -> str:
     return template.format(count=len(poses), error=_error(verdict.worst, style))
 
 
-def untried(verdict: Verdict, locale: Locale, style: Notation) -> tuple[str, ...]:
+def untried(verdict: Verdict, locale: Locale, style: LatexNotation) -> tuple[str, ...]:
     """Return a sentence on each result that was checked at fewer poses than are wanted."""
-    spell = Speller(style)
+    spell = LatexSpeller(style)
     return tuple(
         locale.checked["judged"].format(
             name=spell.relation((Symbol(one.result),), (), False),
@@ -305,6 +311,6 @@ def untried(verdict: Verdict, locale: Locale, style: Notation) -> tuple[str, ...
     )
 
 
-def _error(worst: float, style: Notation) -> str:
+def _error(worst: float, style: LatexNotation) -> str:
     """Return a difference to two figures; of none at all what it is below."""
     return f"${decimal(float(f'{worst:.1e}'), style)}$" if worst else "${<}10^{-16}$"

@@ -21,7 +21,7 @@ from ..languages.locale import Locale
 from .order import enumeration, positive_first
 from .speller import LoadWords, Speller, spelled
 
-Along = LockingIntervals | EfficiencyRange | Extent
+FoundAlong = LockingIntervals | EfficiencyRange | Extent
 """What is stated along a parameter."""
 
 DIGITS, MOST = 4, 10
@@ -151,7 +151,7 @@ def _shown_ends(
     return low, high
 
 
-def _side(bound: Bound, reach: Along, spell: Speller, digits: int = DIGITS) -> Formula:
+def _side(bound: Bound, reach: FoundAlong, spell: Speller, digits: int = DIGITS) -> Formula:
     if bound.exact is None:
         return rounded_value(bound.x, reach, spell, digits)
     terms = getattr(bound.exact, "terms", (bound.exact,))
@@ -194,7 +194,7 @@ def _usual(efficiency: EfficiencyRange, locale: Locale, spell: Speller) -> str:
 # --------------------------------------------------------------------------- figures
 
 
-def span(part: Range, reach: Along, locale: Locale, spell: Speller) -> str:
+def span(part: Range, reach: FoundAlong, locale: Locale, spell: Speller) -> str:
     """Return ``1° ≤ α ≤ 45°``."""
     digits = _apart(part, reach, spell)
     low, high = (rounded_value(end, reach, spell, digits) for end in part)
@@ -207,14 +207,14 @@ def _figure(at: float, reach: LockingIntervals, locale: Locale, spell: Speller) 
     return shown + _unit(reach, locale)
 
 
-def rounded_value(at: float, reach: Along, spell: Speller, digits: int = DIGITS) -> Formula:
+def rounded_value(at: float, reach: FoundAlong, spell: Speller, digits: int = DIGITS) -> Formula:
     """Return a value with few digits, an angle in degrees, of which rounding alone makes none."""
     if reach.parameter in spell.angles:
         return degrees(Fraction(f"{math.degrees(at):.{digits}g}") if abs(at) > NIL else 0)
     return number(Fraction(f"{at / size_of(reach.unit):.{digits}g}"))
 
 
-def _apart(ends: Sequence[float], reach: Along, spell: Speller) -> int:
+def _apart(ends: Sequence[float], reach: FoundAlong, spell: Speller) -> int:
     """Return how many digits show the ends of an interval to be two."""
     for digits in range(DIGITS, MOST):
         if len({rounded_value(end, reach, spell, digits) for end in ends}) == len(ends):
@@ -227,7 +227,7 @@ def _share(value: float, locale: Locale, spell: Speller) -> str:
     return shown if value else locale.still.format(least=shown)
 
 
-def _unit(reach: Along, locale: Locale) -> str:
+def _unit(reach: FoundAlong, locale: Locale) -> str:
     return behind(locale.units.get(reach.unit, reach.unit))
 
 

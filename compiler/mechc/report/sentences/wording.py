@@ -22,7 +22,7 @@ from ..steps import Equation, PositionStep, Step
 from .order import enumeration
 from .speller import Speller
 
-Kind = TypeVar("Kind", bound=str)
+WordedKind = TypeVar("WordedKind", bound=str)
 """A rule of velocities, or how a loop is solved."""
 
 
@@ -39,7 +39,7 @@ def sentences(steps: Iterable[Step], locale: Locale, spell: Callable[[str], str]
 
 
 def _in_full_once(
-    kinds: Iterable[Kind], full: Mapping[Kind, str], again: Mapping[Kind, str]
+    kinds: Iterable[WordedKind], full: Mapping[WordedKind, str], again: Mapping[WordedKind, str]
 ) -> Iterator[str]:
     """Yield the template of each kind, from the second one on the short form where it has one."""
     known: set[str] = set()
@@ -178,11 +178,11 @@ def _mentions_speed(factor: Formula) -> bool:
     return isinstance(base, Symbol) and is_speed(base.name)
 
 
-Sides = tuple[Formula, ...]
+EquationSides = tuple[Formula, ...]
 """Two or more sides of a chain of equations, ``V_D/V_B = OD/OB = b/a``."""
 
 
-def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
+def lines(step: Step) -> tuple[tuple[EquationSides, ...], tuple[EquationSides, ...]]:
     """Return the equations of a step's rule and those that follow from it, speeds as ratios.
 
     What follows for the same left side continues its chain; nothing is said twice.
@@ -196,7 +196,7 @@ def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
     return tuple(map(tuple, said)), tuple(_chained(hence))
 
 
-def _chained(equations: Iterable[Equation]) -> Iterator[Sides]:
+def _chained(equations: Iterable[Equation]) -> Iterator[EquationSides]:
     """Yield equations, those of a named ratio of speeds as a chain: ``i_B = V_B/V_A = …``."""
     for left, chain in groupby(equations, key=lambda e: e.left):
         if isinstance(left, Symbol) and not is_speed(left.name):

@@ -12,14 +12,14 @@ from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..by_parts import by_parts
-from ..definitions import Solved, grouped, looked_up, stated_above, without_minus
+from ..definitions import SolvedSystem, grouped, looked_up, stated_above, without_minus
 from ..evaluated import Evaluated, evaluated, following, has_atan2, hides_units, named_directions
 from ..made_names import MadeNames, names_of, points_of
-from ..sections import Outline, PositionSection, Section, outline
+from ..sections import PositionSection, ReportOutline, Section, outline
 from ..sentences.powers import power_remarks
 from ..sentences.remarks import asked, conditions, headings, is_nameless, ratio, remarks, said
 from ..sentences.wording import (
-    Sides,
+    EquationSides,
     direction_function,
     directions_named,
     lines,
@@ -29,7 +29,7 @@ from ..sentences.wording import (
 from ..steps import Derivation, LastStep, names_met
 from . import note
 from .given import given
-from .speller import DEEP, LINES, WIDTH, Speller, speller
+from .speller import DEEP, LINES, WIDTH, TextSpeller, speller
 
 
 def render(
@@ -82,7 +82,7 @@ def _names(derivation: Derivation, mechanism: Mechanism) -> MadeNames:
     return made
 
 
-def _formulas(whole: Outline, derivation: Derivation) -> Iterator[Formula]:
+def _formulas(whole: ReportOutline, derivation: Derivation) -> Iterator[Formula]:
     """Yield the sides of the equations of a page from the velocities on."""
     for step in derivation.steps:
         for sides in chain(*lines(step)):
@@ -95,7 +95,7 @@ def _formulas(whole: Outline, derivation: Derivation) -> Iterator[Formula]:
         yield from (d.formula for d in section.where if not isinstance(d.formula, Implicit))
 
 
-def _results(sections: Sequence[Section], spell: Speller) -> Iterator[str]:
+def _results(sections: Sequence[Section], spell: TextSpeller) -> Iterator[str]:
     """Yield the sections on results, each under its heading."""
     titles = headings((section.results[0] for section in sections), spell.locale, spell)
     for number, (section, title) in enumerate(zip(sections, titles, strict=True)):
@@ -133,7 +133,7 @@ def render_brief(
     return text + "".join(f"{line.rstrip()}\n" for line in _numbers(found, spell))
 
 
-def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
+def _numbers(values: Iterable[Evaluated], spell: TextSpeller) -> Iterator[str]:
     """Yield the values of formulas at the default pose, with the numbers put in."""
     sums = spell.parts.sums if spell.parts else {}
     found = tuple(by_parts(values, sums, lambda item: _fits(item, spell)))
@@ -147,7 +147,7 @@ def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
         yield from spell.broken(spell.units(whole))
 
 
-def _fits(item: Evaluated, spell: Speller) -> bool:
+def _fits(item: Evaluated, spell: TextSpeller) -> bool:
     """Return whether a formula is shown with its numbers; with names for its parts, if short."""
     if item.numbers is None:
         return False
@@ -158,13 +158,13 @@ def _fits(item: Evaluated, spell: Speller) -> bool:
     return not is_named or len(spell.relation((item.numbers,), (), item.angle)) <= room
 
 
-def _title(mechanism: Mechanism, spell: Speller) -> list[str]:
+def _title(mechanism: Mechanism, spell: TextSpeller) -> list[str]:
     said = (mechanism.title or mechanism.name, mechanism.source)
     return [line for text in said for line in spell.wrapped(spell.text(text), "")]
 
 
 def _conventions(
-    whole: Outline, mechanism: Mechanism, met: Collection[str], spell: Speller
+    whole: ReportOutline, mechanism: Mechanism, met: Collection[str], spell: TextSpeller
 ) -> Iterator[str]:
     if hides_units(whole, mechanism):
         yield from spell.wrapped(spell.locale.plain_numbers, "  ")
@@ -174,7 +174,7 @@ def _conventions(
         yield from spell.wrapped(direction_function(spell.locale, spell), "  ")
 
 
-def _position(position: Iterable[PositionSection], spell: Speller) -> Iterator[str]:
+def _position(position: Iterable[PositionSection], spell: TextSpeller) -> Iterator[str]:
     sections = [*position]
     said = position_sentences((s.step for s in sections), spell.locale, spell)
     if sections:
@@ -193,7 +193,7 @@ def _numbers_of(steps: Sized) -> list[str]:
 def _where(
     literals: Iterable[Parameter],
     where: Iterable[Definition],
-    spell: Speller,
+    spell: TextSpeller,
     units: Mapping[str, str],
 ) -> Iterator[str]:
     yield from map(spell.literal, literals)
@@ -201,7 +201,7 @@ def _where(
         yield from _group(group, spell, units)
 
 
-def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
+def _velocities(derivation: Derivation, spell: TextSpeller) -> Iterator[str]:
     if not derivation.steps:
         return
     several = len(derivation.balances) > 1
@@ -216,7 +216,7 @@ def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
         yield from _equations((*said, *hence), spell)
 
 
-def _power(derivation: Derivation, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+def _power(derivation: Derivation, mechanism: Mechanism, spell: TextSpeller) -> Iterator[str]:
     if derivation.balances:
         explained = power_remarks(derivation, mechanism, spell.locale, spell)
         yield from ("", spell.locale.power)
@@ -226,7 +226,7 @@ def _power(derivation: Derivation, mechanism: Mechanism, spell: Speller) -> Iter
         yield from _last(step, spell)
 
 
-def _last(step: LastStep, spell: Speller) -> Iterator[str]:
+def _last(step: LastStep, spell: TextSpeller) -> Iterator[str]:
     if step.chain:
         ratio, links, product = step.chain
         shown = [spell.relation((side,), (), False) for side in (ratio, *links, product)]
@@ -236,7 +236,7 @@ def _last(step: LastStep, spell: Speller) -> Iterator[str]:
     yield from _equations((step.ratio,), spell)
 
 
-def _section(section: Section, spell: Speller) -> Iterator[str]:
+def _section(section: Section, spell: TextSpeller) -> Iterator[str]:
     for paragraph in section.paragraphs:
         yield from spell.wrapped(said(paragraph, spell.locale, spell), "     ")
         yield from _equations(paragraph.equations, spell)
@@ -257,7 +257,7 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
             yield from spell.wrapped(remark, "   - ")
 
 
-def _result(result: Analysis, spell: Speller, section: Section) -> list[str]:
+def _result(result: Analysis, spell: TextSpeller, section: Section) -> list[str]:
     if line := section.lines.get(result.name):
         return spell.broken(spell.units(note.formula_alone(line, spell)))
     asked_for = ratio(result)
@@ -268,7 +268,7 @@ def _result(result: Analysis, spell: Speller, section: Section) -> list[str]:
     return shown + list(_made([result.formula], spell))
 
 
-def _unit(name: str, units: Mapping[str, str], spell: Speller) -> str:
+def _unit(name: str, units: Mapping[str, str], spell: TextSpeller) -> str:
     """Return the unit behind a load or a measure that is a number, '' behind anything else."""
     unit = units.get(name, "")
     if unit == "deg":
@@ -277,7 +277,9 @@ def _unit(name: str, units: Mapping[str, str], spell: Speller) -> str:
     return (letters.replace("*", "·") if spell.signs.fancy else letters).rstrip()
 
 
-def _group(group: Definition | Solved, spell: Speller, units: Mapping[str, str]) -> Iterator[str]:
+def _group(
+    group: Definition | SolvedSystem, spell: TextSpeller, units: Mapping[str, str]
+) -> Iterator[str]:
     if isinstance(group, Definition):
         left = spell.relation((Symbol(group.name),), (), False)
         angle = is_angle(Symbol(group.name), spell.angles)
@@ -290,7 +292,7 @@ def _group(group: Definition | Solved, spell: Speller, units: Mapping[str, str])
             yield from spell.broken(spell.relation(without_minus(zero), ("=",), False))
 
 
-def _equations(equations: Iterable[Sides], spell: Speller) -> list[str]:
+def _equations(equations: Iterable[EquationSides], spell: TextSpeller) -> list[str]:
     """Return equations, aligned at the first equals sign where that costs no width."""
     equations = tuple(equations)
     rows = [[spell.relation((side,), (), False) for side in e] for e in equations]
@@ -302,7 +304,7 @@ def _equations(equations: Iterable[Sides], spell: Speller) -> list[str]:
     return shown + list(_made((side for e in equations for side in e), spell))
 
 
-def _made(formulas: Iterable[Formula], spell: Speller) -> Iterator[str]:
+def _made(formulas: Iterable[Formula], spell: TextSpeller) -> Iterator[str]:
     """Yield the names that are new in formulas of the page, with what they stand for."""
     fresh = [*spell.parts.fresh(formulas)] if spell.parts else []
     if fresh:

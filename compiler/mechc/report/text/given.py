@@ -23,13 +23,13 @@ from ..definitions import given_loads
 from ..roles import with_roles
 from . import note
 from .printer import print_name, print_quantity
-from .speller import SHOWN, Speller
+from .speller import SHOWN, TextSpeller
 
 
 def given(
     mechanism: Mechanism,
     met: Collection[str],
-    spell: Speller,
+    spell: TextSpeller,
     defined: Collection[str] = (),
     values: Mapping[str, Formula] = MappingProxyType({}),
 ) -> list[str]:
@@ -53,7 +53,7 @@ def given(
 
 
 def _tied(
-    mechanism: Mechanism, spell: Speller, met: Collection[str], defined: Collection[str]
+    mechanism: Mechanism, spell: TextSpeller, met: Collection[str], defined: Collection[str]
 ) -> Iterator[str]:
     """Yield the loads that others give the size of: ``T = f · R``."""
     for load in mechanism.loads:
@@ -64,7 +64,7 @@ def _tied(
             yield spell.relation((Symbol(load.name), load.tie), ("=",), False)
 
 
-def _angles(mechanism: Mechanism, met: Collection[str], spell: Speller) -> Iterator[str]:
+def _angles(mechanism: Mechanism, met: Collection[str], spell: TextSpeller) -> Iterator[str]:
     """Yield the angles of vectors that are numbers, and those between the arms of a link.
 
     That of a vector of which formulas do not have the length is none of them.
@@ -81,13 +81,13 @@ def _angles(mechanism: Mechanism, met: Collection[str], spell: Speller) -> Itera
                 yield _angle(f" {spell.point(first + vertex + second)}", size, spell)
 
 
-def _angle(name: str, size: Formula, spell: Speller) -> str:
+def _angle(name: str, size: Formula, spell: TextSpeller) -> str:
     """Return an angle with its size: ``∠(x, AB) = −47°``, ``∠ABC = 100°``."""
     sign, name = ("∠", name.lstrip()) if spell.signs.fancy else ("angle", name)
     return f"{sign}{name} = {_size(size, spell)}"
 
 
-def _size(angle: Formula, spell: Speller) -> str:
+def _size(angle: Formula, spell: TextSpeller) -> str:
     """Return an angle that is a number; one in radians in degrees, too."""
     if not isinstance(angle, Number):
         return spell.relation((angle,), (), True)
@@ -109,7 +109,7 @@ def _is_oblique(line: Direction | None) -> bool:
     return line.angle != ZERO if size is None else bool(size % 90)
 
 
-def _directions(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+def _directions(mechanism: Mechanism, spell: TextSpeller) -> Iterator[str]:
     """Yield the sentences on guides and loads along directions that are oblique numbers."""
     words = spell.locale
     for slider in mechanism.each(Slider):
@@ -123,7 +123,7 @@ def _directions(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
             yield _sentence(template, **names, direction=_spoken(load.along, spell))
 
 
-def _spoken(line: Direction, spell: Speller) -> str:
+def _spoken(line: Direction, spell: TextSpeller) -> str:
     assert isinstance(line, Absolute)
     angle = _size(line.angle, spell)
     return spell.locale.directions["absolute"].format(angle=angle).replace("$", "")
@@ -134,7 +134,7 @@ def _sentence(template: str, **words: str) -> str:
     return f"{said[0].upper()}{said[1:]}."
 
 
-def _stroke(mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+def _stroke(mechanism: Mechanism, spell: TextSpeller) -> Iterator[str]:
     if found := own_stroke(mechanism):
         parameter, *ends = found
         unit = parameter.unit or si_unit(parameter.dimension)

@@ -9,31 +9,31 @@ from ...formula.layout import is_angle
 from ...formula.tree import Formula
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
-from ...model.parts.written import Written, WrittenTable
+from ...model.parts.written import WrittenFormula, WrittenTable
 from ...model.result import Result
 from ...model.values import is_constant
 from ...named import NamedTuple
 from ...units import ANGLE, in_unit, si_unit
 from ..checks import NoteCheck
 from ..note import NoteLine, note
-from ..put_in import Quantity
+from ..put_in import GivenQuantity
 from ..sentences.noted import label
 from .printer import print_formula, print_name, print_quantity
-from .signs import Signs, tens
-from .speller import SHOWN, Speller
+from .signs import TextSigns, tens
+from .speller import SHOWN, TextSpeller
 
 Words = Mapping[str, str]
 """The words of notes in a language."""
 
 
-class Row(NamedTuple):
+class NoteRow(NamedTuple):
     """What is said of a quantity, and the text of it."""
 
     said: str
     label: str = ""
 
 
-def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> str:
+def render(mechanism: Mechanism, results: Sequence[Result], spell: TextSpeller) -> str:
     """Return the whole note: what is given, the formulas with their numbers, the checks."""
     found, signs = note(mechanism, results), _signs(mechanism, spell.signs)
     words = spell.locale.calculation
@@ -49,7 +49,7 @@ def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> s
     return "\n".join("".join(f"{line}\n" for line in part) for part in parts if part)
 
 
-def in_brief(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> Iterator[str]:
+def in_brief(mechanism: Mechanism, results: Sequence[Result], spell: TextSpeller) -> Iterator[str]:
     """Yield the value of each formula, and the checks; of used mechanisms their results alone."""
     found, signs = note(mechanism, results), _signs(mechanism, spell.signs)
     words = spell.locale.calculation
@@ -66,23 +66,23 @@ def _without_the_way(line: NoteLine) -> NoteLine:
     return line._replace(formula=None) if is_found else line
 
 
-def _signs(mechanism: Mechanism, signs: Signs) -> Signs:
+def _signs(mechanism: Mechanism, signs: TextSigns) -> TextSigns:
     angles = mechanism.angles
     angles |= {let.name for let in mechanism.lets if let.dimension == ANGLE}
     return replace(signs, angles=frozenset(angles))
 
 
-def _headed(heading: str, rows: Sequence[Row], spell: Speller) -> list[str]:
+def _headed(heading: str, rows: Sequence[NoteRow], spell: TextSpeller) -> list[str]:
     """Return rows under a heading, in the language of the note."""
     return [heading, *_aligned(rows, spell)] if rows else []
 
 
-def _translated(rows: Iterable[Row], spell: Speller) -> list[Row]:
+def _translated(rows: Iterable[NoteRow], spell: TextSpeller) -> list[NoteRow]:
     """Return rows with units and texts in the language of the note."""
-    return [Row(spell.units(row.said), spell.text(row.label)) for row in rows]
+    return [NoteRow(spell.units(row.said), spell.text(row.label)) for row in rows]
 
 
-def _aligned(rows: Iterable[Row], spell: Speller) -> Iterator[str]:
+def _aligned(rows: Iterable[NoteRow], spell: TextSpeller) -> Iterator[str]:
     """Yield rows with their texts behind them, those of short rows in one column.
 
     Where a line has no room for both, the text stands below.
@@ -99,7 +99,7 @@ def _aligned(rows: Iterable[Row], spell: Speller) -> Iterator[str]:
 
 def given(
     parameters: Iterable[Parameter],
-    spell: Speller,
+    spell: TextSpeller,
     angles: Iterable[str] = (),
     values: Mapping[str, Formula] = MappingProxyType({}),
 ) -> list[str]:
@@ -107,17 +107,17 @@ def given(
 
     One that follows from others may have one of the ``values`` behind its formula.
     """
-    rows = [*(_given(p, spell, values.get(p.name)) for p in parameters), *map(Row, angles)]
+    rows = [*(_given(p, spell, values.get(p.name)) for p in parameters), *map(NoteRow, angles)]
     return _headed(spell.locale.given, rows, spell)
 
 
-def _given(parameter: Parameter, spell: Speller, value: Formula | None = None) -> Row:
+def _given(parameter: Parameter, spell: TextSpeller, value: Formula | None = None) -> NoteRow:
     signs = spell.signs
     unit = parameter.unit or si_unit(parameter.dimension)
     if parameter.value is None:
         said = spell.locale.any_value
     elif parameter.dependent and not is_constant(parameter):
-        shown = parameter.written or Written(parameter.value)
+        shown = parameter.written or WrittenFormula(parameter.value)
         said = _asked(shown, shown.formula, signs, parameter.name in signs.angles)
         if value is not None:
             known = in_unit(evaluate(value, {}), _unit_of_value(parameter), SHOWN)
@@ -131,7 +131,7 @@ def _given(parameter: Parameter, spell: Speller, value: Formula | None = None) -
         between = " … " if signs.fancy else " .. "
         said += f", {spell.locale.range.lower()} {print_quantity(between.join(ends), signs)}"
     texts = (spell.text(text) for text in (parameter.label, parameter.about) if text)
-    return Row(f"{print_name(parameter.name, signs)} = {said}", "; ".join(texts))
+    return NoteRow(f"{print_name(parameter.name, signs)} = {said}", "; ".join(texts))
 
 
 def _unit_of_value(parameter: Parameter) -> str:
@@ -139,44 +139,44 @@ def _unit_of_value(parameter: Parameter) -> str:
     return parameter.unit or usual
 
 
-def as_given(parameter: Parameter, spell: Speller) -> str:
+def as_given(parameter: Parameter, spell: TextSpeller) -> str:
     """Return the line of a parameter among what is given: ``b = next 2*a in sizes``."""
     return _given(parameter, spell).said
 
 
-def _table(table: WrittenTable, signs: Signs) -> Row:
+def _table(table: WrittenTable, signs: TextSigns) -> NoteRow:
     rows = (": ".join(_set(cell, signs) for cell in row) for row in table.rows)
-    return Row(f"{print_name(table.name, signs)} = {', '.join(rows)}", table.source)
+    return NoteRow(f"{print_name(table.name, signs)} = {', '.join(rows)}", table.source)
 
 
-def _set(formula: Formula, signs: Signs) -> str:
+def _set(formula: Formula, signs: TextSigns) -> str:
     return print_formula(formula, signs, is_angle(formula, signs.angles))
 
 
-def formula_alone(line: NoteLine, spell: Speller) -> str:
+def formula_alone(line: NoteLine, spell: TextSpeller) -> str:
     """Return a user-defined formula as it is written."""
     return _line(line._replace(value=None), spell.signs, spell, in_numbers=False).said
 
 
-def tables(shown: Iterable[WrittenTable], spell: Speller) -> list[str]:
+def tables(shown: Iterable[WrittenTable], spell: TextSpeller) -> list[str]:
     """Return tables and lists of sizes, under their heading."""
     rows = [_table(table, spell.signs) for table in shown]
     return _headed(spell.locale.calculation["tables"], rows, spell)
 
 
-def _unused(names: Sequence[str], signs: Signs, words: Words) -> str:
+def _unused(names: Sequence[str], signs: TextSigns, words: Words) -> str:
     """Return the sentence about what is not used of other sheets, '' where there is none."""
     said = ", ".join(print_name(name, signs) for name in names)
     return words["unused"].format(names=said) if names else ""
 
 
-def _unknown(missing: Sequence[str], signs: Signs, words: Words) -> str:
+def _unknown(missing: Sequence[str], signs: TextSigns, words: Words) -> str:
     """Return that a condition has no numbers, and what it lacks."""
     names = ", ".join(print_name(name, signs) for name in missing)
     return words["missing"].format(names=names) if names else words["unknown"]
 
 
-def _line(line: NoteLine, signs: Signs, spell: Speller, in_numbers: bool) -> Row:
+def _line(line: NoteLine, signs: TextSigns, spell: TextSpeller, in_numbers: bool) -> NoteRow:
     """Return a formula, the numbers put in if they are wanted, and its value."""
     angle, words = line.dimension == ANGLE, spell.locale.calculation
     sides = [_asked(line, line.formula, signs, angle)] if line.formula else []
@@ -191,10 +191,10 @@ def _line(line: NoteLine, signs: Signs, spell: Speller, in_numbers: bool) -> Row
     if line.decides:
         decides = f" ({words['decides'].format(formula=_set(line.decides, signs))})"
     said = f"{print_name(line.name, signs)} = {' = '.join(sides)}{decides}"
-    return Row(said, label(line, spell.text(line.label), spell.locale, spell))
+    return NoteRow(said, label(line, spell.text(line.label), spell.locale, spell))
 
 
-def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool) -> str:
+def _asked(line: NoteLine | WrittenFormula, formula: Formula, signs: TextSigns, angle: bool) -> str:
     """Return a formula, or what is asked of a table or list."""
     inner = print_formula(formula, signs, angle and not line.of)
     match line.kind:
@@ -205,18 +205,18 @@ def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool
             return f"({inner})" if is_choice(formula) else inner
 
 
-def _value(quantity: Quantity, signs: Signs) -> str:
+def _value(quantity: GivenQuantity, signs: TextSigns) -> str:
     return print_quantity(quantity.text(SHOWN), signs)
 
 
-def _check(check: NoteCheck, signs: Signs, words: Words) -> Row:
+def _check(check: NoteCheck, signs: TextSigns, words: Words) -> NoteRow:
     operator = f" {signs.relations.get(check.operator, check.operator)} "
     said = operator.join(_set(side, signs) for side in (check.left, check.right))
     if check.values is None:
-        return Row(f"{said}: {_unknown(check.missing, signs, words)}", check.label)
+        return NoteRow(f"{said}: {_unknown(check.missing, signs, words)}", check.label)
     said += f": {operator.join(_value(side, signs) for side in check.values)}"
     if check.reserve is not None:
         least = f", {words['least of all']}" if check.decides else ""
         reserve = tens(f"{check.reserve:.3g}", signs)
         said += f", {words['reserve'].lower()} {reserve}{least}"
-    return Row(f"{said}, {words['fails']}" if check.fails else said, check.label)
+    return NoteRow(f"{said}, {words['fails']}" if check.fails else said, check.label)

@@ -23,14 +23,14 @@ from ...model.values import is_constant, range_of
 from ...pose.pose import Pose
 from ...source import Source
 from ...units import USUAL_UNITS, si_unit
-from .speller import Speller
+from .speller import TextSpeller
 
 Words = Mapping[str, str]
 """What ``mechc check`` says in a language."""
 
 
 def overview(
-    mechanism: Mechanism, pose: Pose | None, source: Source, spell: Speller
+    mechanism: Mechanism, pose: Pose | None, source: Source, spell: TextSpeller
 ) -> Iterator[str]:
     """Yield the points, parameters, vectors and what loops give; ``pose`` is None without one."""
     words = spell.locale.checked
@@ -48,7 +48,7 @@ def _headed(heading: str, rows: Iterable[tuple[str, str]]) -> Iterator[str]:
     yield from (f"    {first:<{width}}  {second}".rstrip() for first, second in found)
 
 
-def _points(mechanism: Mechanism, source: Source, spell: Speller) -> Iterator[tuple[str, str]]:
+def _points(mechanism: Mechanism, source: Source, spell: TextSpeller) -> Iterator[tuple[str, str]]:
     words = spell.locale.checked
     places = {
         g.head: words["at"].format(place=_written(g, source, spell))
@@ -67,7 +67,7 @@ def _points(mechanism: Mechanism, source: Source, spell: Speller) -> Iterator[tu
 
 
 def _parameters(
-    mechanism: Mechanism, pose: Pose | None, spell: Speller
+    mechanism: Mechanism, pose: Pose | None, spell: TextSpeller
 ) -> Iterator[tuple[str, str]]:
     after = {p.name: p for p in (pose.mechanism if pose else mechanism).parameters}
     for parameter in mechanism.parameters:
@@ -79,7 +79,7 @@ def _parameters(
         yield parameter.name, ", ".join(said)
 
 
-def _value(parameter: Parameter, spell: Speller) -> str:
+def _value(parameter: Parameter, spell: TextSpeller) -> str:
     if parameter.value is None:
         usual = USUAL_UNITS.get(parameter.dimension, "") or si_unit(parameter.dimension)
         unit = f" ({spell.unit(usual)})" if usual else ""
@@ -89,13 +89,13 @@ def _value(parameter: Parameter, spell: Speller) -> str:
     return f"= {_measured(evaluate(parameter.value, {}), parameter, spell)}"
 
 
-def _range(parameter: Parameter, spell: Speller) -> list[str]:
+def _range(parameter: Parameter, spell: TextSpeller) -> list[str]:
     """Return the range of a parameter in words, if it has one."""
     ends = [_measured(evaluate(end, {}), parameter, spell) for end in parameter.range or ()]
     return [f"{spell.locale.range.lower()} {' .. '.join(ends)}"] if ends else []
 
 
-def _stroke(parameter: Parameter, mechanism: Mechanism, spell: Speller) -> str:
+def _stroke(parameter: Parameter, mechanism: Mechanism, spell: TextSpeller) -> str:
     ends = range_of(parameter.name, mechanism)
     if ends is None:
         return spell.locale.checked["drive"]
@@ -103,11 +103,11 @@ def _stroke(parameter: Parameter, mechanism: Mechanism, spell: Speller) -> str:
     return spell.locale.checked["stroke"].format(low=low, high=high)
 
 
-def _measured(value: float, parameter: Parameter, spell: Speller) -> str:
+def _measured(value: float, parameter: Parameter, spell: TextSpeller) -> str:
     return spell.measured(value, parameter.unit or si_unit(parameter.dimension), 9)
 
 
-def _vectors(mechanism: Mechanism, source: Source, spell: Speller) -> Iterator[tuple[str, str]]:
+def _vectors(mechanism: Mechanism, source: Source, spell: TextSpeller) -> Iterator[tuple[str, str]]:
     """Yield the entries of the geometry as they are written, and what each leaves open."""
     words = spell.locale.checked
     for entry in mechanism.geometry:
@@ -121,7 +121,7 @@ def _vectors(mechanism: Mechanism, source: Source, spell: Speller) -> Iterator[t
         yield _written(entry, source, spell), missing
 
 
-def _written(entry: Geometry, source: Source, spell: Speller) -> str:
+def _written(entry: Geometry, source: Source, spell: TextSpeller) -> str:
     return spell.as_described(" ".join(source.written(entry.span).split()))
 
 

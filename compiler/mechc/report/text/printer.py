@@ -20,9 +20,9 @@ from itertools import pairwise
 from ...formula.layout import SIZES, TRIGONOMETRIC, decimal, letter_of
 from ...formula.names import GREEK, corner_of, split_name, words_in
 from ...formula.tree import ZERO, Formula, Number, Pi, Power, Symbol
-from ...formula.typesetting import Around, Row, Typesetter
+from ...formula.typesetting import FormulaRow, Surroundings, Typesetter
 from ...patterns import pattern
-from .signs import RAISED, Signs, tens
+from .signs import RAISED, TextSigns, tens
 
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
@@ -46,12 +46,12 @@ _TENS = pattern(r"(\d[·*])?10[\^⁰¹²³⁴-⁹⁻]")
 _INVERSE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
 
-def print_formula(formula: Formula, signs: Signs, angle: bool = False) -> str:
+def print_formula(formula: Formula, signs: TextSigns, angle: bool = False) -> str:
     """Return a formula on one line; one that is an angle has its constants in degrees."""
     return _Terminal(signs).whole(formula, angle)
 
 
-def print_side(formula: Formula, signs: Signs, angle: bool) -> str:
+def print_side(formula: Formula, signs: TextSigns, angle: bool) -> str:
     """Return a side of a relation: a number alone is a decimal, an angle in degrees, if it can be.
 
     >>> from .signs import UNICODE
@@ -61,11 +61,11 @@ def print_side(formula: Formula, signs: Signs, angle: bool) -> str:
     if angle and formula == ZERO:
         return _Terminal(signs).degrees("0")
     if isinstance(formula, Number) and not angle:
-        return _Terminal(signs).number(formula.value, decimal(formula.value), Around.SUM)
+        return _Terminal(signs).number(formula.value, decimal(formula.value), Surroundings.SUM)
     return print_formula(formula, signs, angle)
 
 
-def print_name(name: str, signs: Signs) -> str:
+def print_name(name: str, signs: TextSigns) -> str:
     """Return a quantity's name.
 
     >>> from .signs import UNICODE
@@ -111,7 +111,7 @@ def _called(name: str, texts: Mapping[str, str]) -> str:
     return texts[prefix] + name.removeprefix(prefix) if "_" in prefix else name
 
 
-def print_quantity(quantity: str, signs: Signs) -> str:
+def print_quantity(quantity: str, signs: TextSigns) -> str:
     """Return a number with its unit.
 
     >>> from .signs import UNICODE
@@ -130,7 +130,7 @@ def print_quantity(quantity: str, signs: Signs) -> str:
     return raised.replace("*", "·")
 
 
-def print_point(name: str, signs: Signs) -> str:
+def print_point(name: str, signs: TextSigns) -> str:
     """Return a point, a link or an index, its numbers lowered.
 
     >>> from .signs import UNICODE
@@ -145,7 +145,7 @@ class _Terminal(Typesetter[str]):
 
     built = False
 
-    def __init__(self, signs: Signs) -> None:
+    def __init__(self, signs: TextSigns) -> None:
         self.signs, self.raised, self.angles = signs, signs.fancy, signs.angles
 
     def numeral(self, figures: str) -> str:
@@ -178,7 +178,7 @@ class _Terminal(Typesetter[str]):
     def row(self, pieces: Sequence[str]) -> str:
         return "".join(pieces)
 
-    def factors(self, formulas: Row, pieces: Sequence[str]) -> str:
+    def factors(self, formulas: FormulaRow, pieces: Sequence[str]) -> str:
         """Return factors side by side, letters close together and functions apart."""
         line = pieces[0]
         for (before, factor), piece in zip(pairwise(formulas), pieces[1:], strict=True):

@@ -5,7 +5,7 @@
 >>> a, b, c, d = map(Symbol, "abcd")
 >>> long = total([product([(x, 1), (y, 1)]) for x in (a, b) for y in (a, b, c)])
 >>> formulas = [product([(a, 1), (long, -1)]), product([(d, 1), (long, -1)])]
->>> parts = Repeated(formulas, MadeNames(), lambda part: True)
+>>> parts = RepeatedSums(formulas, MadeNames(), lambda part: True)
 >>> [text(parts.shown(formula)) for formula in formulas]
 ['a/Z_1', 'd/Z_1']
 >>> [(name, part == long) for name, part in parts.fresh(formulas)]
@@ -32,7 +32,7 @@ OPERATIONS = 10
 """A sum of fewer operations is read faster than a name that stands for it."""
 
 
-class Repeated:
+class RepeatedSums:
     """The names of the long sums that stand inside of several formulas of a page."""
 
     def __init__(

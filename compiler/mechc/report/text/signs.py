@@ -25,7 +25,7 @@ WRITTEN: Mapping[str, str] = MappingProxyType(
 
 
 @frozen
-class Signs:
+class TextSigns:
     """The signs of one character set; ``fancy`` when it has Greek letters and raised digits.
 
     ``functions`` are called otherwise in the language: tg, ctg; ``choices`` are the words of cases,
@@ -51,11 +51,11 @@ class Signs:
     texts: Mapping[str, str] = MappingProxyType({})
 
 
-UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠"})
-ASCII = Signs(False, " * ", "*", "-", " deg", "pi", {})
+UNICODE = TextSigns(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠"})
+ASCII = TextSigns(False, " * ", "*", "-", " deg", "pi", {})
 
 
-def tens(said: str, signs: Signs) -> str:
+def tens(said: str, signs: TextSigns) -> str:
     """Return numbers with powers of ten as they are written by hand.
 
     >>> tens("1.5e+06 N", UNICODE), tens("1.5e-06 N", ASCII), tens("-1e+12", UNICODE)
@@ -64,7 +64,7 @@ def tens(said: str, signs: Signs) -> str:
     return _EXPONENT.sub(lambda found: _ten(found[1], found[2], found[3], signs), said)
 
 
-def _ten(one: str, sign: str, exponent: str, signs: Signs) -> str:
+def _ten(one: str, sign: str, exponent: str, signs: TextSigns) -> str:
     """Return a power of ten behind its figures, or alone where these are ``one``."""
     power = ("" if sign in ("", "+") else "-") + exponent
     ten = f"10{power.translate(RAISED)}" if signs.fancy else f"10^{power}"

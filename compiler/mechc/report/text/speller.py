@@ -17,11 +17,11 @@ from ...units import behind, in_unit
 from ..languages.locale import Locale
 from ..languages.registry import locale as locale_of
 from ..made_names import MadeNames
-from ..put_in import Quantity, in_degrees
+from ..put_in import GivenQuantity, in_degrees
 from ..sentences.speller import angles_of, couples_of, guided_of, own_names
 from . import printer
-from .repeated import Repeated
-from .signs import ASCII, UNICODE, Signs, tens
+from .repeated import RepeatedSums
+from .signs import ASCII, UNICODE, TextSigns, tens
 
 textwrap = Later("textwrap")
 """Breaks lines; most of what ``check`` says fits into one."""
@@ -51,18 +51,18 @@ _POINT = pattern(r"(?<=\d)\.(?=\d)")
 _WORD = pattern(r"[A-Za-z]+")
 
 
-class Speller(NamedTuple):
+class TextSpeller(NamedTuple):
     """Mathematics inside a sentence, with the signs of a terminal, the words of a language.
 
     Lines keep to ``width`` columns where they can; ``texts`` are what those of the description
     are in the language, ``parts`` the names of what formulas have more than once.
     """
 
-    signs: Signs
+    signs: TextSigns
     locale: Locale
     width: int = WIDTH
     texts: Mapping[str, str] = MappingProxyType({})
-    parts: Repeated | None = None
+    parts: RepeatedSums | None = None
 
     @property
     def angles(self) -> frozenset[str]:
@@ -97,7 +97,7 @@ class Speller(NamedTuple):
         """Return a value in SI in a unit, as a description has it but for powers of ten."""
         return self.units(tens(in_unit(value, unit, digits), self.signs))
 
-    def quantity(self, quantity: Quantity) -> str:
+    def quantity(self, quantity: GivenQuantity) -> str:
         """Return a value in its unit, an angle in degrees."""
         if quantity.unit != "deg":
             return printer.print_quantity(quantity.text(SHOWN), self.signs)
@@ -169,11 +169,11 @@ class Speller(NamedTuple):
         )
         return [line.replace("\u00a0", " ") for line in lines]
 
-    def naming(self, formulas: Iterable[Formula], made: MadeNames) -> "Speller":
+    def naming(self, formulas: Iterable[Formula], made: MadeNames) -> "TextSpeller":
         """Return the speller of a page, which has names for what its formulas have repeatedly."""
         page = tuple(formulas)
         many = (f for f in page if self._width(f) > LINES * WIDTH)
-        repeated = Repeated(many, made, self._is_long, page)
+        repeated = RepeatedSums(many, made, self._is_long, page)
         return self._replace(parts=repeated) if repeated.sums else self
 
     def _is_long(self, part: Formula) -> bool:
@@ -210,7 +210,7 @@ def speller(
     unicode: bool,
     language: str = "en",
     width: int = WIDTH,
-) -> Speller:
+) -> TextSpeller:
     """Return the speller of mathematics, with the names that are angles in this mechanism."""
     words = locale_of(language)
     signs = UNICODE if unicode else ASCII
@@ -228,4 +228,4 @@ def speller(
         own=own_names(mechanism),
         texts=texts,
     )
-    return Speller(signs, words, width, texts)
+    return TextSpeller(signs, words, width, texts)

@@ -47,7 +47,7 @@ MOST = 13
 """Digits beyond which the ends of an interval are one place."""
 
 
-class Written(NamedTuple):
+class WrittenStroke(NamedTuple):
     """A stroke and the words, numbers and units of the language in which it is written."""
 
     stroke: Stroke
@@ -67,13 +67,13 @@ class Written(NamedTuple):
         return headed(name, of_unit(unit, self.letters))
 
 
-def written(stroke: Stroke, language: str) -> Written:
+def written(stroke: Stroke, language: str) -> WrittenStroke:
     """Return a stroke to be written in a language."""
     known = locale(language)
-    return Written(stroke, known.along_stroke, letters(known))
+    return WrittenStroke(stroke, known.along_stroke, letters(known))
 
 
-def held(row: Row, shown: Written) -> str:
+def held(row: Row, shown: WrittenStroke) -> str:
     """Return which results stand still in a row: ``k_f jammed, k_hold locked``."""
     stroke = shown.stroke
     near = EXACT * (stroke.high - stroke.low)
@@ -116,7 +116,7 @@ def _broken(lines: Iterable[str], width: int) -> Iterator[str]:
 
 
 def table(
-    shown: Written, hidden: Collection[Content], without: Collection[int] = ()
+    shown: WrittenStroke, hidden: Collection[Content], without: Collection[int] = ()
 ) -> list[list[str]]:
     """Return heading and rows, cell by cell; the last one of a row is what is wrong there.
 
@@ -138,13 +138,13 @@ def table(
     return [[*head, ""], *body]
 
 
-def meanings(shown: Written, hidden: Collection[Content]) -> Iterator[str]:
+def meanings(shown: WrittenStroke, hidden: Collection[Content]) -> Iterator[str]:
     """Yield a line on what each speed and angle in the heading means."""
     columns = (c for c in shown.stroke.columns if c.content not in hidden)
     yield from legend(columns, shown.words, lambda about: about.name, str)
 
 
-def said(shown: Written) -> Iterator[str]:
+def said(shown: WrittenStroke) -> Iterator[str]:
     """Yield what happens along a stroke, line by line."""
     stroke = shown.stroke
     for stretch in stroke.stretches:
@@ -168,7 +168,7 @@ def _cells(
     values: Sequence[float],
     columns: Sequence[Column],
     undetermined: Collection[str],
-    shown: Written,
+    shown: WrittenStroke,
 ) -> list[str]:
     return [
         shown.says("undetermined") if c.name in undetermined else _cell(v, c, shown)
@@ -176,7 +176,7 @@ def _cells(
     ]
 
 
-def _cell(value: float, column: Column, shown: Written) -> str:
+def _cell(value: float, column: Column, shown: WrittenStroke) -> str:
     if not math.isfinite(value):
         return "" if math.isnan(value) else shown.says("infinite")
     return shown.number(_in(value, unit_of(column.dimension, column.unit), 9))
@@ -199,12 +199,12 @@ def headed(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _value(x: float, shown: Written, digits: int = 9) -> str:
+def _value(x: float, shown: WrittenStroke, digits: int = 9) -> str:
     stroke = shown.stroke
     return shown.number(_in(x, unit_of(stroke.dimension, stroke.unit), digits))
 
 
-def _at(x: float, shown: Written, digits: int = FIGURES) -> str:
+def _at(x: float, shown: WrittenStroke, digits: int = FIGURES) -> str:
     """Return the drive and its value; what is nearer to zero than values are found is zero."""
     x = x if abs(x) > NEARLY * abs(shown.stroke.high - shown.stroke.low) else 0.0
     unit = unit_of(shown.stroke.dimension, shown.stroke.unit)
@@ -219,7 +219,7 @@ def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
         yield "  ".join([*cells, row[-1]]).rstrip()
 
 
-def _stretch(stretch: StrokeInterval, shown: Written) -> Iterator[str]:
+def _stretch(stretch: StrokeInterval, shown: WrittenStroke) -> Iterator[str]:
     if stretch.before:
         yield shown.says("below", at=_at(stretch.low, shown), why=shown.says(stretch.before))
     if stretch.after:
@@ -228,12 +228,12 @@ def _stretch(stretch: StrokeInterval, shown: Written) -> Iterator[str]:
         yield shown.says("apart", span=_span(stretch.low, stretch.high, shown))
 
 
-def _without(name: str, loads: Sequence[str], shown: Written) -> str:
+def _without(name: str, loads: Sequence[str], shown: WrittenStroke) -> str:
     values = shown.says("and").join(shown.says("give", load=load) for load in loads)
     return shown.says("without", name=name, loads=", ".join(loads), values=values)
 
 
-def _branch(found: Branch, shown: Written) -> str:
+def _branch(found: Branch, shown: WrittenStroke) -> str:
     return shown.says("two ways", at=_at(found.drive, shown), loop=found.loop)
 
 
@@ -241,7 +241,7 @@ KINDS = {"branch point": "zero and infinite", "other": ""}
 """The words for kinds of singular poses, where they are not those of the kind itself."""
 
 
-def _singular(found: Singular, shown: Written) -> str:
+def _singular(found: Singular, shown: WrittenStroke) -> str:
     does, names = f"is {found.value}", {"name": found.result, "at": _at(found.drive, shown)}
     if found.sides is not None:
         low, high = (_measured(side, found.result, shown, FIGURES) for side in found.sides)
@@ -257,11 +257,11 @@ def _singular(found: Singular, shown: Written) -> str:
     return f"{whole}: {shown.says(kind)}" if kind else whole
 
 
-def _zero_part(part: ZeroInterval, shown: Written) -> str:
+def _zero_part(part: ZeroInterval, shown: WrittenStroke) -> str:
     return shown.says("zero part", name=part.result, span=_span(part.low, part.high, shown))
 
 
-def _extremum(found: Extremum, shown: Written) -> str:
+def _extremum(found: Extremum, shown: WrittenStroke) -> str:
     """Return where a result is least or greatest, be it on one side of a jump alone."""
     value = _measured(found.value, found.result, shown, FIGURES)
     is_beside = any(
@@ -272,20 +272,20 @@ def _extremum(found: Extremum, shown: Written) -> str:
     return shown.says(kind, name=found.result, value=value, at=_at(found.drive, shown))
 
 
-def _measured(value: float, result: str, shown: Written, digits: int) -> str:
+def _measured(value: float, result: str, shown: WrittenStroke, digits: int) -> str:
     """Return a value of a result in the unit of its column."""
     column = next(c for c in shown.stroke.columns if c.name == result)
     return shown.number(in_unit(value, unit_of(column.dimension, column.unit), digits))
 
 
-def _standstill(found: JammedInterval, shown: Written) -> str:
+def _standstill(found: JammedInterval, shown: WrittenStroke) -> str:
     span, left_out = _span(found.low, found.high, shown), ENDS[found.left_out]
     ends = shown.says(left_out) if left_out else ""
     names = {"name": found.result, "load": found.driving, "span": span, "ends": ends}
     return shown.says(f"{_state(found)} part", **names)
 
 
-def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: Written) -> str:
+def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: WrittenStroke) -> str:
     parts = [shown.says("from", span=_span(*part, shown)) for part in efficiency.usual]
     reached = (efficiency.least, efficiency.greatest, *USUAL)
     least, greatest, low, high = (shown.number(f"{round(x, 3):g}") for x in reached)
@@ -297,7 +297,7 @@ def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: Written) ->
     )
 
 
-def _span(low: float, high: float, shown: Written) -> str:
+def _span(low: float, high: float, shown: WrittenStroke) -> str:
     """Return an interval, with as many digits as its ends take to be two."""
     for digits in range(FIGURES, MOST + 1):
         ends = _at(low, shown, digits), _at(high, shown, digits)

@@ -14,7 +14,7 @@ from ...formula.walk import symbols
 from ...model.result import Definition
 from ...model.values import Chain, Values
 from ...named import NamedTuple
-from ...pose.motion import Motion, Quantity
+from ...pose.motion import Motion, MotionQuantity
 from ...units import Dimension
 from .along import Along
 from .stroke import Column
@@ -51,7 +51,7 @@ def named_apart(columns: Iterable[Filled]) -> list[Filled]:
 class ShownQuantities(NamedTuple):
     """The quantities of a motion that are shown, and the definitions of all."""
 
-    quantities: tuple[Quantity, ...]
+    quantities: tuple[MotionQuantity, ...]
     definitions: tuple[tuple[str, Formula], ...]
 
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 from ...formula.evaluate import evaluate, numeric, solution
-from ...formula.folds import Curve
+from ...formula.folds import SolutionCurve
 from ...formula.tree import Formula, Implicit, System
 from ...model.values import Chain, dependent
 from ...named import NamedTuple
@@ -45,7 +45,7 @@ def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> LastV
     for (system, outer), loop in zip(_systems(pose, along), loops, strict=False):
         start = solution(system, tuple(outer(inside)))
         scales = [*_scales(system, start, pose), 1.0 if _turns(pose) else abs(range_)]
-        curve = Curve(numeric(system), outer, scales)
+        curve = SolutionCurve(numeric(system), outer, scales)
         end = curve.end(start, inside, goal)
         if end.turns and (end.x - goal) * range_ < 0:
             return LastValue(end.x)

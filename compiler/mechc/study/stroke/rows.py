@@ -5,7 +5,13 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache, partial
 
 from ...formula.rounded_columns import RoundedColumn, RoundedColumns
-from ...formula.rounding import Rounding, Size, beyond_rounding, without_rounding, without_value
+from ...formula.rounding import (
+    PrintedNumber,
+    Rounding,
+    beyond_rounding,
+    without_rounding,
+    without_value,
+)
 from ...formula.walk import symbols, walk
 from ...model.mechanism import Mechanism
 from ...model.parts.targets import Efficiency, WithFriction
@@ -85,7 +91,7 @@ class Sizes:
         columns = run.along.rounded(drives)
         self._rounded = [_rounded(f, columns) for f in filled]
 
-    def at(self, x: float) -> list[Size]:
+    def at(self, x: float) -> list[PrintedNumber]:
         """Return the size of each column at one of the poses."""
         alone = cache(partial(self._run.along.rounding, x))
         known = zip(self._filled, self._rounded, strict=True)
@@ -93,12 +99,12 @@ class Sizes:
 
     def _size(
         self, filled: Filled, x: float, column: RoundedColumn | None, alone: Callable[[], Rounding]
-    ) -> Size:
+    ) -> PrintedNumber:
         number, formula, where = filled.at(x), filled.formula, filled.where
         if filled.has_friction and len(self._run.along.sides(filled.at, where, x)) > 1:
-            return Size(None, undetermined=True)
+            return PrintedNumber(None, undetermined=True)
         if formula is None:
-            return Size(number + 0.0)
+            return PrintedNumber(number + 0.0)
         if math.isnan(number) and not filled.has_friction:
             return without_value(formula, where, alone())
         rounded = column.at(self._rows[x]) if column and math.isfinite(number) else None
@@ -151,7 +157,7 @@ def _gap(run: Run, x: float, width: int, stretches: Sequence[StrokeInterval]) ->
     return Row(x, (math.nan,) * width, why)
 
 
-def _row(run: Run, x: float, filled: Sequence[Filled], sizes: Sequence[Size]) -> Row:
+def _row(run: Run, x: float, filled: Sequence[Filled], sizes: Sequence[PrintedNumber]) -> Row:
     values = tuple(math.nan if s.number is None else s.number for s in sizes)
     open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
     return Row(x, values, trouble(run, x), tuple(open_))
@@ -164,7 +170,7 @@ GROWS = 1.5
 """How much larger what is infinite somewhere is at half the distance, at least."""
 
 
-def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) -> bool:
+def is_on_a_side(size: PrintedNumber, where: Sequence[Definition], rounding: Rounding) -> bool:
     """Return whether a value rests on a sign that rounding makes, or has no number."""
     if size.number is None or not math.isfinite(size.number):
         return True
@@ -178,7 +184,7 @@ def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) ->
 
 def from_both_sides(
     at: Callable[[float], float], stands: Callable[[float], bool], x: float, range_: float
-) -> Size:
+) -> PrintedNumber:
     """Return the limit of a result at ``x``, undetermined where its sides are not alike.
 
     At a dead centre of the drive friction jams one motion and lets the other go on, so that the
@@ -189,10 +195,10 @@ def from_both_sides(
     ends = [_limit(at, x, step) for step in steps if stands(x + step)]
     low, high = min(ends, default=math.nan), max(ends, default=math.nan)
     if all(map(math.isnan, ends)):
-        return Size(math.nan)
+        return PrintedNumber(math.nan)
     if any(map(math.isnan, ends)) or low * high < 0 or (math.isinf(high) and low < high):
-        return Size(None, undetermined=True)
-    return Size(_between(at(x), low, high))
+        return PrintedNumber(None, undetermined=True)
+    return PrintedNumber(_between(at(x), low, high))
 
 
 def _limit(at: Callable[[float], float], x: float, step: float) -> float:

@@ -19,8 +19,8 @@ from ...model.mechanism import (
     Normal,
     Parameter,
     Reaction,
+    ResultTarget,
     SpeedRatio,
-    Target,
     WithFriction,
 )
 from ...pose.pose import Pose
@@ -114,7 +114,7 @@ class Run:
         return looked_at(stretch, self.grid)
 
 
-def has_sign(target: Target | None) -> bool:
+def has_sign(target: ResultTarget | None) -> bool:
     """Return whether this is a component of a force, a force along a rod, or one of a guide."""
     match target:
         case WithFriction(of=force, order="exact"):

@@ -10,8 +10,8 @@ from .. import ast
 from ..fault import Fault
 from .lalr import NOWHERE, Token, span_of
 
-Ends = tuple[ast.Expr, ast.Expr]
-Row = tuple[ast.Expr, ast.Expr]
+RangeExpressions = tuple[ast.Expr, ast.Expr]
+TableRow = tuple[ast.Expr, ast.Expr]
 Rim = tuple[ast.Expr, ast.Name | None]
 """A wheel: its radius, and the link that it is fixed to, or the ground."""
 
@@ -38,7 +38,7 @@ def sheet_heading(name: ast.Name, title: Token | None) -> ast.SheetHeading:
     return ast.SheetHeading(NOWHERE, name, unquoted(title))
 
 
-def table(name: ast.Name, source: Token | None, *rows: Row) -> ast.Table:
+def table(name: ast.Name, source: Token | None, *rows: TableRow) -> ast.Table:
     """Return ``table m49 "Table 4.9" = 1: 0.388, 0.9: 0.400``."""
     return ast.Table(NOWHERE, name, rows, unquoted(source))
 
@@ -97,7 +97,7 @@ def param(
     dimension: ast.Name | None,
     value: ast.Expr | None,
     tolerance: ast.Expr | None,
-    ends: Ends | None,
+    ends: RangeExpressions | None,
     label: Token | None,
     about: Token | None,
 ) -> ast.Param:
@@ -197,17 +197,19 @@ def distributed(
     return ast.Distributed(NOWHERE, name, line, along, intensity, end, times)
 
 
-End = tuple[ast.Name, ast.Name | None]
+PointOfLink = tuple[ast.Name, ast.Name | None]
 """An end of a pair of forces: a point, and the link that carries it there."""
 
 
-def actuator(name: ast.Name, first: End, second: End, times: ast.Expr | None) -> ast.Actuator:
+def actuator(
+    name: ast.Name, first: PointOfLink, second: PointOfLink, times: ast.Expr | None
+) -> ast.Actuator:
     """Return ``actuator P between A on OA and B times n``."""
     return ast.Actuator(NOWHERE, name, first[0], second[0], times, first[1], second[1])
 
 
 def spring(
-    rate: ast.Expr, first: End, second: End, free: ast.Expr, times: ast.Expr | None
+    rate: ast.Expr, first: PointOfLink, second: PointOfLink, free: ast.Expr, times: ast.Expr | None
 ) -> ast.Spring:
     """Return ``spring c between A on OA and B free l0 times n``."""
     return ast.Spring(NOWHERE, rate, first[0], second[0], free, times, first[1], second[1])

@@ -27,7 +27,7 @@ from ..vocabulary import (
 from . import unit_words
 from .lalr import Token, span_of
 
-Signed = tuple[int, ast.Expr]
+SignedTerm = tuple[int, ast.Expr]
 
 
 def number(token: Token) -> ast.Number:
@@ -62,9 +62,9 @@ def product_of(*parts: ast.Expr | Token) -> ast.Expr:
     return ast.Product(tuple(flat(factors, ast.Product)), span)
 
 
-def signed(first: Token | None, rest: tuple[ast.Expr | Token, ...], minus: str) -> list[Signed]:
+def signed(first: Token | None, rest: tuple[ast.Expr | Token, ...], minus: str) -> list[SignedTerm]:
     """Pair each operand with +1, or with −1 where the operator before it is ``minus``."""
-    found: list[Signed] = []
+    found: list[SignedTerm] = []
     sign = -1 if first and first.type == minus else 1
     for part in rest:
         if isinstance(part, Token):
@@ -74,9 +74,9 @@ def signed(first: Token | None, rest: tuple[ast.Expr | Token, ...], minus: str) 
     return found
 
 
-def flat(parts: list[Signed], kind: type[ast.Sum] | type[ast.Product]) -> list[Signed]:
+def flat(parts: list[SignedTerm], kind: type[ast.Sum] | type[ast.Product]) -> list[SignedTerm]:
     """Take in the parts of a bracket that changes nothing: ``a + (b - c)``."""
-    found: list[Signed] = []
+    found: list[SignedTerm] = []
     for sign, part in parts:
         if sign == 1 and isinstance(part, kind):
             found.extend(part.terms if isinstance(part, ast.Sum) else part.factors)

@@ -14,11 +14,11 @@ from zlib import crc32
 
 from ...data import data
 from ..vocabulary import LANGUAGES
-from .lalr import Parser, Reading, Tables, Token, span_of
+from .lalr import Parser, ParserState, ParserTables, Token, span_of
 from .tree import rules
 
 __all__ = [
-    "Reading",
+    "ParserState",
     "Start",
     "keywords",
     "lexed",
@@ -62,13 +62,13 @@ def checksum(text: str) -> int:
     return crc32("\n".join([text, *STARTS]).encode())
 
 
-def tables() -> Tables:
+def tables() -> ParserTables:
     """Return the tables, the shipped ones if they are of this grammar."""
     text = grammar()
     made = import_module(f"{__package__}.made_tables")
     if checksum(text) == made.MADE_FROM:
-        return cast(Tables, made.TABLES)
-    return cast(Tables, import_module(f"{__package__}.make_tables").make(text, STARTS))
+        return cast(ParserTables, made.TABLES)
+    return cast(ParserTables, import_module(f"{__package__}.make_tables").make(text, STARTS))
 
 
 @cache
@@ -82,9 +82,9 @@ def lexed(text: str) -> Iterator[Token]:
     return parser().lex(text)
 
 
-def reading(start: Start) -> Reading:
+def reading(start: Start) -> ParserState:
     """Return a parser in its first state, to be fed token by token."""
-    return Reading(parser(), start)
+    return ParserState(parser(), start)
 
 
 def spelling() -> dict[str, str]:

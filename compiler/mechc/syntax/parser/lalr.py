@@ -36,7 +36,7 @@ class Refused(Exception):
     """A token that cannot stand where it does."""
 
 
-class Rule(NamedTuple):
+class Reduction(NamedTuple):
     """A reduction: the values that it takes off the stack, and the one that it makes of them.
 
     ``children`` are the places of the parts that the node gets; ``~place`` is a list put
@@ -51,7 +51,7 @@ class Rule(NamedTuple):
     collapses: bool
 
 
-class Tables(NamedTuple):
+class ParserTables(NamedTuple):
     """A grammar made ready for reading.
 
     ``terminals`` are tried in order; ``words`` decides of what a terminal matched whether it
@@ -62,7 +62,7 @@ class Tables(NamedTuple):
     words: dict[str, dict[str, str]]
     texts: dict[str, str]
     ignored: list[str]
-    rules: list[Rule]
+    rules: list[Reduction]
     states: list[dict[str, int]]
     starts: dict[str, tuple[int, int]]
 
@@ -70,7 +70,7 @@ class Tables(NamedTuple):
 class Parser:
     """A lexer and a parser of one grammar; ``builders`` make the nodes, by the rules' names."""
 
-    def __init__(self, tables: Tables, builders: Mapping[str, Callable[..., object]]) -> None:
+    def __init__(self, tables: ParserTables, builders: Mapping[str, Callable[..., object]]) -> None:
         self.tables = tables
         self.builders = builders
 
@@ -89,7 +89,7 @@ class Parser:
         return re.compile("|".join(f"(?P<{name}>{how})" for name, how in self.tables.terminals))
 
 
-class Reading:
+class ParserState:
     """A parser at one place in a line, fed token by token."""
 
     def __init__(self, parser: Parser, start: str) -> None:
@@ -128,11 +128,11 @@ class Reading:
                 return True
         return False
 
-    def _goto(self, states: list[int], rule: Rule) -> None:
+    def _goto(self, states: list[int], rule: Reduction) -> None:
         del states[len(states) - rule.size :]
         states.append(self._table[states[-1]][rule.origin])
 
-    def _built(self, rule: Rule, parts: list[Any]) -> object:
+    def _built(self, rule: Reduction, parts: list[Any]) -> object:
         """Return a rule's node, or its parts as a list where another rule takes them in."""
         children: list[Any] = []
         for place in rule.children:

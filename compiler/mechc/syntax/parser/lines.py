@@ -20,7 +20,7 @@ OPERAND_ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
 """An operand ends with one of these, and another one cannot stand behind it."""
 
 
-class Line(NamedTuple):
+class SourceLine(NamedTuple):
     """The tokens of one statement and its comments; without tokens, the file's last comments."""
 
     tokens: list[Token]
@@ -58,9 +58,9 @@ class Gathered:
         """Return whether the end of the line ends the statement."""
         return self.open_brackets <= 0 and self.tokens[-1].type not in GOES_ON
 
-    def line(self) -> Line:
+    def line(self) -> SourceLine:
         """Return the gathered line."""
-        return Line(self.tokens, tuple(self.comments), " ".join(self.remarks))
+        return SourceLine(self.tokens, tuple(self.comments), " ".join(self.remarks))
 
 
 def begins(before: Token, token: Token, following: Token | None) -> bool:
@@ -74,7 +74,7 @@ def begins(before: Token, token: Token, following: Token | None) -> bool:
     return assigned or placed or str(token) in statement_words()
 
 
-def lines(found: list[Token]) -> Iterator[Line]:
+def lines(found: list[Token]) -> Iterator[SourceLine]:
     """Group tokens into logical lines."""
     gathered, line_begins = Gathered(), True
     for token, following in zip(found, [*found[1:], None], strict=False):

@@ -13,17 +13,17 @@ from lark.grammar import Rule as LarkRule
 from lark.lexer import PatternStr, TerminalDef
 
 from .grammar import STARTS, checksum, grammar
-from .lalr import Rule, Tables
+from .lalr import ParserTables, Reduction
 
 MADE = Path(__file__).with_name("made_tables.py")
 
 HEAD = '''"""The parser's tables, made by ``mechc.syntax.parser.make_tables``."""
 
-from .lalr import Rule, Tables
+from .lalr import ParserTables, Reduction
 '''
 
 
-def make(grammar: str, starts: list[str]) -> Tables:
+def make(grammar: str, starts: list[str]) -> ParserTables:
     """Return the tables of a grammar in Lark's notation."""
     lark = Lark(grammar, parser="lalr", lexer="basic", start=starts)
     terminals = sorted(lark.terminals, key=_precedence)
@@ -33,7 +33,7 @@ def make(grammar: str, starts: list[str]) -> Tables:
     table = frontend.parser._parse_table
     order = _order(table, starts)
     numbers = {rule: ~number for number, rule in enumerate(lark.rules)} | order
-    return Tables(
+    return ParserTables(
         terminals=[(t.name, t.pattern.to_regexp()) for t in terminals if t.name not in several],
         words={name: found for name, found in words.items() if found},
         texts={t.name: t.pattern.value for t in terminals if isinstance(t.pattern, PatternStr)},
@@ -50,9 +50,9 @@ def written() -> str:
     return "\n".join([HEAD, f"MADE_FROM = {checksum(text)}", *_literal(make(text, STARTS)), ""])
 
 
-def _literal(tables: Tables) -> Iterator[str]:
+def _literal(tables: ParserTables) -> Iterator[str]:
     """Yield the lines of the tables as Python, a line for each entry of a list."""
-    yield "TABLES = Tables("
+    yield "TABLES = ParserTables("
     for name, value in tables._asdict().items():
         if isinstance(value, list):
             yield from (f"{name}=[", *(f"{entry!r}," for entry in value), "],")
@@ -99,11 +99,11 @@ def _name(action: tuple[str, Any]) -> str:
     return action[0]
 
 
-def _rule(rule: LarkRule) -> Rule:
+def _rule(rule: LarkRule) -> Reduction:
     options: Any = rule.options
     name = str(rule.alias or rule.origin.name)
     collapses = bool(options.expand1 and not rule.alias)
-    return Rule(str(rule.origin.name), len(rule.expansion), name, _children(rule), collapses)
+    return Reduction(str(rule.origin.name), len(rule.expansion), name, _children(rule), collapses)
 
 
 def _children(rule: LarkRule) -> list[int | None]:

@@ -36,7 +36,7 @@ else:
 
     characters = Later("mechc.syntax.parser.strange")
 
-Sweep = Callable[[int], int]
+NextAfter = Callable[[int], int]
 
 LONGEST_UNIT = max(map(len, UNITS))
 
@@ -46,7 +46,7 @@ BLANKS = frozenset(" \t\u00a0\u2007\u2009\u202f")
 """What may stand between a number and its unit: word processors put spaces that do not break."""
 
 
-def tokens(text: str, places: Sweep | None = None) -> list[Token]:
+def tokens(text: str, places: NextAfter | None = None) -> list[Token]:
     """Return the tokens of a text, with comments and line ends, units joined to numbers."""
     found = list(with_units(text, [plus_minus(token) for token in lexed(text)]))
     return [moved(token, places) for token in found] if places else found
@@ -57,7 +57,7 @@ def plus_minus(token: Token) -> Token:
     return Token("PLUSMINUS", "+-", *span_of(token)) if token == "±" else token
 
 
-def moved(token: Token, places: Sweep) -> Token:
+def moved(token: Token, places: NextAfter) -> Token:
     """Return a token with its place in the user's text."""
     start, end = span_of(token)
     return Token(token.type, str(token), places(start), places(max(start, end - 1)) + 1)

@@ -12,7 +12,7 @@ from ...patterns import pattern
 from ...source import Source, Span
 from .. import ast
 from ..vocabulary import LANGUAGES
-from .nodes import Listing, Mapping, Node, Scalar
+from .nodes import Listing, Mapping, Scalar, YamlNode
 
 CUT = pattern(r"[ \t]+(#\w[^\n]*)")
 
@@ -27,7 +27,7 @@ class Comment(NamedTuple):
     alone: bool
 
 
-def comments(root: Node | None, source: Source) -> Iterator[Comment]:
+def comments(root: YamlNode | None, source: Source) -> Iterator[Comment]:
     """Yield the comments of a text, in order."""
     text = source.text
     taken = sorted(scalar_spans(root)) if root else []
@@ -46,7 +46,7 @@ def comments(root: Node | None, source: Source) -> Iterator[Comment]:
         at = found.end()
 
 
-def scalar_spans(node: Node) -> Iterator[tuple[int, int]]:
+def scalar_spans(node: YamlNode) -> Iterator[tuple[int, int]]:
     """Yield the places of all scalars: a ``#`` inside one is no comment."""
     match node:
         case Scalar(span=span):
@@ -64,7 +64,7 @@ TEXTS = frozenset({"title", "source", "label", "about", "text", *LANGUAGES})
 """Keys whose values people write in their own words."""
 
 
-def texts_cut_short(node: Node, source: Source) -> Iterator[Span]:
+def texts_cut_short(node: YamlNode, source: Source) -> Iterator[Span]:
     """Yield the comments without a space behind their ``#`` that cut a text: ``title: Jack #2``."""
     match node:
         case Listing(items=items):

@@ -10,18 +10,18 @@ from .. import ast, examples
 from ..fault import Fault
 from ..vocabulary import points_of
 from . import slips
-from .nodes import Listing, Mapping, Node, Scalar
+from .nodes import Listing, Mapping, Scalar, YamlNode
 from .scalars import described
-from .sections import Entry, Key, Kind, Section, Shape
+from .sections import EntryKey, EntryShape, SectionEntry, ValueKind, YamlSection
 from .values import values
 
-Pair = tuple[Scalar, Node]
-Chosen = tuple[Entry, list[Pair] | None]
+KeyAndNode = tuple[Scalar, YamlNode]
+ChosenEntry = tuple[SectionEntry, list[KeyAndNode] | None]
 """An entry and its keys; None where the value is a plain one."""
 
 
 def statements(
-    section: Section, subject: Scalar | None, value: Node, span: Span, source: Source
+    section: YamlSection, subject: Scalar | None, value: YamlNode, span: Span, source: Source
 ) -> Iterator[ast.Statement]:
     """Yield the statements of an entry: one, or several kinds of friction at one point."""
     where = subject.text if subject else section.name
@@ -33,7 +33,7 @@ def statements(
         yield made(entry, span, with_subject(fields, entry, subject, source))
 
 
-def made(entry: Entry, span: Span, fields: dict[str, Any]) -> ast.Statement:
+def made(entry: SectionEntry, span: Span, fields: dict[str, Any]) -> ast.Statement:
     """Return the node, after the checks that the line notation makes in its grammar."""
     node = entry.node(span, **fields)
     if isinstance(node, ast.Param) and not (node.value or node.dimension or node.low):
@@ -41,7 +41,9 @@ def made(entry: Entry, span: Span, fields: dict[str, Any]) -> ast.Statement:
     return node
 
 
-def chosen(section: Section, subject: Scalar | None, value: Node, where: str) -> list[Chosen]:
+def chosen(
+    section: YamlSection, subject: Scalar | None, value: YamlNode, where: str
+) -> list[ChosenEntry]:
     """Return the entries that the keys speak of, each with its keys and values."""
     if len(section.entries) > 1 and not section.entries[0].short:
         return by_keys(section, table(value, where, section), where)
@@ -53,7 +55,7 @@ def chosen(section: Section, subject: Scalar | None, value: Node, where: str) ->
     return [(entry, None)]
 
 
-def table(value: Node, where: str, section: Section) -> Mapping:
+def table(value: YamlNode, where: str, section: YamlSection) -> Mapping:
     """Return a mapping; refuse anything else, naming the keys that it would have."""
     if isinstance(value, Mapping):
         return value
@@ -65,7 +67,7 @@ def table(value: Node, where: str, section: Section) -> Mapping:
     raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected, hint))
 
 
-def by_keys(section: Section, value: Mapping, where: str) -> list[Chosen]:
+def by_keys(section: YamlSection, value: Mapping, where: str) -> list[ChosenEntry]:
     """Share the keys out among the entries whose first key is there."""
     given = {name.text for name, _ in value.entries}
     present = [entry for entry in section.entries if entry.keys[0].name in given]
@@ -88,14 +90,14 @@ def unknown_key(name: Scalar, where: str, allowed: Iterable[str]) -> Diagnostic:
     return syntax_yaml.unknown_key(name.span, name.text, f"'{where}'", allowed, hint)
 
 
-def owned(entry: Entry, pairs: Iterable[Pair]) -> list[Pair]:
+def owned(entry: SectionEntry, pairs: Iterable[KeyAndNode]) -> list[KeyAndNode]:
     """Return the keys that belong to an entry."""
     names = {key.name for key in entry.keys}
     return [pair for pair in pairs if pair[0].text in names]
 
 
 def with_subject(
-    fields: dict[str, Any], entry: Entry, subject: Scalar | None, source: Source
+    fields: dict[str, Any], entry: SectionEntry, subject: Scalar | None, source: Source
 ) -> dict[str, Any]:
     """Return the fields with those that the key of the entry fills; a name is given once."""
     if entry.subject is None or subject is None:
@@ -107,7 +109,9 @@ def with_subject(
     return fields | values(entry.subject, subject, source)
 
 
-def plain_fields(entry: Entry, value: Node, source: Source, section: str) -> dict[str, Any]:
+def plain_fields(
+    entry: SectionEntry, value: YamlNode, source: Source, section: str
+) -> dict[str, Any]:
     """Return the fields of an entry without keys of its own: ``K: 90 deg``.
 
     ``section`` is the one that it is alone in, if it is.
@@ -120,22 +124,22 @@ def plain_fields(entry: Entry, value: Node, source: Source, section: str) -> dic
     return values(short, value, source)
 
 
-def needs_keys(entry: Entry) -> bool:
+def needs_keys(entry: SectionEntry) -> bool:
     """Return whether an entry means nothing without its mapping form."""
     return bool(entry.others) or any(key.required for key in entry.keys)
 
 
-def optional_field(entry: Entry, name: str) -> bool:
+def optional_field(entry: SectionEntry, name: str) -> bool:
     """Return whether the node can do without a field."""
     return any(f.name == name and f.default in (None, "") for f in fields(entry.node))
 
 
-def empty(value: Node) -> bool:
+def empty(value: YamlNode) -> bool:
     """Return whether nothing was written."""
     return isinstance(value, Scalar) and value.empty
 
 
-def refused(entry: Entry, value: Node, section: str) -> dict[str, Any]:
+def refused(entry: SectionEntry, value: YamlNode, section: str) -> dict[str, Any]:
     """Refuse a plain value where only a mapping has a meaning."""
     keys = ", ".join(key.name for key in entry.keys)
     expected = f"a mapping with {keys}" if keys else "nothing behind it"
@@ -145,7 +149,7 @@ def refused(entry: Entry, value: Node, section: str) -> dict[str, Any]:
 
 
 def mapping_fields(
-    entry: Entry, pairs: list[Pair], span: Span, where: str, source: Source
+    entry: SectionEntry, pairs: list[KeyAndNode], span: Span, where: str, source: Source
 ) -> dict[str, Any]:
     """Return the fields that the keys of a mapping fill."""
     known = {key.name: key for key in entry.keys}
@@ -162,13 +166,15 @@ def mapping_fields(
     return fields
 
 
-def other_fields(key: Key, name: Scalar, value: Node, source: Source) -> dict[str, Any]:
+def other_fields(key: EntryKey, name: Scalar, value: YamlNode, source: Source) -> dict[str, Any]:
     """Return the fields of ``O1: r1``: the point and what belongs to it."""
-    point = Key("", Kind.POINT, key.fields[:1])
+    point = EntryKey("", ValueKind.POINT, key.fields[:1])
     return values(point, name, source) | values(key._replace(fields=key.fields[1:]), value, source)
 
 
-def check_keys(entry: Entry, given: set[str], spare: list[Key], span: Span, where: str) -> None:
+def check_keys(
+    entry: SectionEntry, given: set[str], spare: list[EntryKey], span: Span, where: str
+) -> None:
     """Refuse an entry that lacks a key, or has one that needs another."""
     if not given and not needs_keys(entry):
         return
@@ -181,16 +187,22 @@ def check_keys(entry: Entry, given: set[str], spare: list[Key], span: Span, wher
         raise Fault(syntax_yaml.missing_key(span, dict.fromkeys(lacking), f"'{where}'"))
 
 
-LISTS_THEMSELVES = (Kind.VECTOR, Kind.CARTESIAN, Kind.MEASURE, Kind.ROWS, Kind.SIZES)
+LISTS_THEMSELVES = (
+    ValueKind.VECTOR,
+    ValueKind.CARTESIAN,
+    ValueKind.MEASURE,
+    ValueKind.ROWS,
+    ValueKind.SIZES,
+)
 """Values that a list is, or that stand only once: it does not stand for several entries."""
 
 
-def several(value: Node, section: Section) -> tuple[Node, ...]:
+def several(value: YamlNode, section: YamlSection) -> tuple[YamlNode, ...]:
     """Return the values of a key: a list stands for several, unless it is ``[x, y]``.
 
     A parameter has one value: a list of them is a mistake of its own.
     """
     short = section.entries[0].short
     single = short is not None and short.kind in LISTS_THEMSELVES
-    listed = section.shape is Shape.NAMED and not single
+    listed = section.shape is EntryShape.NAMED and not single
     return value.items if listed and isinstance(value, Listing) else (value,)

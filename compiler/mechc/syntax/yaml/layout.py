@@ -18,11 +18,11 @@ from .layout_keys import (
     WHEELS,
 )
 from .sections import (
-    Entry,
-    Key,
-    Kind,
-    Section,
-    Shape,
+    EntryKey,
+    EntryShape,
+    SectionEntry,
+    ValueKind,
+    YamlSection,
     bare,
     key,
     listed,
@@ -32,167 +32,172 @@ from .sections import (
     plain,
 )
 
-SECTIONS: tuple[Section, ...] = (
-    one("mechc", "version of the language", ast.Version, plain(Kind.VERSION, "number")),
+SECTIONS: tuple[YamlSection, ...] = (
+    one("mechc", "version of the language", ast.Version, plain(ValueKind.VERSION, "number")),
     one(
         "mechanism",
         "name of the mechanism; generated functions are called after it",
         ast.Heading,
-        plain(Kind.HEADING, "name"),
-        optional("title", Kind.TEXT),
+        plain(ValueKind.HEADING, "name"),
+        optional("title", ValueKind.TEXT),
     ),
     one(
         "sheet",
         "name of a calculation sheet",
         ast.SheetHeading,
-        plain(Kind.HEADING, "name"),
-        optional("title", Kind.TEXT),
+        plain(ValueKind.HEADING, "name"),
+        optional("title", ValueKind.TEXT),
     ),
-    one("source", "where it comes from", ast.SourceNote, plain(Kind.TEXT, "text")),
+    one("source", "where it comes from", ast.SourceNote, plain(ValueKind.TEXT, "text")),
     named(
         "params",
         "parameters: a value with its unit, a range, a dimension",
-        Entry(ast.Param, NAMED, plain(Kind.MEASURE, "value", "tolerance"), PARAM_KEYS),
+        SectionEntry(ast.Param, NAMED, plain(ValueKind.MEASURE, "value", "tolerance"), PARAM_KEYS),
     ),
     bare(
         "drive",
         "the driving coordinate and its stroke",
-        Entry(
+        SectionEntry(
             ast.Drive,
             NAMED,
-            plain(Kind.RANGE, "low", "high"),
-            (optional("range", Kind.RANGE, "low", "high"), optional("speed", Kind.EXPRESSION)),
+            plain(ValueKind.RANGE, "low", "high"),
+            (
+                optional("range", ValueKind.RANGE, "low", "high"),
+                optional("speed", ValueKind.EXPRESSION),
+            ),
         ),
     ),
     bare(
         "pivots",
         "pins fixed to the ground",
-        Entry(ast.Pivot, AT_POINT, plain(Kind.CARTESIAN, "at")),
+        SectionEntry(ast.Pivot, AT_POINT, plain(ValueKind.CARTESIAN, "at")),
     ),
     named(
         "sliders",
         "points guided by the ground along a direction",
-        Entry(
+        SectionEntry(
             ast.Slider,
             AT_POINT,
-            plain(Kind.DIRECTION, "along"),
-            (key("along", Kind.DIRECTION), optional("through", Kind.PLACE)),
+            plain(ValueKind.DIRECTION, "along"),
+            (key("along", ValueKind.DIRECTION), optional("through", ValueKind.PLACE)),
         ),
     ),
     bare(
         "links",
         "rigid bodies by their points",
-        Entry(ast.Link, key("points", Kind.POINTS), plain(Kind.TEXT, "label")),
+        SectionEntry(ast.Link, key("points", ValueKind.POINTS), plain(ValueKind.TEXT, "label")),
     ),
     named(
         "slides",
         "bodies that only translate",
-        Entry(ast.Slide, key("points", Kind.BODY), plain(Kind.DIRECTION, "along")),
+        SectionEntry(ast.Slide, key("points", ValueKind.BODY), plain(ValueKind.DIRECTION, "along")),
     ),
     named(
         "slots",
         "pins that slide along a line of a link",
-        Entry(
+        SectionEntry(
             ast.Slot,
             AT_POINT,
-            plain(Kind.ROD, "line"),
+            plain(ValueKind.ROD, "line"),
             (
-                key("in", Kind.POINTS, "line"),
-                optional("about", Kind.POINT, needs=("radius",)),
-                optional("radius", Kind.EXPRESSION, needs=("about",)),
-                optional("guiding", Kind.POINTS, "guided"),
+                key("in", ValueKind.POINTS, "line"),
+                optional("about", ValueKind.POINT, needs=("radius",)),
+                optional("radius", ValueKind.EXPRESSION, needs=("about",)),
+                optional("guiding", ValueKind.POINTS, "guided"),
             ),
         ),
     ),
     bare(
         "telescopes",
         "two-part links of variable length",
-        Entry(ast.Telescope, key("points", Kind.ROD)),
+        SectionEntry(ast.Telescope, key("points", ValueKind.ROD)),
     ),
     listed(
         "gears",
         "pairs of meshing gears: pivot and radius of each",
-        Entry(ast.Gear, keys=(optional("inner", Kind.FLAG),), others=WHEELS),
+        SectionEntry(ast.Gear, keys=(optional("inner", ValueKind.FLAG),), others=WHEELS),
     ),
     listed(
         "racks",
         "a slider's rack on a pivot's gear",
-        Entry(
+        SectionEntry(
             ast.Rack,
-            keys=(key("radius", Kind.EXPRESSION),),
-            others=(Key("", Kind.POINT, ("point", "pivot")),),
+            keys=(key("radius", ValueKind.EXPRESSION),),
+            others=(EntryKey("", ValueKind.POINT, ("point", "pivot")),),
         ),
     ),
     named(
         "contacts",
         "points that touch a line of another link",
-        Entry(
+        SectionEntry(
             ast.Contact,
             AT_POINT,
-            keys=(key("with", Kind.POINTS, "line"), key("normal", Kind.DIRECTION)),
+            keys=(key("with", ValueKind.POINTS, "line"), key("normal", ValueKind.DIRECTION)),
         ),
     ),
     listed(
         "belts",
         "belts or chains: pivot and radius of each wheel",
-        Entry(ast.Belt, keys=(optional("crossed", Kind.FLAG),), others=WHEELS),
+        SectionEntry(ast.Belt, keys=(optional("crossed", ValueKind.FLAG),), others=WHEELS),
     ),
     named(
         "screws",
         "sliders moved by a turning link",
-        Entry(
+        SectionEntry(
             ast.Screw,
             AT_POINT,
-            keys=(key("pitch", Kind.EXPRESSION), key("link", Kind.POINTS)),
+            keys=(key("pitch", ValueKind.EXPRESSION), key("link", ValueKind.POINTS)),
         ),
     ),
     listed(
         "ropes",
         "ropes: from a point over pulleys to another one",
-        Entry(ast.Rope, short=plain(Kind.ROUTE, "start", "falls")),
+        SectionEntry(ast.Rope, short=plain(ValueKind.ROUTE, "start", "falls")),
     ),
     named(
         "points",
         "where points are drawn, at the default pose",
-        Entry(ast.Drawn, AT_POINT, plain(Kind.CARTESIAN, "at")),
+        SectionEntry(ast.Drawn, AT_POINT, plain(ValueKind.CARTESIAN, "at")),
     ),
     named(
         "geometry",
         "vectors between two points, angles at the middle one of three",
-        Entry(ast.Vector, key("points", Kind.ROD), plain(Kind.VECTOR, "value")),
-        Entry(ast.Turn, key("points", Kind.CORNER), plain(Kind.EXPRESSION, "angle")),
+        SectionEntry(ast.Vector, key("points", ValueKind.ROD), plain(ValueKind.VECTOR, "value")),
+        SectionEntry(
+            ast.Turn, key("points", ValueKind.CORNER), plain(ValueKind.EXPRESSION, "angle")
+        ),
     ),
     named(
         "assembly",
         "which closure is meant at the default pose",
-        Entry(
+        SectionEntry(
             ast.Assembly,
-            key("points", Kind.BODY),
-            plain(Kind.WORD, "mode", words=("cw", "ccw", "forward", "back")),
+            key("points", ValueKind.BODY),
+            plain(ValueKind.WORD, "mode", words=("cw", "ccw", "forward", "back")),
         ),
     ),
-    Section(
+    YamlSection(
         "mirror",
         "the description is one half",
-        Shape.ONE,
-        (Entry(ast.Mirror, keys=(key("across", Kind.DIRECTION), SHARING)),),
+        EntryShape.ONE,
+        (SectionEntry(ast.Mirror, keys=(key("across", ValueKind.DIRECTION), SHARING)),),
     ),
-    Section(
+    YamlSection(
         "copies",
         "identical branches around an axis",
-        Shape.ONE,
-        (Entry(ast.Copies, keys=(key("n", Kind.EXPRESSION, "number"), SHARING)),),
+        EntryShape.ONE,
+        (SectionEntry(ast.Copies, keys=(key("n", ValueKind.EXPRESSION, "number"), SHARING)),),
     ),
     named(
         "forces",
         "forces on points",
-        Entry(
+        SectionEntry(
             ast.Force,
             NAMED,
             keys=(
-                key("at", Kind.POINT, "point"),
+                key("at", ValueKind.POINT, "point"),
                 ON_LINK,
-                key("along", Kind.DIRECTION),
+                key("along", ValueKind.DIRECTION),
                 TIE,
                 TIMES,
             ),
@@ -201,30 +206,35 @@ SECTIONS: tuple[Section, ...] = (
     named(
         "torques",
         "couples on links, positive counter-clockwise",
-        Entry(ast.Torque, NAMED, keys=(key("link", Kind.POINTS), TIE, TIMES)),
+        SectionEntry(ast.Torque, NAMED, keys=(key("link", ValueKind.POINTS), TIE, TIMES)),
     ),
     named(
         "actuators",
         "pairs of forces that push two points apart",
-        Entry(ast.Actuator, NAMED, keys=(BETWEEN, TIMES)),
+        SectionEntry(ast.Actuator, NAMED, keys=(BETWEEN, TIMES)),
     ),
     listed(
         "springs",
         "springs between two points",
-        Entry(
+        SectionEntry(
             ast.Spring,
-            keys=(BETWEEN, key("rate", Kind.EXPRESSION), key("free", Kind.EXPRESSION), TIMES),
+            keys=(
+                BETWEEN,
+                key("rate", ValueKind.EXPRESSION),
+                key("free", ValueKind.EXPRESSION),
+                TIMES,
+            ),
         ),
     ),
     named(
         "weights",
         "weights of masses",
-        Entry(
+        SectionEntry(
             ast.Weight,
             NAMED,
             keys=(
-                key("mass", Kind.EXPRESSION),
-                key("at", Kind.POINT, "point"),
+                key("mass", ValueKind.EXPRESSION),
+                key("at", ValueKind.POINT, "point"),
                 ON_LINK,
                 TIMES,
             ),
@@ -233,112 +243,114 @@ SECTIONS: tuple[Section, ...] = (
     named(
         "loads",
         "loads spread over a stretch of a link",
-        Entry(
+        SectionEntry(
             ast.Distributed,
             NAMED,
             keys=(
-                optional("intensity", Kind.EXPRESSION),
-                optional("to", Kind.EXPRESSION, "end", needs=("intensity",)),
-                key("over", Kind.ROD, "line"),
-                key("along", Kind.DIRECTION),
+                optional("intensity", ValueKind.EXPRESSION),
+                optional("to", ValueKind.EXPRESSION, "end", needs=("intensity",)),
+                key("over", ValueKind.ROD, "line"),
+                key("along", ValueKind.DIRECTION),
                 TIMES,
             ),
         ),
     ),
-    one("gravity", "direction of gravity", ast.Gravity, plain(Kind.DIRECTION, "along")),
+    one("gravity", "direction of gravity", ast.Gravity, plain(ValueKind.DIRECTION, "along")),
     named("friction", "friction at pins, guides, rollers, contacts and transmissions", *FRICTION),
     one(
         "motion",
         "which way it moves",
         ast.Motion,
-        plain(Kind.WORD, "sense", words=("tightening", "releasing")),
+        plain(ValueKind.WORD, "sense", words=("tightening", "releasing")),
     ),
     one(
         "efficiency",
         "overrides friction by one number",
         ast.Efficiency,
-        plain(Kind.EXPRESSION, "value"),
+        plain(ValueKind.EXPRESSION, "value"),
     ),
     named(
         "tables",
         "tables of a value for an argument, in proportion between two rows",
-        Entry(
+        SectionEntry(
             ast.Table,
             NAMED,
-            plain(Kind.ROWS, "rows"),
-            (key("rows", Kind.ROWS), optional("source", Kind.TEXT)),
+            plain(ValueKind.ROWS, "rows"),
+            (key("rows", ValueKind.ROWS), optional("source", ValueKind.TEXT)),
         ),
     ),
     named(
         "lists",
         "sizes that there are, from the smallest",
-        Entry(
+        SectionEntry(
             ast.Sizes,
             NAMED,
-            plain(Kind.SIZES, "sizes"),
-            (key("sizes", Kind.SIZES), optional("source", Kind.TEXT)),
+            plain(ValueKind.SIZES, "sizes"),
+            (key("sizes", ValueKind.SIZES), optional("source", ValueKind.TEXT)),
         ),
     ),
     named(
         "use",
         "other sheets and mechanisms, by the prefix that their names get here",
-        Entry(
+        SectionEntry(
             ast.Use,
-            key("prefix", Kind.NAME),
-            plain(Kind.USED, "used"),
+            key("prefix", ValueKind.NAME),
+            plain(ValueKind.USED, "used"),
             (
-                key("name", Kind.USED, "used"),
-                optional("with", Kind.GIVEN, "given"),
-                optional("at", Kind.CARTESIAN),
-                optional("turned", Kind.EXPRESSION),
-                optional("joining", Kind.JOINTS),
-                optional("without", Kind.NAMES),
+                key("name", ValueKind.USED, "used"),
+                optional("with", ValueKind.GIVEN, "given"),
+                optional("at", ValueKind.CARTESIAN),
+                optional("turned", ValueKind.EXPRESSION),
+                optional("joining", ValueKind.JOINTS),
+                optional("without", ValueKind.NAMES),
             ),
         ),
     ),
     named(
         "let",
         "user-defined formulas",
-        Entry(
+        SectionEntry(
             ast.Let,
             NAMED,
-            plain(Kind.LET_VALUE, "value"),
+            plain(ValueKind.LET_VALUE, "value"),
             (
-                key("value", Kind.LET_VALUE),
-                optional("unit", Kind.UNIT),
-                optional("label", Kind.TEXT),
+                key("value", ValueKind.LET_VALUE),
+                optional("unit", ValueKind.UNIT),
+                optional("label", ValueKind.TEXT),
             ),
         ),
     ),
-    Section(
+    YamlSection(
         "find",
         "what to derive",
-        Shape.EITHER,
-        (Entry(ast.Find, NAMED, plain(Kind.RESULT, "target", "name", "on")),),
+        EntryShape.EITHER,
+        (SectionEntry(ast.Find, NAMED, plain(ValueKind.RESULT, "target", "name", "on")),),
     ),
     listed(
         "require",
         "conditions of use",
-        Entry(ast.Require, short=plain(Kind.CONDITION, "operands", "operators")),
+        SectionEntry(ast.Require, short=plain(ValueKind.CONDITION, "operands", "operators")),
     ),
     listed(
         "expect",
         "what a book or a colleague says",
-        Entry(ast.Expect, short=plain(Kind.EXPECTATION, "subject", "value", "at", "tolerance")),
+        SectionEntry(
+            ast.Expect, short=plain(ValueKind.EXPECTATION, "subject", "value", "at", "tolerance")
+        ),
     ),
     listed(
         "report",
         "what a report of it holds",
-        Entry(ast.Reported, short=plain(Kind.REPORTED, "name", "over")),
+        SectionEntry(ast.Reported, short=plain(ValueKind.REPORTED, "name", "over")),
     ),
     listed(
         "translate",
         "what titles, labels and remarks are in other languages",
-        Entry(
+        SectionEntry(
             ast.Translate,
             keys=(
-                key("text", Kind.TEXT),
-                *(optional(language, Kind.TEXT) for language in LANGUAGES),
+                key("text", ValueKind.TEXT),
+                *(optional(language, ValueKind.TEXT) for language in LANGUAGES),
             ),
         ),
     ),

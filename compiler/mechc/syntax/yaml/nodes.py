@@ -35,7 +35,7 @@ class Scalar:
 class Listing:
     """A list."""
 
-    items: tuple["Node", ...]
+    items: tuple["YamlNode", ...]
     span: Span
 
 
@@ -43,38 +43,38 @@ class Listing:
 class Mapping:
     """A mapping; its keys are scalars, in the order of the text, doubles included."""
 
-    entries: tuple[tuple[Scalar, "Node"], ...]
+    entries: tuple[tuple[Scalar, "YamlNode"], ...]
     span: Span
 
 
-Node = Scalar | Listing | Mapping
+YamlNode = Scalar | Listing | Mapping
 
 
-class Open(NamedTuple):
+class OpenNode(NamedTuple):
     """A list or mapping whose end has not been read yet."""
 
     event: yaml.SequenceStartEvent | yaml.MappingStartEvent
-    children: list[Node]
+    children: list[YamlNode]
 
 
 OPENED = (" flow ", "quoted scalar")
 """What was opened and is not closed, in the words of the reader of YAML."""
 
 
-def compose(report: Report) -> Node | None:
+def compose(report: Report) -> YamlNode | None:
     """Return the document's root, or None if it is empty.
 
     Raises :class:`MechcError`: after an error in YAML's own syntax nothing can be trusted.
     """
-    roots: list[Node] = []
-    stack: list[Open] = []
+    roots: list[YamlNode] = []
+    stack: list[OpenNode] = []
     for count, event in enumerate(events(report)):
         if count > limits.YAML_NODES:
             raise too_large(event, "values", limits.YAML_NODES, report)
         refuse_foreign(event, report)
         match event:
             case yaml.SequenceStartEvent() | yaml.MappingStartEvent():
-                stack.append(Open(event, []))
+                stack.append(OpenNode(event, []))
                 if len(stack) > limits.YAML_DEPTH:
                     raise too_large(event, "levels", limits.YAML_DEPTH, report)
             case yaml.DocumentStartEvent() if roots:
@@ -146,7 +146,7 @@ def scalar(event: yaml.Event) -> Scalar:
     return Scalar(event.value, span_of(event), quoted=bool(event.style))
 
 
-def closed(opened: Open, event: yaml.Event, report: Report) -> Node:
+def closed(opened: OpenNode, event: yaml.Event, report: Report) -> YamlNode:
     """Return a list or mapping whose end was read.
 
     In block style YAML's end mark lies before the next entry; the last child's end is
@@ -161,12 +161,14 @@ def closed(opened: Open, event: yaml.Event, report: Report) -> Node:
     return Mapping(tuple(pairs(keys, values, report)), span)
 
 
-def glued(name: Scalar, value: Node) -> bool:
+def glued(name: Scalar, value: YamlNode) -> bool:
     """Return whether a key has swallowed its value: YAML wants a space behind the colon."""
     return ":" in name.text and not name.quoted and isinstance(value, Scalar) and value.empty
 
 
-def pairs(keys: list[Node], values: list[Node], report: Report) -> Iterator[tuple[Scalar, Node]]:
+def pairs(
+    keys: list[YamlNode], values: list[YamlNode], report: Report
+) -> Iterator[tuple[Scalar, YamlNode]]:
     """Return keys with values; a key that stands twice keeps its first value."""
     first: dict[str, Scalar] = {}
     for name, value in zip(keys, values, strict=True):

@@ -9,14 +9,14 @@ from ..parser import parse as parser
 from ..parser.grammar import Start
 from ..parser.lalr import span_of
 from ..parser.tokens import tokens
-from .nodes import Listing, Node, Scalar
+from .nodes import Listing, Scalar, YamlNode
 from .nodes import Mapping as Table
 
 ESCAPES = {"x": 4, "u": 6, "U": 10}
 """Length of the numeric escapes of double-quoted scalars."""
 
 
-def described(node: Node) -> str:
+def described(node: YamlNode) -> str:
     """Return a node in words, as what was found."""
     match node:
         case Table():
@@ -29,7 +29,7 @@ def described(node: Node) -> str:
             return f"'{text if len(text) < 40 else text[:40] + '…'}'"
 
 
-def scalar_of(node: Node, expected: str) -> Scalar:
+def scalar_of(node: YamlNode, expected: str) -> Scalar:
     """Return a plain value; refuse lists, mappings and nothing."""
     if isinstance(node, Scalar) and not node.empty:
         return node
@@ -40,7 +40,7 @@ def scalar_of(node: Node, expected: str) -> Scalar:
 HASH = "a remark begins with a space and #"
 
 
-def parsed(start: Start, expected: str, node: Node, source: Source) -> Any:
+def parsed(start: Start, expected: str, node: YamlNode, source: Source) -> Any:
     """Read a scalar with the project's own grammar, as the line notation would."""
     scalar = scalar_of(node, expected)
     at = places(scalar, source)
@@ -54,7 +54,7 @@ def parsed(start: Start, expected: str, node: Node, source: Source) -> Any:
     return parser.parse(line, start, end)
 
 
-def one_of(words: tuple[str, ...], node: Node) -> str:
+def one_of(words: tuple[str, ...], node: YamlNode) -> str:
     """Read one of a few words."""
     scalar = scalar_of(node, syntax.listed(f"'{word}'" for word in words))
     if scalar.text not in words:

@@ -11,7 +11,7 @@ from ...named import NamedTuple
 from .. import ast
 
 
-class Kind(Enum):
+class ValueKind(Enum):
     """What a value is, and so how it is read, printed and described in the schema."""
 
     NAME = auto()
@@ -52,18 +52,18 @@ class Kind(Enum):
     VERSION = auto()
 
 
-class Key(NamedTuple):
+class EntryKey(NamedTuple):
     """A key of a mapping, or a plain value: its kind and the fields of the node it fills."""
 
     name: str
-    kind: Kind
+    kind: ValueKind
     fields: tuple[str, ...]
     required: bool = False
     words: tuple[str, ...] = ()
     needs: tuple[str, ...] = ()
 
 
-class Entry(NamedTuple):
+class SectionEntry(NamedTuple):
     """One statement: the node, what names it, its plain value, its keys.
 
     ``others`` are keys that are points themselves: ``{O1: r1, O2: r2}``; each fills a
@@ -71,13 +71,13 @@ class Entry(NamedTuple):
     """
 
     node: type[ast.Statement]
-    subject: Key | None = None
-    short: Key | None = None
-    keys: tuple[Key, ...] = ()
-    others: tuple[Key, ...] = ()
+    subject: EntryKey | None = None
+    short: EntryKey | None = None
+    keys: tuple[EntryKey, ...] = ()
+    others: tuple[EntryKey, ...] = ()
 
 
-class Shape(Enum):
+class EntryShape(Enum):
     """How the entries of a section stand."""
 
     ONE = auto()  # gravity: -y
@@ -87,51 +87,53 @@ class Shape(Enum):
     EITHER = auto()  # find: {k: P/F}, or [P, V_D/V_A]
 
 
-class Section(NamedTuple):
+class YamlSection(NamedTuple):
     """A key at the top of a description; ``beside`` are further keys at the top."""
 
     name: str
     about: str
-    shape: Shape
-    entries: tuple[Entry, ...]
-    beside: tuple[Key, ...] = ()
+    shape: EntryShape
+    entries: tuple[SectionEntry, ...]
+    beside: tuple[EntryKey, ...] = ()
 
 
-def key(name: str, kind: Kind, *fields: str, required: bool = True) -> Key:
+def key(name: str, kind: ValueKind, *fields: str, required: bool = True) -> EntryKey:
     """Return a key that fills the field of its own name unless others are given."""
-    return Key(name, kind, fields or (name,), required)
+    return EntryKey(name, kind, fields or (name,), required)
 
 
-def optional(name: str, kind: Kind, *fields: str, needs: tuple[str, ...] = ()) -> Key:
+def optional(name: str, kind: ValueKind, *fields: str, needs: tuple[str, ...] = ()) -> EntryKey:
     """Return a key that may be left out; it may need others beside it."""
-    return Key(name, kind, fields or (name,), needs=needs)
+    return EntryKey(name, kind, fields or (name,), needs=needs)
 
 
-def word(name: str, field: str, *words: str, needs: tuple[str, ...] = ()) -> Key:
+def word(name: str, field: str, *words: str, needs: tuple[str, ...] = ()) -> EntryKey:
     """Return an optional key whose value is one of a few words."""
-    return Key(name, Kind.WORD, (field,), False, words, needs)
+    return EntryKey(name, ValueKind.WORD, (field,), False, words, needs)
 
 
-def plain(kind: Kind, *fields: str, words: tuple[str, ...] = ()) -> Key:
+def plain(kind: ValueKind, *fields: str, words: tuple[str, ...] = ()) -> EntryKey:
     """Return the key of a plain value."""
-    return Key("", kind, fields, True, words)
+    return EntryKey("", kind, fields, True, words)
 
 
-def one(name: str, about: str, node: type[ast.Statement], short: Key, *beside: Key) -> Section:
+def one(
+    name: str, about: str, node: type[ast.Statement], short: EntryKey, *beside: EntryKey
+) -> YamlSection:
     """Return a section that is one plain value."""
-    return Section(name, about, Shape.ONE, (Entry(node, None, short),), beside)
+    return YamlSection(name, about, EntryShape.ONE, (SectionEntry(node, None, short),), beside)
 
 
-def named(name: str, about: str, *entries: Entry) -> Section:
+def named(name: str, about: str, *entries: SectionEntry) -> YamlSection:
     """Return a section that maps names or points to entries."""
-    return Section(name, about, Shape.NAMED, entries)
+    return YamlSection(name, about, EntryShape.NAMED, entries)
 
 
-def bare(name: str, about: str, entry: Entry) -> Section:
+def bare(name: str, about: str, entry: SectionEntry) -> YamlSection:
     """Return a section of names or points, each perhaps with a value."""
-    return Section(name, about, Shape.BARE, (entry,))
+    return YamlSection(name, about, EntryShape.BARE, (entry,))
 
 
-def listed(name: str, about: str, entry: Entry) -> Section:
+def listed(name: str, about: str, entry: SectionEntry) -> YamlSection:
     """Return a section that is a list of entries without names."""
-    return Section(name, about, Shape.LISTED, (entry,))
+    return YamlSection(name, about, EntryShape.LISTED, (entry,))

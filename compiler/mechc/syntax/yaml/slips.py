@@ -96,40 +96,42 @@ def written(section: str, key: str = "") -> str:
     return f"it is written: {section}: {SECTIONS[section]}" if section in SECTIONS else ""
 
 
-class Slip(NamedTuple):
+class YamlSlip(NamedTuple):
     """Where a slip is, and the hint about it."""
 
     at: int
     hint: str
 
 
-def of_text(text: str, at: int, problem: str, opened: int | None) -> Slip:
+def of_text(text: str, at: int, problem: str, opened: int | None) -> YamlSlip:
     """Return the slip in text that is no YAML; ``opened`` is where a bracket opens."""
     found = text[at : at + 1]
     if "unexpected end of stream" in problem or "quoted scalar" in problem:
-        return Slip(opened if opened is not None else at, "this quote is not closed")
+        return YamlSlip(opened if opened is not None else at, "this quote is not closed")
     if found == "@":
-        return Slip(at, "a value cannot begin with '@': write {angle: …}")
+        return YamlSlip(at, "a value cannot begin with '@': write {angle: …}")
     if found in ("`", "%"):
-        return Slip(at, f"a value that begins with {found} needs quotes")
+        return YamlSlip(at, f"a value that begins with {found} needs quotes")
     if found == "\t":
-        return Slip(at, "YAML is indented with spaces")
+        return YamlSlip(at, "YAML is indented with spaces")
     if slip := GLUED.search(text[:at]):
-        return Slip(slip.start(1), f"a colon needs a space behind it: {slip[1]}: {slip[2]}")
+        return YamlSlip(slip.start(1), f"a colon needs a space behind it: {slip[1]}: {slip[2]}")
     if opened is not None:
         is_open = "\n" in text[opened:at]
         bracket = f"this '{text[opened : opened + 1]}' is not closed"
-        return Slip(opened, bracket) if is_open else Slip(at, "entries are parted by commas")
+        return (
+            YamlSlip(opened, bracket) if is_open else YamlSlip(at, "entries are parted by commas")
+        )
     if "mapping" in problem and (hint := _indented(text, at, "values" not in problem)):
-        return Slip(at, hint)
+        return YamlSlip(at, hint)
     if "mapping values" in problem or "expected ':'" in problem:
         quotes = "a text with ': ' inside needs quotes" if "mapping values" in problem else ""
-        return _assigned(text, at) or Slip(at, quotes or "a key of YAML ends in ':'")
+        return _assigned(text, at) or YamlSlip(at, quotes or "a key of YAML ends in ':'")
     if "<block end>" in problem:
-        return _assigned(text, at) or Slip(
+        return _assigned(text, at) or YamlSlip(
             at, "entries of one list all begin with '-', those of a mapping never do"
         )
-    return Slip(at, "")
+    return YamlSlip(at, "")
 
 
 def _indented(text: str, at: int, either: bool) -> str:
@@ -143,12 +145,12 @@ def _indented(text: str, at: int, either: bool) -> str:
     return f"it is indented {how} than '{entry[2]}': entries of one mapping are in one column"
 
 
-def _assigned(text: str, at: int) -> Slip | None:
+def _assigned(text: str, at: int) -> YamlSlip | None:
     """Return the slip of a line with ``=`` for a colon: that of the place, or the one above."""
     start = text.rfind("\n", 0, at) + 1
     for line in (text[start:].partition("\n")[0], text[:start].rstrip().rpartition("\n")[2]):
         if slip := ASSIGNED.match(line):
-            return Slip(text.rindex(line, 0, at + len(line)) + slip.start(1), _with_colon(line))
+            return YamlSlip(text.rindex(line, 0, at + len(line)) + slip.start(1), _with_colon(line))
     return None
 
 

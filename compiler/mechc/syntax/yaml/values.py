@@ -11,35 +11,35 @@ from ..parser import expressions, usual_slips
 from ..parser.grammar import keywords
 from ..vocabulary import NAME
 from . import slips
-from .nodes import Listing, Node, Scalar
+from .nodes import Listing, Scalar, YamlNode
 from .nodes import Mapping as Table
 from .scalars import described, one_of, parsed, scalar_of
-from .sections import Key, Kind
+from .sections import EntryKey, ValueKind
 
 Fields = tuple[Any, ...]
 
 RANGE_OF = "a range has two dots and no brackets: 2 deg .. 40 deg"
 
 
-def values(key: Key, node: Node, source: Source) -> dict[str, Any]:
+def values(key: EntryKey, node: YamlNode, source: Source) -> dict[str, Any]:
     """Return the fields that a value fills. Raises :class:`Fault` if it does not fit."""
-    if key.kind is Kind.WORD:
+    if key.kind is ValueKind.WORD:
         return dict(zip(key.fields, (one_of(key.words, node),), strict=True))
     found = READERS[key.kind](node, source)
     return dict(zip(key.fields, found, strict=True))
 
 
-def expression(node: Node, source: Source) -> Fields:
+def expression(node: YamlNode, source: Source) -> Fields:
     """Read an expression."""
     return (parsed("expression", "an expression", node, source),)
 
 
-def direction(node: Node, source: Source) -> Fields:
+def direction(node: YamlNode, source: Source) -> Fields:
     """Read a direction."""
     return (parsed("direction", "a direction", node, source),)
 
 
-def vector(node: Node, source: Source) -> Fields:
+def vector(node: YamlNode, source: Source) -> Fields:
     """Read ``l @ alpha``, ``{length: l, angle: alpha}`` or ``[x, y]``."""
     match node:
         case Listing():
@@ -51,7 +51,7 @@ def vector(node: Node, source: Source) -> Fields:
             return (parsed("vector", expected, node, source),)
 
 
-def polar(node: Table, entries: Mapping[str, tuple[Scalar, Node]], source: Source) -> ast.Polar:
+def polar(node: Table, entries: Mapping[str, tuple[Scalar, YamlNode]], source: Source) -> ast.Polar:
     """Read ``{length: l, angle: alpha}``, either alone."""
     for name, (key, _) in entries.items():
         if name not in ("length", "angle"):
@@ -65,7 +65,7 @@ def polar(node: Table, entries: Mapping[str, tuple[Scalar, Node]], source: Sourc
     return ast.Polar(length, angle, node.span)
 
 
-def cartesian(node: Node, source: Source) -> Fields:
+def cartesian(node: YamlNode, source: Source) -> Fields:
     """Read ``[x, y]``."""
     match node:
         case Listing(items=(x, y)):
@@ -79,26 +79,26 @@ def cartesian(node: Node, source: Source) -> Fields:
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
 
 
-def place(node: Node, source: Source) -> Fields:
+def place(node: YamlNode, source: Source) -> Fields:
     """Read a point or ``[x, y]``."""
     if isinstance(node, Scalar) and not node.text.startswith("("):
         return (point_name("point", node),)
     return cartesian(node, source)
 
 
-def point_name(kind: str, node: Node) -> ast.Name:
+def point_name(kind: str, node: YamlNode) -> ast.Name:
     """Read a name made of points."""
     scalar = scalar_of(node, expressions.COUNTED[kind][2])
     return expressions.point_name(kind, scalar.text, scalar.span)
 
 
-def name(node: Node, source: Source) -> Fields:
+def name(node: YamlNode, source: Source) -> Fields:
     """Read a name that the user gives."""
     scalar = scalar_of(node, "a name")
     return (name_of(scalar.text, scalar.span),)
 
 
-def heading(node: Node, source: Source) -> Fields:
+def heading(node: YamlNode, source: Source) -> Fields:
     """Read the name of a description, which may be a word of the language."""
     scalar = scalar_of(node, "a name")
     return (_spelled(scalar.text, scalar.span),)
@@ -119,7 +119,7 @@ def _spelled(text: str, span: Span) -> ast.Name:
     return expressions.new_name(text, span)
 
 
-def dimension(node: Node, source: Source) -> Fields:
+def dimension(node: YamlNode, source: Source) -> Fields:
     """Read the name of a dimension."""
     scalar = scalar_of(node, "a dimension such as length or angle")
     if not NAME.fullmatch(scalar.text):
@@ -128,7 +128,7 @@ def dimension(node: Node, source: Source) -> Fields:
     return (ast.Name(scalar.text, scalar.span),)
 
 
-def pair(node: Node, source: Source) -> Fields:
+def pair(node: YamlNode, source: Source) -> Fields:
     """Read ``[A, B]``; each may name the link that carries it there: ``[A on OA, B]``."""
     match node:
         case Listing(items=(first, second)):
@@ -136,7 +136,7 @@ def pair(node: Node, source: Source) -> Fields:
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "two points [A, B]"))
 
 
-def end(node: Node, source: Source) -> Fields:
+def end(node: YamlNode, source: Source) -> Fields:
     """Read ``A``, or ``A on OA``."""
     if isinstance(node, Scalar) and " on " in node.text:
         point, link = parsed("end", "a point, or a point and its link", node, source)
@@ -144,26 +144,26 @@ def end(node: Node, source: Source) -> Fields:
     return point_name("point", node), None
 
 
-def rim(node: Node, source: Source) -> Fields:
+def rim(node: YamlNode, source: Source) -> Fields:
     """Read ``r``, or ``r on OA``."""
     radius, link = parsed("rim", "a radius, or a radius and the wheel's link", node, source)
     return radius, link
 
 
-def shared(node: Node, source: Source) -> Fields:
+def shared(node: YamlNode, source: Source) -> Fields:
     """Read ``[K, L]``; a single point needs no brackets."""
     items = node.items if isinstance(node, Listing) else (node,)
     return (tuple(point_name("point", item) for item in items),)
 
 
-def pin(node: Node, source: Source) -> Fields:
+def pin(node: YamlNode, source: Source) -> Fields:
     """Read a point, or ``pins`` for all of them."""
     if isinstance(node, Scalar) and node.text == "pins":
         return (None,)
     return (point_name("point", node),)
 
 
-def range_of(node: Node, source: Source) -> Fields:
+def range_of(node: YamlNode, source: Source) -> Fields:
     """Read ``low .. high``."""
     if isinstance(node, Listing):
         expected = "a range LOW .. HIGH"
@@ -172,7 +172,7 @@ def range_of(node: Node, source: Source) -> Fields:
     return low, high
 
 
-def result(node: Node, source: Source) -> Fields:
+def result(node: YamlNode, source: Source) -> Fields:
     """Read ``k = P/F`` or ``R_B on AB``."""
     if isinstance(node, Table):
         hint = "in a list the name stands before '=': - k = P/F"
@@ -184,61 +184,61 @@ def result(node: Node, source: Source) -> Fields:
     return found.target, found.name, found.on
 
 
-def condition(node: Node, source: Source) -> Fields:
+def condition(node: YamlNode, source: Source) -> Fields:
     """Read ``a < b < c``."""
     operands, operators = parsed("condition", "a condition such as a < b", node, source)
     return operands, operators
 
 
-def route(node: Node, source: Source) -> Fields:
+def route(node: YamlNode, source: Source) -> Fields:
     """Read ``A, K along -y, B along y``."""
     start, falls = parsed("route", "the points of a rope such as A, K, B", node, source)
     return start, falls
 
 
-def expectation(node: Node, source: Source) -> Fields:
+def expectation(node: YamlNode, source: Source) -> Fields:
     """Read ``k = 7.1 at alpha = 35 deg``."""
     found = parsed("expectation", "an expectation such as k = 7.1", node, source)
     return found.subject, found.value, found.at, found.tolerance
 
 
-def reported(node: Node, source: Source) -> Fields:
+def reported(node: YamlNode, source: Source) -> Fields:
     """Read ``scheme`` or ``plot k over alpha``."""
     found = parsed("reported", "what a report holds, such as scheme", node, source)
     return found.name, found.over
 
 
-def measure(node: Node, source: Source) -> Fields:
+def measure(node: YamlNode, source: Source) -> Fields:
     """Read ``40 mm +- 0.1 mm``."""
     value, tolerance = parsed("measure", "an expression", node, source)
     return value, tolerance
 
 
-def let_value(node: Node, source: Source) -> Fields:
+def let_value(node: YamlNode, source: Source) -> Fields:
     """Read an expression, or a choice, a size of a list, a value of a table."""
     return (parsed("let_value", "an expression", node, source),)
 
 
-def unit(node: Node, source: Source) -> Fields:
+def unit(node: YamlNode, source: Source) -> Fields:
     """Read a unit."""
     return (parsed("unit", "a unit such as MPa", node, source),)
 
 
-def sizes(node: Node, source: Source) -> Fields:
+def sizes(node: YamlNode, source: Source) -> Fields:
     """Read ``[32 mm, 40 mm]``."""
     if not isinstance(node, Listing) or not node.items:
         raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "sizes [32 mm, 40 mm]"))
     return (tuple(expression(item, source)[0] for item in node.items),)
 
 
-def rows(node: Node, source: Source) -> Fields:
+def rows(node: YamlNode, source: Source) -> Fields:
     """Read ``[[1, 0.388], [0.9, 0.400]]``."""
     if not isinstance(node, Listing) or not node.items:
         raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "rows [[1, 0.388], …]"))
     return (tuple(row(item, source) for item in node.items),)
 
 
-def row(node: Node, source: Source) -> tuple[ast.Expr, ast.Expr]:
+def row(node: YamlNode, source: Source) -> tuple[ast.Expr, ast.Expr]:
     """Read ``[1, 0.388]``."""
     match node:
         case Listing(items=(argument, value)):
@@ -246,13 +246,13 @@ def row(node: Node, source: Source) -> tuple[ast.Expr, ast.Expr]:
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "an argument and its value"))
 
 
-def used(node: Node, source: Source) -> Fields:
+def used(node: YamlNode, source: Source) -> Fields:
     """Read a name of the library, or a path."""
     scalar = scalar_of(node, "a name of the library, or a path in this folder")
     return (ast.Name(scalar.text, scalar.span),)
 
 
-def given(node: Node, source: Source) -> Fields:
+def given(node: YamlNode, source: Source) -> Fields:
     """Read ``{F: 3 kN, d: d}``."""
     if not isinstance(node, Table):
         expected = "a mapping of parameters {F: …}"
@@ -261,7 +261,7 @@ def given(node: Node, source: Source) -> Fields:
     return (tuple(pairs),)
 
 
-def joints(node: Node, source: Source) -> Fields:
+def joints(node: YamlNode, source: Source) -> Fields:
     """Read ``{T.C: B}``."""
     if not isinstance(node, Table):
         expected = "a mapping of points {T.C: B}"
@@ -269,13 +269,13 @@ def joints(node: Node, source: Source) -> Fields:
     return (tuple((point_name("point", k), point_name("point", v)) for k, v in node.entries),)
 
 
-def names(node: Node, source: Source) -> Fields:
+def names(node: YamlNode, source: Source) -> Fields:
     """Read ``[F, alpha]``; a single name needs no brackets."""
     items = node.items if isinstance(node, Listing) else (node,)
     return (tuple(part for item in items for part in name(item, source)),)
 
 
-def text_of(node: Node, source: Source) -> Fields:
+def text_of(node: YamlNode, source: Source) -> Fields:
     """Read a text."""
     if isinstance(node, Scalar):
         return ("" if node.empty else node.text,)
@@ -284,12 +284,12 @@ def text_of(node: Node, source: Source) -> Fields:
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
 
 
-def flag(node: Node, source: Source) -> Fields:
+def flag(node: YamlNode, source: Source) -> Fields:
     """Read ``true`` or ``false``."""
     return (one_of(("true", "false"), node) == "true",)
 
 
-def version(node: Node, source: Source) -> Fields:
+def version(node: YamlNode, source: Source) -> Fields:
     """Read the version of the language."""
     scalar = scalar_of(node, "a version")
     if scalar.text != "1":
@@ -297,45 +297,45 @@ def version(node: Node, source: Source) -> Fields:
     return (scalar.text,)
 
 
-def points_as(kind: str) -> Callable[[Node, Source], Fields]:
+def points_as(kind: str) -> Callable[[YamlNode, Source], Fields]:
     """Return the reader of names made of so many points."""
     return lambda node, source: (point_name(kind, node),)
 
 
-READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
-    Kind.NAME: name,
-    Kind.HEADING: heading,
-    Kind.POINT: points_as("point"),
-    Kind.POINTS: points_as("points"),
-    Kind.ROD: points_as("rod"),
-    Kind.CORNER: points_as("corner"),
-    Kind.BODY: points_as("body"),
-    Kind.PIN: pin,
-    Kind.PAIR: pair,
-    Kind.RIM: rim,
-    Kind.ROUTE: route,
-    Kind.SHARED: shared,
-    Kind.EXPRESSION: expression,
-    Kind.DIRECTION: direction,
-    Kind.VECTOR: vector,
-    Kind.CARTESIAN: cartesian,
-    Kind.PLACE: place,
-    Kind.RANGE: range_of,
-    Kind.RESULT: result,
-    Kind.CONDITION: condition,
-    Kind.EXPECTATION: expectation,
-    Kind.REPORTED: reported,
-    Kind.MEASURE: measure,
-    Kind.LET_VALUE: let_value,
-    Kind.UNIT: unit,
-    Kind.ROWS: rows,
-    Kind.SIZES: sizes,
-    Kind.DIMENSION: dimension,
-    Kind.USED: used,
-    Kind.GIVEN: given,
-    Kind.JOINTS: joints,
-    Kind.NAMES: names,
-    Kind.TEXT: text_of,
-    Kind.FLAG: flag,
-    Kind.VERSION: version,
+READERS: Mapping[ValueKind, Callable[[YamlNode, Source], Fields]] = {
+    ValueKind.NAME: name,
+    ValueKind.HEADING: heading,
+    ValueKind.POINT: points_as("point"),
+    ValueKind.POINTS: points_as("points"),
+    ValueKind.ROD: points_as("rod"),
+    ValueKind.CORNER: points_as("corner"),
+    ValueKind.BODY: points_as("body"),
+    ValueKind.PIN: pin,
+    ValueKind.PAIR: pair,
+    ValueKind.RIM: rim,
+    ValueKind.ROUTE: route,
+    ValueKind.SHARED: shared,
+    ValueKind.EXPRESSION: expression,
+    ValueKind.DIRECTION: direction,
+    ValueKind.VECTOR: vector,
+    ValueKind.CARTESIAN: cartesian,
+    ValueKind.PLACE: place,
+    ValueKind.RANGE: range_of,
+    ValueKind.RESULT: result,
+    ValueKind.CONDITION: condition,
+    ValueKind.EXPECTATION: expectation,
+    ValueKind.REPORTED: reported,
+    ValueKind.MEASURE: measure,
+    ValueKind.LET_VALUE: let_value,
+    ValueKind.UNIT: unit,
+    ValueKind.ROWS: rows,
+    ValueKind.SIZES: sizes,
+    ValueKind.DIMENSION: dimension,
+    ValueKind.USED: used,
+    ValueKind.GIVEN: given,
+    ValueKind.JOINTS: joints,
+    ValueKind.NAMES: names,
+    ValueKind.TEXT: text_of,
+    ValueKind.FLAG: flag,
+    ValueKind.VERSION: version,
 }
