@@ -114,7 +114,8 @@ def _json(row: ListedMechanism) -> str:
 def table(rows: Iterable[ListedMechanism], columns: int) -> Iterator[str]:
     r"""Yield a heading and the rows in their first columns.
 
-    >>> print(*table([ListedMechanism("jack", "Scissor jack", "a book", "k = tan(alpha)")], 4), sep="\n")
+    >>> jack = ListedMechanism("jack", "Scissor jack", "a book", "k = tan(alpha)")
+    >>> print(*table([jack], 4), sep="\n")
     NAME  TITLE         SOURCE  RESULT
     jack  Scissor jack  a book  k = tan(alpha)
     """

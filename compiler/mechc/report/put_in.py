@@ -90,7 +90,8 @@ def put_in(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
     >>> ten = GivenQuantity(math.radians(10), "deg")
     >>> text(put_in(formula, {"a": GivenQuantity(0.04, "mm"), "alpha": ten, "beta": ten}))
     '40 mm*sin(pi/9)'
-    >>> text(put_in(total([a, beta]), {"a": GivenQuantity(0.04, "mm"), "beta": GivenQuantity(-0.06, "mm")}))
+    >>> lengths = {"a": GivenQuantity(0.04, "mm"), "beta": GivenQuantity(-0.06, "mm")}
+    >>> text(put_in(total([a, beta]), lengths))
     '40 mm - 60 mm'
     >>> text(put_in(Call("cos", (negative(alpha),)), {"alpha": ten}))
     'cos(pi/18)'

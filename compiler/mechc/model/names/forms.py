@@ -54,8 +54,10 @@ def form_of(name: str) -> ReservedName | None:
 def form_of_pose(name: str) -> ReservedName | None:
     """Take a name apart that stands for something of the pose, ``x_B`` too where none has it.
 
-    >>> form_of_pose("y_B"), form_of_pose("y_AB"), form_of_pose("phi_AB")
-    (ReservedName(prefix='y', points=('B',), axis=''), None, ReservedName(prefix='phi', points=('A', 'B'), axis=''))
+    >>> form_of_pose("y_B"), form_of_pose("y_AB")
+    (ReservedName(prefix='y', points=('B',), axis=''), None)
+    >>> form_of_pose("phi_AB")
+    ReservedName(prefix='phi', points=('A', 'B'), axis='')
     """
     if match := _COORDINATE.fullmatch(name):
         points = points_of(match[2])
