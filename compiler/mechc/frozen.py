@@ -158,11 +158,11 @@ def _with_slots(cls: type[T], own: Iterable[FrozenField], every: Iterable[Frozen
     made: type[T] = type(cls)(cls.__name__, cls.__bases__, body)  # type: ignore[misc]
     made.__qualname__ = cls.__qualname__
     for name in (f.name for f in own if f.on_demand):
-        setattr(made, name, _Read(getattr(made, name)))
+        setattr(made, name, _SlotReader(getattr(made, name)))
     return made
 
 
-class _Read:
+class _SlotReader:
     """Reads a slot whose value may be one that is made on demand."""
 
     def __init__(self, slot: Any) -> None:

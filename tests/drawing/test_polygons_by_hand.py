@@ -8,7 +8,7 @@ import pytest
 from mechc.drawing.drawing import RELATIVE, VELOCITY
 from mechc.drawing.force_polygon import ASIDE, _sides, visible
 from mechc.drawing.vectors import ForceVectors, VelocityVectors
-from mechc.drawing.velocity_polygon import LARGE, _behind, _Maker, _points, scale_of
+from mechc.drawing.velocity_polygon import LARGE, _behind, _points, _PolygonMaker, scale_of
 from mechc.figure.figure import Link, Slide, Slot
 from mechc.figure.velocities import MotionVelocities, Sliding
 from mechc.pose.places import NOWHERE, Plane
@@ -36,7 +36,7 @@ BAR = Link("AB", ("A", "B"), ("A", "B"), (("A", "B"),), "")
 
 
 def maker(found, *parts):
-    return _Maker(SimpleNamespace(parts=parts), found, VelocityVectors(found), 10.0)
+    return _PolygonMaker(SimpleNamespace(parts=parts), found, VelocityVectors(found), 10.0)
 
 
 def arrows(of):

@@ -9,7 +9,7 @@ import pytest
 from mechc.algebra.product import Product
 from mechc.figure import from_balance, layout, marks
 from mechc.figure.figure import AngleMark, DimensionLine, MirrorLine, Pivot, Rack
-from mechc.figure.from_balance import _Maker
+from mechc.figure.from_balance import _MotionMaker
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
 from mechc.figure.linear_vectors import DrawnVector, Linear, LinearVectors, open_way
@@ -266,16 +266,16 @@ def test_a_pin_slides_along_its_slot():
 def test_the_drive_is_as_fast_as_the_coordinates_of_points_say():
     """Per unit of the drive A moves by (−1.5, 2); it moves by (−3, 4) in a second."""
 
-    class Known(_Maker):
+    class Known(_MotionMaker):
         def _slopes(self):
             yield from [("A", "x", -3.0), ("A", "y", 4.0)]
 
     here = MotionVelocities("", {"A": Plane(-1.5, 2.0)}, {}, ())
     assert Known(None, None, None, 0)._rate(here) == pytest.approx(2.0)
-    assert _Maker(None, None, None, 0)._rate(here) == 0
+    assert _MotionMaker(None, None, None, 0)._rate(here) == 0
 
 
-class Asked(_Maker):
+class Asked(_MotionMaker):
     """What is driven is told, as a balance would tell it."""
 
     def __init__(self, load, *quantities):
@@ -339,8 +339,8 @@ def test_the_unit_is_the_speed_of_the_first_point_of_the_load_that_moves(speeds,
 def test_there_are_no_velocities_where_the_drive_moves_nothing(monkeypatch, largest):
     here = MotionVelocities("", {"A": Plane(0.0, largest)}, {}, ())
     monkeypatch.setattr(from_balance, "rates", lambda *_: here)
-    monkeypatch.setattr(_Maker, "_at_other_lengths", lambda self: VALUES)
-    monkeypatch.setattr(_Maker, "_pace", lambda self, here: 1.0)
+    monkeypatch.setattr(_MotionMaker, "_at_other_lengths", lambda self: VALUES)
+    monkeypatch.setattr(_MotionMaker, "_pace", lambda self, here: 1.0)
     assert Asked(torque("M", "OA")).made() is None
 
 

@@ -8,7 +8,7 @@ import pytest
 import mechc
 from mechc.driver import Compilation, compile_source
 from mechc.formula.to_text import text
-from mechc.report.kinds import Rule
+from mechc.report.kinds import StepRule
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 
@@ -258,14 +258,14 @@ def test_copies_share_the_rack() -> None:
 @pytest.mark.parametrize(
     ("source", "rule"),
     [
-        (PAIR.format(pair="gear O r, Q R"), Rule.GEAR),
-        (PAIR.format(pair="belt O r, Q R"), Rule.BELT),
-        (RIM.format(theta=10), Rule.RACK),
-        (SCREW.format(pitch="p"), Rule.SCREW),
+        (PAIR.format(pair="gear O r, Q R"), StepRule.GEAR),
+        (PAIR.format(pair="belt O r, Q R"), StepRule.BELT),
+        (RIM.format(theta=10), StepRule.RACK),
+        (SCREW.format(pitch="p"), StepRule.SCREW),
     ],
     ids=["gear", "belt", "rack", "screw"],
 )
-def test_the_derivation_names_the_rule(source: str, rule: Rule) -> None:
+def test_the_derivation_names_the_rule(source: str, rule: StepRule) -> None:
     assert rule in {step.rule for step in compiled(source).derivation.steps}
 
 

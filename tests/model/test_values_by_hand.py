@@ -9,7 +9,7 @@ from mechc.formula.rounding import PrintedNumber
 from mechc.formula.tree import Symbol, number
 from mechc.frozen import fields, replace
 from mechc.model.mechanism import Parameter, Require
-from mechc.model.result import ClosedLoop, Definition, Result, SolvedMechanism
+from mechc.model.result import ClosedLoop, Definition, Result, UsedSolution
 from mechc.model.values import Looked, of_sound_form, standing, usual_units, valued
 from mechc.source import Source, Span
 from mechc.units import LENGTH, NUMBER
@@ -64,17 +64,17 @@ def test_what_is_zero_but_for_rounding_is_looked_at_in_the_form_for_elsewhere(va
 
 
 def test_solutions_are_added_kind_by_kind():
-    def solution(name: str) -> SolvedMechanism:
+    def solution(name: str) -> UsedSolution:
         loop, definition = ClosedLoop(name, frozenset(), X), Definition(name, X)
         parameter = Parameter(name, LENGTH, Span(0, 1))
-        return SolvedMechanism(
+        return UsedSolution(
             (replace(HERE, name=name),), (definition,), (loop,), (POSITIVE,), (parameter,)
         )
 
     one, other = solution("a"), solution("b")
     both = one + other
-    assert both == SolvedMechanism(
-        *((*getattr(one, f.name), *getattr(other, f.name)) for f in fields(SolvedMechanism))
+    assert both == UsedSolution(
+        *((*getattr(one, f.name), *getattr(other, f.name)) for f in fields(UsedSolution))
     )
     assert [k.name for k in both.results] == [d.name for d in both.definitions] == ["a", "b"]
 

@@ -7,7 +7,7 @@ from good_mechanisms import ALL
 from mechanisms import sample
 from mechc.diagnostics import MechcError
 from mechc.formula.to_text import text
-from mechc.report.kinds import Rule
+from mechc.report.kinds import StepRule
 
 TIED = """
 param a = 100 mm
@@ -249,7 +249,7 @@ def test_a_long_sum_by_a_name_may_vanish():
 
 def test_projection_on_a_side_of_a_ternary_link_is_called_so():
     rules = [s.rule for s in mechc.loads(TERNARY, "ternary.mech").derivation.steps]
-    assert Rule.PROJECTION in rules[:2]
+    assert StepRule.PROJECTION in rules[:2]
 
 
 def test_speeds_alone_need_no_power_equation():

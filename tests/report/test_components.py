@@ -4,14 +4,14 @@ import pytest
 
 from good_mechanisms import ALL, compiled
 from mechc.formula.to_text import text
-from mechc.report.kinds import Rule
+from mechc.report.kinds import StepRule
 from mechc.report.languages.registry import LANGUAGES, locale
 from mechc.report.sentences.wording import sentences
 
 KINDS = {
-    "claw_closed": (Rule.COMPONENT_OF_ROTATION, ("O", "C", "R")),
-    "bolt_cutter": (Rule.COMPONENT_OF_BODY, ("HGE", "H", "E", "P")),
-    "peaucellier": (Rule.COMPONENT_OF_TWO, ("Q", "F")),
+    "claw_closed": (StepRule.COMPONENT_OF_ROTATION, ("O", "C", "R")),
+    "bolt_cutter": (StepRule.COMPONENT_OF_BODY, ("HGE", "H", "E", "P")),
+    "peaucellier": (StepRule.COMPONENT_OF_TWO, ("Q", "F")),
 }
 
 
@@ -30,10 +30,12 @@ def test_a_component_follows_from_what_its_velocity_is_made_of(name):
 )
 def test_what_a_velocity_is_made_of_is_said_with_the_projection_that_takes_it(name, moved):
     """That of E is V_D with the rotation of DEF; of a four-bar both ends turn about pivots."""
-    said = [(step, of) for step in steps(name) for rule, of in step.reasons if rule is Rule.PLANE]
+    said = [
+        (step, of) for step in steps(name) for rule, of in step.reasons if rule is StepRule.PLANE
+    ]
     assert [subject for _, subject in said] == moved
     for step, subject in said:
-        assert step.rule is Rule.PROJECTION
+        assert step.rule is StepRule.PROJECTION
         assert subject[-1] in step.subject
 
 
@@ -63,15 +65,15 @@ def test_the_reason_names_all_that_it_rests_on(name, language):
 
 @pytest.mark.parametrize("name", ["scissor_2", "cabinet_on_casters", "roberval_balance"])
 def test_other_bodies_have_theirs(name):
-    assert not [s for s in steps(name) if s.rule is Rule.COMPONENT]
+    assert not [s for s in steps(name) if s.rule is StepRule.COMPONENT]
 
 
 @pytest.mark.slow
 def test_no_component_of_the_library_is_without_a_reason():
-    assert not [name for name in ALL for s in steps(name) if s.rule is Rule.COMPONENT]
+    assert not [name for name in ALL for s in steps(name) if s.rule is StepRule.COMPONENT]
 
 
 def test_the_component_of_a_point_is_by_the_speed_of_the_pole_that_a_step_has_named():
-    (step,) = (s for s in steps("hoeken") if s.rule is Rule.COMPONENT_OF_BODY)
+    (step,) = (s for s in steps("hoeken") if s.rule is StepRule.COMPONENT_OF_BODY)
     (component,) = step.relations
     assert text(component.right) == "sin(phi)*V_A + 5*a*sin(phi_AB)*omega_ABP"

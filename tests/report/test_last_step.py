@@ -12,7 +12,7 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.formula.walk import substitute, symbols
 from mechc.model.values import completed, defaults
-from mechc.report.kinds import Rule
+from mechc.report.kinds import StepRule
 
 OPEN = ["karpenko_fig1_parallel_levers", "karpenko_fig9_packet_clamp", "tied_chain", "claw_closed"]
 
@@ -44,7 +44,7 @@ def test_a_product_is_not_stated_once_more_upside_down():
 def test_the_angular_velocity_under_a_couple_is_a_step():
     derivation = compiled("four_bar").derivation
     last = derivation.steps[-1]
-    assert last.rule is Rule.ARM
+    assert last.rule is StepRule.ARM
     assert [text(e.right) for e in (*last.relations, *last.results)] == [
         "len_O1A*omega_O1A",
         "V_A/a",

@@ -17,7 +17,7 @@ from mechc.emit.make_templates import EMIT, environment
 from mechc.emit.target import Options
 from mechc.files import find
 from mechc.formula.tree import Call, Sum, Symbol
-from mechc.report.kinds import PositionKind, Rule
+from mechc.report.kinds import PositionKind, StepRule
 from mechc.report.languages import en, ru, uk
 from mechc.report.languages.locale import Locale
 from mechc.report.latex.display import vanishing
@@ -214,7 +214,7 @@ def test_every_language_says_the_same(language: str) -> None:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_rule_has_words(language: str) -> None:
-    assert set(TABLES[language].rules) == {rule.value for rule in Rule}
+    assert set(TABLES[language].rules) == {rule.value for rule in StepRule}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -6,9 +6,9 @@ from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, number, product, quotient, total
 from mechc.frozen import replace
 from mechc.report.derivation.from_solution import without_unused
-from mechc.report.kinds import Rule
+from mechc.report.kinds import StepRule
 from mechc.report.made_names import MadeNames
-from mechc.report.steps import Derivation, Equation, PowerTerm, Step
+from mechc.report.steps import Derivation, DerivationStep, Equation, PowerTerm
 from mechc.report.text.derivation import render
 from mechc.report.text.repeated import RepeatedSums
 
@@ -60,8 +60,8 @@ def test_a_derivation_has_the_denominator_of_a_triad_once():
     assert "where Z₁ = BC ·" in shown
 
 
-TOGETHER = Step(
-    Rule.TOGETHER,
+TOGETHER = DerivationStep(
+    StepRule.TOGETHER,
     ("AB", "CD"),
     (Equation(Symbol("omega_AB"), Symbol("omega_CD")),),
     tuple(
@@ -85,7 +85,7 @@ def test_speeds_that_nothing_has_are_left_out_of_what_is_solved_together():
 def test_speeds_that_a_later_step_has_are_kept():
     load = PowerTerm("T", "AB", number(1), Symbol("omega_AB"))
     lever = Equation(Symbol("V_D"), product([(B, 1), (Symbol("omega_CD"), 1)]))
-    arm = Step(Rule.ARM, ("C", "D"), (lever,), (lever,))
+    arm = DerivationStep(StepRule.ARM, ("C", "D"), (lever,), (lever,))
     derivation = Derivation((TOGETHER, arm), (*TERMS, load), (), ())
     assert found(derivation) == ["omega_AB", "omega_CD", "V_D"]
 
@@ -93,5 +93,5 @@ def test_speeds_that_a_later_step_has_are_kept():
 def test_of_speeds_that_nothing_has_all_are_kept():
     """A derivation that ends in them has no other end."""
     assert found(Derivation((TOGETHER,), TERMS, (), ())) == ["omega_AB", "omega_CD"]
-    alone = replace(TOGETHER, rule=Rule.ROTATION)
+    alone = replace(TOGETHER, rule=StepRule.ROTATION)
     assert found(Derivation((alone,), TERMS, (), ())) == ["omega_AB", "omega_CD"]

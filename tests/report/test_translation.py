@@ -5,27 +5,32 @@ import pytest
 from good_mechanisms import compiled
 from mechc.formula.tree import ZERO, Symbol, negative, product, total
 from mechc.report.derivation.from_solution import translating
-from mechc.report.kinds import Rule
+from mechc.report.kinds import StepRule
 from mechc.report.languages.registry import locale
 from mechc.report.sentences.wording import lines, sentences
-from mechc.report.steps import Equation, Step
+from mechc.report.steps import DerivationStep, Equation
 
 V_B, V_C, SPIN, ARM = (Symbol(n) for n in ("V_B", "V_C", "omega_BCJ", "r"))
 EQUAL = Equation(V_C, V_B)
-PROJECTION = Step(Rule.PROJECTION, ("B", "C"), (EQUAL,), (EQUAL,))
-AT_REST = Step(
-    Rule.ROTATION,
+PROJECTION = DerivationStep(StepRule.PROJECTION, ("B", "C"), (EQUAL,), (EQUAL,))
+AT_REST = DerivationStep(
+    StepRule.ROTATION,
     ("BCJ", "C", "B"),
     (Equation(product([(ARM, 1), (SPIN, 1)]), total([V_C, negative(V_B)])),),
     (Equation(SPIN, ZERO),),
 )
 SAID = Equation(Symbol("V_J_F"), total([V_B, product([(ARM, 1), (SPIN, 1)])]))
-ALONG = Step(Rule.COMPONENT_OF_BODY, ("BCJ", "B", "J", "F"), (SAID,), (Equation(SAID.left, V_B),))
+ALONG = DerivationStep(
+    StepRule.COMPONENT_OF_BODY, ("BCJ", "B", "J", "F"), (SAID,), (Equation(SAID.left, V_B),)
+)
 
 
 def test_one_step_says_that_a_link_translates():
     found = translating([PROJECTION, AT_REST, ALONG])
-    assert [step.rule for step in found] == [Rule.TRANSLATION, Rule.COMPONENT_OF_TRANSLATION]
+    assert [step.rule for step in found] == [
+        StepRule.TRANSLATION,
+        StepRule.COMPONENT_OF_TRANSLATION,
+    ]
     assert found[0].subject == ("BCJ", "C", "B")
     assert found[0].results == (EQUAL, Equation(SPIN, ZERO))
     assert found[1].relations == (Equation(SAID.left, V_B),)
@@ -37,29 +42,33 @@ def test_one_step_says_that_a_link_translates():
     "steps",
     [
         [PROJECTION, ALONG],
-        [PROJECTION, Step(Rule.ROTATION, AT_REST.subject, (), (Equation(SPIN, V_B),)), ALONG],
+        [
+            PROJECTION,
+            DerivationStep(StepRule.ROTATION, AT_REST.subject, (), (Equation(SPIN, V_B),)),
+            ALONG,
+        ],
     ],
 )
 def test_what_is_not_of_two_equal_velocities_stays(steps):
     assert translating(steps) == tuple(steps)
 
 
-ALONE = Step(Rule.ROTATION, AT_REST.subject, AT_REST.relations, AT_REST.results)
-AWAY = Step(Rule.ROTATION, AT_REST.subject, (Equation(SPIN, ZERO),), AT_REST.results)
+ALONE = DerivationStep(StepRule.ROTATION, AT_REST.subject, AT_REST.relations, AT_REST.results)
+AWAY = DerivationStep(StepRule.ROTATION, AT_REST.subject, (Equation(SPIN, ZERO),), AT_REST.results)
 
 
 @pytest.mark.parametrize(
     ("step", "guided", "rule", "said"),
     [
-        (ALONE, "", Rule.EQUAL_VELOCITIES, (EQUAL, Equation(SPIN, ZERO))),
-        (AWAY, "", Rule.EQUAL_VELOCITIES, (Equation(SPIN, ZERO),)),
-        (AWAY, "C", Rule.EQUAL_VELOCITIES, (Equation(SPIN, ZERO),)),
-        (ALONE, "BC", Rule.PARALLEL_GUIDES, (Equation(SPIN, ZERO),)),
+        (ALONE, "", StepRule.EQUAL_VELOCITIES, (EQUAL, Equation(SPIN, ZERO))),
+        (AWAY, "", StepRule.EQUAL_VELOCITIES, (Equation(SPIN, ZERO),)),
+        (AWAY, "C", StepRule.EQUAL_VELOCITIES, (Equation(SPIN, ZERO),)),
+        (ALONE, "BC", StepRule.PARALLEL_GUIDES, (Equation(SPIN, ZERO),)),
     ],
 )
 def test_a_link_whose_velocities_are_known_to_be_equal_translates(step, guided, rule, said):
     found = translating([step, ALONG], frozenset(guided))
-    assert [each.rule for each in found] == [rule, Rule.COMPONENT_OF_TRANSLATION]
+    assert [each.rule for each in found] == [rule, StepRule.COMPONENT_OF_TRANSLATION]
     assert found[0].relations == said
     assert found[0].results == (Equation(SPIN, ZERO),)
     assert found[1].relations == (Equation(SAID.left, V_B),)
@@ -101,7 +110,7 @@ def test_it_is_said_why_a_link_translates(language):
     steps = compiled("d45_14_parallelogram_jaw").derivation.steps
     said = list(sentences(steps, locale(language), lambda name: name))
     assert SENTENCES[language] in said
-    assert [step.rule for step in steps].count(Rule.ROTATION) == 0
+    assert [step.rule for step in steps].count(StepRule.ROTATION) == 0
 
 
 @pytest.mark.parametrize("name", ["parallel_gripper", "roberval_balance"])

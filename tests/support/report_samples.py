@@ -40,8 +40,8 @@ from mechc.model.mechanism import (
     Turn,
 )
 from mechc.model.result import Definition
-from mechc.report.kinds import Rule
-from mechc.report.steps import Derivation, Equation, Step
+from mechc.report.kinds import StepRule
+from mechc.report.steps import Derivation, DerivationStep, Equation
 from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import NO_MORE, Trial, Untried, Verdict
@@ -121,14 +121,14 @@ def agreed(result: str, poses: int = 4) -> Verdict:
 
 
 CLAMP_STEPS = (
-    Step(
-        Rule.LEVER,
+    DerivationStep(
+        StepRule.LEVER,
         ("O", "A", "B"),
         equations("V_A/V_B = b/a"),
         equations("V_A = V_B*b/a"),
     ),
-    Step(
-        Rule.PROJECTION,
+    DerivationStep(
+        StepRule.PROJECTION,
         ("B", "K"),
         equations("V_B*sin(alpha+beta) = V_K*cos(beta)"),
         equations("V_B = V_K*cos(beta)/sin(alpha+beta)"),
@@ -240,9 +240,13 @@ def six_bar() -> Compiled:
         copies=Copies(Fraction(3), ("O1",), HERE),
     )
     steps = (
-        Step(Rule.DYAD, ("A", "C", "O2"), equations("V_C = V_A*sin(phi)/cos(beta)"), ()),
-        Step(Rule.TOGETHER, ("AB'", "O2CD"), equations(f"V_D = V_A*({LONG})/({LONG})"), ()),
-        Step(Rule.ROTATION, ("O2CD",), equations("omega_O2CD = V_C/r_3"), ()),
+        DerivationStep(
+            StepRule.DYAD, ("A", "C", "O2"), equations("V_C = V_A*sin(phi)/cos(beta)"), ()
+        ),
+        DerivationStep(
+            StepRule.TOGETHER, ("AB'", "O2CD"), equations(f"V_D = V_A*({LONG})/({LONG})"), ()
+        ),
+        DerivationStep(StepRule.ROTATION, ("O2CD",), equations("omega_O2CD = V_C/r_3"), ()),
     )
     results = (
         Analysis(

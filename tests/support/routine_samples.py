@@ -39,8 +39,8 @@ from mechc.model.mechanism import (
     Torque,
 )
 from mechc.model.result import Definition
-from mechc.report.kinds import Rule
-from mechc.report.steps import Derivation, Equation, PowerTerm, Step
+from mechc.report.kinds import StepRule
+from mechc.report.steps import Derivation, DerivationStep, Equation, PowerTerm
 from mechc.routine.from_results import program
 from mechc.routine.steps import Routine
 from mechc.source import Span
@@ -284,7 +284,7 @@ def compiled(sample: str) -> Compiled:
     mechanism, results = SAMPLES[sample]()
     relation = Equation(s("V_B"), product([(s("V_D"), 1), (A, 1), (B, -1)]))
     derivation = Derivation(
-        (Step(Rule.LEVER, ("O", "B", "D"), (relation,), (relation,)),),
+        (DerivationStep(StepRule.LEVER, ("O", "B", "D"), (relation,), (relation,)),),
         (PowerTerm("P", "A", number(1), s("V_A")),),
         (Equation(product([(s("P"), 1), (s("V_A"), 1)]), s("F")),),
         results,

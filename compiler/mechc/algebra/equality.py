@@ -14,6 +14,7 @@ from typing import assert_never
 from ..formula.tree import (
     Call,
     Constant,
+    Definitions,
     Formula,
     Implicit,
     Number,
@@ -35,9 +36,6 @@ _TRIGONOMETRIC = {"sin", "cos", "tan", "cot", "sec", "csc"}
 _ARCS = {"asin", "acos", "atan", "atan2"}
 _ODD = {"asin", "atan"}
 
-Definitions = Sequence[tuple[str, Formula]]
-"""Names and what they stand for, each after those it needs."""
-
 
 def equal(left: Formula, right: Formula, definitions: Definitions = ()) -> bool:
     """Return whether two formulas are the same function of their symbols.
@@ -54,7 +52,7 @@ def equal(left: Formula, right: Formula, definitions: Definitions = ()) -> bool:
 
 
 def _agree(left: Formula, right: Formula, definitions: Definitions, seed: int) -> bool:
-    place = _Place(seed)
+    place = _FieldPoint(seed)
     try:
         for name, formula in definitions:
             place.define(name, formula)
@@ -63,7 +61,7 @@ def _agree(left: Formula, right: Formula, definitions: Definitions, seed: int) -
         return False
 
 
-class _Place:
+class _FieldPoint:
     """A random point of a finite field, and what defined names are there."""
 
     def __init__(self, seed: int) -> None:

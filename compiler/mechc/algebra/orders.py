@@ -169,7 +169,7 @@ def order(product: Product, name: str, value: Angle) -> int | None:
         return plain
     for terms in TERMS:
         with suppress(UnknownError, ZeroDivisionError):
-            return _Place(name, value, terms).series(product).order
+            return _SymbolValue(name, value, terms).series(product).order
     return None
 
 
@@ -207,7 +207,7 @@ def _size(sum_: Sum, values: Mapping[str, float]) -> float:
         return math.inf
 
 
-class _Place:
+class _SymbolValue:
     """The value of one symbol, on the way through it; everything else is random."""
 
     def __init__(self, name: str, value: Angle, terms: int) -> None:

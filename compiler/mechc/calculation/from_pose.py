@@ -11,7 +11,7 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Require
-from ..model.result import ClosedLoop, Result, SolvedMechanism
+from ..model.result import ClosedLoop, Result, UsedSolution
 from ..model.results import failures
 from ..model.values import Chain, Values, compare, defaults, dependent
 from ..pose.pose import Pose, PoseDefinition
@@ -21,7 +21,7 @@ from .signs import doubtful, negative_sizes
 from .taken import taken, with_values
 
 
-def calculate(pose: Pose, solved: SolvedMechanism, report: Report) -> Calculation:
+def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
     """Return the results of a sheet with their values, those of the mechanisms that it uses first.
 
     E550 where a condition fails at the values of the sheet, E551 where a formula has no value
@@ -50,7 +50,7 @@ def calculate(pose: Pose, solved: SolvedMechanism, report: Report) -> Calculatio
     return Calculation(pose, (*brought, *found), checks)
 
 
-def _with(pose: Pose, solved: SolvedMechanism) -> Pose:
+def _with(pose: Pose, solved: UsedSolution) -> Pose:
     """Return the pose of a sheet with what the results of used mechanisms rest on."""
     requires = (*pose.mechanism.requires, *solved.requires)
     definitions = (PoseDefinition(*d) for d in solved.definitions)

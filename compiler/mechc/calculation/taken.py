@@ -10,14 +10,14 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Parameter, Require, Subject
-from ..model.result import Definition, FrictionResult, Result, SolvedMechanism
+from ..model.result import Definition, FrictionResult, Result, UsedSolution
 from ..model.values import Values, completed, holds, ordered, standing
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..units import ANGLE
 
 
-def solved(pose: Pose, results: tuple[Result, ...]) -> SolvedMechanism:
+def solved(pose: Pose, results: tuple[Result, ...]) -> UsedSolution:
     """Return the results, definitions and conditions of a mechanism, by its own names.
 
     Angles and lengths that no line gives but the drawing are numbers with names.
@@ -25,7 +25,7 @@ def solved(pose: Pose, results: tuple[Result, ...]) -> SolvedMechanism:
     definitions = {d.name: Definition(*d) for d in pose.definitions}
     drawn = tuple(_drawn(pose))
     more = (Definition(d.name, d.value) for d in drawn if d.value and d.name not in definitions)
-    return SolvedMechanism(
+    return UsedSolution(
         results,
         (*definitions.values(), *more),
         pose.loops,
@@ -60,7 +60,7 @@ class _Whole(NamedTuple):
     has_other: bool
 
 
-def taken(mechanism: Mechanism, solved: SolvedMechanism) -> tuple[Result, ...]:
+def taken(mechanism: Mechanism, solved: UsedSolution) -> tuple[Result, ...]:
     """Return the results of used mechanisms, each resting on parameters of the sheet alone.
 
     What the sheet gives to a mechanism stands among the definitions of its results.

@@ -1,12 +1,11 @@
 """A plot in words, for whoever cannot see it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from ..formula.names import split_ratio
 from ..plot.plot import Curve, Mark, Plot, PlotAxis
 from ..units import behind
-
-Words = Mapping[str, str]
+from .describe import Words
 
 
 def shown(value: float, axis: PlotAxis, digits: int = 4) -> str:

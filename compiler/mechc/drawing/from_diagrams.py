@@ -41,7 +41,7 @@ def free_bodies(
     if not diagrams:
         return None
     paper = on_paper(figure)
-    drawn = [_Maker(paper, ForceVectors(figure, d, words)).drawing() for d in diagrams]
+    drawn = [_DiagramMaker(paper, ForceVectors(figure, d, words)).drawing() for d in diagrams]
     title = words["bodies_of"].format(name=figure.title or figure.name)
     about = _description(diagrams, words, figure.mirror is not None)
     return replace(below_each_other(drawn), title=title, description=about)
@@ -53,7 +53,7 @@ def _description(diagrams: Sequence[Diagram], words: Mapping[str, str], halves: 
 
 
 @frozen
-class _Maker:
+class _DiagramMaker:
     """One set of loads and the forces under it."""
 
     paper: Paper

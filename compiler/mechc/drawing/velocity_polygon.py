@@ -74,12 +74,12 @@ class Polygon(NamedTuple):
 
 def velocity_polygon(figure: Figure, velocities: MotionVelocities) -> Polygon:
     """Return the polygon of the velocities of one motion."""
-    maker = _Maker(figure, velocities, VelocityVectors(velocities), scale_of(velocities))
+    maker = _PolygonMaker(figure, velocities, VelocityVectors(velocities), scale_of(velocities))
     return maker.polygon()
 
 
 @frozen
-class _Maker:
+class _PolygonMaker:
     """One motion at a scale in millimetres to a unit of speed."""
 
     figure: Figure

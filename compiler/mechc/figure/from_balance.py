@@ -26,12 +26,12 @@ def velocities(
     load does work that a ratio has above the line, and the size that the drive's speed gives
     them.
     """
-    made = (_Maker(balance, figure, motion, i).made() for i in range(balance.plan.mobility))
+    made = (_MotionMaker(balance, figure, motion, i).made() for i in range(balance.plan.mobility))
     return tuple(found for found in made if found is not None)
 
 
 @frozen
-class _Maker:
+class _MotionMaker:
     """One independent motion of a mechanism at the pose of its figure."""
 
     balance: Balance

@@ -29,7 +29,7 @@ SHRUNK = (0.7, 0.5)
 ROOM = 0.5
 """How far apart unconnected parts are drawn, in usual lengths."""
 
-PlacedPoints = dict[str, Plane]
+FigurePoints = dict[str, Plane]
 
 
 class FigureLayout(NamedTuple):
@@ -100,7 +100,7 @@ def _laid_out(ways: LinearVectors, factor: float) -> FigureLayout:
     names = [*dict.fromkeys(points_of(pose.mechanism))]
     edges = [KnownVector(w.tail, w.head, w.vector.at(lengths)) for w in firm]
     places = placed(_connected([*(KnownVector(n, n, NOWHERE) for n in names), *edges], ways, size))
-    groups: dict[str, PlacedPoints] = {}
+    groups: dict[str, FigurePoints] = {}
     for name, place in places.items():
         groups.setdefault(place.start, {})[name] = place.at
     table = _Table(ways.unit(pose.axis) if pose.axis else None, size)
@@ -111,7 +111,7 @@ def _laid_out(ways: LinearVectors, factor: float) -> FigureLayout:
     return FigureLayout({n: points[n] for n in names}, mirror, found, size, gap / size)
 
 
-def _span(edge: KnownVector, points: PlacedPoints) -> Plane:
+def _span(edge: KnownVector, points: FigurePoints) -> Plane:
     """Return the vector between the ends of an edge, where they have come to stand."""
     return points[edge.head].minus(points[edge.tail])
 
@@ -143,8 +143,8 @@ class _Table:
     size: float
 
     def spread(
-        self, groups: Sequence[PlacedPoints], sharing: Sequence[str]
-    ) -> tuple[PlacedPoints, MirrorLine | None]:
+        self, groups: Sequence[FigurePoints], sharing: Sequence[str]
+    ) -> tuple[FigurePoints, MirrorLine | None]:
         """Return all points in one plane, and the mirror line."""
         first, *others = sorted(groups, key=lambda g: (not _holds(g, sharing), ORIGIN not in g))
         start = first[ORIGIN] if ORIGIN in first else next(iter(first.values()))
@@ -156,7 +156,7 @@ class _Table:
             points |= {name: at.plus(step) for name, at in group.items()}
         return points, mirror
 
-    def _line(self, points: PlacedPoints, sharing: Sequence[str]) -> MirrorLine | None:
+    def _line(self, points: FigurePoints, sharing: Sequence[str]) -> MirrorLine | None:
         if self.axis is None:
             return None
         if sharing:
@@ -165,7 +165,7 @@ class _Table:
         reach = max(left.dot(at) for at in points.values()) + ROOM * self.size
         return MirrorLine(left.times(reach), self.axis)
 
-    def _side(self, points: PlacedPoints, mirror: MirrorLine | None) -> Plane:
+    def _side(self, points: FigurePoints, mirror: MirrorLine | None) -> Plane:
         """Return the direction in which to go on: that in which the half is from its line."""
         if mirror is None:
             return Plane(1.0, 0.0)
@@ -173,7 +173,7 @@ class _Table:
         lean = math.fsum(right.dot(at.minus(mirror.at)) for at in points.values())
         return right if lean >= 0 else right.times(-1)
 
-    def _beside(self, points: PlacedPoints, group: PlacedPoints, side: Plane) -> Plane:
+    def _beside(self, points: FigurePoints, group: FigurePoints, side: Plane) -> Plane:
         """Return the step that takes a group beyond the points placed so far."""
         up = side.turned()
         far = max(side.dot(at) for at in points.values())
@@ -182,10 +182,10 @@ class _Table:
         return side.times(far + ROOM * self.size - near).plus(up.times(rise))
 
 
-def _holds(group: PlacedPoints, sharing: Sequence[str]) -> bool:
+def _holds(group: FigurePoints, sharing: Sequence[str]) -> bool:
     return any(point in group for point in sharing)
 
 
-def _middle(points: PlacedPoints, line: Plane) -> float:
+def _middle(points: FigurePoints, line: Plane) -> float:
     heights = [line.dot(at) for at in points.values()]
     return (min(heights) + max(heights)) / 2

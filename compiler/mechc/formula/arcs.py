@@ -80,7 +80,7 @@ NEAR = 1e-2
 What such a correction leaves is its square, as an arc is bent by less than its length.
 """
 
-CurvePoint = list[float]
+ArcPoint = list[float]
 """The unknowns, then the share."""
 
 
@@ -132,11 +132,11 @@ class Arcs(NamedTuple):
 
     def _ahead(
         self,
-        point: CurvePoint,
-        tangent: CurvePoint,
+        point: ArcPoint,
+        tangent: ArcPoint,
         length: float,
-        end: tuple[CurvePoint, int] | None,
-    ) -> CurvePoint:
+        end: tuple[ArcPoint, int] | None,
+    ) -> ArcPoint:
         """Return the point of the curve that an arc leads to; none: [].
 
         Where the way ends it is sought across the direction of the share, on the side that is
@@ -150,8 +150,8 @@ class Arcs(NamedTuple):
         return self._corrected(ahead, along, STRAY * length, side)
 
     def _corrected(
-        self, start: CurvePoint, across: CurvePoint, stray: float, side: int = 0
-    ) -> CurvePoint:
+        self, start: ArcPoint, across: ArcPoint, stray: float, side: int = 0
+    ) -> ArcPoint:
         """Return the point of the curve next to one, moved square to a direction; none: [].
 
         The first correction may be so long. If a side is asked for, the point must be on it, and
@@ -171,7 +171,7 @@ class Arcs(NamedTuple):
             most = CONTRACTION * size
         return []
 
-    def _straight(self, found: CurvePoint, along: CurvePoint) -> CurvePoint:
+    def _straight(self, found: ArcPoint, along: ArcPoint) -> ArcPoint:
         """Return a solution with all of the share that Newton's method comes to; none: []."""
         for _ in range(STRAIGHT):
             change, matrix = self._bordered(found, along)
@@ -182,7 +182,7 @@ class Arcs(NamedTuple):
                 return found if found[-2] > 0.0 else []
         return []
 
-    def _tangent(self, point: CurvePoint, before: CurvePoint) -> tuple[int, CurvePoint]:
+    def _tangent(self, point: ArcPoint, before: ArcPoint) -> tuple[int, ArcPoint]:
         """Return the direction of the curve that goes on from one before it.
 
         Before it the sign of the determinant by the unknowns where the share grows along the
@@ -194,7 +194,7 @@ class Arcs(NamedTuple):
         size = math.sqrt(_dot(right, right)) if sign else 1.0
         return sign, [r / size for r in right]
 
-    def _bordered(self, point: CurvePoint, across: CurvePoint) -> tuple[list[float], Matrix]:
+    def _bordered(self, point: ArcPoint, across: ArcPoint) -> tuple[list[float], Matrix]:
         """Return residuals and slopes, and a direction as the last row."""
         *unknowns, share = point
         residuals, matrix = self.sides(unknowns, share)

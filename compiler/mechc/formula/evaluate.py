@@ -42,10 +42,10 @@ def evaluate(formula: Formula, values: Mapping[str, float]) -> float:
     >>> round(evaluate(Call("sin", (degrees(30),)), {}), 12)
     0.5
     """
-    return Evaluator(values).of(formula)
+    return SharedEvaluation(values).of(formula)
 
 
-class Evaluator:
+class SharedEvaluation:
     """Formulas on floats at one set of values: a part that several share is found once.
 
     Parts are known by their identity, as large formulas are put together of the same ones.
@@ -127,7 +127,7 @@ def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
 
 def status(formula: Implicit, values: Mapping[str, float]) -> "Status":
     """Return how a solution was found, or why it was not; the work was counted as it was found."""
-    here = Evaluator(values)
+    here = SharedEvaluation(values)
     return _followed(formula.system)(tuple(map(here.of, formula.arguments))).status
 
 

@@ -8,7 +8,7 @@ delta − psi + 23° is made of its sine.
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
-from .evaluate import Evaluator
+from .evaluate import SharedEvaluation
 from .layout import has_minus, in_degrees
 from .operations import count_operations
 from .tree import (
@@ -86,7 +86,7 @@ def _positive(formula: Formula, values: LazyValues) -> Formula:
     differences = [found for node in walk(formula) if (found := _difference(node))]
     if not differences:
         return formula
-    at = Evaluator(values())
+    at = SharedEvaluation(values())
     behind = any(_is_behind(d, at) for d in differences)
     return _sizes_as_beside(_without_minus(_faced(formula, at) if behind else formula))
 
@@ -225,7 +225,7 @@ def ahead(formulas: Iterable[Formula], values: LazyValues) -> list[Formula]:
     """
     sines = [node for formula in formulas for node in walk(formula)]
     found = [(sine, inside) for sine in sines if (inside := _difference(sine))]
-    at = Evaluator(values() if found else {})
+    at = SharedEvaluation(values() if found else {})
     known = {frozenset(inside.terms) for _, inside in found}
     both = {terms for terms in known if frozenset(map(negative, terms)) in known}
     return [
@@ -333,7 +333,7 @@ def _plus(angle: Formula, turn: int) -> Formula:
     return total([*others, degrees(constant + turn)])
 
 
-def _faced(formula: Formula, at: Evaluator) -> Formula:
+def _faced(formula: Formula, at: SharedEvaluation) -> Formula:
     parts = tuple(_faced(part, at) for part in children(formula))
     whole = rebuild(formula, parts) if parts != children(formula) else formula
     match whole:
@@ -347,7 +347,7 @@ def _faced(formula: Formula, at: Evaluator) -> Formula:
             return whole
 
 
-def _paired(factors: Sequence[Formula], at: Evaluator) -> Formula | None:
+def _paired(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
     """Return a product with negative sines turned; None where an odd one would need a minus."""
     sign = -1 if has_minus(Product(tuple(factors))) else 1
     turned = {i: new for i, f in enumerate(factors) if (new := _turned(f, at))}
@@ -359,7 +359,7 @@ def _paired(factors: Sequence[Formula], at: Evaluator) -> Formula | None:
     return product([(number((-1) ** len(turned)), 1), *parts])
 
 
-def _turned(factor: Formula, at: Evaluator | None = None) -> Formula | None:
+def _turned(factor: Formula, at: SharedEvaluation | None = None) -> Formula | None:
     """Return an odd power of a sine of a difference with that turned round.
 
     None for another factor, and where the sine is not negative at the values, if these are given.
@@ -376,7 +376,7 @@ def _turned(factor: Formula, at: Evaluator | None = None) -> Formula | None:
     return None
 
 
-def _sum_turned(terms: Sequence[Formula], at: Evaluator) -> Formula | None:
+def _sum_turned(terms: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
     """Return a sum turned round that is negative by a sine of a difference; None for another."""
     turned = [_without_minus(negative(term)) for term in terms]
     is_led = any(
@@ -388,7 +388,7 @@ def _sum_turned(terms: Sequence[Formula], at: Evaluator) -> Formula | None:
         return None
 
 
-def _is_behind(difference: Sum, at: Evaluator) -> bool:
+def _is_behind(difference: Sum, at: SharedEvaluation) -> bool:
     """Return whether the sine of a difference is negative; False where it has no value."""
     try:
         return math.sin(at.of(difference)) < -ROUNDING

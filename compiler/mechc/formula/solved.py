@@ -129,7 +129,7 @@ def _linear(angle: Formula, name: str) -> tuple[Fraction, Formula] | None:
     return slope, total(rest)
 
 
-class _Part(NamedTuple):
+class _TrigonometricTerm(NamedTuple):
     """A term of a sum: a function of an angle that has the name in it, times the rest.
 
     It is the name itself where there is no function.
@@ -145,12 +145,14 @@ def _of_sum(terms: Sequence[Formula], name: str) -> Iterator[AngleSolution]:
     constant = total(t for t in flat if name not in symbols(t))
     parts = _gathered([_part(t, name) for t in flat if name in symbols(t)])
     match parts:
-        case [_Part("", _, a)]:
+        case [_TrigonometricTerm("", _, a)]:
             yield AngleSolution(_over(constant, a), Fraction(0))
-        case [_Part(function, angle, a)]:
+        case [_TrigonometricTerm(function, angle, a)]:
             for value, period in _inverse(function, a, constant):
                 yield from _where(angle, value, period, name)
-        case [_Part("sin", angle, a), _Part("cos", other, b)] if angle == other:
+        case [_TrigonometricTerm("sin", angle, a), _TrigonometricTerm("cos", other, b)] if (
+            angle == other
+        ):
             if constant == ZERO:
                 yield from _where(angle, _odd("atan", _over(b, a)), 180, name)
         case _:
@@ -169,7 +171,7 @@ def _expanded(term: Formula, name: str) -> Iterator[Formula]:
         yield from _expanded(product([*others, (part, 1)]), name)
 
 
-def _gathered(parts: Sequence[_Part | None]) -> list[_Part] | None:
+def _gathered(parts: Sequence[_TrigonometricTerm | None]) -> list[_TrigonometricTerm] | None:
     """Return parts with the coefficients of equal functions added, sines first; none that is 0."""
     found: dict[tuple[str, Formula], list[Formula]] = {}
     for part in parts:
@@ -177,7 +179,9 @@ def _gathered(parts: Sequence[_Part | None]) -> list[_Part] | None:
             return None
         found.setdefault((part.function, part.angle), []).append(part.coefficient)
     ordered = sorted(found, key=lambda key: key[0] != "sin")
-    gathered = [_Part(*key, total(sorted(_left(found[key]), key=has_minus))) for key in ordered]
+    gathered = [
+        _TrigonometricTerm(*key, total(sorted(_left(found[key]), key=has_minus))) for key in ordered
+    ]
     return [part for part in gathered if part.coefficient != ZERO]
 
 
@@ -193,15 +197,15 @@ def _left(coefficients: Iterable[Formula]) -> list[Formula]:
     return left
 
 
-def _part(term: Formula, name: str) -> _Part | None:
+def _part(term: Formula, name: str) -> _TrigonometricTerm | None:
     factors = term.factors if isinstance(term, Product) else (term,)
     inside = [f for f in factors if name in symbols(f)]
     rest = product(Counter(f for f in factors if name not in symbols(f)).items())
     match inside:
         case [Call("sin" | "cos" | "tan" | "cot" as function, (angle,))]:
-            return _Part(function, angle, rest)
+            return _TrigonometricTerm(function, angle, rest)
         case [Symbol() as itself]:
-            return _Part("", itself, rest)
+            return _TrigonometricTerm("", itself, rest)
         case _:
             return None
 

@@ -1,7 +1,7 @@
 """Formulas that are evaluated again and again, put in order once as straight-line code.
 
 Parts that are equal are computed once, whatever formulas they stand in. The values are
-those of :class:`~.evaluate.Evaluator` to the last bit, in a tenth of the time; code that is
+those of :class:`~.evaluate.SharedEvaluation` to the last bit, in a tenth of the time; code that is
 used often is compiled to one function of Python, in which only numbers of places and
 constants stand, and takes a third of that.
 """
@@ -82,7 +82,7 @@ class StraightLine:
         often: int = OFTEN,
     ) -> None:
         """Take what is computed, to be compiled when it has been computed ``often``."""
-        maker = _Maker(names, solution)
+        maker = _ProgramMaker(names, solution)
         for name, formula in definitions:
             maker.define(name, formula)
         results = [maker.value(formula) for formula in formulas]
@@ -140,7 +140,7 @@ class _Made(_Value):
         return itemgetter(*(value.index for value in self.on))
 
 
-class _Maker:
+class _ProgramMaker:
     """Gathers operations, each after those it needs, none twice."""
 
     def __init__(self, names: Sequence[str], solution: Callable[[System], SystemSolver]) -> None:

@@ -14,7 +14,7 @@ Quantities are SI; angles are radians. A constant angle is a rational multiple o
 '2*b*cot(alpha)/a'
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import prod
 from typing import TypeGuard
@@ -150,6 +150,9 @@ class Implicit(Compound):
 
 
 Formula = Number | Pi | Symbol | Sum | Product | Power | Call | Implicit
+
+Definitions = Sequence[tuple[str, Formula]]
+"""Names and what they stand for, each after those it needs."""
 
 ZERO, HALF, ONE, PI = Number(Fraction(0)), Number(Fraction(1, 2)), Number(Fraction(1)), Pi()
 

@@ -111,7 +111,7 @@ class ClosedLoop(NamedTuple):
 
 
 @frozen
-class SolvedMechanism:
+class UsedSolution:
     """The solution of a mechanism that a sheet uses, by its names there.
 
     ``definitions`` are those that results and loops may rest on, ``requires`` the conditions
@@ -124,9 +124,9 @@ class SolvedMechanism:
     requires: tuple[Require, ...] = ()
     literals: tuple[Parameter, ...] = ()
 
-    def __add__(self, other: "SolvedMechanism") -> "SolvedMechanism":
+    def __add__(self, other: "UsedSolution") -> "UsedSolution":
         """Return both solutions as one."""
-        return SolvedMechanism(
+        return UsedSolution(
             (*self.results, *other.results),
             (*self.definitions, *other.definitions),
             (*self.loops, *other.loops),

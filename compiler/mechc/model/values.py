@@ -11,7 +11,7 @@ from contextlib import suppress
 from graphlib import CycleError, TopologicalSorter
 
 from ..formula.choices import EQUAL, SENSELESS
-from ..formula.evaluate import Evaluator, evaluate, solver
+from ..formula.evaluate import SharedEvaluation, evaluate, solver
 from ..formula.rounding import PrintedNumber
 from ..formula.straight_line import OFTEN, StraightLine, SystemSolver, in_order
 from ..formula.tree import Formula, Number, Symbol, System
@@ -80,7 +80,7 @@ class Chain:
 
     def _once(self, values: Values) -> dict[str, float]:
         found = dict(values)
-        evaluation = Evaluator(found)
+        evaluation = SharedEvaluation(found)
         for name, formula, needs in self._steps:
             if name not in found and needs <= found.keys():
                 found[name] = evaluation.of(formula)
@@ -130,7 +130,7 @@ class Completion:
 def completed(values: Values, definitions: Iterable[tuple[str, Formula]]) -> dict[str, float]:
     """Return values with definitions that stand in order, as far as their names have values."""
     found = dict(values)
-    evaluation, needs = Evaluator(found), Mentions()
+    evaluation, needs = SharedEvaluation(found), Mentions()
     for name, formula in definitions:
         if needs.of(formula) <= found.keys():
             found[name] = evaluation.of(formula)

@@ -26,7 +26,7 @@ PROMINENT = 1e-9
 """What an extremum stands out by at least, against the usual size of values."""
 
 
-class Extremum(NamedTuple):
+class TurningPoint(NamedTuple):
     """A point where a function is least or greatest nearby: sense is 1, or -1."""
 
     sense: int
@@ -42,7 +42,7 @@ class Trace(NamedTuple):
     zeros: tuple[float, ...]
     poles: tuple[float, ...]
     jumps: tuple[float, ...]
-    turns: tuple[Extremum, ...]
+    turns: tuple[TurningPoint, ...]
 
 
 def traced(function: ArrayFunction, low: float, high: float) -> Trace:
@@ -127,13 +127,13 @@ def _touched(function: ArrayFunction, xs: Array, ys: Array) -> Iterator[float]:
     yield from map(float, best[largest > LARGE**2 * beside])
 
 
-def _turns(function: ArrayFunction, xs: Array, ys: Array, breaks: Array) -> Iterator[Extremum]:
+def _turns(function: ArrayFunction, xs: Array, ys: Array, breaks: Array) -> Iterator[TurningPoint]:
     """Yield the extrema between points, but for those beside a break."""
     cells, signs = _turning_points(xs, ys, breaks)
     found = _refined(function, xs[cells - 1], xs[cells + 1], signs)
     for sign, x, y, bound in zip(signs, *found, signs * ys[cells], strict=True):
         if sign * y <= bound:
-            yield Extremum(int(sign), float(x), float(y))
+            yield TurningPoint(int(sign), float(x), float(y))
 
 
 def _turning_points(xs: Array, ys: Array, breaks: Array) -> tuple[NDArray[np.intp], Array]:

@@ -22,7 +22,7 @@ from ..model.mechanism import (
 )
 from .closure import ClosureCondition, across
 from .directions import Directions
-from .pose import Arm, PointContact, Vector
+from .pose import Arm, BodyFrame, PointContact, Vector
 from .vector_graph import chained
 from .vectors import Missing, Vectors
 
@@ -115,9 +115,6 @@ def on_the_line(slots: Sequence[PointContact], vectors: Vectors) -> list[Closure
             name = chained(chain)
             conditions.append(ClosureCondition(name, arms, (slot.normal,), slot.span))
     return conditions
-
-
-BodyFrame = Mapping[str, Vector]
 
 
 def frames(

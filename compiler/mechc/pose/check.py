@@ -8,10 +8,8 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..model.mechanism import Force, ForcePair, Slider
 from ..model.values import Chain, completed, defaults, dependent, independent
-from .pose import Pose, PoseDefinition, Vector, evaluate_vector
+from .pose import BodyFrame, Pose, PoseDefinition, Vector, evaluate_vector
 from .tolerances import LOOP_GAP
-
-BodyFrame = Mapping[str, Vector]
 
 STEP = 1e-5
 """By how much the drive is moved, in SI, to see what changes with it."""

@@ -55,7 +55,7 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
         report.add(fault)
     report.stop_on_errors()
     mechanism = with_directions(mechanism, vectors, report)
-    read = _Read(mechanism, terms, directions, vectors, Missing(vectors), report)
+    read = _PoseReading(mechanism, terms, directions, vectors, Missing(vectors), report)
     pose = _pose(read, closed)
     unfound = _links_without_direction(pose, read, closed)
     if not read.missing.are_any:
@@ -116,7 +116,7 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
         report.add(messages.gears_apart(*misfit))
 
 
-class _Read(NamedTuple):
+class _PoseReading(NamedTuple):
     """What a pose is read from, and the vectors that were found missing on the way."""
 
     mechanism: Mechanism
@@ -131,7 +131,7 @@ class _Read(NamedTuple):
         return {n: at for n, at in self.directions.sought.items() if n not in closed.found}
 
 
-def _pose(read: _Read, closed: Closed) -> Pose:
+def _pose(read: _PoseReading, closed: Closed) -> Pose:
     """Return all directions and frames, read in the order of their definitions."""
     mechanism, terms, directions, vectors, missing, report = read
     poses = partial(poses_nearby, mechanism, terms.definitions)
@@ -172,7 +172,7 @@ def _with_senses(mechanism: Mechanism, vectors: Vectors) -> Mechanism:
     return replace(mechanism, requires=(*mechanism.requires, *senses(vectors, mechanism)))
 
 
-def _thrusts(read: _Read, axis: Angle | None) -> Mapping[str, Angle]:
+def _thrusts(read: _PoseReading, axis: Angle | None) -> Mapping[str, Angle]:
     """Return the direction in which each pair of forces pushes its second point."""
     pairs = [load for load in read.mechanism.loads if isinstance(load, ForcePair)]
     if not pairs:
@@ -181,7 +181,7 @@ def _thrusts(read: _Read, axis: Angle | None) -> Mapping[str, Angle]:
     return {pair.name: force_pairs.thrust_line(pair, pairing) for pair in pairs}
 
 
-def _links_without_direction(pose: Pose, read: _Read, closed: Closed) -> Mapping[str, Link]:
+def _links_without_direction(pose: Pose, read: _PoseReading, closed: Closed) -> Mapping[str, Link]:
     """Return the directions that no loop gives, each with the first link that needs it."""
     sought, needed = read.sought(closed).keys(), dict[str, Link]()
     for link in pose.mechanism.links:
@@ -190,7 +190,7 @@ def _links_without_direction(pose: Pose, read: _Read, closed: Closed) -> Mapping
     return needed
 
 
-def _check_loops(pose: Pose, read: _Read, unfound: Set[str]) -> None:
+def _check_loops(pose: Pose, read: _PoseReading, unfound: Set[str]) -> None:
     """Report every loop that does not close for independent symbols, all of them known."""
     mechanism, vectors = read.mechanism, read.vectors
     given = given_by_hand(mechanism) if mechanism.drawn else None

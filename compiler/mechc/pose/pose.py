@@ -32,6 +32,9 @@ class Arm(NamedTuple):
 Vector = tuple[Arm, ...]
 """A planar vector as a sum of arms; ``()`` is the zero vector."""
 
+BodyFrame = Mapping[str, Vector]
+"""The vectors from a body's first point to each of its points."""
+
 
 class PoseDefinition(NamedTuple):
     """A named intermediate: a dependent parameter that is not simply put in."""
@@ -162,7 +165,7 @@ class Pose:
     """
 
     mechanism: Mechanism
-    frames: Mapping[str, Mapping[str, Vector]]
+    frames: Mapping[str, BodyFrame]
     guides: Mapping[str, Angle]
     lines: Mapping[str, Angle]
     axis: Angle | None

@@ -9,7 +9,7 @@ from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as messages
-from ..formula.evaluate import Evaluator
+from ..formula.evaluate import SharedEvaluation
 from ..formula.rounding import PrintedNumber, Rounding, beyond_rounding, without_value
 from ..formula.to_text import text
 from ..formula.tree import ZERO, Formula
@@ -107,7 +107,7 @@ class _Chained:
     def __init__(self, values: Mapping[str, float], rounding: Rounding) -> None:
         self.values, self.rounding = dict(values), Rounding({})
         self.rounding.values.update(rounding.values)
-        self._evaluation = Evaluator(self.values)
+        self._evaluation = SharedEvaluation(self.values)
         self._formulas: dict[str, Formula] = {}
 
     def takes(self, where: Sequence[tuple[str, Formula]]) -> bool:

@@ -38,7 +38,7 @@ def by_parts(
     them, has the values of its terms, or of the sums among its factors; where that does not fit
     either it comes as it is.
     """
-    shown, sums = set[str](), _Sums(named)
+    shown, sums = set[str](), _NamedSums(named)
     for item in found:
         if item.formula is None or item.known is None or fits(item):
             yield item
@@ -78,7 +78,7 @@ def _parts(formula: Formula, named: NamedSums) -> Iterator[tuple[Symbol, Formula
             yield symbol, inside
 
 
-class _Sums:
+class _NamedSums:
     """The values of named sums, each found once: what it rests on keeps its value on a page."""
 
     def __init__(self, named: NamedSums) -> None:

@@ -6,7 +6,7 @@ from typing import Literal
 from ..pose.pose import LoopKind
 
 
-class Rule(StrEnum):
+class StepRule(StrEnum):
     """The rule of mechanics that gives a relation."""
 
     HELD = "held"

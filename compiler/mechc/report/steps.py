@@ -16,7 +16,7 @@ from ..model.result import Definition
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import Dimension
-from .kinds import PositionKind, Rule, SentenceKind
+from .kinds import PositionKind, SentenceKind, StepRule
 
 
 @frozen
@@ -50,12 +50,12 @@ class Equation(NamedTuple):
     right: Formula
 
 
-Reason = tuple[Rule, tuple[str, ...]]
+Reason = tuple[StepRule, tuple[str, ...]]
 """A rule, and what it is applied to."""
 
 
 @frozen
-class Step:
+class DerivationStep:
     """One numbered step: the rule, the points and link it is applied to, what it gives.
 
     ``subject`` are names of the drawing: for LEVER and ARM the pivot first, then the points;
@@ -71,7 +71,7 @@ class Step:
     of its ends are made of.
     """
 
-    rule: Rule
+    rule: StepRule
     subject: tuple[str, ...]
     relations: tuple[Equation, ...]
     results: tuple[Equation, ...]
@@ -151,7 +151,7 @@ class Derivation:
     conditions of use, in names of the position where they ask something of the pose.
     """
 
-    steps: tuple[Step, ...]
+    steps: tuple[DerivationStep, ...]
     terms: tuple[PowerTerm, ...]
     balances: tuple[Equation, ...]
     results: tuple[Analysis, ...]

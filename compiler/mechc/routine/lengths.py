@@ -18,6 +18,7 @@ from ..formula.sharing import each_part
 from ..formula.tree import (
     Call,
     Constant,
+    Definitions,
     Formula,
     Number,
     Power,
@@ -33,8 +34,6 @@ from ..formula.tree import (
 )
 from ..formula.walk import Once, children, rebuild
 
-Definitions = Sequence[tuple[str, Formula]]
-NamedFormulas = list[tuple[str, Formula]]
 SizeNames = Mapping[frozenset[Formula], str]
 """The lengths that have a name, by the components of their vectors, signs aside."""
 
@@ -43,7 +42,7 @@ TWO = number(2)
 
 def with_roots(
     definitions: Definitions, formulas: Sequence[Formula], taken: set[str]
-) -> tuple[NamedFormulas, list[Formula]]:
+) -> tuple[list[tuple[str, Formula]], list[Formula]]:
     """Return definitions and formulas in which lengths of vectors are roots of their squares.
 
     A length whose square is asked for has the square defined before it.
@@ -54,7 +53,7 @@ def with_roots(
     asked = set(_squared([*(f for _, f in paired), *results]))
     squares: dict[Formula, Formula] = {}
     put = _putting(squares)
-    written: NamedFormulas = []
+    written: list[tuple[str, Formula]] = []
     for name, formula in paired:
         if not _is_length(formula):
             written.append((name, put(formula)))

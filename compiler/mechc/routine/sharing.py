@@ -70,7 +70,7 @@ def share(
         *tabulate([*(formula for _, formula in definitions), *results])
     )
     names = [name for name, _ in definitions]
-    writer = _Writer(table, _used_twice(table, roots), {*taken, *names})
+    writer = _SharingWriter(table, _used_twice(table, roots), {*taken, *names})
     writer.expect(zip(names, roots, strict=False))
     for name, root in zip(names, roots, strict=False):
         writer.define(name, root)
@@ -218,7 +218,7 @@ def _scaled(coefficient: Fraction, label: str, *, is_pi: bool) -> str:
     return f"{sign}{'' if size == 1 else size}{label}"
 
 
-class _Writer:
+class _SharingWriter:
     """Turns entries back into formulas, naming the shared ones as it meets them."""
 
     def __init__(self, table: EntryTable, shared: frozenset[int], taken: set[str]) -> None:

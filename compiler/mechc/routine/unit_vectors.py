@@ -14,6 +14,7 @@ from ..formula.sharing import each_part
 from ..formula.tree import (
     ONE,
     Call,
+    Definitions,
     Formula,
     Sum,
     Symbol,
@@ -25,7 +26,7 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import Once, children, rebuild, symbols
-from .lengths import Definitions, NamedFormulas, fresh, signed, size, sizes, unsigned, with_roots
+from .lengths import fresh, signed, size, sizes, unsigned, with_roots
 from .unit import WANTED, DirectionVector, factors, plain, whole
 
 MULTIPLES = (-2, -1, 1, 2)
@@ -46,7 +47,7 @@ MOST = 5
 
 def in_unit_vectors(
     definitions: Definitions, formulas: Sequence[Formula], kept: Iterable[str], taken: set[str]
-) -> tuple[NamedFormulas, list[Formula]]:
+) -> tuple[list[tuple[str, Formula]], list[Formula]]:
     """Return definitions and formulas with polar angles carried as vectors.
 
     ``kept`` are names that must stay defined, ``taken`` those that a new one may not have.
@@ -68,10 +69,10 @@ def in_unit_vectors(
 
 def reached(
     definitions: Definitions, results: Iterable[Formula], kept: Iterable[str]
-) -> NamedFormulas:
+) -> list[tuple[str, Formula]]:
     """Return the definitions that something needs."""
     used = {*kept, *(name for f in results for name in symbols(f))}
-    found: NamedFormulas = []
+    found: list[tuple[str, Formula]] = []
     for name, formula in reversed(definitions):
         if name in used:
             found.append((name, formula))
@@ -123,7 +124,7 @@ class _Turning:
         self.units: dict[str, DirectionVector] = {}
         self.sums: dict[str, Angle] = {}
         self.roots: dict[str, Formula] = {}
-        self.written: NamedFormulas = []
+        self.written: list[tuple[str, Formula]] = []
         self.used: set[str] = set()
         self.rewritten = Once(self._rewritten)
         self.defined: set[str] = set()

@@ -4,7 +4,7 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, TypeVar
 
-from ..formula.evaluate import Evaluator, evaluate
+from ..formula.evaluate import SharedEvaluation, evaluate
 from ..formula.walk import symbols
 from ..model.mechanism import Load, Mechanism
 from ..model.result import Definition
@@ -71,18 +71,18 @@ class Balanced(Unfolding):
     def _found(self) -> dict[Hashable, Any]:
         return {}
 
-    def formulas(self, where: tuple[Definition, ...]) -> Evaluator:
+    def formulas(self, where: tuple[Definition, ...]) -> SharedEvaluation:
         """Return the way to values of formulas that may use definitions, which stand in order."""
         if id(where) not in self._formulas:
             values = dict(self.values)
-            evaluation = Evaluator(values)
+            evaluation = SharedEvaluation(values)
             for name, formula in where:
                 values[name] = evaluation.of(formula)
             self._formulas[id(where)] = where, evaluation  # the id is that of ``where`` as it lives
         return self._formulas[id(where)][1]
 
     @cached_property
-    def _formulas(self) -> dict[int, tuple[tuple[Definition, ...], Evaluator]]:
+    def _formulas(self) -> dict[int, tuple[tuple[Definition, ...], SharedEvaluation]]:
         """Return the evaluations by the identity of definitions, which are kept alive for that."""
         return {}
 

@@ -46,12 +46,12 @@ def diagrams(
     return tuple(
         diagram
         for case in found
-        for diagram in _Maker(unfolding, places, case).diagrams(mixed=case.result in several)
+        for diagram in _LoadSetMaker(unfolding, places, case).diagrams(mixed=case.result in several)
     )
 
 
 @frozen
-class _Maker:
+class _LoadSetMaker:
     """A mechanism at one pose under one set of loads."""
 
     unfolding: Unfolding

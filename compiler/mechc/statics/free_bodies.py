@@ -54,7 +54,7 @@ class EquilibriumSystem:
     loads: Mapping[str, Mapping[int, float]]
 
 
-class _Sums:
+class _RowBuilder:
     """Rows in the making: a pair of rows for each pin, three for each body that needs them."""
 
     def __init__(self) -> None:
@@ -106,7 +106,7 @@ def _components(vector: Plane) -> tuple[float, float]:
 
 def equilibrium(assembly: AssembledBodies) -> EquilibriumSystem:
     """Return the equations of every free body of an assembly."""
-    sums = _Sums()
+    sums = _RowBuilder()
     actions = [a for several in assembly.loads.values() for a in several]
     actions += [
         a for transfer in assembly.transfers for a in (*transfer.actions, *transfer.bearings)
@@ -135,7 +135,7 @@ def equilibrium(assembly: AssembledBodies) -> EquilibriumSystem:
     return EquilibriumSystem(tuple(sums.rows), tuple(sums.unknowns), loads)
 
 
-def _tension(sums: _Sums, rod: RigidBody) -> None:
+def _tension(sums: _RowBuilder, rod: RigidBody) -> None:
     (tail, a), (head, b) = rod.points.items()
     length = math.hypot(b.x - a.x, b.y - a.y)
     along = Plane(b.x - a.x, b.y - a.y).times(1 / length) if length else Plane(0.0, 0.0)
@@ -143,7 +143,7 @@ def _tension(sums: _Sums, rod: RigidBody) -> None:
     sums.act(column, sums.pin(head), along.times(-1))
 
 
-def _pin_forces(sums: _Sums, body: RigidBody) -> None:
+def _pin_forces(sums: _RowBuilder, body: RigidBody) -> None:
     first = sums.body(body.name)
     for point, arm in body.points.items():
         x, y = _components(arm)
@@ -153,7 +153,7 @@ def _pin_forces(sums: _Sums, body: RigidBody) -> None:
             sums.rows[first + 2][column] = lever
 
 
-def _translation(sums: _Sums, slide: Translation) -> None:
+def _translation(sums: _RowBuilder, slide: Translation) -> None:
     """Let pins act on a body that its guide holds across its direction and against turning."""
     _pin_forces(sums, slide.body)
     first = sums.body(slide.body.name)
@@ -164,7 +164,7 @@ def _translation(sums: _Sums, slide: Translation) -> None:
     sums.rows[first + 2][couple] = 1.0
 
 
-def _contact(sums: _Sums, contact: PinOnBody) -> None:
+def _contact(sums: _RowBuilder, contact: PinOnBody) -> None:
     """Let a body push a pin along the normal, and the pin push back where it is."""
     n = Plane(*_components(contact.normal))
     column = sums.force(UnknownForce(contact.body, contact.point, contact.kind), contact.point, n)
@@ -173,7 +173,7 @@ def _contact(sums: _Sums, contact: PinOnBody) -> None:
     sums.rows[first + 2][column] = contact.arm.y * n.x - contact.arm.x * n.y
 
 
-def _cylinder(sums: _Sums, cylinder: Cylinder) -> None:
+def _cylinder(sums: _RowBuilder, cylinder: Cylinder) -> None:
     """Let a pin act on each part of a telescope, and the parts on one another where they end.
 
     The first part ends at the pin of the second, and pushes across with a force and a couple;
@@ -195,21 +195,21 @@ def _cylinder(sums: _Sums, cylinder: Cylinder) -> None:
     sums.rows[first + 2][couple] = -1.0
 
 
-def _transfer(sums: _Sums, transfer: Transfer) -> None:
+def _transfer(sums: _RowBuilder, transfer: Transfer) -> None:
     column = len(sums.unknowns)
     sums.unknowns.append(UnknownForce(transfer.name, "", "transfer"))
     for row, amount in _places(sums, (*transfer.actions, *transfer.bearings)):
         sums.rows[row][column] = sums.rows[row].get(column, 0.0) + amount
 
 
-def _load(sums: _Sums, actions: tuple[Action, ...]) -> dict[int, float]:
+def _load(sums: _RowBuilder, actions: tuple[Action, ...]) -> dict[int, float]:
     row: dict[int, float] = {}
     for place, amount in _places(sums, actions):
         row[place] = row.get(place, 0.0) + amount
     return row
 
 
-def _places(sums: _Sums, actions: tuple[Action, ...]) -> Iterator[tuple[int, float]]:
+def _places(sums: _RowBuilder, actions: tuple[Action, ...]) -> Iterator[tuple[int, float]]:
     for action in actions:
         match action:
             case PointForce(point, force):

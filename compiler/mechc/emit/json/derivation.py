@@ -3,15 +3,15 @@
 from typing import get_args
 
 from ...formula.to_text import text
-from ...report.kinds import PositionKind, Rule, SentenceKind
+from ...report.kinds import PositionKind, SentenceKind, StepRule
 from ...report.steps import (
     Derivation,
+    DerivationStep,
     Equation,
     Explanation,
     Paragraph,
     PositionStep,
     PowerTerm,
-    Step,
 )
 from .formula import DEFINITION, FORMULA
 from .kinds import TEXT, JsonKind, list_of, map_of, member, one_of, record
@@ -21,10 +21,10 @@ def _equation(equation: Equation) -> str:
     return f"{text(equation.left)} = {text(equation.right)}"
 
 
-STEP: JsonKind[Step] = record(
+STEP: JsonKind[DerivationStep] = record(
     "step",
     "One step of the derivation.",
-    member("rule", "The rule of mechanics.", one_of(*Rule), lambda s: s.rule),
+    member("rule", "The rule of mechanics.", one_of(*StepRule), lambda s: s.rule),
     member("subject", "Points and links it is applied to.", list_of(TEXT), lambda s: s.subject),
     member(
         "relations",

@@ -56,7 +56,7 @@ from ...report.sentences.wording import (
     position_sentences,
     sentences,
 )
-from ...report.steps import Derivation, LastStep, Step
+from ...report.steps import Derivation, DerivationStep, LastStep
 from ..render import render
 from ..target import Compiled, Emitted, Options
 from . import pictures
@@ -281,7 +281,9 @@ def _position(
         yield PositionBlock(words, definitions(section.where, locale, style, {}))
 
 
-def _steps(steps: Sequence[Step], locale: Locale, style: LatexNotation) -> Iterator[StepBlock]:
+def _steps(
+    steps: Sequence[DerivationStep], locale: Locale, style: LatexNotation
+) -> Iterator[StepBlock]:
     words = sentences(steps, locale, LatexSpeller(style).point)
     for step, sentence in zip(steps, words, strict=True):
         said, hence = (_equations(part, locale, style) for part in lines(step))

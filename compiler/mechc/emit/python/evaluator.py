@@ -90,7 +90,10 @@ class Evaluator:
 
     def __init__(self, routine: Routine, on_arrays: Mapping[str, OnArrays] | None = None) -> None:
         others = on_arrays or {}
-        self._parts = [_Part(function, others.get(function.name)) for function in routine.functions]
+        self._parts = [
+            _EvaluatedFunction(function, others.get(function.name))
+            for function in routine.functions
+        ]
         self.inputs = frozenset(name for part in self._parts for name in part.inputs)
 
     def values(self, given: Mapping[str, Any], overridden: Set[str]) -> dict[str, Any]:
@@ -101,7 +104,7 @@ class Evaluator:
         return found
 
 
-class _Part:
+class _EvaluatedFunction:
     """One function; it is made for floats when it is first asked for."""
 
     def __init__(self, function: Function, on_arrays: OnArrays | None) -> None:

@@ -14,7 +14,7 @@ from ...source import Span
 from ...syntax import ast, moved
 from ..constants import leaves as leaves_of
 from ..mechanism import Parameter
-from ..result import Result, SolvedMechanism
+from ..result import Result, UsedSolution
 from ..statements import declared, is_sheet
 from ..translations import spoken, words
 from . import put_in
@@ -88,7 +88,7 @@ def _feeds(statement: ast.Statement, used: Used, values: set[str]) -> bool:
             return isinstance(statement, ast.Table | ast.Sizes | ast.Translate)
 
 
-def without_given(used: Used, use: ast.Use) -> SolvedMechanism:
+def without_given(used: Used, use: ast.Use) -> UsedSolution:
     """Return the solution without the values of loads that are given others."""
     given = {name.text for name, _ in use.given} & used.loads.keys()
     if not given:

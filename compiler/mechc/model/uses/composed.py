@@ -6,7 +6,7 @@ from ...source import Source, Span
 from ...syntax import ast
 from ..mechanism import Mechanism, Parameter, Subassembly
 from ..parts.loads import Load
-from ..result import SolvedMechanism
+from ..result import UsedSolution
 from ..statements import every
 from . import put_in
 
@@ -25,7 +25,7 @@ class Used(NamedTuple):
     file: ast.File
     mechanism: Mechanism
     source: Source
-    solved: SolvedMechanism
+    solved: UsedSolution
     start: int = 0
     mechanisms: tuple[tuple[str, Source], ...] = ()
 
@@ -58,7 +58,7 @@ class Composed(NamedTuple):
     """
 
     file: ast.File
-    solved: SolvedMechanism = SolvedMechanism()
+    solved: UsedSolution = UsedSolution()
     parts: tuple[Subassembly, ...] = ()
     mechanisms: tuple[tuple[str, Source], ...] = ()
     prefixes: tuple[str, ...] = ()

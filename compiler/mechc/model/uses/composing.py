@@ -19,7 +19,7 @@ from ...source import Source
 from ...syntax import ast
 from ..mechanism import Subassembly
 from ..names.forms import FORMS, form_of
-from ..result import SolvedMechanism
+from ..result import UsedSolution
 from ..statements import WRITTEN_IN_SHEETS, declared, every, is_sheet
 from . import part_names
 from .brought import brought_in, without_given
@@ -64,7 +64,7 @@ class _Composing:
         self._translated = {line.text for line in every(file, ast.Translate)}
         self._joined = structural(file)
         self._parts: dict[str, UsedPart] = {}
-        self._solved = SolvedMechanism()
+        self._solved = UsedSolution()
         self._mechanisms: list[tuple[str, Source]] = []
         self._prefixes: list[str] = []
 

@@ -13,7 +13,7 @@ from ...units import DIMENSIONS, Dimension
 from ..mechanism import Efficiency, LoadRatio, Mechanism, WithFriction
 from ..parts.loads import Load
 from ..parts.targets import whole
-from ..result import Result, SolvedMechanism
+from ..result import Result, UsedSolution
 
 
 class TiedLoad(NamedTuple):
@@ -25,13 +25,13 @@ class TiedLoad(NamedTuple):
     inverse: bool
 
 
-def open_loads(mechanism: Mechanism, solved: SolvedMechanism) -> dict[str, Load]:
+def open_loads(mechanism: Mechanism, solved: UsedSolution) -> dict[str, Load]:
     """Return the loads whose value may be given: those that nothing in the mechanism gives."""
     found = {result.name for result in solved.results if result.target is not None}
     return {k.name: k for k in mechanism.loads if k.tie is None and k.name not in found}
 
 
-def needed(solved: SolvedMechanism) -> frozenset[str]:
+def needed(solved: UsedSolution) -> frozenset[str]:
     """Return the names that results leave open."""
     return frozenset[str]().union(*map(_open, solved.results))
 
@@ -76,14 +76,14 @@ def _dimension(dimension: Dimension) -> str:
     return next(name for name, known in DIMENSIONS.items() if known == dimension)
 
 
-def ratios(solved: SolvedMechanism) -> Iterator[tuple[str, str]]:
+def ratios(solved: UsedSolution) -> Iterator[tuple[str, str]]:
     """Yield the loads of each ratio that was found."""
     for result in solved.results:
         if isinstance(result.target, LoadRatio):
             yield result.target.above, result.target.below
 
 
-def following(solved: SolvedMechanism, known: set[str]) -> Iterator[TiedLoad]:
+def following(solved: UsedSolution, known: set[str]) -> Iterator[TiedLoad]:
     """Yield the loads that ratios give, of those whose other load is known."""
     ideal = {r.target: r.name for r in solved.results if isinstance(r.target, LoadRatio)}
     names = {r.name for r in solved.results} | known

@@ -14,13 +14,13 @@ from ..result import (
     FrictionResult,
     Result,
     SignCase,
-    SolvedMechanism,
+    UsedSolution,
 )
 
 Rename = Callable[[str], str]
 
 
-def renamed(solved: SolvedMechanism, prefix: str, by: int) -> SolvedMechanism:
+def renamed(solved: UsedSolution, prefix: str, by: int) -> UsedSolution:
     """Return the solution with a prefix before every name, and its spans moved on."""
     return _Renaming(prefix, by).solved(solved)
 
@@ -32,8 +32,8 @@ class _Renaming:
         self._prefix, self._by = prefix, by
         self._known: dict[int, tuple[Formula, Formula]] = {}
 
-    def solved(self, found: SolvedMechanism) -> SolvedMechanism:
-        return SolvedMechanism(
+    def solved(self, found: UsedSolution) -> UsedSolution:
+        return UsedSolution(
             tuple(map(self._result, found.results)),
             self._definitions(found.definitions),
             tuple(map(self._loop, found.loops)),

@@ -40,7 +40,7 @@ from .state import LoopState
 
 def closed(state: LoopState, directions: Directions, vectors: Vectors, report: Report) -> Closed:
     """Close what is sought, and put the directions in."""
-    idle = _Closing(state, report).run()
+    idle = _GroupClosing(state, report).run()
     report.stop_on_errors()
     put_in = _put_in(state, directions, vectors)
     return Closed(
@@ -92,7 +92,7 @@ def _with_solved(mechanism: Mechanism, state: LoopState, report: Report) -> Mech
     return replace(mechanism, parameters=parameters)
 
 
-class _Closing:
+class _GroupClosing:
     """Finds one group after another."""
 
     def __init__(self, state: LoopState, report: Report) -> None:

@@ -80,7 +80,7 @@ def derive_by_equilibrium(
 
 def explained_by_sums(solution: Solution, loads: Iterable[Equilibrium]) -> Iterator[Explanation]:
     """Yield how results follow from sums of forces and moments; forces without, by a release."""
-    writer = _Writer(solution.plan.graph.pose)
+    writer = _LoadWriter(solution.plan.graph.pose)
     groups = tuple(_together(solution, {each.result: each for each in loads}))
     yield from (writer.explanation(names, found) for names, found in groups)
     yield from of_forces(solution, frozenset(name for names, _ in groups for name in names))
@@ -98,7 +98,7 @@ def _together(
             yield names, found
 
 
-class _Writer:
+class _LoadWriter:
     """Explains one load after another; a force found for an earlier one is not found anew."""
 
     def __init__(self, pose: Pose) -> None:

@@ -28,7 +28,7 @@ from ...pose.pose import Pose
 from ...power.numbers import default_values
 from ...study.analysis import Analysis, Vanishing
 from ..sentences.order import geometry_first
-from ..steps import Derivation, Equation, Explanation, LastStep, Paragraph, Step
+from ..steps import Derivation, DerivationStep, Equation, Explanation, LastStep, Paragraph
 
 _OPPOSITE: Mapping[str, Literal["<", "<=", ">", ">="]] = {
     "<": ">",
@@ -93,7 +93,7 @@ class Facing:
         """Return equations, either side of each by itself."""
         return tuple(Equation(*map(self.of, equation)) for equation in equations)
 
-    def step(self, step: Step, sines: Sequence[Formula]) -> Step:
+    def step(self, step: DerivationStep, sines: Sequence[Formula]) -> DerivationStep:
         """Return a step of the velocities; what it finds has the sines that results have."""
         relations = tuple(map(self.relation, step.relations))
         results = self.equations(step.results)

@@ -42,7 +42,7 @@ def of_forces(solution: Solution, met: Set[str] = frozenset()) -> Iterator[Expla
         solved = tuple(s for s in group if isinstance(s, AlgebraicResult))
         if place is None or not solved or solved[0].result.name in met:
             continue
-        writer = _Writer(pose, solved, explained)
+        writer = _ForceWriter(pose, solved, explained)
         if not explained and solved[0].releases:
             opening = (
                 Paragraph(SentenceKind.RELEASED, names={"held": solved[0].releases[0].held}),
@@ -66,7 +66,7 @@ def _place(solved: AlgebraicResult | SolvedWithFriction) -> tuple[str, ...] | No
             return None
 
 
-class _Writer:
+class _ForceWriter:
     """Writes the explanation of one force."""
 
     def __init__(self, pose: Pose, solved: Sequence[AlgebraicResult], explained: Set[str]) -> None:

@@ -9,9 +9,9 @@ from ...friction.solution import Solution
 from ...frozen import replace
 from ...model.mechanism import SpeedRatio
 from ...study.analysis import Analysis
-from ..kinds import Rule
+from ..kinds import StepRule
 from ..sentences.speller import guided_of
-from ..steps import Derivation, Equation, Step
+from ..steps import Derivation, DerivationStep, Equation
 from . import equilibrium
 from .facing import Facing, turns_of_friction
 from .forces import of_forces
@@ -65,8 +65,8 @@ def without_unused(derivation: Derivation) -> Derivation:
     """
     asked = _speeds_elsewhere(derivation)
 
-    def used(step: Step) -> Step:
-        if step.rule is not Rule.TOGETHER:
+    def used(step: DerivationStep) -> DerivationStep:
+        if step.rule is not StepRule.TOGETHER:
             return step
         others = (each for each in derivation.steps if each is not step)
         names = asked.union(*(_names_in(*each.relations, *each.results) for each in others))
@@ -109,7 +109,9 @@ def _speeds_elsewhere(derivation: Derivation) -> frozenset[str]:
 # -------------------------------------------------------------------------------------- translation
 
 
-def translating(steps: Sequence[Step], guided: Set[str] = frozenset()) -> tuple[Step, ...]:
+def translating(
+    steps: Sequence[DerivationStep], guided: Set[str] = frozenset()
+) -> tuple[DerivationStep, ...]:
     """Return steps in which one says that a link translates, and why.
 
     It may stand for two, the equal projections of two velocities and the angular velocity that
@@ -129,32 +131,36 @@ def translating(steps: Sequence[Step], guided: Set[str] = frozenset()) -> tuple[
     return tuple(merged)
 
 
-def _is_at_rest(step: Step) -> bool:
+def _is_at_rest(step: DerivationStep) -> bool:
     """Return whether a step finds that a link does not turn."""
-    return step.rule is Rule.ROTATION and bool(step.results) and step.results[-1].right == ZERO
+    return step.rule is StepRule.ROTATION and bool(step.results) and step.results[-1].right == ZERO
 
 
-def _equal_ends(step: Step, steps: Sequence[Step]) -> Step | None:
+def _equal_ends(step: DerivationStep, steps: Sequence[DerivationStep]) -> DerivationStep | None:
     """Return the step by which the ends of a link that does not turn have one speed."""
     ends = set(step.subject[1:])
     for before in steps[: steps.index(step)]:
-        if before.rule is Rule.PROJECTION and set(before.subject) == ends and before.results:
+        if before.rule is StepRule.PROJECTION and set(before.subject) == ends and before.results:
             return before if isinstance(before.results[-1].right, Symbol) else None
     return None
 
 
-def _translation(step: Step, ends: Step | None, guided: Set[str]) -> Step:
+def _translation(
+    step: DerivationStep, ends: DerivationStep | None, guided: Set[str]
+) -> DerivationStep:
     """Return the step that says why a link translates, with what its points' speeds are."""
     still = step.results[-1:]
     if ends:
         equations = (*ends.results[-1:], *still)
-        return Step(Rule.TRANSLATION, step.subject, equations, equations)
+        return DerivationStep(StepRule.TRANSLATION, step.subject, equations, equations)
     if guided >= {*step.subject[1:]}:
-        return Step(Rule.PARALLEL_GUIDES, step.subject, still, still)
-    return Step(Rule.EQUAL_VELOCITIES, step.subject, (*_equal_speeds(step), *still), still)
+        return DerivationStep(StepRule.PARALLEL_GUIDES, step.subject, still, still)
+    return DerivationStep(
+        StepRule.EQUAL_VELOCITIES, step.subject, (*_equal_speeds(step), *still), still
+    )
 
 
-def _equal_speeds(step: Step) -> list[Equation]:
+def _equal_speeds(step: DerivationStep) -> list[Equation]:
     """Return that the speeds of a link's two points are equal, where both are in its relation."""
     speeds = [Symbol(f"V_{point}") for point in step.subject[1:]]
     met = symbols(*(e.right for e in step.relations))
@@ -162,7 +168,7 @@ def _equal_speeds(step: Step) -> list[Equation]:
     return [Equation(*speeds)] if is_met else []
 
 
-def _at_rest(step: Step, still: Set[Formula], links: Set[str]) -> Step:
+def _at_rest(step: DerivationStep, still: Set[Formula], links: Set[str]) -> DerivationStep:
     """Return a step without the angular velocities that are zero."""
     nothing = {speed.name: ZERO for speed in still if isinstance(speed, Symbol)}
 
@@ -170,8 +176,8 @@ def _at_rest(step: Step, still: Set[Formula], links: Set[str]) -> Step:
         return tuple(Equation(e.left, substitute(e.right, nothing)) for e in equations)
 
     rule = step.rule
-    if rule is Rule.COMPONENT_OF_BODY and step.subject[0] in links:
-        rule = Rule.COMPONENT_OF_TRANSLATION
+    if rule is StepRule.COMPONENT_OF_BODY and step.subject[0] in links:
+        rule = StepRule.COMPONENT_OF_TRANSLATION
     if not nothing:
         return step
     relations, results = without(step.relations), without(step.results)

@@ -14,7 +14,7 @@ from ...formula.walk import symbols
 from ...model.mechanism import LoadRatio, SpeedRatio
 from ..sentences.order import positive_first
 from ..sentences.wording import is_speed
-from ..steps import Derivation, Equation, LastStep, PowerTerm, SpeedChain, Step
+from ..steps import Derivation, DerivationStep, Equation, LastStep, PowerTerm, SpeedChain
 
 Owners = Mapping[str, tuple[str, Product]]
 """The load that each is tied to, itself where it is free, and the factor."""
@@ -101,7 +101,7 @@ FoundSpeeds = Mapping[str, tuple[str, Formula]]
 """A speed's name, with the one that it was found from and its ratio to that."""
 
 
-def _found(steps: Sequence[Step]) -> FoundSpeeds:
+def _found(steps: Sequence[DerivationStep]) -> FoundSpeeds:
     """Return the speeds that steps find from one other speed each, in proportion to it."""
     found: dict[str, tuple[str, Formula]] = {}
     for left, right in (equation for step in steps for equation in step.results):

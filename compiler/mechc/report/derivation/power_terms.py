@@ -9,9 +9,9 @@ from ...kinematics.graph import LinearForm
 from ...model.mechanism import Force, ForcePair
 from ...named import NamedTuple
 from ...power.balance import Term
-from ..kinds import Rule
+from ..kinds import StepRule
 from ..sentences.order import positive_first
-from ..steps import Equation, PowerTerm, Step
+from ..steps import DerivationStep, Equation, PowerTerm
 from .notation import linear, times
 from .rules import rule_of_component
 from .speed_steps import SpeedSteps, acting_on
@@ -21,7 +21,7 @@ class AlongLoad(NamedTuple):
     """A speed along a load that has a symbol of its own, and the step that leads to it."""
 
     symbol: Symbol
-    step: Step
+    step: DerivationStep
 
 
 def speeds_along(speeds: SpeedSteps) -> Mapping[str, AlongLoad]:
@@ -51,12 +51,12 @@ def _speed_along(term: Term, speeds: SpeedSteps) -> AlongLoad | None:
                 return None
             said = linear(_moving(form, speeds), speeds.names_at(form, first, second))
             subject = acting_on(term.load, graph)
-            symbol, rule = Symbol(f"V_{first}{second}"), Rule.PARTING
+            symbol, rule = Symbol(f"V_{first}{second}"), StepRule.PARTING
         case _:
             return None
     drive = speeds.names[speeds.plan.drives[0]]
     by_drive = times(speeds.balance.reading.value(form)[0] * drive.factor, drive)
-    step = Step(rule, subject, (Equation(symbol, said),), (Equation(symbol, by_drive),))
+    step = DerivationStep(rule, subject, (Equation(symbol, said),), (Equation(symbol, by_drive),))
     return AlongLoad(symbol, step)
 
 

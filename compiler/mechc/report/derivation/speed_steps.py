@@ -14,8 +14,8 @@ from ...kinematics.plan import Block, Plan
 from ...model.mechanism import Force, Load, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
-from ..kinds import Rule
-from ..steps import Equation, NamedRatio, Reason, Step
+from ..kinds import StepRule
+from ..steps import DerivationStep, Equation, NamedRatio, Reason
 from .notation import SpeedNotation, WrittenUnknown, WrittenUnknowns, linear, times
 from .rules import involved, pole_of, rule_of
 
@@ -86,10 +86,10 @@ class SpeedSteps:
         named = ((u, self._notation.of_point(u, point)) for u in form for point in points)
         return {**self._names, **turning, **{u: n for u, n in named if n and n.symbol.name in met}}
 
-    def steps(self) -> Iterator[Step]:
+    def steps(self) -> Iterator[DerivationStep]:
         """Yield the steps that what was asked for rests on."""
         if held := self._graph.pose.mechanism.held:
-            yield Step(Rule.HELD, tuple(drive.parameter for drive in held), (), ())
+            yield DerivationStep(StepRule.HELD, tuple(drive.parameter for drive in held), (), ())
         for drive in self.plan.drives:
             self._names[drive] = self._first_name(drive)
         needed = needed_unknowns(self.balance)
@@ -103,7 +103,7 @@ class SpeedSteps:
         if self.plan.mobility == 1:
             yield from self._turning_under_couples()
 
-    def _turning_under_couples(self) -> Iterator[Step]:
+    def _turning_under_couples(self) -> Iterator[DerivationStep]:
         """Yield the angular velocities of links under couples that are known by a point's speed."""
         for term in self.balance.terms:
             if isinstance(term.load, Torque) and any(term.power):
@@ -111,7 +111,7 @@ class SpeedSteps:
                 if self._names[unknown].point and not others and unknown not in self._turning:
                     yield self._turn(unknown)
 
-    def _turn(self, unknown: int) -> Step:
+    def _turn(self, unknown: int) -> DerivationStep:
         """Return the step from the speed of a link's point to its angular velocity."""
         known, named = self._names[unknown], self._notation.of_itself(unknown)
         self._turning[unknown] = named
@@ -120,7 +120,7 @@ class SpeedSteps:
         arm = product([(self._arm(pivot, known.point), 1), (named.symbol, 1)])
         is_positive = self._notation.sign(known.factor / named.factor) > 0
         relation = Equation(known.symbol, arm) if is_positive else rate
-        return Step(Rule.ARM, (pivot, known.point), (relation,), (rate,))
+        return DerivationStep(StepRule.ARM, (pivot, known.point), (relation,), (rate,))
 
     def _first_name(self, unknown: int) -> WrittenUnknown:
         """Name a drive by the first loaded point that moves with it."""
@@ -136,14 +136,14 @@ class SpeedSteps:
 
     # ---------------------------------------------------------------------- relations
 
-    def _block(self, block: Block) -> Iterator[Step]:
+    def _block(self, block: Block) -> Iterator[DerivationStep]:
         relations = [self.plan.relations[r] for r in block.relations]
         if len(relations) == 1:
             yield from self._single(relations[0], block.unknowns[0])
         else:
             yield self._together(relations, block.unknowns)
 
-    def _single(self, relation: Relation, unknown: int) -> Iterator[Step]:
+    def _single(self, relation: Relation, unknown: int) -> Iterator[DerivationStep]:
         """Yield the lever steps that a relation needs first, then the relation itself."""
         local: dict[int, WrittenUnknown] = {}
         for point in relation.points:
@@ -163,10 +163,10 @@ class SpeedSteps:
         elif len(others) > 1 and others != {self._names[d] for d in self.plan.drives}:
             results.append(self._solved(unknown))
         rule, subject = rule_of(relation, self._graph)
-        is_projection = rule in (Rule.PROJECTION, Rule.CIRCULAR_SLOT)
+        is_projection = rule in (StepRule.PROJECTION, StepRule.CIRCULAR_SLOT)
         ends = relation.points if is_projection else ()
         reasons = tuple(r for point in ends for r in self._plane_motion(point, relation))
-        yield Step(rule, subject, (said,), tuple(results), reasons)
+        yield DerivationStep(rule, subject, (said,), tuple(results), reasons)
 
     def _plane_motion(self, point: str, relation: Relation) -> Iterator[Reason]:
         """Yield from which other points and rotations a velocity comes, each once."""
@@ -177,9 +177,12 @@ class SpeedSteps:
         link, pole = found
         yield from self._plane_motion(pole, relation)
         is_radius = self._graph.pose.mechanism.arc_of(link) is not None
-        yield Rule.TURNING_RADIUS if is_radius else Rule.PLANE, (link, pole, point)
+        yield (
+            StepRule.TURNING_RADIUS if is_radius else StepRule.PLANE,
+            (link, pole, point),
+        )
 
-    def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
+    def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> DerivationStep:
         for unknown in unknowns:
             self._names[unknown] = self._notation.of_itself(unknown)
         equations = tuple(
@@ -190,7 +193,7 @@ class SpeedSteps:
         results = tuple(e for u in unknowns for e in self._ratios.show(u) or (self._solved(u),))
         links = tuple(dict.fromkeys(n for r in relations for n in involved(r, self._graph)))
         reasons = tuple(dict.fromkeys(rule_of(r, self._graph) for r in relations))
-        return Step(Rule.TOGETHER, links, equations, results, reasons)
+        return DerivationStep(StepRule.TOGETHER, links, equations, results, reasons)
 
     def _solved(self, unknown: int) -> Equation:
         return Equation(self._names[unknown].symbol, self._by_drives(unknown))
@@ -223,7 +226,7 @@ class SpeedSteps:
 
     # ------------------------------------------------------------------------- levers
 
-    def _lever(self, unknown: int, named: WrittenUnknown) -> Iterator[Step]:
+    def _lever(self, unknown: int, named: WrittenUnknown) -> Iterator[DerivationStep]:
         """Yield the step from the speed a pivoted link is known by to another of its points."""
         known = self._names[unknown]
         what = self._graph.unknowns[unknown]
@@ -240,10 +243,10 @@ class SpeedSteps:
             arms.append((self._arm(pivot, known.point), -1))
         said = Equation(named.symbol, product([*arms, (known.symbol, 1)]))
         points = (known.point, named.point) if known.point else (named.point,)
-        rule = Rule.LEVER if known.point else Rule.ARM
+        rule = StepRule.LEVER if known.point else StepRule.ARM
         # Signed speeds may differ in sign from their arms.
         relation = said if self._notation.sign(ratio) > 0 else result
-        yield Step(rule, (pivot, *points), (relation,), (result,))
+        yield DerivationStep(rule, (pivot, *points), (relation,), (result,))
 
     def _pivot_of(self, link: str) -> str:
         mechanism = self._graph.pose.mechanism

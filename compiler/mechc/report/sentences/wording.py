@@ -18,7 +18,7 @@ from ...formula.tree import (
 )
 from ...formula.walk import children, rebuild
 from ..languages.locale import Locale
-from ..steps import Equation, PositionStep, Step
+from ..steps import DerivationStep, Equation, PositionStep
 from .order import enumeration
 from .speller import Speller
 
@@ -26,7 +26,9 @@ WordedKind = TypeVar("WordedKind", bound=str)
 """A rule of velocities, or how a loop is solved."""
 
 
-def sentences(steps: Iterable[Step], locale: Locale, spell: Callable[[str], str]) -> Iterator[str]:
+def sentences(
+    steps: Iterable[DerivationStep], locale: Locale, spell: Callable[[str], str]
+) -> Iterator[str]:
     """Yield the rule of each step in words; ``spell`` writes a name of the drawing.
 
     What is solved together has the rules of all its relations.
@@ -182,7 +184,7 @@ EquationSides = tuple[Formula, ...]
 """Two or more sides of a chain of equations, ``V_D/V_B = OD/OB = b/a``."""
 
 
-def lines(step: Step) -> tuple[tuple[EquationSides, ...], tuple[EquationSides, ...]]:
+def lines(step: DerivationStep) -> tuple[tuple[EquationSides, ...], tuple[EquationSides, ...]]:
     """Return the equations of a step's rule and those that follow from it, speeds as ratios.
 
     What follows for the same left side continues its chain; nothing is said twice.

@@ -15,15 +15,13 @@ from ...model.values import is_constant
 from ...named import NamedTuple
 from ...units import ANGLE, in_unit, si_unit
 from ..checks import NoteCheck
+from ..languages.locale import Words
 from ..note import NoteLine, note
 from ..put_in import GivenQuantity
 from ..sentences.noted import label
 from .printer import print_formula, print_name, print_quantity
 from .signs import TextSigns, tens
 from .speller import SHOWN, TextSpeller
-
-Words = Mapping[str, str]
-"""The words of notes in a language."""
 
 
 class NoteRow(NamedTuple):

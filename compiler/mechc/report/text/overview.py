@@ -4,7 +4,7 @@ Where a pose cannot be found this shows what is still missing: points without a 
 parameters without a value, vectors without a direction.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
 from ...formula.evaluate import evaluate
 from ...formula.to_text import text
@@ -23,10 +23,8 @@ from ...model.values import is_constant, range_of
 from ...pose.pose import Pose
 from ...source import Source
 from ...units import USUAL_UNITS, si_unit
+from ..languages.locale import Words
 from .speller import TextSpeller
-
-Words = Mapping[str, str]
-"""What ``mechc check`` says in a language."""
 
 
 def overview(

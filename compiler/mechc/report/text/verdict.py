@@ -1,13 +1,11 @@
 """The verdict as text, for ``mechc check --verbose``."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from ...statics.verdict import Trial, Untried, Verdict
 from ..languages.en.checked import WORDS as EN
+from ..languages.locale import Words
 from .signs import ASCII, tens
-
-Words = Mapping[str, str]
-"""What ``mechc check`` says in a language."""
 
 HEAD = ("result", "pose", "power", "statics", "error", "condition")
 
