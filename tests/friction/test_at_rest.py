@@ -3,7 +3,7 @@
 import pytest
 
 from mechc.driver import compile_source
-from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number
+from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number, total
 from mechc.friction.at_rest import limits
 from mechc.model.result import Definition, Result
 from mechc.source import Source
@@ -22,8 +22,8 @@ SENSE = Definition("s", Call("sense", (Symbol("phi"), ONE)))
 """The sense of a slip that has the sign of the drive's angle."""
 
 
-def found(formula, where=(SENSE,), drive="drive phi\n"):
-    pose = compile_source(Source("crank.mech", CRANK + drive)).pose
+def found(formula, where=(SENSE,), drive="drive phi\n", text=CRANK):
+    pose = compile_source(Source("crank.mech", text + drive)).pose
     return limits(Result("k_f", None, NUMBER, formula, where), pose)
 
 
@@ -40,7 +40,26 @@ def test_a_side_on_which_nothing_balances_has_no_value():
     assert found(Call("sqrt", (Symbol("s"),))) == pytest.approx((float("nan"), 1.0), nan_ok=True)
 
 
-def test_there_is_nothing_to_be_said_without_a_drive_or_a_slip_that_moves():
-    assert found(Symbol("s"), drive="") == ()
+def test_without_a_drive_the_sides_are_those_of_an_angle():
+    assert found(Symbol("s"), drive="") == pytest.approx((-1.0, 1.0))
+    assert found(Power(Symbol("s"), number(2)), drive="") == pytest.approx((1.0,))
+
+
+def test_beyond_the_range_of_what_moves_a_slip_there_is_no_side():
+    ranged = CRANK.replace("= 0 deg\n", "= 0 deg in 0 deg .. 9 deg\n")
+    assert found(Symbol("s"), drive="", text=ranged) == pytest.approx((1.0,))
+
+
+def test_of_the_limits_along_several_parameters_there_are_the_least_and_the_greatest():
+    """Along a length the slip has no other sense than along the angle, but its result has."""
+    ranged = CRANK.replace("1 m @", "l @").replace("pivot", "param l = 1 m in 1 m .. 2 m\npivot")
+    both = total([Symbol("phi"), Symbol("l"), number(-1)])
+    where = (Definition("s", Call("sense", (both, ONE))),)
+    jumping = total([Symbol("s"), Call("sign", (total([Symbol("l"), number(-1)]),))])
+    assert found(jumping, where, "", ranged) == pytest.approx((-1.0, 2.0))
+    assert found(Call("sqrt", (jumping,)), where, "", ranged)[1:] == pytest.approx((2.0**0.5,))
+
+
+def test_there_is_nothing_to_be_said_without_a_slip_that_moves():
     assert found(Symbol("phi"), where=()) == ()
     assert found(Symbol("s"), where=(Definition("s", Call("sense", (ZERO, ONE))),)) == ()

@@ -185,3 +185,25 @@ def test_of_the_drawn_pose_nothing_is_said_over_ranges_but_of_the_drive(tmp_path
     assert "<= alpha <=" not in sentences
     beside = stated(ranged.replace("phi = 0", "phi = 1"), tmp_path, capsys, "check")
     assert "<= alpha <=" in beside
+
+
+@pytest.mark.parametrize("ends", ["", " in -3 deg .. 3 deg"])
+def test_without_a_drive_an_angle_has_the_sides_that_it_has_as_the_drive(ends):
+    driven = mechc.loads(WEDGE)
+    free = WEDGE.replace("drive phi from -3 deg to 3 deg\n", "").replace(
+        "0 deg\n", f"0 deg{ends}\n"
+    )
+    for name in ("k_f", "k_hold", "eta_k"):
+        assert mechc.loads(free).results[name].sides == driven.results[name].sides != ()
+
+
+def test_without_a_drive_nothing_is_said_over_ranges_that_leave_the_slip_zero(tmp_path, capsys):
+    ranged = WEDGE.replace("drive phi from -3 deg to 3 deg\n", "").replace(
+        "param phi = 0 deg",
+        "param alpha = 12 deg in 4 deg .. 25 deg\nparam phi = 0 deg in 0 deg .. 3 deg",
+    )
+    ranged = ranged.replace("168 deg", "180 deg - alpha")
+    sentences = stated(ranged, tmp_path, capsys, "check")
+    assert "<= phi <=" in sentences
+    assert "<= alpha <=" not in sentences
+    assert "the value is the limit from both sides" in sentences

@@ -145,6 +145,25 @@ def drive_jams(span: Span, name: str, drive: str, grips: bool, idle: str = "") -
     return Message(span, message, hint)
 
 
+@coded("W517")
+def no_slip_as_drawn(span: Span, joint: str, link: str = "") -> Message:
+    """A joint with friction does not slide at the one pose that a description has.
+
+    A pin in a slot turns back where the crank is square to it: for an instant it does not slide,
+    and which way its friction acts is undetermined. As long as the pose is all that is known the
+    joint has no friction in any result. Where something moves it, results are the limits from
+    both sides of the pose, or are said to jump there::
+
+        slot A in OE                        # warned of where CA and OE are in line
+        friction contact A 0.3
+        drive CA from 10 deg to 170 deg     # right: it slides on either side
+    """
+    message = f"{joint} at this pose, so that it has no friction"
+    drive = f"say what moves: 'drive {link} from … to …'"
+    way = drive if link else "give the pose by a parameter: an angle, or a length with a range"
+    return Message(span, message, f"if it does on either side of it, {way}")
+
+
 @coded("W540")
 def load_on_a_pin(at: Span, load: str, point: str, link: str, links: Sequence[str]) -> Message:
     """A load acts at a pin with friction, and nobody says on which link.

@@ -1,12 +1,16 @@
-"""Pins that are taken to be fast in a link: where another link would give another friction."""
+"""What friction takes for granted: which link a pin is fast in, that a joint at rest has none."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ..algebra.sums import add
 from ..diagnostics import Diagnostic
 from ..diagnostics import friction as messages
+from ..formula.evaluate import evaluate
 from ..formula.tree import ZERO
+from ..formula.walk import symbols
 from ..kinematics.joint_refs import JointRef
+from ..kinematics.plan import Plan
+from ..model.dependence import in_geometry
 from ..model.mechanism import (
     Load,
     LoadForm,
@@ -15,9 +19,14 @@ from ..model.mechanism import (
     PinFriction,
     WithFriction,
 )
+from ..model.values import completed
 from ..pose.pose import Pose
+from ..power.numbers import default_values
 from ..power.reactions import Reactions
-from .pairs import GivenForces
+from ..source import Span
+from . import at_rest
+from .pairs import FrictionPair, GivenForces, LoadedPair
+from .senses import sense_of
 
 
 def assumptions(
@@ -72,3 +81,40 @@ def _alike(pin: PinFriction, pose: Pose, driving: str, given: GivenForces) -> bo
         squares.append(add(part * part for part in parts))
     first, second = squares
     return not add((first, -second))
+
+
+def without_slip(loaded: Iterable[LoadedPair], plan: Plan) -> Iterator[Diagnostic]:
+    """Yield a remark on each pressed pair that does not slip at the only pose there is.
+
+    Where a drive or an angle moves the links a slip that is zero is so at any pose, or is seen to
+    be zero at one of them alone.
+    """
+    mechanism = plan.graph.pose.mechanism
+    moving = in_geometry(mechanism).intersection(at_rest.followed(mechanism))
+    if mechanism.drive is not None or moving or not mechanism.links:
+        return
+    known = completed(default_values(plan), [(b.name, b.value.formula()) for b in plan.bindings])
+    for each in loaded:
+        sense = sense_of(each.slip)
+        if symbols(sense) <= known.keys() and evaluate(sense, known) == 0:
+            at, said = _place(each.pair, mechanism)
+            crank = _crank(mechanism) if mechanism.drawn else ""
+            yield messages.no_slip_as_drawn(at, said, crank)
+
+
+def _place(pair: FrictionPair, mechanism: Mechanism) -> tuple[Span, str]:
+    """Return where friction of a pair is given, and what is said of the pair."""
+    point, _, _ = pair.name.partition("_")
+    given = [k for k in mechanism.friction.joints if k.point == point]
+    pins = [k for k in given if isinstance(k, PinFriction)]
+    if pins and not pair.name.endswith(("_face", "_guide")):
+        return pins[0].span, f"the pin at {point} does not turn"
+    others = [k for k in given if k not in pins]
+    return others[0].span, f"the joint at {point} does not slide"
+
+
+def _crank(mechanism: Mechanism) -> str:
+    """Return two points of a link on a pivot, that first, else of any link."""
+    fixed = mechanism.fixed
+    link = min(mechanism.links, key=lambda link: fixed.isdisjoint(link.points))
+    return "".join(sorted(link.points, key=lambda point: point not in fixed)[:2])

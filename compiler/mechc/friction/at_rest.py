@@ -5,17 +5,19 @@ motion: where both sides come to one value that is the result, elsewhere the res
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from ..formula.tree import is_call
+from ..model.mechanism import Mechanism
 from ..model.result import Result
-from ..model.values import completed
+from ..model.values import completed, range_of
 from ..pose.pose import Pose
 from ..power.numbers import pose_values, value_of, values_along
+from ..units import ANGLE
 from .tolerances import SAME_RESULT
 
 STEP = 1e-8
-"""How far from the default pose its sides are looked at, by the drive in SI."""
+"""How far from the default pose its sides are looked at, in SI."""
 
 
 def sides(result: Result, pose: Pose, number: float | None) -> tuple[float, ...]:
@@ -26,20 +28,56 @@ def sides(result: Result, pose: Pose, number: float | None) -> tuple[float, ...]
 
 
 def limits(result: Result, pose: Pose) -> tuple[float, ...]:
-    """Return the limits of a result before and after the default pose, one if they are alike.
+    """Return the limits of a result on both sides of the default pose, one if they are alike.
 
     There is nothing where every slip has a sense, or has none along the drive either, where
-    nothing balances on either side, and where no drive is named. NaN stands for a side on
-    which nothing balances.
+    nothing balances on either side. Without a drive the sides are those of all that may
+    :func:`move <movers>` such a slip. NaN stands for a side on which nothing balances.
     """
-    if pose.mechanism.drive is None or not any(is_call(d.formula, "sense") for d in result.where):
-        return ()
-    rest = _at_rest(result, pose_values(pose))
-    if not rest:
-        return ()
-    sides = (s for s in (-STEP, STEP) if _is_pose(pose, values_along(pose, 2 * s)))
-    moving = (s for s in sides if _at_rest(result, values_along(pose, s)) < rest)
-    return one_or_both([_limit(result, pose, step) for step in moving], SAME_RESULT)
+    found = [_limit(result, pose, *side) for side in _sides(result, pose)]
+    kept = one_or_both(found, SAME_RESULT)
+    return kept if len(kept) < 3 else _least_and_greatest(kept)
+
+
+def movers(result: Result, pose: Pose) -> frozenset[str]:
+    """Return the parameters along which a slip has a sense that has none at the default pose."""
+    return frozenset(name for name, _ in _sides(result, pose))
+
+
+def _sides(result: Result, pose: Pose) -> Iterator[tuple[str, float]]:
+    """Yield parameters and the steps by which they move a slip that is 0 at the default pose."""
+    if not any(is_call(d.formula, "sense") for d in result.where):
+        return
+    if not (rest := _at_rest(result, pose_values(pose))):
+        return
+    for name in followed(pose.mechanism):
+        for step in _steps(pose, name):
+            if _at_rest(result, values_along(pose, name, step)) < rest:
+                yield name, step
+
+
+def followed(mechanism: Mechanism) -> list[str]:
+    """Return the drive; without one the angles, and what else has a range."""
+    if mechanism.drive is not None:
+        return [mechanism.drive.parameter]
+    free = (p for p in mechanism.parameters if p.value and not p.dependent)
+    return [p.name for p in free if p.dimension == ANGLE or p.range is not None]
+
+
+def _steps(pose: Pose, name: str) -> Iterator[float]:
+    """Yield the steps to either side at which a parameter is in its range, and there is a pose."""
+    low, high = range_of(name, pose.mechanism) or (-math.inf, math.inf)
+    is_within = low <= pose_values(pose).get(name, 0.0) <= high
+    for step in (-STEP, STEP):
+        values = values_along(pose, name, 2 * step)
+        if _is_pose(pose, values) and (low <= values[name] <= high or not is_within):
+            yield step
+
+
+def _least_and_greatest(limits: Sequence[float]) -> tuple[float, float]:
+    """Return the bounds of limits along several parameters: (NaN, x) where some side jams."""
+    found = [limit for limit in limits if math.isfinite(limit)]
+    return (min(found) if len(found) == len(limits) else math.nan), max(found)
 
 
 def one_or_both(limits: Sequence[float], same: float) -> tuple[float, ...]:
@@ -71,8 +109,8 @@ def _is_pose(pose: Pose, values: Mapping[str, float]) -> bool:
     return not any(math.isnan(values.get(d.name, 0.0)) for d in pose.definitions)
 
 
-def _limit(result: Result, pose: Pose, step: float) -> float:
+def _limit(result: Result, pose: Pose, name: str, step: float) -> float:
     """Return the limit on one side, on the line through the values one and two steps away."""
-    near, far = (value_of(result, values_along(pose, s)) for s in (step, 2 * step))
+    near, far = (value_of(result, values_along(pose, name, s)) for s in (step, 2 * step))
     limit = math.nan if near is None or far is None else 2 * near - far
     return limit if math.isfinite(limit) else math.nan

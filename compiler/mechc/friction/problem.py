@@ -30,7 +30,7 @@ from ..power.loads import given_size
 from ..power.numbers import is_nil_everywhere
 from ..power.reactions import Reactions
 from . import closed_forces
-from .assumptions import assumptions
+from .assumptions import assumptions, without_slip
 from .closed_form import DefaultPose, DefinedFormula
 from .coupled import Coupled, coupled, true_sizes
 from .free_bodies import Bodies, Task, cut_free
@@ -112,7 +112,7 @@ class FrictionProblem:
 
     def _found(self, find: Find, case: IdealResult) -> LoadedPairs | None:
         try:
-            return loaded_pairs(self.plan, self.equations, case.driving, self._pairs, case.given)
+            loaded = loaded_pairs(self.plan, self.equations, case.driving, self._pairs, case.given)
         except Undetermined as found:
             self.report.add(messages.loaded_how_much(find.span, found.pair.joint.point))
         except LoadedByAnother as found:
@@ -121,6 +121,10 @@ class FrictionProblem:
             )
         except Idle as found:
             self.report.add(messages.slips_either_way(find.span, found.pair.joint.point))
+        else:
+            for remark in without_slip(loaded, self.plan):
+                self.report.add(remark)
+            return loaded
         return None
 
     def sums(self, loaded: LoadedPairs) -> tuple[Definition, ...]:

@@ -158,11 +158,10 @@ def pose_values(pose: Pose) -> dict[str, float]:
     return _chain(pose).complete(_given(pose))
 
 
-def values_along(pose: Pose, step: float) -> dict[str, float]:
-    """Return the values of a pose whose drive is a step farther on than by default."""
-    assert pose.mechanism.drive is not None
-    given, drive = _given(pose), pose.mechanism.drive.parameter
-    return _chain(pose).complete({**given, drive: given.get(drive, 0.0) + step})
+def values_along(pose: Pose, name: str, step: float) -> dict[str, float]:
+    """Return the values of a pose at which a parameter is a step farther on than by default."""
+    given = _given(pose)
+    return _chain(pose).complete({**given, name: given.get(name, 0.0) + step})
 
 
 def values_beside(pose: Pose, step: float) -> dict[str, float]:

@@ -16,6 +16,7 @@ from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Call, Formula, Symbol, is_call
 from ..formula.walk import substitute, symbols
+from ..friction import at_rest
 from ..friction.solution import Solution, SolvedWithFriction
 from ..frozen import replace
 from ..model.boxes import range_box
@@ -163,29 +164,30 @@ def _with_friction(
 ) -> Analysis:
     """Return a result as it is printed, with where the mechanism moves at all.
 
-    Where a slip is 0 for once at the default pose that is said along the drive alone: whatever
+    Where a slip is 0 for once at the default pose that is said along what moves it alone: whatever
     else changes, friction has no sense there.
     """
-    mechanism = balance.plan.graph.pose.mechanism
-    printed, friction = as_printed(result), mechanism.friction
-    only = mechanism.drive_name if result.sides else None
-    if friction.efficiency is not None:
+    pose, printed = balance.plan.graph.pose, as_printed(result)
+    only = at_rest.movers(result, pose) if result.sides else None
+    if pose.mechanism.friction.efficiency is not None:
         return printed
     match result.target:
         case WithFriction(of=LoadRatio() | LoadForm(), order="exact"):
             found = locking.locking(study(), result, printed)
-            return replace(printed, locking=_along(only, found) if only and found else found)
+            return replace(
+                printed, locking=found if only is None or not found else _along(only, found)
+            )
         case Efficiency():
             ranges = ratios.efficiency_ranges(study(), result)
-            shown = tuple(one for one in ranges if only in (None, one.parameter))
+            shown = tuple(one for one in ranges if only is None or one.parameter in only)
             return replace(printed, efficiency_ranges=shown)
         case _:
             return printed
 
 
-def _along(drive: str, found: Locking) -> Locking:
-    """Return where nothing moves along the drive alone, without what is so at the default pose."""
-    reaches = tuple(reach for reach in found.reaches if reach.parameter == drive)
+def _along(only: Set[str], found: Locking) -> Locking:
+    """Return where nothing moves along parameters, without what is so at the default pose."""
+    reaches = tuple(reach for reach in found.reaches if reach.parameter in only)
     return replace(found, state=None, reaches=reaches)
 
 
