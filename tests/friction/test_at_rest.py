@@ -3,7 +3,7 @@
 import pytest
 
 from mechc.driver import compile_source
-from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number, total
+from mechc.formula.tree import ONE, ZERO, Call, Power, Symbol, number, product, total
 from mechc.friction.at_rest import limits
 from mechc.model.result import Definition, Result
 from mechc.source import Source
@@ -34,6 +34,11 @@ def test_a_result_that_jumps_has_both_sides():
 def test_one_that_does_not_has_one_limit():
     """Friction goes by the square of its sense: at the pose alone there is none of it."""
     assert found(Power(Symbol("s"), number(2))) == pytest.approx((1.0,))
+
+
+def test_what_goes_to_zero_has_no_limit_that_is_rounding():
+    odd = product([(Symbol("s"), 1), (Symbol("phi"), 1)])
+    assert found(odd) == (0.0,)
 
 
 def test_a_side_on_which_nothing_balances_has_no_value():

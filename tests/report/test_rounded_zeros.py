@@ -204,7 +204,7 @@ def test_a_ratio_of_two_true_zeros_is_not_called_infinite():
 
 
 ROUND_ANGLES = """
-param t1 = 180 deg
+param t1 = 150 deg
 param t2 = 45 deg
 param t3 = 270 deg
 pivot O
@@ -216,7 +216,7 @@ OB = 65.3 mm @ t2
 OC = 57.1 mm @ t3
 force P at A along 90 deg
 force F at C along 90 deg
-friction pins 0.131 diameter 9.5 mm
+friction pin O 0.131 diameter 9.5 mm
 find k = P/F
 """
 

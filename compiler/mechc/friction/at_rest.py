@@ -8,13 +8,13 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from ..formula.tree import is_call
-from ..model.mechanism import Mechanism
+from ..model.mechanism import Efficiency, Mechanism
 from ..model.result import Result
 from ..model.values import completed, range_of
 from ..pose.pose import Pose
 from ..power.numbers import pose_values, value_of, values_along
 from ..units import ANGLE
-from .tolerances import SAME_RESULT
+from .tolerances import PRECISE, SAME_RESULT
 
 STEP = 1e-8
 """How far from the default pose its sides are looked at, in SI."""
@@ -113,4 +113,7 @@ def _limit(result: Result, pose: Pose, name: str, step: float) -> float:
     """Return the limit on one side, on the line through the values one and two steps away."""
     near, far = (value_of(result, values_along(pose, name, s)) for s in (step, 2 * step))
     limit = math.nan if near is None or far is None else 2 * near - far
+    share = 1.0 if isinstance(result.target, Efficiency) else 0.0
+    if near is not None and abs(limit) <= max(SAME_RESULT * abs(near), PRECISE * share):
+        return 0.0
     return limit if math.isfinite(limit) else math.nan
