@@ -189,7 +189,7 @@ class SolvedMechanism(Plotting):
         """
         from .drawing.letters import in_letters
         from .emit.picture import Picture
-        from .report.languages.letters import letters
+        from .formula.letters import letters
         from .report.languages.registry import locale
 
         drawing = self._compilation.drawn_scheme(language, figure=self.figure(**values))

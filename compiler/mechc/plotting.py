@@ -48,7 +48,7 @@ class Plotting:
         """
         from .drawing.from_plot import picture
         from .emit.picture import PlotPicture
-        from .report.languages.letters import letters
+        from .formula.letters import letters
         from .report.languages.registry import locale
 
         settings = dict(parse(f"{name}={formula}") for name, formula in along.items())
@@ -78,7 +78,7 @@ class Plotting:
         """
         from .drawing.letters import in_letters
         from .emit.picture import Picture
-        from .report.languages.letters import letters
+        from .formula.letters import letters
         from .report.languages.registry import locale
 
         words = locale(language)

@@ -11,8 +11,8 @@ from mechc.drawing.drawing import AXIS, FORCE, Arc, Polyline
 from mechc.drawing.from_diagrams import LARGEST, SHORTEST
 from mechc.drawing.letters import in_letters
 from mechc.driver import Compilation
+from mechc.formula.letters import letters
 from mechc.report.languages.en.pictured import WORDS as EN
-from mechc.report.languages.letters import letters
 from mechc.report.languages.registry import locale
 from mechc.report.languages.ru.pictured import WORDS as RU
 from mechc.report.languages.uk.pictured import WORDS as UK

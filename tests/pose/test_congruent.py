@@ -8,7 +8,7 @@ import mechc
 from mechc.algebra.product import Product
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol
-from mechc.pose.loops.triangle import heron, is_same_angle
+from mechc.pose.loops.dyad_sides import heron, is_same_angle
 
 R, L, S = 0.15, 0.2, 0.09
 

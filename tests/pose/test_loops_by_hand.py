@@ -12,11 +12,10 @@ from mechc.formula.tree import ZERO, Call, Symbol, number, product
 from mechc.model.values import completed
 from mechc.pose.loops.by_groups import in_closed_form
 from mechc.pose.loops.dyad_closures import dyad
-from mechc.pose.loops.dyad_sides import DyadSides
+from mechc.pose.loops.dyad_sides import DyadSides, along, common_turn, heron
 from mechc.pose.loops.dyads import DyadLoop, _end_from
 from mechc.pose.loops.rated import given_rates, loop_rates, moved_by, rate
 from mechc.pose.loops.redundant import closure_of
-from mechc.pose.loops.triangle import along, common_turn, heron
 from mechc.pose.pose import Arm, Limit, PoseDefinition, gathered, reverse, turned_by
 from mechc.pose.rates import NameRates
 from mechc.pose.samples import is_behind

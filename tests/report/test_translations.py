@@ -11,7 +11,7 @@ from mechc.drawing.drawing import TextRun
 from mechc.drawing.lettering import name
 from mechc.drawing.letters import spelled
 from mechc.driver import Compilation
-from mechc.report.languages.letters import letters
+from mechc.formula.letters import letters
 from mechc.report.languages.registry import LANGUAGES, locale
 from mechc.report.text import note
 from mechc.report.text.derivation import render

@@ -12,7 +12,7 @@ from ..driver import Compilation, checked, warnings
 from ..emit.picture import FORMATS, in_format_of
 from ..emit.svg.picture import to_svg
 from ..files import write_all
-from ..report.languages.letters import letters
+from ..formula.letters import letters
 from ..report.languages.registry import locale
 from ..statics.diagram import friction_circles
 from ..syntax.settings import Settings

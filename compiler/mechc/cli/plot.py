@@ -9,11 +9,11 @@ from ..driver import checked, warnings
 from ..emit.picture import PLOT_FORMATS, PlotPicture
 from ..emit.svg.picture import to_svg
 from ..files import write_all
+from ..formula.letters import letters
 from ..frozen import replace
 from ..patterns import pattern
 from ..plot.narrowing import ArrayFunction
 from ..plot.query import POINTS, Query, ZoneCondition, condition
-from ..report.languages.letters import letters
 from ..report.languages.registry import locale
 from ..syntax.settings import Settings, parse
 from ..syntax.vocabulary import LANGUAGES

@@ -1,28 +1,11 @@
 """Numbers and units in the letters of a language."""
 
-from collections.abc import Iterable, Mapping
-from types import MappingProxyType
+from collections.abc import Iterable
 
+from ..formula.letters import LATIN, Letters, lettered, of_unit
 from ..frozen import replace
-from ..named import NamedTuple
-from ..patterns import pattern
 from .drawing import Drawing, TextRun
 from .lettering import name
-
-_BEHIND_A_NUMBER = pattern(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[²³]?[*·/^][A-Za-z0-9]+)*")
-_WORD = pattern(r"[^\W\d_]+")
-_POINT = pattern(r"(?<=\d)\.(?=\d)")
-
-
-class Letters(NamedTuple):
-    """What units and names are in a language, by what they are in the description; its comma."""
-
-    units: Mapping[str, str]
-    decimal: str
-    names: Mapping[str, str] = MappingProxyType({})
-
-
-LATIN = Letters({}, ".")
 
 Runs = tuple[TextRun, ...]
 
@@ -77,14 +60,3 @@ def _ends(runs: Runs) -> bool:
 
 def _spelled(run: TextRun, letters: Letters) -> str:
     return of_unit(run.text, letters) if run.unit else lettered(run.text, letters)
-
-
-def of_unit(unit: str, letters: Letters) -> str:
-    """Return a unit in the letters of a language."""
-    return _WORD.sub(lambda word: letters.units.get(word[0], word[0]), unit)
-
-
-def lettered(text: str, letters: Letters) -> str:
-    """Return text with its decimals, and the units behind numbers, in the letters of a language."""
-    units = _BEHIND_A_NUMBER.sub(lambda found: of_unit(found[0], letters), text)
-    return _POINT.sub(letters.decimal, units)

@@ -4,8 +4,9 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ..drawing.drawing import Drawing
-from ..drawing.letters import LATIN, Letters, in_letters
+from ..drawing.letters import in_letters
 from ..files import write_all
+from ..formula.letters import LATIN, Letters
 from ..frozen import frozen
 from ..plot.plot import Plot
 from .pgfplots.to_pgfplots import to_pgfplots

@@ -1,18 +1,21 @@
 """Coordinates of points, directions of links, and how both change with the drive."""
 
+from collections import deque
 from collections.abc import Collection, Iterator, Sequence
 from typing import Literal
 
 from ..algebra.trigonometry import cosine, sine
+from ..formula.names import split_points
 from ..formula.tree import ONE, ZERO, Call, Formula, Symbol, total
 from ..formula.walk import constants
 from ..frozen import frozen
-from ..model.mechanism import Parameter
+from ..model.mechanism import Link, Parameter
 from ..named import NamedTuple
 from ..units import ACCELERATION, ANGLE, FREQUENCY, LENGTH, VELOCITY, Dimension
-from . import paths
-from .pose import Pose, PoseDefinition, Vector
+from .pose import Pose, PoseDefinition, Vector, gathered, measured_by, reverse
 from .rates import NameRates, Titles, first_rates, second_rates, titled
+from .vector_graph import mentioned
+from .vectors import start_of
 
 MotionKind = Literal["place", "slope", "velocity", "acceleration"]
 
@@ -94,7 +97,7 @@ def _whole(pose: Pose, quantities: Sequence[MotionQuantity], *rates: NameRates) 
 def _points(pose: Pose, lagging: Collection[str]) -> Iterator[MotionQuantity]:
     """Yield the coordinates of every point that has a place."""
     lost = [link for link in pose.mechanism.links if link.name in lagging]
-    for point, vector in paths.paths(pose, lost).items():
+    for point, vector in paths(pose, lost).items():
         if point in lagging:
             continue
         for axis, formula in zip("xy", _components(vector), strict=True):
@@ -163,3 +166,50 @@ def _dimension(kind: MotionKind, axis: str) -> Dimension:
     if kind == "velocity":
         return VELOCITY if axis else FREQUENCY
     return ACCELERATION if axis else FREQUENCY.scaled(2)
+
+
+def paths(pose: Pose, lagging: Collection[Link] = ()) -> dict[str, Vector]:
+    """Return the vector from the origin to every point that the description gives a place.
+
+    Without a place of any pivot the origin is at the first pivot. A point is left out to which
+    only vectors of open length lead, and one that stands for the place of a guide.
+    Links that are ``lagging`` lead nowhere: what is said of their directions holds at one pose.
+    """
+    ways: dict[str, dict[str, Vector]] = {}
+    for tail, head, vector in _given(pose, lagging):
+        ways.setdefault(tail, {}).setdefault(head, vector)
+        ways.setdefault(head, {}).setdefault(tail, reverse(vector))
+    start = start_of(pose.mechanism, ways)
+    found: dict[str, Vector] = {start: ()}
+    waiting = deque([start])
+    while waiting:
+        here = waiting.popleft()
+        for there, vector in ways.get(here, {}).items():
+            if there not in found:
+                found[there] = gathered((*found[here], *vector))
+                waiting.append(there)
+    return {point: vector for point, vector in found.items() if split_points(point)}
+
+
+def _given(pose: Pose, lagging: Collection[Link]) -> Iterator[tuple[str, str, Vector]]:
+    """Yield the vectors whose length and direction are known, by their points."""
+    known = {name: value for name, value in pose.placeholders.items() if value is not None}
+    closed = {name for name, _ in (*pose.closing, *pose.definitions)}
+    values = closed | {parameter.name for parameter in pose.mechanism.parameters} | known.keys()
+    lost = [set(link.points) for link in lagging]
+    for tail, head, vector in _vectors(pose):
+        if any({tail, head} <= points for points in lost):
+            continue
+        if mentioned(vector) <= values:
+            yield tail, head, measured_by(vector, known)
+
+
+def _vectors(pose: Pose) -> Iterator[tuple[str, str, Vector]]:
+    for (tail, head), vector in pose.vectors.items():
+        yield tail, head, vector
+    for frame in pose.frames.values():
+        first, *others = frame
+        yield from ((first, point, frame[point]) for point in others if frame[point])
+    for contact in pose.contacts:
+        if contact.reach:
+            yield contact.tail, contact.point, contact.reach

@@ -14,7 +14,7 @@ from ..formula.tree import Constant, Formula, Implicit, Number, Product, Symbol,
 from ..formula.walk import constants, symbols, walk
 from ..frozen import replace
 from ..model.dependence import unused
-from ..model.mechanism import Let, Mechanism, Parameter
+from ..model.mechanism import Axial, Let, Mechanism, Normal, Parameter, Reaction, WithFriction
 from ..model.parts.written import WrittenTable
 from ..model.result import Result
 from ..model.values import Chain, UsualUnits, defaults, dependent, usual_units
@@ -23,6 +23,7 @@ from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .checks import NoteCheck, checks
+from .languages.locale import Locale
 from .put_in import (
     COMPUTED,
     FoundValue,
@@ -35,6 +36,8 @@ from .put_in import (
     tables_of,
     values_of,
 )
+from .sentences.remarks import kind
+from .sentences.speller import Speller, component_words
 
 SHOWN = 6
 """Digits of values that were computed."""
@@ -305,3 +308,21 @@ def _deciding(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula |
         return None
     best = max if taken[0].function == "max" else min
     return best(taken[0].arguments, key=lambda a: evaluate(a, values))
+
+
+def label(line: NoteLine, text: str, locale: Locale, spell: Speller) -> str:
+    """Return the text of a line; before that of a result of a used mechanism what it is."""
+    said = _kind(line.result, locale, spell) if line.result else ""
+    return f"{said[:1].lower()}{said[1:]} {text}".strip()
+
+
+def _kind(result: Analysis, locale: Locale, spell: Speller) -> str:
+    """Return the kind of a result in words; of a force at a joint its component, too."""
+    match result.target:
+        case WithFriction(Reaction() | Normal() | Axial() as force):
+            said = locale.at_joints["with friction"]
+            return said.format(force=component_words(force, locale, spell))
+        case Reaction() | Normal() | Axial() as force:
+            return component_words(force, locale, spell)
+        case _:
+            return kind(result, locale, spell)

@@ -24,7 +24,6 @@ from ..model.mechanism import (
 from ..model.result import FrictionResult, Result
 from ..named import NamedTuple
 from ..pose.pose import ClosedLoop
-from ..study.analysis import as_printed
 from .scope import ProgramScope, rename
 from .sharing import Shared, named, share
 from .sign_powers import in_choices
@@ -272,12 +271,13 @@ def _readable(
     if not isinstance(result, FrictionResult) or (result.case is None and not result.inside):
         where, iterated = _without(inside, formula, known)
         return Read(formula, _with_literals(formula, where), (), iterated)
-    printed = as_printed(result)
-    named = {d.name for d in printed.where}
-    everything = [*(k for k in known if k[0] not in named), *printed.where]
-    where, iterated = _without(result.inside, printed.formula, everything)
-    holds = tuple(Guard(h.left, h.operator, h.right) for h in printed.holds)
-    return Read(printed.formula, _with_literals(printed.formula, where), holds, iterated)
+    shown = result if result.case is None else result.case
+    named = {d.name for d in shown.where}
+    everything = [*(k for k in known if k[0] not in named), *shown.where]
+    where, iterated = _without(result.inside, shown.formula, everything)
+    signs = () if result.case is None else result.case.holds
+    holds = tuple(Guard(h.left, h.operator, h.right) for h in signs)
+    return Read(shown.formula, _with_literals(shown.formula, where), holds, iterated)
 
 
 def _without(

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ...drawing.drawing import Drawing
 from ...drawing.letters import in_letters
+from ...formula.letters import letters
 from ...frozen import frozen
 from ...report.languages import registry
-from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
 from ...report.latex.document_style import style_of
 from ...report.latex.notation import LatexNotation, notation, translated

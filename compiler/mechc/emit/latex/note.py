@@ -17,8 +17,7 @@ from ...report.latex.printer import Box, box, latex
 from ...report.latex.quantity import decimal, math, spaced
 from ...report.latex.results import LatexSpeller
 from ...report.latex.text import begun
-from ...report.note import Note, NoteLine, note
-from ...report.sentences.noted import label
+from ...report.note import Note, NoteLine, label, note
 from ...report.sentences.speller import own_names, plain_names
 from ...units import ANGLE
 from ..target import Compiled

@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator
 from ...diagnostics import MechcError
 from ...drawing.arrange import parted
 from ...drawing.drawing import Drawing
-from ...drawing.letters import Letters, in_letters
+from ...drawing.letters import in_letters
+from ...formula.letters import Letters, letters
 from ...model.mechanism import Reported
 from ...plot.plot import Plot, PlotColumn
 from ...plot.query import ROWS, Query, rows, usual
-from ...report.languages.letters import letters
 from ...report.languages.locale import Locale, Words
 from ...report.latex.notation import LatexNotation, name, of_result
 from ...study.stroke.stroke import Stroke

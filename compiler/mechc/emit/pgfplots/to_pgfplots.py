@@ -5,10 +5,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from ...drawing.axes import heading
 from ...drawing.describe_plot import describe
 from ...drawing.drawing import Pen, TextRun
-from ...drawing.letters import LATIN, Letters, lettered, spelled
+from ...drawing.letters import spelled
 from ...drawing.marks import DOT, THIN, dots, values_beside
 from ...drawing.panels import PanelLayout, common_entry, entry, laid_out, steps, ways
 from ...drawing.ticks import Scale
+from ...formula.letters import LATIN, Letters, lettered
 from ...plot.plot import Curve, Plot
 from ...pose.places import Plane
 from ..tikz.picture import comment, cyrillic, mathematics

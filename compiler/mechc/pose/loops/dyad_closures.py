@@ -23,9 +23,8 @@ from ...formula.tree import Call, Formula, negative, product, total
 from ...frozen import replace
 from ..pose import Arm, Limit, PoseDefinition, gathered
 from ..vector_graph import loop_name, mentioned
-from .dyad_sides import HALF_TURN, DyadSides
+from .dyad_sides import HALF_TURN, DyadSides, along, heron
 from .dyads import Closure, Dyad, DyadLoop, Reaching, Turning
-from .triangle import along, heron
 
 QUARTER = Angle.constant(90)
 

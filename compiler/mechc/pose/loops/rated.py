@@ -17,7 +17,7 @@ from ...formula.tree import Formula, Symbol
 from ...formula.walk import substitute, symbols
 from ..pose import Arm, PoseDefinition, Vector, components, gathered
 from ..vector_graph import mentioned
-from .triangle import is_of_vector
+from .dyad_sides import is_of_vector
 
 
 def given_rates(definitions: Iterable[PoseDefinition], drive: str) -> dict[str, Product]:

@@ -10,10 +10,10 @@ from ...formula.tree import Call
 from ..pose import Arm, LoopKind, PoseDefinition, Vector, components, evaluate_vector, gathered
 from ..tolerances import LOOP_GAP, SAME_PLACE
 from ..vector_graph import Cycle, NameSet, loop_name, mentioned, points_around
+from .dyad_sides import common_turn
 from .dyads import Closure
 from .recognition import familiar, recognised
 from .state import LoopState
-from .triangle import common_turn
 
 
 def check_fit(name: str, cycle: Cycle, state: LoopState) -> Diagnostic | None:

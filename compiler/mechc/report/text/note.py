@@ -16,9 +16,8 @@ from ...named import NamedTuple
 from ...units import ANGLE, in_unit, si_unit
 from ..checks import NoteCheck
 from ..languages.locale import Words
-from ..note import NoteLine, note
+from ..note import NoteLine, label, note
 from ..put_in import GivenQuantity
-from ..sentences.noted import label
 from .printer import print_formula, print_name, print_quantity
 from .signs import TextSigns, tens
 from .speller import SHOWN, TextSpeller

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from html import escape
 from textwrap import wrap
 
-from ...drawing.letters import Letters, lettered, of_unit
+from ...formula.letters import Letters, lettered, letters, of_unit
 from ...formula.to_text import text
 from ...named import NamedTuple
 from ...study.analysis import DeadCentre
@@ -26,7 +26,6 @@ from ...study.stroke.stroke import (
 from ...study.tolerances import EXACT, NEARLY
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
 from ..columns import legend, repeated
-from ..languages.letters import letters
 from ..languages.registry import locale
 from ..sentences.limits import dead_centre
 from .signs import ASCII, tens

@@ -7,7 +7,7 @@ from ...algebra.angle import Angle
 from ...kinematics.plan import Plan
 from ...model.mechanism import Link
 from ...model.values import Chain, Values
-from ...pose import paths
+from ...pose.motion import paths
 from ...pose.pose import Vector, evaluate_vector
 from ..tolerances import DIFFERENCE, SAME_RATE, STILL
 from .along import Along
@@ -33,7 +33,7 @@ def lagging(plan: Plan) -> frozenset[str]:
 def _points(plan: Plan, lost: Collection[Link], along: Along, x: float) -> Iterator[str]:
     """Yield the points whose positions do not change as the joints demand."""
     pose = plan.graph.pose
-    located = paths.paths(pose, lost)
+    located = paths(pose, lost)
     closing = Chain(dict(pose.closing))
     before, here, after = (
         closing.complete(along.values(x + step)) for step in (-DIFFERENCE, 0, DIFFERENCE)

@@ -1,6 +1,46 @@
 """What the sentences of a derivation say of forces and friction."""
 
-from .equilibrium import WORDS as EQUILIBRIUM
+EQUILIBRIUM = {
+    "equilibrium": "Кожне тіло перебуває в рівновазі під дією всіх прикладених до нього сил.",
+    "equal parts": "Через симетрію розглядаємо одну з однакових частин; на спільні для них "
+    "деталі діють усі частини.",
+    "force in rod": "{force} — зусилля в стрижні {link}, додатне при розтягу.",
+    "force of circular slot": "{force} — сила, з якою дуговий паз ланки {link} діє на {point}, "
+    "додатна за напрямом до {rest}.",
+    "forces across radius": "Рівняння рівноваги ланки {link} у проєкції на перпендикуляр до "
+    "радіуса {rod} дугового паза:",
+    "pin across radius": "Рівняння рівноваги шарніра {point} у проєкції на перпендикуляр до "
+    "радіуса {rod} дугового паза:",
+    "force of ground": "{force} і {other} — складові реакції стояка на ланку {link} у шарнірі "
+    "{point}.",
+    "force at pin": "{force} і {other} — складові реакції на ланку {link} у шарнірі {point}; на "
+    "приєднану до неї ланку діє протилежна реакція.",
+    "force along arm": "{force} і {other} — складові реакції на ланку {link} у шарнірі {point} "
+    "уздовж {arm} і перпендикулярно до {arm}; на приєднану до неї ланку діє протилежна реакція.",
+    "force of guide": "{force} — реакція напрямної в точці {point}, додатна ліворуч від напряму "
+    "напрямної.",
+    "force of touch": "{force} — сила, з якою {link} діє на {point} уздовж нормалі.",
+    "force of rim": "{force} — колова сила між колесами на {first} і {rest}, додатна, якщо "
+    "обертає колесо на {first} проти годинникової стрілки.",
+    "force of rack": "{force} — сила, з якою колесо на {pivot} діє на рейку в точці {point}, "
+    "додатна за напрямом напрямної.",
+    "force of thread": "{force} — осьова сила, з якою гвинт {link} діє на {point}, додатна за "
+    "напрямом напрямної.",
+    "force of rope": "{force} — натяг каната, що йде від {first}.",
+    "couple in slot": "{force} — момент, з яким {rest} діє на {link}, додатний проти "
+    "годинникової стрілки.",
+    "forces along": "Рівняння рівноваги ланки {link} у проєкції на напрям {direction}:",
+    "forces across": "Рівняння рівноваги ланки {link} у проєкції на перпендикуляр до стрижня "
+    "{rod}:",
+    "pin along": "Рівняння рівноваги шарніра {point} у проєкції на напрям {direction}:",
+    "pin across": "Рівняння рівноваги шарніра {point} у проєкції на перпендикуляр до стрижня "
+    "{rod}:",
+    "made up": "Реакція на ланку {link} у шарнірі {point} — сума сил, що діють на неї там:",
+    "made up by ground": "Реакція стояка в шарнірі {point} зрівноважує всі сили, що діють там:",
+    "forces per load": "Ці сили, поділені на {load}:",
+    "solved together": "Розв’язавши ці рівняння разом, маємо",
+}
+"""What sentences about the equilibrium of free bodies say."""
 
 WORDS = {
     **EQUILIBRIUM,
