@@ -6,11 +6,19 @@ import pytest
 
 from mechc.driver import Compilation
 from mechc.formula.rounding import PrintedNumber
-from mechc.formula.tree import Symbol, number
+from mechc.formula.tree import Symbol, number, total
 from mechc.frozen import fields, replace
-from mechc.model.mechanism import Parameter, Require
+from mechc.model.mechanism import Let, Mechanism, Parameter, Require
 from mechc.model.result import ClosedLoop, Definition, Result, UsedSolution
-from mechc.model.values import Looked, of_sound_form, standing, usual_units, valued
+from mechc.model.values import (
+    Looked,
+    following,
+    of_sound_form,
+    standing,
+    user_defined,
+    usual_units,
+    valued,
+)
 from mechc.source import Source, Span
 from mechc.units import LENGTH, NUMBER
 
@@ -95,3 +103,15 @@ def test_without_another_form_zero_stays_zero():
 def test_moments_have_the_unit_that_goes_with_forces_and_lengths(given, units):
     asked = "pivot O\nlink OA\nOA = 1 m @ 0 deg\nforce P at A along y\ntorque T on OA\nfind P"
     assert usual_units(Compilation(Source("m.mech", f"{given}\n{asked}")).mechanism) == units
+
+
+def test_definitions_follow_with_the_parameters_that_they_rest_on_in_either_order():
+    a = Parameter("a", LENGTH, Span(0, 0))
+    b = Parameter("b", LENGTH, Span(0, 0), total([Symbol("a"), number(1)]), dependent=True)
+    c = Let("c", total([Symbol("b"), Symbol("d")]), LENGTH, Span(0, 0))
+    mechanism = Mechanism("m", "", "", Span(0, 0), parameters=(a, b), lets=(c,))
+    assert following(mechanism).complete({"a": 2.0}) == {"a": 2.0, "b": 3.0}
+    chain = following(mechanism, (*user_defined(mechanism).items(), ("d", Symbol("b"))))
+    assert [name for name, _ in chain.definitions] == ["b", "d", "c"]
+    assert chain.complete({"a": 2.0}) == {"a": 2.0, "b": 3.0, "c": 6.0, "d": 3.0}
+    assert chain.complete({"d": 1.0}) == {"d": 1.0}

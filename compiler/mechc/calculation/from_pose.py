@@ -13,7 +13,7 @@ from ..frozen import replace
 from ..model.mechanism import Mechanism, Require
 from ..model.result import ClosedLoop, Result, UsedSolution
 from ..model.results import failures
-from ..model.values import Chain, Values, compare, defaults, dependent
+from ..model.values import Chain, Values, compare, default_pose, following, user_defined
 from ..pose.pose import Pose, PoseDefinition
 from ..power.definitions import let_results
 from .calculation import Calculation, Check
@@ -30,11 +30,11 @@ def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
     """
     pose = _with(pose, solved)
     mechanism = pose.mechanism
-    given = Chain(dependent(mechanism)).complete(defaults(mechanism))
+    given = {**default_pose(mechanism)}
     brought = tuple(with_values(taken(mechanism, solved), given))
     own = tuple(let_results(pose, brought, report))
     given |= {r.name: r.default for r in brought if r.default is not None}
-    lets = {let.name: let.value for let in mechanism.lets}
+    lets = user_defined(mechanism)
     values = Chain({**dict(solved.definitions), **lets}).complete(given)
     checks = tuple(_checked(condition, values) for condition in mechanism.requires)
     failed = _refuse_broken(checks, report)
@@ -86,9 +86,8 @@ def _open_loop(result: str, loops: tuple[ClosedLoop, ...], values: Values) -> st
 
 def _rounded_zeros(mechanism: Mechanism, values: Values) -> frozenset[str]:
     """Return the formulas of which nothing is left but rounding."""
-    lets = {let.name: let.value for let in mechanism.lets}
     rounding = Rounding(values)
-    rounding.define(Chain({**dependent(mechanism), **lets}).definitions)
+    rounding.define(following(mechanism, user_defined(mechanism).items()).definitions)
     return frozenset(name for name, value in rounding.values.items() if value.is_zero)
 
 
@@ -131,7 +130,7 @@ def _refuse_undefined(
 ) -> None:
     """Report the formulas that have no value, without those that failed or rest on others."""
     missing, places = set(failed), {let.name: let.span for let in mechanism.lets}
-    for name, formula in Chain({let.name: let.value for let in mechanism.lets}).definitions:
+    for name, formula in Chain(user_defined(mechanism)).definitions:
         if symbols(formula) & missing:
             missing.add(name)
         elif name not in missing and not math.isfinite(values.get(name, 0.0)):

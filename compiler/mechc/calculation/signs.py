@@ -10,7 +10,7 @@ from ..formula.tree import Call, Formula
 from ..formula.walk import symbols, walk
 from ..model.mechanism import Let, Mechanism
 from ..model.parts.written import WrittenSides
-from ..model.values import Values
+from ..model.values import Values, user_defined
 from ..units import FORCE, LENGTH, MASS, PRESSURE, TORQUE, in_unit, si_unit
 from .calculation import Check
 
@@ -49,7 +49,7 @@ def _sides(check: Check) -> tuple[_Side, _Side]:
 def _force(formula: Formula, mechanism: Mechanism) -> str:
     """Return the force of a used mechanism that a formula rests on, '' where it rests on none."""
     forces = {t.name for t in mechanism.taken if t.dimension in _SIGNED}
-    lets = {let.name: let.value for let in mechanism.lets}
+    lets = user_defined(mechanism)
     waiting, seen = sorted(symbols(formula)), set[str]()
     while waiting:
         name = waiting.pop()

@@ -11,7 +11,7 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Parameter, Require, Subject
 from ..model.result import Definition, FrictionResult, Result, UsedSolution
-from ..model.values import Values, completed, holds, ordered, standing
+from ..model.values import Values, completed, holds, ordered, standing, user_defined
 from ..named import NamedTuple
 from ..pose.pose import Pose
 from ..units import ANGLE
@@ -65,7 +65,7 @@ def taken(mechanism: Mechanism, solved: UsedSolution) -> tuple[Result, ...]:
 
     What the sheet gives to a mechanism stands among the definitions of its results.
     """
-    lets = {let.name: let.value for let in mechanism.lets}
+    lets = user_defined(mechanism)
     results = {result.name: result for result in solved.results}
     needs = {name: set(symbols(value)) for name, value in lets.items()}
     needs |= {name: set(_symbols(result)) for name, result in results.items()}

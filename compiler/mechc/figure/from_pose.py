@@ -10,15 +10,7 @@ from ..frozen import fields, replace
 from ..model import mechanism as model
 from ..model.mechanism import Mechanism, Parameter
 from ..model.parts.linkage import primed
-from ..model.values import (
-    Chain,
-    bounds,
-    completed,
-    defaults,
-    dependent,
-    independent,
-    usual_units,
-)
+from ..model.values import bounds, completed, defaults, following, independent, usual_units
 from ..pose.places import NOWHERE, Plane
 from ..pose.pose import Pose
 from . import figure as drawn
@@ -76,7 +68,7 @@ def _solved(pose: Pose, given: Mapping[str, float]) -> dict[str, float] | None:
 
     What closing found and nothing needs may well have none where the loop lies flat.
     """
-    values = Chain({**dependent(pose.mechanism), **dict(pose.definitions)}).complete(given)
+    values = following(pose.mechanism, pose.definitions).complete(given)
     if not all(map(math.isfinite, values.values())):
         return None
     spare = completed(values, (d for d in pose.closing if d.name not in values))

@@ -22,7 +22,7 @@ from ..frozen import frozen
 from ..kinematics.plan import Plan
 from ..model.boxes import POSITIVE, allowed_box
 from ..model.result import Definition
-from ..model.values import Chain, completed
+from ..model.values import Chain, completed, user_defined
 from ..named import NamedTuple
 from ..power.numbers import default_values, values_beside
 from .free_bodies import EquationsCoupled
@@ -260,9 +260,7 @@ class DefaultPose:
     def _own(self) -> Iterator[Definition]:
         """Yield the user's own formulas of parameters alone, each after those it needs."""
         known = {p.name for p in (*self._mechanism.parameters, *self._mechanism.literals)}
-        for name, formula in Chain(
-            {let.name: let.value for let in self._mechanism.lets}
-        ).definitions:
+        for name, formula in Chain(user_defined(self._mechanism)).definitions:
             if symbols(formula) <= known:
                 known.add(name)
                 yield Definition(name, formula)

@@ -19,7 +19,7 @@ from ..formula.walk import substitute, symbols
 from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Torque
-from ..model.values import Chain, completed, defaults, dependent, independent
+from ..model.values import completed, defaults, following, independent
 from ..power.balance import PowerEquations, Release, Term
 from ..power.loads import occurrences
 from ..power.numbers import default_values
@@ -242,7 +242,7 @@ def _poses(plan: Plan) -> Iterator[Rounding]:
     given = {**defaults(pose.mechanism), **dict.fromkeys(pose.placeholders, 1.0)}
     moved = sorted(p.name for p in independent(pose.mechanism) if p.name in given)
     angles = {p.name for p in pose.mechanism.parameters if p.dimension == ANGLE}
-    chain = Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
+    chain = following(pose.mechanism, pose.definitions)
     for i in range(TRIES):
         shifts = {n: chance.uniform(-SPREAD, SPREAD) * bool(i) for n in moved}
         there = {n: given[n] + s if n in angles else given[n] * (1 + s) for n, s in shifts.items()}

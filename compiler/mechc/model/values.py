@@ -147,6 +147,20 @@ def dependent(mechanism: Mechanism) -> dict[str, Formula]:
     return {p.name: p.value for p in mechanism.parameters if p.dependent and p.value}
 
 
+def user_defined(mechanism: Mechanism) -> dict[str, Formula]:
+    """Return the user's own formulas by their names."""
+    return {let.name: let.value for let in mechanism.lets}
+
+
+def following(
+    mechanism: Mechanism,
+    definitions: Iterable[tuple[str, Formula]] = (),
+    solved: Callable[[System], SystemSolver] = solver,
+) -> Chain:
+    """Return the dependent parameters and ``definitions``: all that follows from given values."""
+    return Chain({**dependent(mechanism), **dict(definitions)}, solved)
+
+
 def is_constant(parameter: Parameter) -> bool:
     """Return whether a parameter is the name of a number: an angle of a drawing.
 
@@ -170,7 +184,7 @@ def default_pose(mechanism: Mechanism) -> Values:
 
 def complete(mechanism: Mechanism, given: Values) -> Values:
     """Return the values with the dependent parameters that follow from them."""
-    return Chain(dependent(mechanism)).complete(given)
+    return following(mechanism).complete(given)
 
 
 BESIDE_ZERO = 0.2

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from ..frozen import frozen, replace
-from ..model.values import Chain, Values, defaults, dependent
+from ..model.values import Chain, Values, defaults, following
 from ..pose.pose import Pose
 from ..study.analysis import Analysis, DeadCentre, Vanishing
 from ..study.stroke.forms import form
@@ -26,17 +26,12 @@ def with_dead_centres(plot: Plot, pose: Pose, results: Callable[[], Iterable[Ana
     if plot.equal or not singular:
         return plot
     named = {result.name: result for result in results() if result.name in singular}
-    rest = _Rest(plot, defaults(pose.mechanism), _chain(pose), named)
+    rest = _Rest(plot, defaults(pose.mechanism), following(pose.mechanism, pose.definitions), named)
     panels = (
         replace(panel, curves=tuple(replace(c, dead_centres=rest.of(c)) for c in panel.curves))
         for panel in plot.panels
     )
     return replace(plot, panels=tuple(panels))
-
-
-def _chain(pose: Pose) -> Chain:
-    """Return the quantities that follow from the parameters: others, and unknowns of the loops."""
-    return Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
 
 
 @frozen

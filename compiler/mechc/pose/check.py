@@ -7,7 +7,7 @@ from ..algebra.product import ONE
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..model.mechanism import Force, ForcePair, Slider
-from ..model.values import Chain, completed, defaults, dependent, independent
+from ..model.values import completed, defaults, following, independent
 from .pose import BodyFrame, Pose, PoseDefinition, Vector, evaluate_vector
 from .tolerances import LOOP_GAP
 
@@ -107,7 +107,7 @@ def _values(pose: Pose, shift: float = 0.0) -> dict[str, float]:
     given = defaults(pose.mechanism)
     if shift and pose.mechanism.drive:
         given[pose.mechanism.drive.parameter] += shift
-    chain = Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
+    chain = following(pose.mechanism, pose.definitions)
     found = chain.complete(given)
     open_lengths = [(n, p.formula()) for n, p in pose.placeholders.items() if p is not None]
     return chain.complete(completed(found, open_lengths))

@@ -7,7 +7,7 @@ from ..algebra.product import Product
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism, Parameter
-from ..model.values import Chain, bounds, dependent
+from ..model.values import bounds, following
 from ..units import ANGLE, LENGTH
 from .pose import PoseDefinition
 
@@ -32,14 +32,14 @@ def poses_nearby(mechanism: Mechanism, definitions: Iterable[PoseDefinition]) ->
     The others are pairs, each of which has the default pose in its middle: of two motions that
     meet near it, one holds in it and in one pose at least of each pair.
     """
-    chain = Chain({**dependent(mechanism), **dict(definitions)})
+    chain = following(mechanism, definitions)
     given = _given(mechanism)
     return [chain.complete(_moved(given, number)) for number in range(NUMBER)]
 
 
 def default_pose(mechanism: Mechanism, definitions: Iterable[PoseDefinition]) -> Values:
     """Return the first of :func:`poses_nearby`."""
-    chain = Chain({**dependent(mechanism), **dict(definitions)})
+    chain = following(mechanism, definitions)
     return chain.complete(_moved(_given(mechanism), 0))
 
 

@@ -14,7 +14,7 @@ from ..frozen import on_demand, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Let, LoadForm, Mechanism
 from ..model.result import Definition, Result
-from ..model.values import Chain
+from ..model.values import Chain, user_defined
 from ..pose.pose import Pose
 
 Needed = dict[str, Formula]
@@ -79,7 +79,7 @@ def let_results(pose: Pose, results: Sequence[Result], report: Report) -> Iterat
     where one rests on loads each of which is found from the other.
     """
     mechanism = pose.mechanism
-    lets = _tied(mechanism, results) | {let.name: let.value for let in mechanism.lets}
+    lets = _tied(mechanism, results) | user_defined(mechanism)
     needs = _needs(results, lets)
     if sum(map(len, needs.values())) > MOST_STEPS:
         longest = max(mechanism.lets, key=lambda let: len(needs[let.name]))

@@ -27,6 +27,7 @@ from ..model.values import (
     dependent,
     of_sound_form,
     range_of,
+    user_defined,
     valued,
 )
 from ..pose.pose import Pose
@@ -177,7 +178,7 @@ def values_beside(pose: Pose, step: float) -> dict[str, float]:
 
 def _chain(pose: Pose) -> Chain:
     """Return the definitions on the parameters; a load may rest on user-defined formulas."""
-    own = {let.name: let.value for let in pose.mechanism.lets}
+    own = user_defined(pose.mechanism)
     return Chain({**own, **dependent(pose.mechanism), **dict(pose.definitions)})
 
 

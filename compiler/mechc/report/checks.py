@@ -9,7 +9,7 @@ from ..formula.walk import symbols
 from ..model.dependence import below, rests_on
 from ..model.mechanism import Mechanism, Require
 from ..model.result import Result
-from ..model.values import compare
+from ..model.values import compare, user_defined
 from ..named import NamedTuple
 from ..units import si_unit
 from .put_in import GivenQuantity, values_of
@@ -40,7 +40,7 @@ def checks(
 
     None decides where one fails, nor where a single one has a reserve.
     """
-    lets = {let.name: let.value for let in mechanism.lets}
+    lets = user_defined(mechanism)
     inputs = {p.name for p in mechanism.parameters}
     found = [_check(r, given, lets, inputs) for r in mechanism.requires if not r.subject]
     found = [_with_missing(check, mechanism, results) for check in found]

@@ -23,7 +23,7 @@ from ..formula.walk import substitute, walk
 from ..frozen import frozen
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter
 from ..model.result import Definition, Result
-from ..model.values import is_constant
+from ..model.values import is_constant, user_defined
 from ..named import NamedTuple
 from ..units import ANGLE, NUMBER, UNITS, si_unit
 from . import book_forms
@@ -159,7 +159,7 @@ def literal_unit(load: Load, given: Formula | None = None) -> str:
 
 def constant_units(mechanism: Mechanism) -> dict[str, str]:
     """Return the loads and the named constants that are numbers, with their units."""
-    given = {let.name: let.value for let in mechanism.lets}
+    given = user_defined(mechanism)
     units = {load.name: literal_unit(load, given.get(load.name)) for load in mechanism.loads}
     units |= {p.name: p.unit or "m" for p in mechanism.parameters if is_constant(p)}
     return {name: unit for name, unit in units.items() if unit}

@@ -17,7 +17,7 @@ from ..model.dependence import unused
 from ..model.mechanism import Axial, Let, Mechanism, Normal, Parameter, Reaction, WithFriction
 from ..model.parts.written import WrittenTable
 from ..model.result import Result
-from ..model.values import Chain, UsualUnits, defaults, dependent, usual_units
+from ..model.values import Chain, UsualUnits, default_pose, defaults, dependent, usual_units
 from ..named import NamedTuple
 from ..study.analysis import Analysis, as_printed
 from ..syntax.vocabulary import split_quantity
@@ -98,7 +98,7 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     units = {p.name: p.unit or si_unit(p.dimension) for p in mechanism.parameters}
     units |= {let.name: let.unit or si_unit(let.dimension) for let in mechanism.lets}
     units |= {t.name: t.unit or si_unit(t.dimension) for t in mechanism.taken}
-    values = Chain(dependent(mechanism)).complete(defaults(mechanism))
+    values = {**default_pose(mechanism)}
     values |= {r.name: r.default for r in results if r.default is not None}
     given = {name: GivenQuantity(value, units[name]) for name, value in values.items()}
     aside = unused(mechanism, results)

@@ -13,6 +13,7 @@ from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Require
 from ..model.result import Definition
+from ..model.values import user_defined
 from ..named import NamedTuple
 from ..study.analysis import Analysis
 from ..units import Dimension
@@ -172,7 +173,7 @@ def names_met(derivation: Derivation, mechanism: Mechanism) -> frozenset[str]:
     formulas += [cell for table in mechanism.tables for row in table.rows for cell in row]
     found = _names(formulas)
     values = {p.name: p.value for p in mechanism.parameters if p.value}
-    values |= {let.name: let.value for let in mechanism.lets}
+    values |= user_defined(mechanism)
     values |= {load.name: load.tie for load in mechanism.loads if load.tie}
     while more := _names(values.pop(name) for name in found & values.keys()):
         found |= more

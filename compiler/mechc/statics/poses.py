@@ -7,7 +7,7 @@ from typing import Generic, TypeVar
 
 from ..formula.evaluate import evaluate
 from ..model.mechanism import Mechanism, Parameter, Require
-from ..model.values import Chain, allowed, bounds, dependent, holds
+from ..model.values import Chain, allowed, bounds, following, holds, user_defined
 from ..pose.pose import Pose
 from ..units import Dimension
 
@@ -86,8 +86,7 @@ def _near(parameter: Parameter, dice: Random) -> float:
 
 def with_lets(mechanism: Mechanism, values: Mapping[str, float]) -> Values:
     """Return values with dependent parameters and lets; lets of results stay without a value."""
-    lets = {let.name: let.value for let in mechanism.lets}
-    return Chain({**dependent(mechanism), **lets}).complete(values)
+    return following(mechanism, user_defined(mechanism).items()).complete(values)
 
 
 def free_values(pose: Pose, values: Mapping[str, float]) -> dict[str, tuple[float, Dimension]]:

@@ -34,8 +34,10 @@ from ..model.values import (
     completed,
     default_pose,
     dependent,
+    following,
     independent,
     standing,
+    user_defined,
 )
 from ..named import NamedTuple
 from ..units import in_unit, si_unit
@@ -159,7 +161,7 @@ def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Fin
 
 def _in_code(result: Result, pose: Values, mechanism: Mechanism) -> Rounded:
     """Return the value in code at a pose: NaN where a condition of use or of the result fails."""
-    known = Chain({let.name: let.value for let in mechanism.lets}).complete(pose)
+    known = Chain(user_defined(mechanism)).complete(pose)
     requires = tuple(
         r for r in mechanism.requires if r.concerns({result.name, *(d.name for d in result.where)})
     )
@@ -178,7 +180,7 @@ def _at(expect: Expect) -> dict[str, float]:
 
 
 def _proved(value: Formula, result: Result, mechanism: Mechanism) -> bool:
-    chain = Chain(dependent(mechanism))
+    chain = following(mechanism)
     definitions = [*chain.definitions, *(d for d in result.where if d.name not in chain.names)]
     return equal(value, result.formula, definitions)
 
@@ -233,7 +235,7 @@ def _everything(values: Values, expect: Expect, result: Result) -> Values:
 
 def random_poses(mechanism: Mechanism, number: int, seed: int = 1) -> Iterator[Values]:
     """Yield up to ``number`` poses that every ``require`` allows."""
-    chance, chain = random.Random(seed), Chain(dependent(mechanism))
+    chance, chain = random.Random(seed), following(mechanism)
     drawn = (chain.complete(_draw(mechanism, chance)) for _ in range(TRIES))
     return islice((v for v in drawn if allowed(mechanism, v)), number)
 

@@ -9,7 +9,7 @@ from ..formula.continuation import continued
 from ..formula.evaluate import status
 from ..formula.tree import Formula, Implicit
 from ..model.mechanism import Parameter
-from ..model.values import Chain, Values, allowed, bounds, defaults, dependent
+from ..model.values import Values, allowed, bounds, defaults, following
 from ..pose.pose import Pose
 from ..units import in_unit, si_unit
 
@@ -67,7 +67,7 @@ class _Closing:
     def __init__(self, pose: Pose) -> None:
         self._pose = pose
         self._definitions: Mapping[str, Formula] = dict(pose.definitions)
-        self._chain = Chain({**dependent(pose.mechanism), **self._definitions}, continued)
+        self._chain = following(pose.mechanism, pose.definitions, continued)
         self.defaults = defaults(pose.mechanism)
         self._given = {**dict.fromkeys(pose.placeholders, 1.0), **self.defaults}
 

@@ -12,7 +12,7 @@ from ...source import Source
 from ...units import in_unit
 from ..mechanism import Mechanism, Parameter, Require
 from ..results import failures
-from ..values import Chain, Values, bounds, defaults, dependent, holds
+from ..values import Chain, Values, bounds, defaults, dependent, holds, user_defined
 
 STEPS = 12
 """Parts of a range, at whose ends it is looked at."""
@@ -28,7 +28,7 @@ def beyond_ranges(mechanism: Mechanism, report: Report) -> Iterator[Diagnostic]:
     ranged = _own_ranges(mechanism, report)
     if not given or not ranged:
         return
-    lets: Mapping[str, Formula] = {let.name: let.value for let in mechanism.lets}
+    lets: Mapping[str, Formula] = user_defined(mechanism)
     chain, values = Chain({**lets, **dependent(mechanism)}), defaults(mechanism)
     values = {name: value for name, value in values.items() if name not in lets}
     start = chain.complete(values)

@@ -29,7 +29,7 @@ from ..mechanism import (
     WheelPair,
 )
 from ..tolerances import SAME_DIRECTION
-from ..values import Chain, Values, defaults, dependent
+from ..values import Values, defaults, following, user_defined
 from .sizes import beyond_a_turn, far_off, vanishing_lengths
 
 SOME = 0.731
@@ -38,7 +38,7 @@ SOME = 0.731
 
 def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield a remark on each thing that is hardly meant."""
-    chain = Chain(dependent(mechanism))
+    chain = following(mechanism)
     values = chain.complete(defaults(mechanism))
     yield from beyond_a_turn(mechanism)
     yield from vanishing_lengths(mechanism, chain, values)
@@ -162,7 +162,7 @@ def _without_sense(target: object, rods: Set[str]) -> object:
 
 def _both_given(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield the ratios both of whose loads have values: one of these follows from the other."""
-    formulas = {let.name: let.value for let in mechanism.lets}
+    formulas = user_defined(mechanism)
     spans = {let.name: let.span for let in mechanism.lets}
     for find in mechanism.finds:
         match find.target:

@@ -20,7 +20,7 @@ from ..mechanism import (
     Slot,
     Turn,
 )
-from ..values import Chain, dependent
+from ..values import following
 from .coordinates import with_coordinates
 from .geared import with_named_sizes
 from .rigidity import Independent, distance, rows_of, turn
@@ -55,7 +55,7 @@ def _driven(mechanism: Mechanism) -> dict[str, Formula]:
     """Return the values of the driving parameter and of all that follows from it."""
     drive = mechanism.drive_name
     found = {p.name: p.value for p in mechanism.parameters if p.name == drive and p.value}
-    for name, formula in Chain(dependent(mechanism)).definitions:
+    for name, formula in following(mechanism).definitions:
         if found and not found.keys().isdisjoint(symbols(formula)):
             found[name] = substitute(formula, found)
     return found

@@ -10,7 +10,7 @@ from ...diagnostics import Report
 from ...frozen import replace
 from ..entries import mentioned
 from ..mechanism import Arrow, Geometry, Mechanism, Pivot, Slider, Slot
-from ..values import Chain, defaults, dependent
+from ..values import default_pose
 from .driving import drawn_value, with_value
 from .geared import Train
 from .rigidity import Independent, RigidityRow, direction, fixed, rows_of, turn
@@ -133,7 +133,7 @@ def _led(
     """Yield where links and sliders are that wheels alone lead, as the drive moves."""
     if mechanism.drive is None:
         return
-    values = Chain(dependent(mechanism)).complete(defaults(mechanism))
+    values = default_pose(mechanism)
     train = Train(mechanism, sketch, values)
     yield from train.followers(held)
     train.check(held, report)

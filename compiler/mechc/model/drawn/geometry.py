@@ -33,7 +33,7 @@ from ..mechanism import (
     Slider,
     Slot,
 )
-from ..values import Chain, defaults, dependent
+from ..values import default_pose
 from .closing import closing
 from .driving import fault_of, is_outside, with_driven
 from .ropes import falls_off_drums, turned_falls, wraps_otherwise
@@ -63,7 +63,7 @@ def _as_described(parameter: Parameter) -> Parameter:
 
 
 def _with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
-    sketch = Sketch(mechanism, Chain(dependent(mechanism)).complete(defaults(mechanism)))
+    sketch = Sketch(mechanism, default_pose(mechanism))
     for fault in _faults(mechanism, sketch):
         report.add(fault)
     report.stop_on_errors()

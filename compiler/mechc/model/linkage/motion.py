@@ -24,7 +24,7 @@ from ..mechanism import Absolute, Arrow, Assembly, Drive, Mechanism, Offset, Par
 from ..names.scope import DESCRIPTION, NameScope, ScopeEntry
 from ..statements import every
 from ..tolerances import SAME_VALUE, VANISHED
-from ..values import Chain, dependent
+from ..values import following
 
 MOST_TURNS = 100
 """Full turns of a drive that are still a stroke: each is looked at in seven places or more."""
@@ -227,7 +227,7 @@ def checked(mechanism: Mechanism, report: Report) -> Mechanism:
     if drive is None:
         return mechanism
     driven = {drive.parameter}
-    for name, formula in Chain(dependent(mechanism)).definitions:
+    for name, formula in following(mechanism).definitions:
         if not driven.isdisjoint(symbols(formula)):
             driven.add(name)
     if all(driven.isdisjoint(symbols(formula)) for formula in _moved(mechanism)):

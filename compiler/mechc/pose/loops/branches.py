@@ -10,7 +10,7 @@ from random import Random
 from ...diagnostics import pose as messages
 from ...formula.evaluate import numeric
 from ...formula.folds import SolutionCurve
-from ...model.values import Chain, dependent
+from ...model.values import following
 from ...units import ANGLE
 from .groups import LoopGroup, draw, rows_of, size_of, system_of
 from .reach import limits_of_drive
@@ -38,7 +38,7 @@ def branches(block: LoopGroup, state: LoopState) -> "list[messages.AssemblyRange
 
 def _curve(block: LoopGroup, state: LoopState, drive: str, is_angle: bool) -> SolutionCurve:
     system = system_of(block, state)
-    chain = Chain({**dependent(state.mechanism), **dict(state.definitions)})
+    chain = following(state.mechanism, state.definitions)
     given = {n: v for n, v in state.base.items() if n not in chain.names}
     names = [name for name, _ in system.anchor]
 

@@ -19,7 +19,7 @@ from ...formula.tree import ONE, Call, Formula, Implicit, Symbol, negative, tota
 from ...formula.walk import symbols, walk
 from ...frozen import replace
 from ...model.mechanism import Assembly, Link, Mechanism
-from ...model.values import Chain, dependent
+from ...model.values import following
 from ...units import LENGTH
 from ..directions import Directions
 from ..pose import OF_A_TRIANGLE, ClosedLoop, Limit, LoopKind, PoseDefinition
@@ -182,7 +182,7 @@ class _GroupClosing:
         if not open_:
             return
         used = {name for edge in cycle for name in mentioned(edge.arms)}
-        used |= Chain({**dependent(mechanism), **dict(self._state.definitions)}).needed_by(used)
+        used |= following(mechanism, self._state.definitions).needed_by(used)
         missing = [p for p in open_ if p.name in used]
         for parameter in missing:
             fault = open_words.length_without_value(parameter.span, parameter.name)

@@ -19,7 +19,7 @@ from ...formula.roots import roots
 from ...formula.to_text import text
 from ...formula.tree import Call, Formula, Number, negative, total
 from ...formula.walk import constants, symbols, walk
-from ...model.values import Chain, dependent
+from ...model.values import following
 from ...named import NamedTuple
 from ...units import ANGLE, Dimension
 from ..pose import Limit
@@ -82,11 +82,11 @@ class _Reach:
     """The loops closed so far and one more, along the drive."""
 
     def __init__(self, state: LoopState, closure: Closure, drive: str) -> None:
-        definitions = dict((*state.definitions, *closure.definitions))
-        self._chain = Chain({**dependent(state.mechanism), **definitions})
+        definitions = (*state.definitions, *closure.definitions)
+        self._chain = following(state.mechanism, definitions)
         self._given = {n: v for n, v in state.base.items() if n not in self._chain.names}
         self._drive = drive
-        self._moving = moved_by(drive, (*state.definitions, *closure.definitions))
+        self._moving = moved_by(drive, definitions)
 
     def _values(self, x: float) -> dict[str, float]:
         return self._chain.complete({**self._given, self._drive: x})

@@ -11,7 +11,7 @@ from functools import partial
 from ...formula.evaluate import evaluate, numeric, solution
 from ...formula.folds import SolutionCurve
 from ...formula.tree import Formula, Implicit, System
-from ...model.values import Chain, dependent
+from ...model.values import Chain, following
 from ...named import NamedTuple
 from ...pose.pose import Pose
 from ...units import LENGTH
@@ -59,7 +59,7 @@ def _systems(pose: Pose, along: Along) -> Iterator[tuple[System, Outer]]:
     before: dict[str, Formula] = {}
     for name, formula in pose.definitions:
         if isinstance(formula, Implicit) and not any(_solves(f, formula) for f in before.values()):
-            chain = Chain({**dependent(pose.mechanism), **before})
+            chain = following(pose.mechanism, before.items())
             yield formula.system, partial(_outer, formula, chain, along)
         before[name] = formula
 

@@ -7,7 +7,7 @@ from ...formula.roots import spaced
 from ...formula.tree import Formula
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, SpeedRatio, WithFriction
-from ...model.values import range_of
+from ...model.values import range_of, user_defined
 from ...units import ANGLE
 from ..analysis import Analysis, Extent, Extreme, Vanishing, least_and_greatest
 from ..intervals import Range
@@ -16,7 +16,7 @@ from ..tolerances import SAME_ZERO
 from .along import Along
 from .from_balance import run
 from .rounded import is_nil
-from .run import has_sign, plain_lets
+from .run import has_sign
 from .stroke import Stroke, StrokeInterval, ZeroInterval
 
 
@@ -49,7 +49,7 @@ def _extents(
     stroke: Stroke, results: Sequence[Analysis], solution: Solution
 ) -> Iterator[tuple[str, Extent]]:
     part = _home(stroke)
-    along = Along(solution.plan, plain_lets(solution.plan.graph.pose.mechanism))
+    along = Along(solution.plan, user_defined(solution.plan.graph.pose.mechanism))
     known = {column.name for column in stroke.columns}
     for result in results:
         if part is None or result.name not in known:

@@ -4,7 +4,7 @@ Where a loop comes to its end, what it finds varies as the root of the distance 
 values are spaced evenly by that root. Where a loop that lies flat can go on, nothing does.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from ...formula.roots import spaced
 from ...formula.tree import Formula
@@ -23,6 +23,7 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
+from ...model.values import user_defined
 from ...pose.pose import Pose
 from ..analysis import Analysis
 from .along import Along
@@ -132,7 +133,7 @@ def run_of(
 ) -> Run:
     """Return the run of the drive between two ends."""
     pose = solution.plan.graph.pose
-    along = Along(solution.plan, plain_lets(pose.mechanism), (low, high))
+    along = Along(solution.plan, user_defined(pose.mechanism), (low, high))
     shown = [r for r in results if r.default is not None or r.target is not None]
     shown = [in_code(r, solution) for r in shown]
     without = {r.name: _loads_without_size(r, pose.mechanism) for r in shown}
@@ -151,11 +152,6 @@ def run_of(
         grid=grid,
         branches=branches,
     )
-
-
-def plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:
-    """Return the user's formulas; those that rest on loads stay without a value."""
-    return {let.name: let.value for let in mechanism.lets}
 
 
 def _loads_without_size(result: Analysis, mechanism: Mechanism) -> tuple[str, ...]:
