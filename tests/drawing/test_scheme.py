@@ -17,6 +17,7 @@ from grown import Grown
 from mechc.cli import main, make_gallery
 from mechc.diagnostics import MechcError
 from mechc.drawing.drawing import (
+    BODY,
     COPY,
     FORCE,
     HATCH,
@@ -405,3 +406,26 @@ def test_a_couple_has_its_name_next_to_its_arrow():
         and math.dist(s.points[1], label.at) < 4
         for s in drawing.shapes
     )
+
+
+def test_a_filled_body_covers_no_rod() -> None:
+    """The plate of a yoke hid the crank that drives it."""
+    yoke = """
+    mechanism yoke
+    param r = 50 mm
+    param phi = 35 deg
+    pivot O at (0 mm, 0 mm)
+    link OA
+    slide XYZ along x
+    slot A in YZ
+    OA = r @ phi
+    YZ = @ 90 deg
+    torque M on OA
+    force F at X along -x
+    find k = M/F
+    """
+    shapes = scheme(Compilation(Source("yoke.mech", yoke)).drawn({}), EN).shapes
+    lines = [shape for shape in shapes if isinstance(shape, Polyline)]
+    (plate,) = (i for i, shape in enumerate(lines) if shape.fill == "light")
+    crank = next(i for i, shape in enumerate(lines) if shape.pen == BODY and not shape.closed)
+    assert plate < crank

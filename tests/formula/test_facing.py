@@ -147,3 +147,15 @@ def test_a_size_stands_as_the_sines_beside_it(at):
     for one in (sine, opposite):
         shown = text(facing(quotient(root, Call("abs", (one,))), lambda: at))
         assert len({side for side in ("sin(a - b)", "sin(b - a)") if side in shown}) == 1
+
+
+def test_a_difference_below_the_line_is_positive() -> None:
+    """What stands above it turns too; what has no value stays as it is."""
+    a, b, c = map(Symbol, "abc")
+    below = total([a, negative(b)])
+    at = {"a": 1.0, "b": 3.0, "c": 2.0}
+    assert text(facing(quotient(c, below), lambda: at)) == "-c/(b - a)"
+    both = product([(total([a, negative(c)]), 1), (below, -1)])
+    assert text(facing(both, lambda: at)) == "(c - a)/(b - a)"
+    assert facing(quotient(c, below), lambda: {"a": 1.0}) == quotient(c, below)
+    assert facing(quotient(c, below), lambda: {**at, "a": 4.0}) == quotient(c, below)

@@ -69,3 +69,51 @@ def test_a_shorter_form_is_the_same(name: str) -> None:
     assert item.value is not None
     assert text(item.value.formula()) != text(item.result.formula)
     assert equal(item.value.formula(), item.result.formula)
+
+
+BEAM = """
+pivot A
+slider C along x
+slider D along x
+link AB
+link BCD
+AB = 3 m @ 0 deg
+BC = 1 m @ 0 deg
+BD = 4 m @ 0 deg
+load Q intensity 2 kN/m on AB along -y
+force P at B along -y
+torque M on BCD
+let P = 3 kN
+let M = 2 kN*m
+find R_C, R_D
+"""
+
+SPRING = """
+param l = 200 mm
+param theta = 40 deg in 10 deg .. 80 deg
+pivot O
+slider A along y
+slider B along x through O
+link AB
+OB = l*cos(theta) @ 0 deg
+BA = l @ 180 deg - theta
+spring 1.5 kN/m between O and A free 60 mm
+force P at B along -x
+force W at A along -y
+find P
+"""
+
+
+def formulas(lines: str) -> dict[str, str]:
+    return {name: text(r.formula) for name, r in mechc.loads(f"mechanism m{lines}").results.items()}
+
+
+def test_what_loads_share_is_outside() -> None:
+    """By hand: P = (W − S)·cot θ, R_C = (BD·(P + Q/2) + M)/(BD − BC)."""
+    assert formulas(SPRING)["P"] == "cot(theta)*(W - S_OA)"
+    assert formulas(BEAM)["R_C_y"] == "(len_BD*(Q/2 + P) + M)/(len_BD - len_BC)"
+
+
+def test_what_is_divided_by_is_positive() -> None:
+    """A force against its axis has a minus before it, not BC − BD below the line."""
+    assert formulas(BEAM)["R_D_y"] == "-(len_BC*(Q/2 + P) + M)/(len_BD - len_BC)"

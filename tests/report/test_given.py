@@ -508,3 +508,33 @@ def test_what_follows_from_given_quantities_has_its_value_in_the_unit_it_uses():
     assert "ψ = φ + 10° = 27.1887°\n" in with_values
     assert "c = a + b\n" in render(found.derivation, found.mechanism, numbers=False)
     assert r"$c$ & $a+b$ $= 70\,\text{mm}$" in mechc.loads(LETS).emit("latex")
+
+
+def test_loads_masses_and_components_say_what_they_are():
+    source = """
+    mechanism tongs
+    param m = 5 kg
+    param q = 2 kN/m
+    param gamma = 40 deg
+    pivot O
+    slider C along y
+    link OAB
+    link CA
+    OA = (120 mm, 250 mm)
+    OB = (150 mm, -300 mm)
+    CA = 200 mm @ -gamma
+    weight W mass m at B
+    force N at B along -x
+    let N = 3 kN
+    torque M on OAB
+    let M = 2 kN*m
+    load Q intensity q on CA along -y
+    force P at C along y
+    find P
+    """
+    given = mechc.loads(source).emit("latex").split(r"\section*{Velocities}")[0]
+    rows = {row.split("&")[0].strip(): row for row in given.splitlines() if row.count("&") > 1}
+    said = {"$N$": "force", "$M$": "couple", "$m$": "mass", "$q$": "intensity"}
+    said["$y_{OA}$"] = "vertical component of the vector $OA$"
+    for symbol, what in said.items():
+        assert what in rows[symbol]

@@ -2,6 +2,7 @@
 
 import pytest
 
+import mechc
 from good_mechanisms import compiled
 from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
@@ -11,6 +12,7 @@ from mechc.report.multiples import multiple
 from mechc.report.sections import outline
 from mechc.report.sentences.remarks import remarks
 from mechc.report.text.speller import speller
+from small_mechanisms import drawn_four_bar
 
 A, C, SINE = Symbol("a"), Symbol("c"), Call("sin", (Symbol("phi"),))
 K = product([(A, 1), (SINE, 1)])
@@ -33,7 +35,10 @@ def test_a_length_that_may_be_negative_makes_none():
 
 
 def said(name, language="en"):
-    compilation = compiled(name)
+    return remarks_of(compiled(name), language)
+
+
+def remarks_of(compilation, language="en"):
     derivation, mechanism = compilation.reported, compilation.mechanism
     spell = speller(derivation.results, mechanism, True, language)
     shown = (r for s in outline(derivation, mechanism).results for r in s.results)
@@ -84,3 +89,13 @@ def test_the_equation_holds_in_numbers(name):
     known |= {literal.name: evaluate(literal.value, {}) for literal in mechanism.literals}
     values = [evaluate(shown[n].formula, known) for n in ("i", other.name)]
     assert values[0] == pytest.approx(evaluate(other.factor, known) * values[1], rel=1e-12)
+
+
+def test_an_earlier_ratio_without_a_name_is_the_ratio():
+    """−M₁_over_M₂ stood in the sentence."""
+    source = drawn_four_bar(
+        "drive OA from 40 deg to 80 deg", "torque M_2 on CB", "find M/M_2, omega_CB/omega_OA"
+    )
+    shown = remarks_of(mechc.loads(source)._compilation, "en")["omega_CB_over_omega_OA"]
+    assert any("= −M/M₂: " in each for each in shown)
+    assert not any("over" in each for each in shown)

@@ -1103,3 +1103,25 @@ def test_a_brake_that_begins_to_grip_at_the_values_given_is_jammed():
     compilation = Compilation(Source("shoe.mech", shoe))
     states = {r.name: r.locking.state for r in compilation.results if r.locking}
     assert states == {"P_f": "free", "P_hold": "jammed"}
+
+
+def test_a_bound_has_no_minuses_that_cancel() -> None:
+    """By hand tan α = (μ₁ + μ₂)/(1 − μ₁μ₂), no −arctan((−μ₁ − μ₂)/(1 − μ₁μ₂))."""
+    wedge = """
+    param alpha = 12 deg in 4 deg .. 30 deg
+    param mu_1 = 0.15
+    param mu_2 = 0.1
+    slider B along y
+    slide WX along x
+    contact B on WX normal 90 deg - alpha
+    friction contact B mu_1
+    friction slider W mu_2
+    friction slider B mu_2
+    force P at W along x
+    force Q at B along -y
+    find k = P/Q
+    """
+    (bound,) = (stretch.high for stretch in stretches(wedge, "k_hold"))
+    assert bound is not None
+    assert bound.exact is not None
+    assert text(bound.exact) == "atan((mu_1 + mu_2)/(1 - mu_1*mu_2))"

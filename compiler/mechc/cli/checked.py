@@ -9,7 +9,7 @@ from ..diagnostics import Diagnostic, Severity
 from ..driver import Compilation
 from ..formula.evaluate import evaluate
 from ..formula.to_text import text, text_in_degrees
-from ..formula.tree import Constant, Formula, Number
+from ..formula.tree import ZERO, Constant, Formula, Number
 from ..frozen import replace
 from ..model.mechanism import (
     GRAVITY,
@@ -212,7 +212,7 @@ def _of_result(
     yield from _of_iterated(result, before, words)
     if says_what_drives(result):
         yield f"    {kind(result, spell.locale, spell)}."
-    if result.default is not None:
+    if result.default is not None and result.formula != ZERO:
         value = _measured(result.default, entry.unit, spell)
         yield f"    = {words['default'].format(value=value)}"
     elif len(result.sides) > 1:

@@ -1,7 +1,7 @@
 """From a figure to its kinematic scheme."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from ..figure.figure import Figure, Link, Pivot, Slide, Slider, Telescope
 from ..formula.names import split_points
@@ -9,7 +9,7 @@ from ..pose.places import NOWHERE, Plane
 from . import symbols
 from .bodies import bars_at, link, slide
 from .describe import describe
-from .drawing import AXIS, COPY, SYMBOL, Drawing, Shape
+from .drawing import AXIS, COPY, SYMBOL, Drawing, Polyline, Shape
 from .joints import draw_slide_guides, joint, pins
 from .labels import AroundPoint
 from .lettering import name
@@ -57,14 +57,21 @@ def _draw_bodies(sheet: Sheet, paper: Paper) -> None:
     for part in paper.figure.parts:
         match part:
             case Link():
-                sheet.draw(Layer.BODIES, link(paper, part))
+                _draw_body(sheet, link(paper, part))
             case Slide():
-                sheet.draw(Layer.BODIES, slide(paper, part))
+                _draw_body(sheet, slide(paper, part))
             case _:
                 for layer, shape in joint(paper, part):
                     sheet.draw(layer, [shape])
     draw_pairs(sheet, paper)
     sheet.draw(Layer.PINS, pins(paper))
+
+
+def _draw_body(sheet: Sheet, shapes: Iterable[Shape]) -> None:
+    """Draw a body; what is filled covers no rod that lies across it."""
+    for shape in shapes:
+        is_filled = isinstance(shape, Polyline) and shape.fill == "light"
+        sheet.draw(Layer.PLATES if is_filled else Layer.BODIES, [shape])
 
 
 def _copies(paper: Paper) -> Iterator[Shape]:

@@ -19,11 +19,12 @@ class Layer(IntEnum):
     AXES = 1
     GROUND = 2
     WHEELS = 3
-    BODIES = 4
-    JOINTS = 5
-    PINS = 6
-    LOADS = 7
-    MEASURES = 8
+    PLATES = 4
+    BODIES = 5
+    JOINTS = 6
+    PINS = 7
+    LOADS = 8
+    MEASURES = 9
 
 
 class Sheet:

@@ -84,10 +84,11 @@ def _length(formula: Formula) -> int:
 
 def _positive(formula: Formula, values: LazyValues) -> Formula:
     differences = [found for node in walk(formula) if (found := _difference(node))]
-    if not differences:
+    divisors = [found for node in walk(formula) if (found := _divisor(node))]
+    if not differences and not divisors:
         return formula
     at = SharedEvaluation(values())
-    behind = any(_is_behind(d, at) for d in differences)
+    behind = any(_is_behind(d, at) for d in differences) or any(_is_below(d, at) for d in divisors)
     return _sizes_as_beside(_without_minus(_faced(formula, at) if behind else formula))
 
 
@@ -338,13 +339,97 @@ def _faced(formula: Formula, at: SharedEvaluation) -> Formula:
     whole = rebuild(formula, parts) if parts != children(formula) else formula
     match whole:
         case Product(factors):
-            return _paired(factors, at) or whole
+            above = _over_positive(factors, at) or whole
+            factors = above.factors if isinstance(above, Product) else factors
+            return _paired(factors, at) or above
         case Power(base, Number(value) as exponent) if value.denominator == 1 and not value % 2:
             return Power(negative(base), exponent) if has_minus(base) else whole
         case Call("abs", (inner,)) if turned := _turned(inner, at):
             return Call("abs", (turned,))
         case _:
             return whole
+
+
+def _over_positive(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
+    """Return a product divided by positive differences, a minus before it if need be.
+
+    M/(a − b) is −M/(b − a) where a is smaller; what is negative above the line is turned, too.
+    None where no difference below the line is negative.
+    """
+    below = [i for i, f in enumerate(factors) if (d := _divisor(f)) and _is_below(d, at)]
+    if not below:
+        return None
+    above = [i for i, f in enumerate(factors) if _is_mixed(f) and _is_below(f, at)]
+    turned = {i: _opposite(factors[i]) for i in (*below, *above)}
+    parts = [(turned.get(i, factor), 1) for i, factor in enumerate(factors)]
+    return product([(number((-1) ** len(turned)), 1), *parts])
+
+
+def upright(formula: Formula, values: Mapping[str, float]) -> Formula:
+    """Return −atan(a/(b − 1)) as atan(a/(1 − b)) where b − 1 is negative at the values.
+
+    >>> from .tree import ONE, Symbol, quotient
+    >>> from .to_text import text
+    >>> a, b = map(Symbol, "ab")
+    >>> bound = negative(Call("atan", (quotient(a, total([b, negative(ONE)])),)))
+    >>> text(upright(bound, {"a": 0.1, "b": 0.2}))
+    'atan(a/(1 - b))'
+    """
+    at = SharedEvaluation(values)
+
+    def turned(whole: Formula) -> Formula | None:
+        match whole:
+            case Call("asin" | "atan" as function, (Product(factors),)):
+                below = [i for i, f in enumerate(factors) if _is_below_zero(f, at)]
+                parts = [_opposite(f) if i in below else f for i, f in enumerate(factors)]
+                sign = number((-1) ** len(below))
+                inner = product([(sign, 1), *((part, 1) for part in parts)])
+                if has_minus(inner):
+                    return negative(Call(function, (negative(inner),)))
+                return Call(function, (inner,))
+        return None
+
+    return rewritten(formula, turned)
+
+
+def _is_below_zero(factor: Formula, at: SharedEvaluation) -> bool:
+    """Return whether a factor is a sum, or one over it, that is negative at the values."""
+    match factor:
+        case Power(Sum() as base, Number(value)) if value == -1:
+            return _is_below(base, at)
+    return isinstance(factor, Sum) and _is_below(factor, at)
+
+
+def _opposite(factor: Formula) -> Formula:
+    """Return an odd power of a sum with all terms of the other sign."""
+    if isinstance(factor, Power):
+        return Power(_opposite(factor.base), factor.exponent)
+    assert isinstance(factor, Sum)
+    return total(_led(map(negative, factor.terms)))
+
+
+def _divisor(formula: Formula) -> Sum | None:
+    """Return the difference that something is divided by, once or an odd number of times."""
+    match formula:
+        case Power(Sum() as base, Number(value)) if value < 0 and value % 2 == 1:
+            return base if _is_mixed(base) else None
+    return None
+
+
+def _is_mixed(formula: Formula) -> bool:
+    """Return whether something is a sum of terms of which some have a minus, not all."""
+    signs = set(map(has_minus, formula.terms)) if isinstance(formula, Sum) else set()
+    return len(signs) == 2
+
+
+def _is_below(formula: Formula, at: SharedEvaluation) -> bool:
+    """Return whether a sum is negative; False where it has no value."""
+    assert isinstance(formula, Sum)
+    try:
+        sizes = [at.of(term) for term in formula.terms]
+    except KeyError:
+        return False
+    return sum(sizes) < -ROUNDING * max(map(abs, sizes))
 
 
 def _paired(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:

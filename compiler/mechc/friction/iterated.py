@@ -4,14 +4,15 @@ Every friction adds its power, factor · pressing force · slip, to what the dri
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 
 from ..algebra.angle import Rational
+from ..algebra.from_formula import to_product
 from ..algebra.product import ONE as UNIT
-from ..algebra.product import ZERO, Product
-from ..algebra.sums import add
+from ..algebra.product import ZERO, Product, Sum
+from ..algebra.sums import add, canonical
 from ..formula.operations import count_operations
 from ..formula.tree import ONE, Formula, Symbol, negative, number, product, total
 from ..model.mechanism import Mechanism
@@ -95,6 +96,10 @@ LINE = 60
 """Operations of a formula that is multiplied out: more are several lines, and names are read."""
 
 
+SHORT = 12
+"""Operations of a load without friction that may stand as a factor."""
+
+
 def _called_so(ideal: Result) -> Definition:
     return Definition(ideal.name, ideal.formula)
 
@@ -166,7 +171,17 @@ def _with(ideal: Formula, parts: Sequence[FrictionPower], sense: int) -> Formula
     alone = _added([size for together in apart.values() for size in together], [*apart.values()])
     others = _gathered(s for s in sizes if _has_root(s))
     added = total([alone, *(size.formula() for size in others)])
-    return total([ideal, added if sense > 0 else negative(added)])
+    whole = total([ideal, added if sense > 0 else negative(added)])
+    return whole if others else min((whole, *_at_once(ideal, sizes, sense)), key=count_operations)
+
+
+def _at_once(ideal: Formula, sizes: Sequence[Product], sense: int) -> Iterator[Formula]:
+    """Yield a load without friction times a sum, if it is that: r(1 + c)/l, where teeth lose c."""
+    if count_operations(ideal) <= SHORT:
+        load = to_product(ideal)
+        whole = add((load, *(size.scaled(sense) for size in sizes)))
+        if load and all(isinstance(factor, Sum) for factor in (whole / load).factors):
+            yield readable(canonical(whole))
 
 
 def _added(sizes: Sequence[Product], apart: Sequence[Sequence[Product]]) -> Formula:

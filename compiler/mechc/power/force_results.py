@@ -33,17 +33,18 @@ def joint_force(problem: PowerProblem, find: Find, asked: ForceAtJoint) -> Algeb
 
 
 def _result(problem: PowerProblem, find: Find, asked: ForceAtJoint, found: ForceFormula) -> Result:
-    where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
-    problem.check_lengths(find, [found.formula, *(d.formula for d in where)])
+    formula = problem.faced(found.formula)
+    where = [d for p in found.plans for d in resting_on(p, formula, found.values)]
+    problem.check_lengths(find, [formula, *(d.formula for d in where)])
     given = _given_loads(problem, found)
-    names = symbols(found.formula, *(g.formula for g in given))
+    names = symbols(formula, *(g.formula for g in given))
     before = intermediates(problem.plan.graph.pose, names)
     coefficients = found.coefficients
     return Result(
         find.name,
         asked,
         ANGLE if isinstance(asked, Reaction) and asked.part == "direction" else FORCE,
-        found.formula,
+        formula,
         tuple(dict.fromkeys((*before, *where, *given))),
         None if coefficients is None else {n: c.formula() for n, c in coefficients.items()},
     )

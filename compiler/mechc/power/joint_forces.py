@@ -1,8 +1,6 @@
 """The forces at joints that are asked for: components, sizes, directions."""
 
-import math
-from collections.abc import Callable, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from ..algebra.angle import Angle
@@ -21,6 +19,7 @@ from ..model.mechanism import Axial, ComponentPart, ForceAtJoint, Mechanism, Nor
 from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector
 from .balance import Release
+from .linear_forms import Amounts, common, linear_form
 from .magnitudes import length, magnitude, root
 from .numbers import pose_values
 from .reactions import Reactions, Transmitted
@@ -29,8 +28,6 @@ HALF_TURN = Angle.constant(180)
 
 SQUARES = 1
 """By how much a root of two squares is longer to read than the one operation that it counts for."""
-
-Amounts = Mapping[str, Product]
 
 
 class ForceFormula(NamedTuple):
@@ -158,12 +155,8 @@ def _outwards(link: str, tail: str, head: str, pose: Pose) -> Vector:
 
 def _linear(transmitted: Transmitted, amounts: Amounts) -> ForceFormula:
     return ForceFormula(
-        _form(_kept(amounts)), amounts, tuple(amounts.values()), transmitted.releases
+        linear_form(_kept(amounts)), amounts, tuple(amounts.values()), transmitted.releases
     )
-
-
-def _form(amounts: Amounts) -> Formula:
-    return total(product([(a.formula(), 1), (Symbol(n), 1)]) for n, a in amounts.items())
 
 
 def _whole(part: ComponentPart, transmitted: Transmitted, mechanism: Mechanism) -> ForceFormula:
@@ -171,9 +164,9 @@ def _whole(part: ComponentPart, transmitted: Transmitted, mechanism: Mechanism) 
     x, y = (_kept(transmitted.along(axis)) for axis in (Angle(), QUARTER))
     loads = dict.fromkeys((*x, *y))
     if part == "direction":
-        formula: Formula = Call("atan2", (_form(y), _form(x))) if loads else ZERO
+        formula: Formula = Call("atan2", (linear_form(y), linear_form(x))) if loads else ZERO
     elif len(loads) > 1:
-        formula = size_of_two(_form(x), _form(y))
+        formula = size_of_two(linear_form(x), linear_form(y))
     else:
         positive = partial(magnitude, mechanism=mechanism)
         sizes = {n: size_of(x.get(n, NONE), y.get(n, NONE), positive) for n in loads}
@@ -207,7 +200,7 @@ def size_of(x: Product, y: Product, positive: Callable[[Product], Product]) -> P
     merged = positive(root(add((x * x, y * y))))
     if not x or not y:
         return merged
-    shared = _common(x, y)
+    shared = common(x, y)
     sides = tuple(_bare(part / shared) for part in (x, y))
     apart = positive(shared) * Product.of(Opaque(Call("hypot", sides)))
     return min(merged, apart, key=lambda size: _length(size.formula()))
@@ -217,16 +210,6 @@ def _length(formula: Formula) -> int:
     """Return how long a formula is to read, where hypot(a, b) is the root of a² + b²."""
     roots = sum(is_call(part, "hypot") for part in walk(formula))
     return count_operations(formula) + SQUARES * roots
-
-
-def _common(x: Product, y: Product) -> Product:
-    """Return the factors that two products have in common, the number with those of fractions."""
-    both = {f: min(e, y.factors[f], key=abs) for f, e in x.factors.items() if f in y.factors}
-    one, other = (Fraction(p.coefficient) for p in (x, y))
-    above = math.gcd(one.numerator, other.numerator)
-    size = Fraction(above, math.lcm(one.denominator, other.denominator))
-    alike = {f: e for f, e in both.items() if e * y.factors[f] > 0 < e * x.factors[f]}
-    return Product(size, alike)
 
 
 def _bare(side: Product) -> Formula:

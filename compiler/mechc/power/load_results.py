@@ -6,13 +6,13 @@ from ..algebra.product import ZERO, Product
 from ..algebra.sums import canonical
 from ..diagnostics import Diagnostic
 from ..diagnostics import power as messages
-from ..formula.tree import Symbol, product, total
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Find, LoadForm, LoadRatio
 from ..model.result import Definition, Result
 from .balance import AlgebraicResult
 from .definitions import intermediates
+from .linear_forms import linear_form
 from .loads import at_rest, held_drives
 from .loose import looseness
 from .problem import PowerProblem
@@ -103,7 +103,7 @@ def load_form(problem: PowerProblem, find: Find, load: str) -> AlgebraicResult |
 
 def _linear(problem: PowerProblem, find: Find, load: str, values: Mapping[str, Product]) -> Result:
     coefficients = {n: v.formula() for n, v in values.items() if v}
-    formula = total(product([(c, 1), (Symbol(n), 1)]) for n, c in coefficients.items())
+    formula = linear_form(values)
     result = problem.result(find, formula, problem.dimension(load), list(values.values()))
     given = [Definition(n, f) for n in values if (f := problem.given(n)) is not None]
     found = intermediates(problem.plan.graph.pose, symbols(*(g.formula for g in given), formula))

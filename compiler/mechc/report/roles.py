@@ -11,10 +11,11 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Mapping, Set
 from typing import assert_never
 
+from ..formula.names import split_points
 from ..formula.tree import HALF, Formula, Number, Product, Sum, Symbol, product
 from ..formula.walk import walk
 from ..frozen import replace
-from ..model.mechanism import ForcePair, Geometry, Mechanism, Parameter, Turn
+from ..model.mechanism import Force, ForcePair, Geometry, Mechanism, Parameter, Turn
 from ..model.parts.friction import (
     CollarFriction,
     FaceFriction,
@@ -27,7 +28,7 @@ from ..model.parts.friction import (
     WheelFriction,
     coulomb,
 )
-from ..units import LENGTH
+from ..units import FORCE, LENGTH
 
 Role = tuple[str, str]
 """A quantity, and what it is: a key of the words of a language."""
@@ -44,7 +45,7 @@ def with_roles(
     parameters: Iterable[Parameter], mechanism: Mechanism, words: Mapping[str, str]
 ) -> Iterator[Parameter]:
     """Yield quantities with what they are for a text, where they have none of their own."""
-    roles = dict(_roles(mechanism))
+    roles = dict((*_of_loads(mechanism), *_roles(mechanism)))
     for parameter in parameters:
         role = "" if parameter.label or parameter.about else roles.get(parameter.name, "")
         yield replace(parameter, label=words[role]) if role else parameter
@@ -77,13 +78,23 @@ def _place(name: str, points: Container[str]) -> tuple[str, str]:
 
     >>> _place("x_O", {"O"}), _place("y_D0", {"D"}), _place("delta_BAG", {}), _place("len_AB", {})
     (('coordinate', 'O'), ('guide', 'D'), ('angle', 'BAG'), ('', ''))
+    >>> _place("y_OA", {"O", "A"})
+    ('y component', 'OA')
     """
     kind, _, of = name.partition("_")
     if kind == "delta":
         return "angle", of
     if kind in ("x", "y") and of not in points and of.removesuffix("0") in points:
         return "guide", of.removesuffix("0")
+    if kind in ("x", "y") and _joins(of, points):
+        return f"{kind} component", of
     return (PLACES[kind], of) if kind in PLACES and of in points else ("", "")
+
+
+def _joins(name: str, points: Container[str]) -> bool:
+    """Return whether a name is that of a vector between two of the points."""
+    ends = ["".join(end) for end in split_points(name)]
+    return len(ends) > 1 and all(end in points for end in ends)
 
 
 def _roles(mechanism: Mechanism) -> Iterator[Role]:
@@ -96,6 +107,19 @@ def _roles(mechanism: Mechanism) -> Iterator[Role]:
     for (name, role), times in met.items():
         if roles[name] == 1:  # what is a diameter here and a free length there is neither alone
             yield name, SEVERAL.get(role, role) if times > 1 else role
+
+
+def _of_loads(mechanism: Mechanism) -> Iterator[Role]:
+    """Yield loads as forces and couples, masses of weights, intensities of what is spread."""
+    for load in mechanism.loads:
+        yield load.name, "force" if load.dimension == FORCE else "couple"
+        if isinstance(load, Force) and load.weight:
+            match load.tie:
+                case Product((Number(), Symbol(mass))):
+                    yield mass, "mass"
+        if isinstance(load, Force) and load.spread:
+            for intensity in load.spread.intensities:
+                yield from _named(intensity, "intensity")
 
 
 def of_friction(friction: JointFriction, lengths: Set[str]) -> list[Role]:

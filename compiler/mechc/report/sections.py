@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from ..formula.facing import led
 from ..formula.operations import count_operations
-from ..formula.tree import ZERO, Call, Formula, Implicit, Symbol, System
+from ..formula.tree import ZERO, Call, Formula, Implicit, Product, Sum, Symbol, System
 from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter
@@ -298,11 +298,15 @@ def in_short(result: Analysis, results: Iterable[Analysis]) -> Analysis:
 
     Where these are not there, as in a notebook that shows one result, it is as it is.
     """
-    sides = _components(result, results)
-    match _part(result):
-        case "direction" if sides and symbols(result.formula):
+    parts = _components(result, results)
+    sides = tuple(Symbol(part.name) for part in parts)
+    only = [Symbol(part.name) for part in parts if part.formula != ZERO]
+    match _part(result), result.formula:
+        case "direction", formula if sides and symbols(formula):
             return replace(result, formula=Call("atan2", sides[::-1]))
-        case "size" if sides and count_operations(result.formula) > LONG:
+        case "size", Call("abs", (Sum() | Product(),)) if len(only) == 1:
+            return replace(result, formula=Call("abs", (*only,)))
+        case "size", formula if sides and count_operations(formula) > LONG:
             return replace(result, formula=Call("hypot", sides))
         case _:
             return result
@@ -313,10 +317,10 @@ def _part(result: Analysis) -> str:
     return force.part if force else ""
 
 
-def _components(result: Analysis, results: Iterable[Analysis]) -> tuple[Formula, ...]:
-    """Return the names of the components of a force at a joint; none where one is missing."""
+def _components(result: Analysis, results: Iterable[Analysis]) -> tuple[Analysis, ...]:
+    """Return the components of a force at a joint among results; none where one is missing."""
     force = whole(result.target) if result.target else None
-    beside = {_part(r): Symbol(r.name) for r in results if r.target and whole(r.target) == force}
+    beside = {_part(r): r for r in results if r.target and whole(r.target) == force}
     return (beside["x"], beside["y"]) if {"x", "y"} <= beside.keys() else ()
 
 

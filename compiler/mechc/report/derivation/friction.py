@@ -4,6 +4,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import assert_never
 
+from ...algebra.from_formula import to_product
+from ...algebra.sums import add
+from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Call, Formula, Product, Sum, Symbol, is_call, product, total
 from ...formula.walk import symbols, walk
 from ...friction.solution import FrictionStep, Solution, SolvedWithFriction, StepKind
@@ -128,13 +131,27 @@ def _are_iterated(names: Sequence[str], results: Iterable[Analysis]) -> bool:
     return False
 
 
+MULTIPLIED = 24
+"""Formulas of more operations are equal only as they are written."""
+
+
 def exact_name(result: Result, results: Iterable[Result]) -> str:
     """Return the name of the exact result that a result of first order is equal to, or ''."""
     target = result.target
     if not isinstance(target, WithFriction) or target.order != "first":
         return ""
     exact = replace(target, order="exact")
-    return next((r.name for r in results if r.target == exact and r.formula == result.formula), "")
+    found = (r.name for r in results if r.target == exact and _are_equal(r.formula, result.formula))
+    return next(found, "")
+
+
+def _are_equal(one: Formula, other: Formula) -> bool:
+    """Return whether two formulas are equal, multiplied out where they are short."""
+    if one == other:
+        return True
+    if max(map(count_operations, (one, other))) > MULTIPLIED:
+        return False
+    return not add((to_product(one), -to_product(other)))
 
 
 _BESIDE_THE_LOAD = ("first order", "iterated", "efficiency")

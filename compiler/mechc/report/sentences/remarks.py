@@ -195,6 +195,17 @@ def reaction(result: Analysis) -> Reaction | None:
             return None
 
 
+def named(name: str) -> Formula:
+    """Return the symbol of a result by its name, and a ratio that was given none as the ratio.
+
+    >>> from ...formula.to_text import text
+    >>> text(named("k")), text(named("M_1_over_M_2"))
+    ('k', 'M_1/M_2')
+    """
+    above, *below = map(Symbol, split_ratio(name))
+    return quotient(above, *below) if below else above
+
+
 def is_nameless(result: Analysis) -> bool:
     """Return whether a result's name was made up (``V_D_over_V_A``)."""
     return len(split_ratio(result.name)) > 1
@@ -204,7 +215,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     """Return the remarks on a result: limits, proportions, symmetries, trends, locking."""
     symbol = spelled(asked(result), spell)
     if result.same_as:
-        other = spelled(Symbol(result.same_as), spell)
+        other = spelled(named(result.same_as), spell)
         senses = _senses(result, symbol, locale, spell)
         same = locale.same_as.format(result=symbol, other=other)
         return (*(senses if isinstance(result.target, SpeedRatio) else ()), same)
@@ -229,7 +240,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
 
 def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> str:
     """Return the sentence on a result that is the inverse of a ratio, of which all was said."""
-    other = spelled(Symbol(result.inverse_of), spell)
+    other = spelled(named(result.inverse_of), spell)
     trends = ((n, trend) for n, trend in (result.trends or {}).items() if _is_news([n], result))
     moves = (trend in ("rises", "falls") for _, trend in trends)
     kinds = {"limits": bool(result.zeros or result.poles), "trends": any(moves)}
@@ -239,7 +250,7 @@ def _inverse(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> s
         if is_said
     ]
     inverse = spell.relation(
-        (asked(result), quotient(ONE, Symbol(result.inverse_of))), ("=",), False
+        (asked(result), quotient(ONE, named(result.inverse_of))), ("=",), False
     )
     return f"{inverse}: {'; '.join(said)}." if said else f"{inverse}."
 
@@ -251,7 +262,7 @@ def _as_other(
     trends = (result.trends or {}).items()
     moved = [n for n, trend in trends if trend in ("rises", "falls") and _is_news([n], result)]
     extremes = any(extent.least and not extent.is_monotone for extent in result.extents)
-    names = {"result": symbol, "other": spelled(Symbol(other.name), spell)}
+    names = {"result": symbol, "other": spelled(named(other.name), spell)}
     names["names"] = _symbols(moved, locale, spell) if moved else ""
     sense = "opposite " if other.is_negative else ""
     kinds = {
@@ -260,7 +271,7 @@ def _as_other(
         f"{sense}extremes": extremes,
     }
     said = [locale.multiple_of[k].format_map(names) for k, is_said in kinds.items() if is_said]
-    times = product([(other.factor, 1), (Symbol(other.name), 1)])
+    times = product([(other.factor, 1), (named(other.name), 1)])
     equation = spell.relation((asked(result), times), ("=",), False)
     return [f"{equation}: {'; '.join(said)}."] if said else [f"{equation}."]
 
@@ -272,7 +283,7 @@ def _is_news(names: Iterable[str], result: Analysis) -> bool:
 
 def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     if result.holds_as:
-        return [locale.holds_as.format(result=spelled(Symbol(result.holds_as), spell))]
+        return [locale.holds_as.format(result=spelled(named(result.holds_as), spell))]
     held = own_conditions(result)
     return [locale.holds.format(conditions=conditions(held, spell))] if held else []
 
