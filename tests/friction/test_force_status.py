@@ -119,3 +119,47 @@ def test_single_precision_gives_up_earlier(toggle, tmp_path):
     found = [single(*pose) for pose in beside]
     assert set(found) == {0, 2, 4}
     assert found[:4] == [4, 0, 4, 0]
+
+
+GEARED = """mechanism geared
+param a = 50 mm
+param r = 25 mm
+param phi = 30 deg
+drive phi from 25 deg to 120 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (2*r, 0 mm)
+link OA
+link QB
+link BC
+OA = a @ phi
+QB = a @ -phi
+BC = a
+slider C along x through O
+gear O r, Q r
+assembly C forward
+friction gear O 0.03
+friction slider C 0.1
+force F at C along y
+torque M on OA
+find k = M/F
+"""
+"""A load that presses its guide and does no work; at 90 degrees crank and rod are upright.
+
+On the way to its solution the force that presses the gears turns round, and another branch of
+solutions comes near there.
+"""
+
+
+def test_beside_upright_rods_no_single_pose_is_said_to_jam():
+    """k_f is in proportion to the angle that is left to 90 degrees."""
+    geared = mechc.loads(GEARED)
+    functions = {f.name: f for f in geared._compilation.routine.functions}
+    beside = [math.pi / 2 - 10 ** -(3 + i / 20) for i in range(81)]
+    given = {"a": 0.05, "r": 0.025, "phi": np.array(beside)}
+    interpreted = status(functions["k_f"], functions["k"], given)
+    assert not np.any(interpreted)
+    assert not np.any(code(geared)["k_f_status"](0.05, 0.025, np.array(beside)))
+    numbers = [mechc.loads(GEARED).compile().evaluate(phi=phi)["k_f"] for phi in beside[::4]]
+    assert numbers == pytest.approx(
+        [1.03 * 0.1 * (math.pi / 2 - phi) for phi in beside[::4]], rel=0.02
+    )

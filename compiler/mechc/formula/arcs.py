@@ -14,7 +14,8 @@ What is concluded from what:
   the point before: it is the solution. Where another branch crossed on the way the sign is not
   that of the start, as of symmetric mechanisms, whose forces need not stay alike;
 - of two points of the curve, so close together that their tangents differ by less than an angle
-  of :data:`BENT`, one has t' > 0 and the other t' <= 0: between them F_x is singular with
+  of :data:`FOLDED`, or of :data:`BENT` at a :data:`SHARP` end, and alike in the sign of the
+  determinant, one has t' > 0 and the other t' <= 0: between them F_x is singular with
   t' = 0, a fold. From the fold on the share falls: with all of it no solution is on the branch.
   But what is rounded off on the way may have made the fold, where it is all that there is in an
   unknown; so there is none if Newton's method leads straight from the start to a solution with
@@ -57,6 +58,13 @@ ALIKE = 0.99
 
 Along one curve it changes at a crossing alone. An arc that led across to another branch, which
 comes near without crossing, is mostly bent, as both branches turn aside there.
+"""
+
+FOLDED, SHARP = 0.9999, 2.0**-20
+"""The same where the share falls behind an arc, and the length of one to which that does not apply.
+
+Where pressing forces turn round the curve has all but corners. A longer arc led past one of them
+to another branch, which seemed to fall, and a mechanism that moves was said to jam.
 """
 
 FEW = 6
@@ -118,7 +126,7 @@ class Arcs(NamedTuple):
                 return 0, tuple(found[:-1])
             there, turned = self._tangent(found, tangent) if found else (0, [])
             cosine = _dot(turned, tangent) if there else 0.0
-            if not there or found[-1] > 1.0 or cosine < (BENT if there == side else ALIKE):
+            if not there or found[-1] > 1.0 or cosine < _least(turned[-1], there == side, length):
                 arc = length / 2
                 if arc < LEAST:
                     break
@@ -199,6 +207,15 @@ class Arcs(NamedTuple):
         *unknowns, share = point
         residuals, matrix = self.sides(unknowns, share)
         return [*residuals, 0.0], [*matrix, list(across)]
+
+
+def _least(share: float, is_alike: bool, length: float) -> float:
+    """Return the least cosine between the tangents at the ends of an arc, by that at its end."""
+    if share > 0.0:
+        return BENT if is_alike else ALIKE
+    if not is_alike:
+        return math.inf
+    return BENT if length <= SHARP else FOLDED
 
 
 def _dot(one: Sequence[float], other: Sequence[float]) -> float:

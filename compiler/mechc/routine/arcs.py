@@ -80,8 +80,10 @@ def _ahead(sides: ArrayEquations, poses: PoseIndices, curves: _Curves) -> tuple[
     is_end = is_found & is_last
     is_within = is_found & (found[-1] <= 1.0)
     cosine = _dot(turned, tangents)
-    bent = np.where(there == side, arcs.BENT, arcs.ALIKE)
-    good = is_within & (there != 0) & (cosine >= bent)
+    rises, is_alike = turned[-1] > 0.0, there == side
+    close = np.where(rises, arcs.ALIKE, arcs.FOLDED)
+    bent = np.where(is_alike & (rises | (length <= arcs.SHARP)), arcs.BENT, close)
+    good = is_within & (there != 0) & (rises | is_alike) & (cosine >= bent)
     longer = np.where(cosine >= arcs.EASY, np.minimum(2.0 * arc, arcs.LONGEST), arc)
     is_fold = good & ~is_end & (turned[-1] <= 0.0)
     status = np.where(is_end, 0.0, np.where(is_fold, 1.0, 2.0))

@@ -18,8 +18,9 @@ class Real(NamedTuple):
 
     ``bits`` is the unsigned type of the same width, ``top`` the place of the sign in it,
     ``infinity`` and ``size`` are the bits of infinity and of all but the sign. ``tiny``,
-    ``rounding`` and ``least`` are for this type what they are in :mod:`~mechc.formula.newton` and
-    :mod:`~mechc.formula.arcs` for ``double``; only code that solves equations needs them.
+    ``rounding``, ``least`` and ``sharp`` are for this type what they are in
+    :mod:`~mechc.formula.newton` and :mod:`~mechc.formula.arcs` for ``double``; only code that
+    solves equations needs them.
     """
 
     name: str
@@ -45,6 +46,11 @@ class Real(NamedTuple):
     def least(self) -> float:
         """Return the length of an arc below which it leads nowhere."""
         return 2.0**-10 if self is FLOAT else arcs.LEAST
+
+    @property
+    def sharp(self) -> float:
+        """Return the length of an arc that may lead round a corner behind which the share falls."""
+        return 2.0**-8 if self is FLOAT else arcs.SHARP
 
 
 DOUBLE = Real(
