@@ -18,7 +18,7 @@ from .stage import Stage, within
 from .syntax import ast
 from .syntax.settings import Setting, Settings, parse
 from .units import in_unit, si_unit
-from .work import LIMIT, Allowance
+from .work import MOST_WORK, Allowance
 
 if TYPE_CHECKING:
     from .drawing.drawing import Drawing
@@ -49,7 +49,7 @@ OF_WHAT_IS_FOUND = ("derivation", "routine")
 ALONG = 4
 """How much more work a stroke may take than a compilation: it is looked at at 721 places."""
 
-OF_A_ROW = LIMIT // 100
+OF_A_ROW = MOST_WORK // 100
 """Steps that each row of a stroke may take: with friction in all joints it takes some thousands."""
 
 EXACT = 15
@@ -231,7 +231,7 @@ class Compilation(Pipeline):
         from .study.stroke.from_balance import run
 
         motion = self.motion
-        with within(Allowance(ALONG * LIMIT + points * OF_A_ROW), self.report):
+        with within(Allowance(ALONG * MOST_WORK + points * OF_A_ROW), self.report):
             return run(self.solution, self.results, points, self.report, motion, paths, watch)
 
     def along(self, formulas: Settings) -> "Compilation":

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .emit.python.evaluator import Evaluator
     from .routine.evaluate import OnArrays
 
-KEPT = 8
+KEPT_FUNCTIONS = 8
 """How many choices of loads given by hand functions are kept for."""
 
 
@@ -113,7 +113,7 @@ class Evaluation:
         """
         found = self._evaluators.pop(overridden, None) or self._new_evaluator(overridden)
         self._evaluators[overridden] = found
-        if len(self._evaluators) > KEPT:
+        if len(self._evaluators) > KEPT_FUNCTIONS:
             del self._evaluators[next(iter(self._evaluators))]
         return found
 

@@ -13,7 +13,7 @@ from .diagnostics import files as messages
 from .frozen import replace
 from .source import Source, Span
 
-LARGEST = 1 << 20
+LARGEST_DESCRIPTION = 1 << 20
 """Bytes in the largest description that is read."""
 
 SUFFIXES = (".mech", ".yaml", ".yml")
@@ -125,7 +125,7 @@ def read(path: Path) -> Source:
     """Return the text of a file; :class:`MechcError` (E801, E902, E903) where it is none."""
     try:
         with path.open("rb") as file:
-            content = file.read(LARGEST + 1)
+            content = file.read(LARGEST_DESCRIPTION + 1)
         witness.report("read", str(path), content)
         return replace(decode(content, str(path)), folder=path.parent)
     except OSError as error:
@@ -138,15 +138,15 @@ def read_stdin(name: str) -> Source:
         raise MechcError([messages.file_unreadable(name, "standard input is closed")])
     witness.report("read from a stream", name)
     try:
-        return decode(sys.stdin.buffer.read(LARGEST + 1), name)
+        return decode(sys.stdin.buffer.read(LARGEST_DESCRIPTION + 1), name)
     except OSError as error:
         raise MechcError([messages.file_unreadable(name, reason(error))]) from None
 
 
 def decode(content: bytes, name: str) -> Source:
     """Return bytes as a source, a byte-order mark and Windows line ends put aside."""
-    if len(content) > LARGEST:
-        oversize = syntax_limits.text_too_long(Span(0, 0), len(content), LARGEST)
+    if len(content) > LARGEST_DESCRIPTION:
+        oversize = syntax_limits.text_too_long(Span(0, 0), len(content), LARGEST_DESCRIPTION)
         raise MechcError([oversize], Source(name, ""))
     try:
         text = content.decode("utf-8-sig")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from .driver import Compilation
 from .frozen import replace
-from .plot.query import POINTS, GivenSetting, Query, condition
+from .plot.query import USUAL_ROWS, GivenSetting, Query, condition
 from .syntax.settings import parse
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class Plotting:
         range: tuple[GivenSetting, GivenSetting] | None = None,
         path: str | Sequence[str] = (),
         where: str | Sequence[str] = (),
-        points: int = POINTS,
+        points: int = USUAL_ROWS,
         language: str = "en",
     ) -> "PlotPicture":
         """Return results ``y`` against ``x``, or the ``path`` of points while the drive moves.

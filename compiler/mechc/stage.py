@@ -7,7 +7,7 @@ from typing import Generic, Protocol, TypeVar, overload
 from .diagnostics import Report
 from .diagnostics import syntax_limits as messages
 from .source import Span
-from .work import LIMIT, Allowance, WorkLimitError, at_most
+from .work import MOST_WORK, Allowance, WorkLimitError, at_most
 
 T = TypeVar("T")
 
@@ -57,4 +57,4 @@ def within(allowance: Allowance, report: Report) -> Iterator[None]:
         with at_most(allowance):
             yield
     except WorkLimitError:
-        raise report.fail(messages.too_much_work(Span(0, 0), LIMIT)) from None
+        raise report.fail(messages.too_much_work(Span(0, 0), MOST_WORK)) from None

@@ -25,7 +25,7 @@ from typing import ParamSpec, TypeVar
 P = ParamSpec("P")
 T = TypeVar("T")
 
-LIMIT = 10_000_000
+MOST_WORK = 10_000_000
 """Steps of one compilation: some ten seconds; no mechanism of the library takes a tenth."""
 
 
@@ -38,7 +38,7 @@ class Allowance:
 
     __slots__ = ("left",)
 
-    def __init__(self, steps: int = LIMIT) -> None:
+    def __init__(self, steps: int = MOST_WORK) -> None:
         self.left = steps
 
 
@@ -75,7 +75,7 @@ def most_of_what_is_left() -> Allowance:
     45
     """
     whole = _ALLOWANCE.get()
-    return Allowance((LIMIT if whole is None else whole.left) * 9 // 10)
+    return Allowance((MOST_WORK if whole is None else whole.left) * 9 // 10)
 
 
 def spend(steps: int) -> None:
@@ -90,7 +90,7 @@ def spend(steps: int) -> None:
             raise WorkLimitError
 
 
-KEPT = 2048
+MOST_KEPT_RESULTS = 2048
 """Results that a function keeps at most."""
 
 
@@ -103,7 +103,7 @@ def kept(function: Callable[P, T]) -> Callable[P, T]:
     (2, 2, 1)
     """
 
-    @lru_cache(maxsize=KEPT)
+    @lru_cache(maxsize=MOST_KEPT_RESULTS)
     def worked(*args: P.args, **kwargs: P.kwargs) -> tuple[T, int]:
         with at_most(_ALLOWANCE.get() or Allowance()) as allowance:
             before = allowance.left

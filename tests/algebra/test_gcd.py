@@ -11,7 +11,7 @@ from mechc.algebra.gcd import common, degrees, divided, times
 from mechc.algebra.laurent import Ring, size
 from mechc.algebra.modular import PRIME, ModularPoint
 from mechc.algebra.product import Product, Sum
-from mechc.algebra.sums import LIMIT, add, canonical
+from mechc.algebra.sums import MOST_MULTIPLIED_TERMS, add, canonical
 from mechc.algebra.trigonometry import cosine, sine
 
 law = settings(max_examples=60, deadline=None, derandomize=True, database=None)
@@ -90,7 +90,7 @@ def expanded(product):
         for k, v in p.terms.items()
         for part in ring.single(k, v)
     )
-    assert size(product) <= LIMIT
+    assert size(product) <= MOST_MULTIPLIED_TERMS
     return Product.of(Sum(tuple(parts)))
 
 

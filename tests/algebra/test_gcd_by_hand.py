@@ -150,9 +150,9 @@ def test_a_degree_counts_without_the_monomial():
 def test_a_remainder_that_grows_is_given_up(monkeypatch):
     """The first one of x + y + 1 by x - y has three terms, and none has more than the limit."""
     first, second = product(XY, XY, Y1), product(XY, YX, YX)
-    monkeypatch.setattr(gcd, "LIMIT", 3)
+    monkeypatch.setattr(gcd, "MOST_REMAINDER_TERMS", 3)
     assert common(first, second) == XY
-    monkeypatch.setattr(gcd, "LIMIT", 2)
+    monkeypatch.setattr(gcd, "MOST_REMAINDER_TERMS", 2)
     with pytest.raises(TooLongError):
         common(first, second)
 

@@ -14,7 +14,7 @@ from mechc.algebra.from_formula import to_product
 from mechc.algebra.laurent import Ring, size
 from mechc.algebra.modular import ModularPoint
 from mechc.algebra.product import ONE, ZERO, Product, Sum
-from mechc.algebra.sums import LIMIT, BoundSum, add, canonical
+from mechc.algebra.sums import MOST_MULTIPLIED_TERMS, BoundSum, add, canonical
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.to_text import text
 from mechc.formula.tree import Constant, Number
@@ -55,7 +55,7 @@ def test_the_order_of_terms_does_not_matter(terms, seed):
 @law
 @given(some, some)
 def test_the_grouping_of_terms_does_not_matter(left, right):
-    assume(sum(map(size, [*left, *right])) <= LIMIT)
+    assume(sum(map(size, [*left, *right])) <= MOST_MULTIPLIED_TERMS)
     assert add([add(left), add(right)]) == add([*left, *right])
 
 
@@ -151,7 +151,7 @@ def test_a_sum_that_names_hide_is_seen_to_vanish():
 
 
 def test_a_sum_too_long_to_multiply_out_is_seen_to_vanish():
-    terms = [Product.symbol(f"x{i}") for i in range(LIMIT)]
+    terms = [Product.symbol(f"x{i}") for i in range(MOST_MULTIPLIED_TERMS)]
     long = Product.of(Sum(tuple(terms)))
     more = [t * Product.symbol("y") for t in terms]
     assert add([long * Product.symbol("y"), *(-t for t in more)]) == ZERO

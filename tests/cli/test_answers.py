@@ -111,7 +111,7 @@ def test_what_hangs_on_more_is_not_kept(ask, tmp_path, line):
 
 
 def test_answers_go_when_they_are_too_many(ask, tmp_path, monkeypatch):
-    monkeypatch.setattr("mechc.cli.keeping.ROOM", 2000)
+    monkeypatch.setattr("mechc.cli.keeping.ROOM_FOR_ANSWERS", 2000)
     for alpha in range(5, 10):
         ask("check", "clamp.mech", "-D", f"alpha={alpha}deg")
         assert sum(path.stat().st_size for path in kept(tmp_path)) <= 2 * 2000

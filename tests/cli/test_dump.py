@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from mechc.algebra.angle import Angle
 from mechc.algebra.product import ONE, Product
-from mechc.cli.dump import WIDTH, dump
+from mechc.cli.dump import DUMP_COLUMNS, dump
 from mechc.figure import figure
 from mechc.formula.tree import Symbol, degrees, number, product
 from mechc.frozen import field, frozen
@@ -55,7 +55,7 @@ def shown(value: object, stage: str = "stage") -> list[str]:
         ),
         (
             model.Force("P", "A'", model.AlongLine("A", "B", 1, AT), AT, times=Fraction(1, 2)),
-            "Force(name=P, point=A', along=Along(tail=A, head=B, quarter=1), times=1/2)",
+            "Force(name=P, point=A', along=AlongLine(tail=A, head=B, quarter=1), times=1/2)",
         ),
         (
             {"A": (Arm(arm, Angle.of("alpha") - Angle.constant(90)),)},
@@ -63,7 +63,7 @@ def shown(value: object, stage: str = "stage") -> list[str]:
         ),
         (
             UnknownSpeed(SpeedKind.SLIDE, "B", Angle.constant(180)),
-            "Unknown(kind=slide, of=B, direction=180 deg)",
+            "UnknownSpeed(kind=slide, of=B, direction=180 deg)",
         ),
         (Flow(arm / Product(2), Angle(), 1), "Flow(size=a/2, direction=0, unknown=1)"),
         (Block((0, 1), (2,)), "Block(relations=(0, 1), unknowns=(2))"),
@@ -123,13 +123,13 @@ def test_a_function_of_a_routine_reads_as_a_program() -> None:
 
 
 def test_a_long_formula_is_not_broken() -> None:
-    name = "x" * WIDTH
+    name = "x" * DUMP_COLUMNS
     assert shown(Definition("y", Symbol(name))) == [f"y = {name}"]
     assert shown((Symbol(name), a)) == [name, "a"]
 
 
 def test_tuples_and_mappings_inside_tuples_are_marked() -> None:
-    long = Symbol("x" * WIDTH)
+    long = Symbol("x" * DUMP_COLUMNS)
     assert shown({"pairs": ((a, long), {"b": long}, "c")}) == [
         "pairs:",
         "  -",
@@ -217,7 +217,7 @@ def test_lines_keep_to_the_width(value: object) -> None:
     """What is never broken is short here, so that only indentation can make a line long."""
     for line in shown(value):
         depth = len(line) - len(line.lstrip())
-        assert len(line) <= max(WIDTH, depth + 80)
+        assert len(line) <= max(DUMP_COLUMNS, depth + 80)
 
 
 # --------------------------------------------- what was printed once is named

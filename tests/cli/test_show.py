@@ -45,7 +45,7 @@ def test_a_pose_shows_directions_and_vectors() -> None:
 def test_a_plan_shows_unknowns_rules_order_and_speeds() -> None:
     lines = show("kinematics", "equalising_clamp")
     assert "    pose: as in pose" in lines
-    assert "      Unknown(kind=spin, of=BAC)" in lines
+    assert "      UnknownSpeed(kind=spin, of=BAC)" in lines
     assert "        rule: projection" in lines
     assert "  drives: (0, 1)" in lines
     assert any(line.startswith("  speeds:") and "2: ((b + c)/b, -c/b)" in line for line in lines)

@@ -6,7 +6,7 @@ import re
 import pytest
 
 from mechc.diagnostics import Diagnostic, Related
-from mechc.diagnostics.render import LINE, cut, render
+from mechc.diagnostics.render import LONGEST_EXCERPT, cut, render
 from mechc.source import Source, Span
 
 
@@ -37,8 +37,8 @@ def test_caret_is_under_the_place(line: str, under: str) -> None:
 
 def test_long_line_is_cut() -> None:
     text, _, width = cut("x" * 10_000, 5_000, 9_000)
-    assert len(text) <= LINE + 2
-    assert width <= LINE
+    assert len(text) <= LONGEST_EXCERPT + 2
+    assert width <= LONGEST_EXCERPT
     assert text.startswith("…")
     assert text.endswith("…")
 

@@ -8,7 +8,7 @@ import pytest
 from good_mechanisms import ALL, begun
 from mechc.cli import main
 from mechc.drawing.drawing import AXIS, FORCE, Arc, Polyline
-from mechc.drawing.from_diagrams import LARGEST, SHORTEST
+from mechc.drawing.from_diagrams import LARGEST_ARROW, SHORTEST_ARROW
 from mechc.drawing.letters import in_letters
 from mechc.driver import Compilation
 from mechc.formula.letters import letters
@@ -67,7 +67,7 @@ def test_forces_are_to_scale_and_point_as_they_act():
     forces = [a.force for b in bodies for a in b.forces if a.force and math.hypot(*a.force) > 1e-9]
     largest = max(math.hypot(*force) for force in forces)
     expected = [
-        (round(force.angle, 6), max(SHORTEST, LARGEST * math.hypot(*force) / largest))
+        (round(force.angle, 6), max(SHORTEST_ARROW, LARGEST_ARROW * math.hypot(*force) / largest))
         for force in forces
     ]
     found = [tip.minus(tail) for tail, tip in arrows(begun(name).drawn_bodies("en"))]

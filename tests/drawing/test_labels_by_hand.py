@@ -6,7 +6,7 @@ from itertools import islice
 import pytest
 
 from mechc.drawing.drawing import AXIS, BODY, SYMBOL, Arc, Polyline, TextRun
-from mechc.drawing.labels import NEAR, AlongArc, AroundPoint, BesideLine, next_to, write
+from mechc.drawing.labels import LABEL_DISTANCES, AlongArc, AroundPoint, BesideLine, next_to, write
 from mechc.drawing.lettering import SIZE, box
 from mechc.drawing.occupied import Occupied, Rectangle
 from mechc.pose.places import Plane
@@ -26,7 +26,7 @@ def first(name, number=1):
 
 def test_a_name_of_a_point_is_first_tried_where_it_is_wanted_then_on_either_side():
     there, left, right = first(AroundPoint(ORIGIN, NAME, SYMBOL, 0.0, 1.0), 3)
-    assert there == near(1.0 + NEAR[0] + WIDTH / 2, 0.0)
+    assert there == near(1.0 + LABEL_DISTANCES[0] + WIDTH / 2, 0.0)
     assert left == near(right[0], -right[1])
     assert left[1] > 0
 
@@ -54,7 +54,7 @@ def test_a_name_of_an_arc_is_first_tried_outside_its_middle():
 def test_a_name_is_written_beside_what_is_there_and_takes_its_place():
     occupied, name = Occupied(), AroundPoint(ORIGIN, NAME, SYMBOL, 0.0)
     one, other = write(name, occupied), write(name, occupied)
-    assert tuple(one.label.at) == near(NEAR[0] + WIDTH / 2, 0.0)
+    assert tuple(one.label.at) == near(LABEL_DISTANCES[0] + WIDTH / 2, 0.0)
     assert (one.leader, other.leader) == ((), ())
     boxes = (Rectangle(found.label.at, WIDTH, HEIGHT) for found in (one, other))
     assert not next(boxes).overlaps(next(boxes))

@@ -3,7 +3,7 @@
 import pytest
 
 from mechc.drawing.drawing import Polyline
-from mechc.drawing.from_plot import ROW, picture
+from mechc.drawing.from_plot import LEGEND_ROW, picture
 from mechc.plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis
 from mechc.pose.places import Plane
 from mechc.report.languages.en.pictured import WORDS as EN
@@ -37,7 +37,7 @@ def test_a_legend_has_a_sample_of_each_line_and_its_name_row_by_row_downwards():
     }
     rows = [written[f"b = 100 mm, a = {size} mm"] for size in (50, 70)]
     heights = [row.at.y for row in rows]
-    assert heights[0] - heights[1] == pytest.approx(ROW)
+    assert heights[0] - heights[1] == pytest.approx(LEGEND_ROW)
     samples = [s for s in drawing.shapes if isinstance(s, Polyline) and len(s.points) == 2]
     found = {p.y for s in samples for p in s.points if s.points[0].y == s.points[1].y}
     assert {*heights} <= found

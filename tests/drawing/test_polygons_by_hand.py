@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from mechc.drawing.drawing import RELATIVE, VELOCITY
-from mechc.drawing.force_polygon import ASIDE, _sides, visible
+from mechc.drawing.force_polygon import PARALLEL_GAP, _sides, visible
 from mechc.drawing.vectors import ForceVectors, VelocityVectors
 from mechc.drawing.velocity_polygon import LARGE, _behind, _points, _PolygonMaker, scale_of
 from mechc.figure.figure import Link, Slide, Slot
@@ -89,7 +89,11 @@ def test_forces_go_head_to_tail():
 
 def test_parallel_forces_that_lead_back_are_beside_those_ahead():
     sides = _sides([Plane(10.0, 0.0), Plane(-4.0, 0.0), Plane(-6.0, 0.0)])
-    assert [(tail.y, tip.y) for tail, tip in sides] == [(0, 0), (ASIDE, ASIDE), (ASIDE, ASIDE)]
+    assert [(tail.y, tip.y) for tail, tip in sides] == [
+        (0, 0),
+        (PARALLEL_GAP, PARALLEL_GAP),
+        (PARALLEL_GAP, PARALLEL_GAP),
+    ]
     assert [(tail.x, tip.x) for tail, tip in sides] == [(0, 10), (10, 6), (6, 0)]
 
 
@@ -106,7 +110,7 @@ def test_a_polygon_begins_with_a_load_and_goes_round_counter_clockwise():
 
 def test_a_small_force_across_leaves_parallel_ones_beside_each_other():
     sides = _sides([Plane(10.0, 0.0), Plane(0.0, 1e-4), Plane(-10.0, 0.0)])
-    assert [round(tail.y, 3) for tail, _ in sides] == [0, 0, ASIDE]
+    assert [round(tail.y, 3) for tail, _ in sides] == [0, 0, PARALLEL_GAP]
 
 
 def test_a_link_under_a_pin_is_named_by_its_points_and_a_slide_by_its_name():

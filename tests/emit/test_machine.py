@@ -76,7 +76,7 @@ def test_numbers_and_arrays_broadcast_beyond_a_block():
 
 @needs_compiler
 def test_the_folder_holds_no_more_than_it_should(folder, monkeypatch):
-    monkeypatch.setattr(library, "KEPT", 2)
+    monkeypatch.setattr(library, "KEPT_LIBRARIES", 2)
     for number in range(4):
         assert library.functions(f"double twice_{number}(void) {{ return 2.0; }}", {}) == {}
     assert len([*folder.iterdir()]) == 2

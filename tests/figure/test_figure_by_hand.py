@@ -346,7 +346,7 @@ def test_there_are_no_velocities_where_the_drive_moves_nothing(monkeypatch, larg
 
 @pytest.mark.parametrize(
     ("sharing", "at", "along"),
-    [((), (-1.0 - layout.ROOM * 2.0, 0.0), Y), (("B",), (-1.0, 4.0), Y)],
+    [((), (-1.0 - layout.PARTS_APART * 2.0, 0.0), Y), (("B",), (-1.0, 4.0), Y)],
 )
 def test_a_mirror_line_goes_through_what_halves_share_or_beside_all_points(sharing, at, along):
     """Its left is −x: of A at 3 and B at −1 the line is left, by some room."""

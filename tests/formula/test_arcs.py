@@ -34,7 +34,7 @@ def test_an_end_is_a_fold_that_was_found(name):
 
 
 def test_no_fold_is_found_in_too_few_points(monkeypatch):
-    monkeypatch.setattr("mechc.formula.arcs.POINTS", 3)
+    monkeypatch.setattr("mechc.formula.arcs.MOST_POINTS", 3)
     assert Arcs(of_one(wave(0.7))).follow([0.0]) == (2, ())
 
 

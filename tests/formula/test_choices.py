@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechc.formula.choices import NEAR, spelled_out
+from mechc.formula.choices import SAME_ROW, spelled_out
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Call, Formula, Symbol, number
 
@@ -46,8 +46,8 @@ def test_what_is_spelled_out_has_the_same_value(name: str, x: float) -> None:
         (-2, 5, -2),
         (0, 7, 0),
         (4, 13, 4),
-        (3 * (1 + float(NEAR) / 2), 11, 3 * (1 + float(NEAR) / 2)),
-        (3 * (1 + 2 * float(NEAR)), math.nan, 3),
+        (3 * (1 + float(SAME_ROW) / 2), 11, 3 * (1 + float(SAME_ROW) / 2)),
+        (3 * (1 + 2 * float(SAME_ROW)), math.nan, 3),
         (1e-300, math.nan, 0),
         (3.5, math.nan, 3),
         (3.6, math.nan, 4),

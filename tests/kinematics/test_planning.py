@@ -17,7 +17,7 @@ from mechc.kinematics.from_pose import _check_frame, plan_velocities
 from mechc.kinematics.graph import Graph, Relation, Rule, SpeedKind, UnknownSpeed
 from mechc.kinematics.locked import described, locked
 from mechc.kinematics.planning import _speeds_of, plan_of
-from mechc.kinematics.solving import LONG, Binder, Memory, by_one_other, solve
+from mechc.kinematics.solving import MOST_UNNAMED_TERMS, Binder, Memory, by_one_other, solve
 from mechc.kinematics.standing import standing
 from mechc.model.mechanism import Find, Friction, LoadRatio, PinFriction
 from mechc.source import Source, Span
@@ -223,7 +223,7 @@ def test_an_angular_velocity_is_no_speed_whatever_the_numbers():
 
 
 def long_sum(*letters):
-    terms = [Product.symbol(f"{letters[0]}{i}") for i in range(LONG + 1)]
+    terms = [Product.symbol(f"{letters[0]}{i}") for i in range(MOST_UNNAMED_TERMS + 1)]
     return add([x * y for x, y in pairwise(terms)] + [Product.symbol(n) for n in letters])
 
 

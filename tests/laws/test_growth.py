@@ -18,7 +18,7 @@ from mechc.driver import Compilation, compile_source
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function
 from mechc.source import Source
-from mechc.work import LIMIT
+from mechc.work import MOST_WORK
 
 CHAINS = (scissor, uneven_scissor, four_bar_chain, coupler_chain)
 
@@ -77,7 +77,7 @@ def work_on_formulas(n: int) -> int:
     chain = [f"let a{i} = a{i - 1}*1.01 + 1" for i in range(1, n)]
     lines = [scissor(1), "let a0 = k*2", *chain]
     compilation = compile_source(Source("chain.mech", "\n".join(lines)))
-    return LIMIT - compilation.allowance.left
+    return MOST_WORK - compilation.allowance.left
 
 
 def test_work_grows_as_the_formulas_of_a_chain_do() -> None:

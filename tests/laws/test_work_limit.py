@@ -18,7 +18,7 @@ from mechc.formula.evaluate import evaluate, solution, straight_line
 from mechc.formula.tree import Symbol, System, negative, number, power, product, total
 from mechc.source import Source
 from mechc.study import from_solution
-from mechc.work import LIMIT, Allowance, WorkLimitError, at_most, spend, within_part
+from mechc.work import MOST_WORK, Allowance, WorkLimitError, at_most, spend, within_part
 from small_mechanisms import slider_crank
 from sources import in_thirds
 
@@ -69,7 +69,7 @@ def test_a_runaway_ends_with_a_message_and_status_4(tmp_path, capsys):
     assert main(["check", str(file)]) == 4
     error = capsys.readouterr().err
     assert "error[E817]" in error
-    assert f"algebra and evaluation took more than {LIMIT} steps" in error
+    assert f"algebra and evaluation took more than {MOST_WORK} steps" in error
 
 
 @pytest.mark.usefixtures("runaway")
@@ -91,7 +91,7 @@ def test_the_way_to_a_solution_is_counted_whenever_it_is_asked_for():
     for _ in range(2):
         with at_most(Allowance()) as allowance:
             assert solution(CIRCLE, (4.0,)) == pytest.approx((2.0,))
-        taken.append(LIMIT - allowance.left)
+        taken.append(MOST_WORK - allowance.left)
     assert taken[0] == taken[1] > 5
 
 
@@ -114,7 +114,7 @@ def test_what_is_made_for_what_is_emitted_is_counted(monkeypatch):
 
 
 def test_a_stroke_may_take_the_more_work_the_more_rows_are_asked_for(monkeypatch):
-    monkeypatch.setattr(driver, "LIMIT", 0)
+    monkeypatch.setattr(driver, "MOST_WORK", 0)
     monkeypatch.setattr(driver, "OF_A_ROW", 100)
     made = complete(Compilation(Source("rod.mech", slider_crank("find k = M/F"))))
     with pytest.raises(MechcError) as caught:
@@ -161,9 +161,9 @@ def test_the_longest_formulas_take_less_than_a_tenth_and_always_the_same(name):
     for _ in range(2):
         compilation = Compilation(Source(name, ALL[name].read_text(encoding="utf-8")))
         complete(compilation)
-        taken.append(LIMIT - compilation.allowance.left)
+        taken.append(MOST_WORK - compilation.allowance.left)
     assert taken[0] == taken[1]
-    assert 0 < taken[0] < LIMIT / 10
+    assert 0 < taken[0] < MOST_WORK / 10
 
 
 def test_nothing_is_left_over_from_a_compilation():

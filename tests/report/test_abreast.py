@@ -5,9 +5,9 @@ import pytest
 from good_mechanisms import compiled
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
-from mechc.report.latex.display import ABREAST, aligned
+from mechc.report.latex.display import TWO_EQUATIONS_WIDTH, aligned
 
-HALF = ABREAST / 2 - 1
+HALF = TWO_EQUATIONS_WIDTH / 2 - 1
 
 
 def text(name: str, language: str = "en") -> str:
@@ -25,7 +25,7 @@ def test_equations_are_paired_where_both_columns_fit():
 
 
 def test_what_takes_a_line_stays_alone():
-    assert aligned([("a&=b", ABREAST), ("c&=d", 1.0)]) == (
+    assert aligned([("a&=b", TWO_EQUATIONS_WIDTH), ("c&=d", 1.0)]) == (
         "\\begin{align*}\na&=b\\\\[2pt]\nc&=d\n\\end{align*}"
     )
 

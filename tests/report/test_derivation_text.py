@@ -15,7 +15,7 @@ from mechc.report.sentences.wording import as_ratio
 from mechc.report.text.derivation import render
 from mechc.report.text.printer import print_formula
 from mechc.report.text.signs import ASCII, UNICODE
-from mechc.report.text.speller import WIDTH, speller
+from mechc.report.text.speller import LINE_COLUMNS, speller
 from mechc.source import Source
 from report_samples import equations, formula, packet_clamp, six_bar
 
@@ -66,7 +66,7 @@ def test_a_literal_d_is_no_differential() -> None:
 def test_lines_keep_to_the_width_and_break_outside_functions() -> None:
     six = six_bar()
     lines = render(six.derivation, six.mechanism).splitlines()
-    assert max(map(len, lines)) <= WIDTH
+    assert max(map(len, lines)) <= LINE_COLUMNS
     assert all(line.count("sin(") <= line.count(")") for line in lines)
 
 
@@ -87,7 +87,7 @@ def test_what_the_rule_says_is_not_said_twice() -> None:
 def test_long_equations_beside_a_wide_left_side_keep_to_the_width() -> None:
     press = compile_source(read(find("triad_press")))
     lines = render(press.derivation, press.mechanism).splitlines()
-    assert max(map(len, lines)) <= WIDTH
+    assert max(map(len, lines)) <= LINE_COLUMNS
     assert not any(line.startswith(" " * 40) for line in lines)
 
 

@@ -16,7 +16,7 @@ from mechc.formula.tree import (
     total,
 )
 from mechc.frozen import replace
-from mechc.report.latex.display import LINE, DisplayLine, display
+from mechc.report.latex.display import LINE_WIDTH, DisplayLine, display
 from mechc.report.latex.notation import name, notation, points, spellings
 from mechc.report.latex.printer import Boxes, box, latex, plain
 from mechc.report.latex.text import escape
@@ -189,7 +189,7 @@ def test_a_long_sum_is_broken_between_terms() -> None:
     terms = " + ".join(f"l_{i}*V_{'ABCDEFGHKMNQ'[i]}*mu" for i in range(12))
     shown = display((DisplayLine(plain("k"), formula(terms)),), notation("en"), "where")
     assert shown.count("\\\\") >= 1
-    assert max(widths(shown)) <= LINE
+    assert max(widths(shown)) <= LINE_WIDTH
 
 
 def test_no_sign_stands_behind_a_sign_of_multiplication() -> None:

@@ -12,7 +12,7 @@ from mechc.formula.to_text import text
 from mechc.frozen import replace
 from mechc.report.text.derivation import render
 from mechc.source import Source
-from mechc.work import LIMIT
+from mechc.work import MOST_WORK
 from open_chains import Chain
 from statements import missing, refuted
 
@@ -44,7 +44,7 @@ find k = P/F
 def results(text):
     compilation = Compilation(Source("chain.mech", text))
     found = compilation.results
-    assert LIMIT - compilation.allowance.left < LIMIT / 5
+    assert MOST_WORK - compilation.allowance.left < MOST_WORK / 5
     return compilation.pose.mechanism, found
 
 

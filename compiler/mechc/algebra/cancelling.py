@@ -22,7 +22,7 @@ from .multiples import joined, without_parts
 from .product import Product, Sum, WrittenProduct, as_product
 from .trigonometry import cosine, sine
 
-LIMIT = 96
+MOST_MULTIPLIED_TERMS = 96
 """A sum with more terms than this when multiplied out keeps its inner sums whole."""
 
 
@@ -74,7 +74,10 @@ def _without_common(product: Product) -> Product:
 
 def _quotient(upper: Sum, lower: Sum) -> Product | None:
     """Return the quotient of two sums without their common divisor, None if they have none."""
-    if sum(map(laurent.size, upper.terms)) > LIMIT or sum(map(laurent.size, lower.terms)) > LIMIT:
+    if (
+        sum(map(laurent.size, upper.terms)) > MOST_MULTIPLIED_TERMS
+        or sum(map(laurent.size, lower.terms)) > MOST_MULTIPLIED_TERMS
+    ):
         return None
     if reduction.is_searchable(laurent.Ring([*upper.terms, *lower.terms])):
         return _reduced(list(upper.terms), list(lower.terms))

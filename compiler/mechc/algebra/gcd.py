@@ -15,7 +15,7 @@ from .modular import PRIME
 Poly = dict[tuple[int, ...], int]
 """Exponents, none negative, → residue, without zeros. The empty one is 0."""
 
-LIMIT = 4000
+MOST_REMAINDER_TERMS = 4000
 """A remainder with more terms than this costs more than what could cancel."""
 
 
@@ -71,7 +71,7 @@ def _remainder(f: Poly, g: Poly, x: int) -> Poly:
         factor = {(*e[:x], top - degree, *e[x + 1 :]): v for e, v in f.items() if e[x] == top}
         if factor:
             f = _less(times(f, lead), times(factor, g))
-        if len(f) > LIMIT:
+        if len(f) > MOST_REMAINDER_TERMS:
             raise TooLongError
     return f
 

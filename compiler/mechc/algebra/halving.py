@@ -16,10 +16,10 @@ from .factors import Trig
 from .product import Product, Sum
 from .trigonometry import cosine, sine
 
-VANISHED = 1e-9
+ROUNDED_SUM = 1e-9
 """A sum below this part of its terms is zero: each of them was rounded a few times."""
 
-FINEST = 64
+FINEST_PART = 64
 """Angles are halved down to this part of a symbol, and no further."""
 
 
@@ -100,7 +100,7 @@ def _parts(trig: Trig) -> Iterator[Trig]:
     yield trig
     angle = trig.angle + (Angle.constant(90) if trig.function == "cos" else Angle())
     half = angle.half()
-    if all(c.denominator <= FINEST for _, c in half.terms):
+    if all(c.denominator <= FINEST_PART for _, c in half.terms):
         for part in (*sine(half).factors, *cosine(half).factors):
             assert isinstance(part, Trig)
             yield part
@@ -116,7 +116,7 @@ def _vanishes_with(sum_: Sum, part: Trig) -> bool:
     name, c = part.angle.terms[0]
     zero = 0.0 if part.function == "sin" else math.pi / 2
     values[name] += (zero - part.angle.evaluate(values)) / float(c)
-    return abs(math.fsum(term.evaluate(values) for term in sum_.terms)) <= VANISHED * size
+    return abs(math.fsum(term.evaluate(values) for term in sum_.terms)) <= ROUNDED_SUM * size
 
 
 class Anything(dict[str, float]):

@@ -165,7 +165,7 @@ class Roots(NamedTuple):
 
     ``nearest`` is that next to the default value, within the range of the symbol if any is;
     ``within`` are all of them that the range has, in their order, and ``period`` is what lies
-    between two. Of more than :data:`FEW` there is the first.
+    between two. Of more than :data:`MOST_LISTED_ROOTS` there is the first.
     """
 
     name: str
@@ -175,7 +175,7 @@ class Roots(NamedTuple):
     is_many: bool = False
 
 
-FEW = 5
+MOST_LISTED_ROOTS = 5
 """So many roots within a range are listed at most."""
 
 
@@ -202,7 +202,7 @@ def vanishing_values(
 
     half_turn = math.radians(period)
     within = _turns_within(root, half_turn, box.get(name), near, box)
-    is_many = len(within) > FEW
+    is_many = len(within) > MOST_LISTED_ROOTS
     listed = tuple(map(turned, within[:1] if is_many else within))
     nearest = _nearest_turns(Angle.of(name) - root, half_turn, within, near)
     return Roots(name, turned(nearest), listed, Angle.constant(period).formula(), is_many)

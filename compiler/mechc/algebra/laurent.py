@@ -20,7 +20,7 @@ from .factors import Factor, Trig
 from .product import Product, Sum
 from .trigonometry import cosine, sine
 
-LONGEST = 256
+MOST_QUOTIENT_TERMS = 256
 """Terms of a quotient that is still simpler: sin(1000001·u)/sin u is not multiplied out."""
 
 Terms = dict[int, Gaussian]
@@ -157,7 +157,7 @@ class Ring(Exponents):
         while rest:
             for key, value in self._top(rest).items():
                 k, value = self._lowered(key, value, by)
-                if self.exponent(k, field) < lowest or len(quotient) == LONGEST:
+                if self.exponent(k, field) < lowest or len(quotient) == MOST_QUOTIENT_TERMS:
                     return None
                 quotient[k] = value
                 re, im = value

@@ -31,10 +31,10 @@ TERMS = (2, 8)
 """Terms of a series, first few: what is zero to the last order is not looked into any further."""
 
 
-PLAIN = 1e-5
+PLAINLY_NOT_ZERO = 1e-5
 """What is not below this part of a sum's terms is not zero, without looking closer."""
 
-MOST = 64
+MOST_SINE_ROOTS = 64
 """Roots of one sine: those of 1.234·a and a are not distinguished."""
 
 POLE = 1e-5
@@ -58,7 +58,7 @@ def roots(trig: Trig, *products: Product) -> list[AngleRoot]:
 
     Next to sin a, cos 3a has three, at 30°, 90° and 150°; next to sin(a/2) six, up to 360°. A sum
     may vanish at one end of a diameter only: next to one, roots are distinguished up to a whole
-    turn of the finest angle. None are returned where these are more than :data:`MOST`.
+    turn of the finest angle. None are returned where these are more than :data:`MOST_SINE_ROOTS`.
 
     >>> from .trigonometry import cosine
     >>> (c,) = cosine(Angle.of("a") * 3).factors
@@ -68,7 +68,7 @@ def roots(trig: Trig, *products: Product) -> list[AngleRoot]:
     step = _gcd(_common_step(trig, product) for product in products)
     own = [(n, c) for n, c in trig.angle.terms if n != RADIAN]
     parts = int(_gcd(c for _, c in own) / step)
-    if parts > MOST:
+    if parts > MOST_SINE_ROOTS:
         return []
     unit = Angle(tuple(own)) * Fraction(1, parts)
     offset = Angle.constant(90 if trig.function == "cos" else 0) - (trig.angle - Angle(tuple(own)))
@@ -190,7 +190,7 @@ def _plain_order(product: Product, name: str, value: Angle) -> int | None:
                 zero = 0 if function == "sin" else 90
                 total += exponent if not here.terms and here.degrees % 180 == zero else 0
             case Sum() if POLE * _size(factor, values) < sizes[factor]:
-                if abs(factor.evaluate(values)) < PLAIN * sizes[factor]:
+                if abs(factor.evaluate(values)) < PLAINLY_NOT_ZERO * sizes[factor]:
                     return None
             case Length() if factor.name != name:
                 pass

@@ -21,7 +21,7 @@ from .trigonometry import cosine, sine
 
 QUARTER = Angle.constant(90)
 
-MANY = 24
+MOST_PAIRED_TERMS = 24
 """Sums of more terms are left as they are."""
 
 
@@ -36,7 +36,11 @@ def paired(whole: Sum) -> Product:
     """Return a sum with its sines in pairs, those first that come out shortest."""
     left = list(whole.terms)
     found: list[Product] = []
-    while len(left) + len(found) > 2 and len(left) <= MANY and (best := _best(left)) is not None:
+    while (
+        len(left) + len(found) > 2
+        and len(left) <= MOST_PAIRED_TERMS
+        and (best := _best(left)) is not None
+    ):
         one, other, product = best
         left = [term for term in left if term not in (one, other)]
         found.append(product)

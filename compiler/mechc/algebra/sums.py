@@ -21,7 +21,7 @@ from ..formula.walk import symbols
 from ..work import spend
 from . import factoring, laurent, pairing
 from .angle import Rational, rational
-from .cancelling import LIMIT, canonical
+from .cancelling import MOST_MULTIPLIED_TERMS, canonical
 from .factors import ConstantSymbol, Factor, Length
 from .modular import ModularPoint
 from .product import ZERO, Product, Sum
@@ -68,14 +68,14 @@ class BoundSum:
         return (2, self.name)
 
 
-__all__ = ["LIMIT", "add", "canonical", "is_long", "put", "readable", "shortest"]
+__all__ = ["MOST_MULTIPLIED_TERMS", "add", "canonical", "is_long", "put", "readable", "shortest"]
 
 
 def add(products: Iterable[Product]) -> Product:
     """Return the sum of products, factored, its common factors cancelled.
 
-    Canonical while the sum has at most :data:`LIMIT` terms when multiplied out; beyond
-    that it is kept as written (equality is then tested, not structural).
+    Canonical while the sum has at most :data:`MOST_MULTIPLIED_TERMS` terms when multiplied out;
+    beyond that it is kept as written (equality is then tested, not structural).
     """
     terms = [p for p in products if p]
     spend(sum(1 + len(t.factors) for t in terms))
@@ -88,13 +88,15 @@ def add(products: Iterable[Product]) -> Product:
     has_constants = any(map(_has_constants, terms))
     if has_constants and _vanishes(rests):
         return ZERO
-    if sum(map(laurent.size, rests)) <= LIMIT and not any(map(_rests_on_names, rests)):
+    if sum(map(laurent.size, rests)) <= MOST_MULTIPLIED_TERMS and not any(
+        map(_rests_on_names, rests)
+    ):
         whole = canonical(common * factoring.factored(rests))
         return _without_equal_numbers(whole) if has_constants else whole
     if _vanishes(rests):
         return ZERO
     for deep in (True, False):
-        if sum(laurent.size(r, deep) for r in rests) <= LIMIT:
+        if sum(laurent.size(r, deep) for r in rests) <= MOST_MULTIPLIED_TERMS:
             return canonical(common * factoring.factored(rests, deep))
     return _kept(terms)
 

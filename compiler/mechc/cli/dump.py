@@ -28,12 +28,12 @@ from ..syntax import ast
 from ..syntax.text import direction
 from ..units import Dimension, si_unit
 
-WIDTH = 100
+DUMP_COLUMNS = 100
 """Columns that a value on one line keeps to; a formula is never broken."""
 
 INDENT = "  "
 
-ROUNDING = 1e-12
+ROUNDED_COMPONENT = 1e-12
 """A component of a vector that is smaller, relative to the other one, is rounding of 0."""
 
 EQUATIONS = {
@@ -129,7 +129,7 @@ def _is_short(value: DumpedValue, before: int) -> bool:
     """Return whether a value stands on one line; several records have a line each."""
     several = not value.kind and len(value.parts) > 1
     records = several and all(part.kind and not name for name, part in value.parts)
-    return not value.parts or (before + len(value.line) <= WIDTH and not records)
+    return not value.parts or (before + len(value.line) <= DUMP_COLUMNS and not records)
 
 
 def _long(value: DumpedValue, way: str) -> Iterator[tuple[str, tuple[str, str]]]:
@@ -197,7 +197,7 @@ def leaf(value: object) -> str | None:
             unit = si_unit(value)
             return dimension_name(value) + (f" in {unit}" if unit else "")
         case Plane(x, y):
-            least = ROUNDING * max(abs(x), abs(y))
+            least = ROUNDED_COMPONENT * max(abs(x), abs(y))
             return f"({x if abs(x) > least else 0:.9g}, {y if abs(y) > least else 0:.9g})"
         case _:
             return _mathematics(value)

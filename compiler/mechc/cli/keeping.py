@@ -8,10 +8,10 @@ from pathlib import Path
 from ..written import temporary
 from .answers import SUFFIX, Event, checksum, folder, place
 
-LARGEST = 4 << 20
+LARGEST_ANSWER = 4 << 20
 """Bytes of the largest answer that is kept."""
 
-ROOM = 64 << 20
+ROOM_FOR_ANSWERS = 64 << 20
 """Bytes that all answers may take up; beyond, the older half goes."""
 
 KNOWN = {"read", "absent", "wrote", "out", "err", "repeatable"}
@@ -29,7 +29,7 @@ def keep(asked: bytes, status: int, events: list[Event]) -> None:
     if not all(os.path.isfile(path) for what, path, _ in events if what == "wrote"):
         return
     content = marshal.dumps((asked, status, [e for e in events if e[0] != "repeatable"]))
-    if len(content) <= LARGEST:
+    if len(content) <= LARGEST_ANSWER:
         with suppress(OSError):
             _put(Path(place(asked)), checksum(content) + content)
             _make_room(Path(folder()))
@@ -50,7 +50,7 @@ def _put(path: Path, content: bytes) -> None:
 def _make_room(kept: Path) -> None:
     """Remove the older half of the answers where they are too many."""
     found = [(entry.stat(), entry) for entry in kept.glob(f"*{SUFFIX}")]
-    if sum(status.st_size for status, _ in found) <= ROOM:
+    if sum(status.st_size for status, _ in found) <= ROOM_FOR_ANSWERS:
         return
     found.sort(key=lambda one: one[0].st_mtime_ns)
     for _, entry in found[: (len(found) + 1) // 2]:

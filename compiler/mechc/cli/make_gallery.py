@@ -19,7 +19,7 @@ HEADING = "## Pictures\n"
 COLUMNS = 3
 """How many pictures there are beside each other."""
 
-WIDTH = 260
+PICTURE_POINTS = 260
 """How wide each is shown, in points of the screen."""
 
 
@@ -55,7 +55,7 @@ def _rows(cells: list[str]) -> Iterator[str]:
 
 def _cell(name: str, title: str) -> str:
     shown = escape(title, quote=True).replace("|", "&#124;")
-    return f'<img src="pictures/{name}.svg" width="{WIDTH}" alt="{shown}"><br>`{name}`'
+    return f'<img src="pictures/{name}.svg" width="{PICTURE_POINTS}" alt="{shown}"><br>`{name}`'
 
 
 def section(titles: dict[str, str]) -> str:

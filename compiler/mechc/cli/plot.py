@@ -13,7 +13,7 @@ from ..formula.letters import letters
 from ..frozen import replace
 from ..patterns import pattern
 from ..plot.narrowing import ArrayFunction
-from ..plot.query import POINTS, Query, ZoneCondition, condition
+from ..plot.query import USUAL_ROWS, Query, ZoneCondition, condition
 from ..report.languages.registry import locale
 from ..syntax.settings import Settings, parse
 from ..syntax.vocabulary import LANGUAGES
@@ -115,7 +115,7 @@ def _constraints(given: tuple[str, ...]) -> Settings:
     help='Shade where this holds: "gamma >= 1.5 rad".',
 )  # fmt: skip
 @usage.option(
-    "-n", "--points", kind=WholeNumber(2, 100_000), default=POINTS, show_default=True,
+    "-n", "--points", kind=WholeNumber(2, 100_000), default=USUAL_ROWS, show_default=True,
     help="How many rows a table has.",
 )  # fmt: skip
 @usage.option(

@@ -14,7 +14,7 @@ from .session import session, session_options
 from .terminal import give, line_width, say, watched
 from .usage import WholeNumber, Word
 
-MANY = 200
+UNWATCHED_ROWS = 200
 """More rows than this take long enough to be watched."""
 
 
@@ -82,4 +82,4 @@ def command(
 
 def _watched(drives: Sequence[float]) -> Iterator[float]:
     """Return the values of the drive, watched by a bar where they are many."""
-    return watched(drives, "stroke") if len(drives) > MANY else iter(drives)
+    return watched(drives, "stroke") if len(drives) > UNWATCHED_ROWS else iter(drives)

@@ -25,7 +25,7 @@ else:
 
 MessageFormat = Literal["full", "concise", "json"]
 
-LINE = 72
+LONGEST_EXCERPT = 72
 """Longest excerpt of a line, in characters; a longer line is cut around the caret."""
 
 COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow"}
@@ -114,8 +114,8 @@ def cut(line: str, start: int, end: int) -> tuple[str, int, int]:
     >>> cut("\tlink AB", 6, 8)
     ('    link AB', 9, 2)
     """
-    low = max(0, min(start - LINE // 2, len(line) - LINE))
-    high = low + LINE
+    low = max(0, min(start - LONGEST_EXCERPT // 2, len(line) - LONGEST_EXCERPT))
+    high = low + LONGEST_EXCERPT
     before = ("…" if low else "") + _shown(line[low:start])
     marked = _shown(line[start : min(end, high)])
     after = _shown(line[max(start, min(end, high)) : high]) + ("…" if high < len(line) else "")

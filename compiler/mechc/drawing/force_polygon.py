@@ -12,10 +12,10 @@ from .sheet import Layer, Sheet
 from .symbols import arrow, line
 from .vectors import ForceVectors
 
-FLAT = 1e-3
+DRAWN_PARALLEL = 1e-3
 """Forces are drawn as parallel where none has more than this part of the largest across it."""
 
-ASIDE = 3.0
+PARALLEL_GAP = 3.0
 """How far parallel forces of opposite senses are drawn from each other, in millimetres."""
 
 
@@ -48,7 +48,7 @@ def force_polygon(forces: ForceVectors, body: FreeBody, scale: float) -> Drawing
         sheet.draw(Layer.LOADS, arrow(tail, tip))
         sheet.name(BesideLine(tail, tip, (*forces.name(body, one), *forces.size(one)), FORCE))
     for (_, tip), (tail, _) in zip(sides, (*sides[1:], sides[0]), strict=True):
-        if math.dist(tip, tail) > ASIDE / 2:
+        if math.dist(tip, tail) > PARALLEL_GAP / 2:
             sheet.draw(Layer.AXES, [line(tip, tail, HATCH)])
     return sheet.finished("", "")
 
@@ -57,11 +57,13 @@ def _sides(steps: Sequence[Plane]) -> list[LineSegment]:
     """Return steps head to tail; where all are parallel, those back beside those ahead."""
     longest = max(steps, key=lambda step: math.hypot(*step))
     along = longest.unit() or Plane(1.0, 0.0)
-    flat = all(abs(along.turned().dot(step)) < FLAT * math.hypot(*longest) for step in steps)
+    flat = all(
+        abs(along.turned().dot(step)) < DRAWN_PARALLEL * math.hypot(*longest) for step in steps
+    )
     at, sides = NOWHERE, list[LineSegment]()
     for step in steps:
         back = flat and along.dot(step) * along.dot(steps[0]) < 0
-        aside = along.turned().times(ASIDE if back else 0.0)
+        aside = along.turned().times(PARALLEL_GAP if back else 0.0)
         sides.append((at.plus(aside), at.plus(step).plus(aside)))
         at = at.plus(step)
     return sides

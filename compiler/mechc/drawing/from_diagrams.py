@@ -18,10 +18,10 @@ from .sheet import Layer, Sheet
 from .symbols import off
 from .vectors import ForceVectors, heading, in_words
 
-LARGEST = 24.0
+LARGEST_ARROW = 24.0
 """The length of the largest force in millimetres."""
 
-SHORTEST = 3.0
+SHORTEST_ARROW = 3.0
 """The length of an arrow is never less than this, in millimetres."""
 
 RADII = (symbols.COUPLE, symbols.COUPLE + 2.5)
@@ -111,7 +111,7 @@ class _DiagramMaker:
         size = math.hypot(*(acting.force or NOWHERE))
         radius = (acting.offset or 0.0) * self.paper.scale if acting.kind in AT_PINS else 0.0
         at = self.paper.at(acting.point)
-        length = max(SHORTEST, LARGEST * size / self.forces.largest)
+        length = max(SHORTEST_ARROW, LARGEST_ARROW * size / self.forces.largest)
         gap = symbols.PIN + symbols.GAP
         ways = [(off(at, unit, d, -radius), off(at, unit, d + length, -radius))
                 for d in (gap, -gap - length)]  # fmt: skip

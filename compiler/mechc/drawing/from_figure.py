@@ -20,7 +20,7 @@ from .occupied import Occupied
 from .paper import Paper, on_paper
 from .sheet import Layer, Sheet
 
-BEYOND = 4.0
+MIRROR_LINE_BEYOND = 4.0
 """How far a mirror line goes beyond the mechanism, in millimetres."""
 
 
@@ -107,8 +107,8 @@ def _draw_mirror(sheet: Sheet, paper: Paper) -> None:
     low, high = sheet.extent()
     corners = [Plane(x, y) for x in (low.x, high.x) for y in (low.y, high.y)]
     reach = [mirror.along.dot(corner.minus(at)) for corner in corners]
-    start = symbols.off(at, mirror.along, min(reach) - BEYOND)
-    end = symbols.off(at, mirror.along, max(reach) + BEYOND)
+    start = symbols.off(at, mirror.along, min(reach) - MIRROR_LINE_BEYOND)
+    end = symbols.off(at, mirror.along, max(reach) + MIRROR_LINE_BEYOND)
     sheet.draw(Layer.AXES, [symbols.line(start, end, AXIS)])
 
 

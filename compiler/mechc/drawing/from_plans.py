@@ -16,15 +16,15 @@ from .labels import AroundPoint
 from .lettering import name
 from .sheet import Layer, Sheet
 from .symbols import line
-from .ticks import STEPS
-from .tolerances import WHOLE
+from .ticks import TICK_STEPS
+from .tolerances import SAME_WHOLE_NUMBER
 from .vectors import ForceVectors, VelocityVectors, heading
 from .velocity_polygon import scale_of, velocity_polygon
 
-LARGEST = 34.0
+LARGEST_ARROW = 34.0
 """The length of the largest force in millimetres."""
 
-ROW = 5
+VELOCITIES_IN_A_ROW = 5
 """How many velocities stand in a line below the polygon."""
 
 
@@ -75,14 +75,16 @@ def _of_velocities(
 
 def _rows(parts: Sequence[tuple[TextRun, ...]]) -> Iterator[Drawing]:
     """Yield lines of what is said, a few things in each."""
-    for i in range(0, len(parts), ROW):
-        said = (run for part in parts[i : i + ROW] for run in (TextRun(",   "), *part))
+    for i in range(0, len(parts), VELOCITIES_IN_A_ROW):
+        said = (
+            run for part in parts[i : i + VELOCITIES_IN_A_ROW] for run in (TextRun(",   "), *part)
+        )
         yield line_of_text(tuple(said)[1:])
 
 
 def _of_forces(forces: ForceVectors) -> Drawing:
     """Return the polygons of all bodies under one set of loads, to one scale."""
-    scale = LARGEST / forces.largest
+    scale = LARGEST_ARROW / forces.largest
     found = [_polygon(forces, body, scale) for body in _drawn(forces)]
     bar = scale_bar(scale * forces.measure, forces.unit)
     polygons = [in_rows(found, "top"), bar] if found else []
@@ -106,7 +108,7 @@ def _polygon(forces: ForceVectors, body: FreeBody, scale: float) -> Drawing:
     return joined([title, force_polygon(forces, body, scale)])
 
 
-LONGEST = 30.0
+LONGEST_SCALE_BAR = 30.0
 """How long the bar is at most, in millimetres."""
 
 TICK = 1.2
@@ -115,7 +117,7 @@ TICK = 1.2
 
 def scale_bar(size: float, unit: tuple[TextRun, ...]) -> Drawing:
     """Return a bar as long as a round number of units, one of which is ``size`` millimetres."""
-    units = _round(LONGEST / size)
+    units = _round(LONGEST_SCALE_BAR / size)
     end = Plane(units * size, 0.0)
     sheet = Sheet()
     up = Plane(0.0, TICK)
@@ -132,4 +134,6 @@ def _round(most: float) -> float:
     (0.1, 5.0, 20.0)
     """
     power = 10.0 ** math.floor(math.log10(most))
-    return max(step * power for step in STEPS if step * power <= most * (1 + WHOLE))
+    return max(
+        step * power for step in TICK_STEPS if step * power <= most * (1 + SAME_WHOLE_NUMBER)
+    )

@@ -18,7 +18,7 @@ from .sheet import Layer, Sheet
 SAMPLE = 9.0
 """How long a line in the legend is."""
 
-ROW = 5.6
+LEGEND_ROW = 5.6
 """How far rows of the legend are apart."""
 
 BELOW, LEFT, ABOVE = 9.4, 6.0, 4.2
@@ -84,6 +84,6 @@ def _draw_legend(sheet: Sheet, layout: PanelLayout) -> None:
         end = Plane(at.x + SAMPLE, at.y)
         sheet.draw(Layer.BODIES, [Polyline((at, end), pen)])
         sheet.write(label(Plane(end.x + 1.5, at.y), entry(curve, layout)))
-        at = Plane(at.x, at.y - ROW)
+        at = Plane(at.x, at.y - LEGEND_ROW)
     if layout.common:
         sheet.write(label(at, common_entry(layout)))

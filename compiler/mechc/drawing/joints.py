@@ -34,7 +34,7 @@ from .tolerances import ON_AXIS
 STUB = 14.0
 """How far the rod of a slide reaches beyond it, through its guide."""
 
-ROOM = 16.0
+GUIDE_ROOM = 16.0
 """How far apart points of a slide are at least between which its guide has room."""
 
 LENGTHWISE = 0.5
@@ -227,7 +227,7 @@ def _stubs(paper: Paper, body: Slide) -> Iterator[tuple[Plane, Polyline]]:
     places.sort(key=along.dot)
     if not faces:
         for start, end in itertools.pairwise(places):
-            if along.dot(end.minus(start)) > ROOM and _on_axis(end, start, along):
+            if along.dot(end.minus(start)) > GUIDE_ROOM and _on_axis(end, start, along):
                 yield start.plus(end).times(0.5), line(start, end, BODY)
     outline = [*places, *(wedge(paper, body, faces).points if faces else ())]
     low, high = min(map(along.dot, outline)), max(map(along.dot, outline))

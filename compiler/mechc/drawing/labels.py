@@ -15,10 +15,10 @@ from .tolerances import HORIZONTAL
 TURNS, TURNS_FAR = 16, 64
 """How many directions from a point are tried, near to it and farther off."""
 
-NEAR = (0.5, 1.2, 2.0, 3.2)
+LABEL_DISTANCES = (0.5, 1.2, 2.0, 3.2)
 """The distances from a point at which a label is tried first, in millimetres."""
 
-STEP = 2.0
+FARTHER = 2.0
 """By how much farther it is tried each time where all those are taken."""
 
 ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85)
@@ -142,8 +142,10 @@ def _rings(
 ) -> Iterator[LabelPlace]:
     """Yield places around a point, the near ones first; there is no end to them."""
     for number in count():
-        late = number - len(NEAR) + 1
-        distance = gap + (NEAR[number] if late <= 0 else NEAR[-1] + STEP * late)
+        late = number - len(LABEL_DISTANCES) + 1
+        distance = gap + (
+            LABEL_DISTANCES[number] if late <= 0 else LABEL_DISTANCES[-1] + FARTHER * late
+        )
         turns = TURNS_FAR if late > 0 else TURNS
         for unit in (direction(towards + math.tau / turns * _alternating(i)) for i in range(turns)):
             place = at.plus(unit.times(distance + _support(unit, width, height)))
@@ -195,7 +197,7 @@ def _leaders(name: PlacedName, label: Label) -> tuple[Polyline, ...]:
     nearest = min(name.arc.way(), key=lambda at: math.dist(at, label.at))
     way = nearest.minus(label.at)
     gap = math.hypot(*way) - _support(way.unit() or way, label.width, label.height)
-    return (_leader(nearest, label),) if gap > NEAR[-1] + STEP else ()
+    return (_leader(nearest, label),) if gap > LABEL_DISTANCES[-1] + FARTHER else ()
 
 
 def _leader(named: Plane, label: Label) -> Polyline:

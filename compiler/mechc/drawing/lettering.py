@@ -21,7 +21,7 @@ from .tolerances import ONE
 SIZE = 3.9
 """The height of letters' body, in millimetres."""
 
-SMALL = 0.7
+INDEX_SIZE = 0.7
 """The size of an index to that of its letter."""
 
 SMALLER = 0.55
@@ -219,7 +219,7 @@ def _joined(runs: Iterable[TextRun]) -> Iterator[TextRun]:
 
 def box(runs: tuple[TextRun, ...], size: float) -> tuple[float, float]:
     """Return the width and the height of text, on the safe side in every usual type."""
-    width = sum(_width(c) * (SMALL if r.level else 1.0) for r in runs for c in r.text)
+    width = sum(_width(c) * (INDEX_SIZE if r.level else 1.0) for r in runs for c in r.text)
     height = 0.95 + 0.2 * any(r.level for r in runs)
     return size * (width + 0.1), size * height
 

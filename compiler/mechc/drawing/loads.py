@@ -37,10 +37,10 @@ SPACING, HEIGHT = 7.0, 9.0
 LEAST = 3.5
 """How long an arrow of a spread load is at least."""
 
-BESIDE = 2.2
+BESIDE_VELOCITY = 2.2
 """How far an arrow is to the side of its point where a velocity's is in its place."""
 
-NEAR = 0.9
+CLEAR_OF_LINE = 0.9
 """How far an arrow keeps off a thin line beside it: half the width of its head, and some air."""
 
 DIRECTIONS = 12
@@ -97,7 +97,7 @@ def meets(arrow: LineSegment, lines: Occupied) -> bool:
     """Return whether an arrow meets lines, or comes so near to them that it seems to."""
     tail, tip = arrow
     across = (tip.minus(tail).unit() or Plane(1.0, 0.0)).turned()
-    steps = (across.times(side * NEAR) for side in (-1, 0, 1))
+    steps = (across.times(side * CLEAR_OF_LINE) for side in (-1, 0, 1))
     return any(lines.crossings(tail.plus(step), tip.plus(step)) for step in steps)
 
 
@@ -116,7 +116,7 @@ def _free_arrow(occupied: Occupied, avoided: Occupied, paper: Paper, force: Forc
 
     coming = () if force.weight else (arrow_from(-gap - ARROW),)
     in_line = [way for way in (arrow_from(gap), *coming) if not occupied.lies_on(way, VELOCITY)]
-    beside = arrow_from(gap, BESIDE), arrow_from(gap, -BESIDE)
+    beside = arrow_from(gap, BESIDE_VELOCITY), arrow_from(gap, -BESIDE_VELOCITY)
     ways = in_line or beside
     return min(ways, key=lambda way: (occupied.crossings(*way), meets(way, avoided)))
 

@@ -13,7 +13,7 @@ from .lettering import formula
 from .paper import Paper
 from .sheet import Layer, Sheet
 from .symbols import head, line, off
-from .tolerances import DETOUR, SHORTEST
+from .tolerances import DETOUR, SHORTEST_LINE
 
 FIRST, LEVEL, LEVELS = 8.0, 6.5, 5
 """How far the first dimension line is from what it measures, the others from each other."""
@@ -30,16 +30,16 @@ RADII = (8.0, 10.5, 13.0, 16.0, 19.0, 23.0)
 SMALL_HEAD = 2.2
 """How long the heads of dimension lines are: shorter than those of forces."""
 
-NEAR = 0.06
+DISTANCE_COST = 0.06
 """The cost of a millimetre between a length and its dimension line: sixteen are a line crossed."""
 
 TRIMMED, MOST = 0.8, 0.4
 """How much of a line is left out at either end where others meet it, at most this part of it."""
 
-FLAT = math.radians(1.0)
+SMALLEST_DRAWN_ANGLE = math.radians(1.0)
 """An angle below this is not drawn."""
 
-SAME = 0.9998
+SAME_DRAWN_DIRECTION = 0.9998
 """The cosine between directions above which they are drawn as one."""
 
 
@@ -114,7 +114,7 @@ def _is_rod(paper: Paper, dimension: DimensionLine) -> bool:
 def _is_lengthwise(paper: Paper, dimension: DimensionLine) -> bool:
     """Return whether a dimension is taken along the line between its points."""
     way = paper.at(dimension.head).minus(paper.at(dimension.tail)).unit()
-    return way is not None and abs(way.dot(dimension.along)) > SAME
+    return way is not None and abs(way.dot(dimension.along)) > SAME_DRAWN_DIRECTION
 
 
 def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[MeasureLine]:
@@ -136,7 +136,7 @@ def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[MeasureLine]:
 def _cost(sheet: Sheet, found: MeasureLine, tail: Plane, tip: Plane) -> float:
     """Return the cost of a dimension line: lines that it crosses, and its distance."""
     distance = math.dist(found.start, tail) + math.dist(found.end, tip)
-    return _in_the_way(sheet, found) + NEAR * distance
+    return _in_the_way(sheet, found) + DISTANCE_COST * distance
 
 
 def _in_the_way(sheet: Sheet, found: MeasureLine) -> int:
@@ -177,7 +177,7 @@ def _across(start: Plane, end: Plane) -> Plane:
 
 def _shortened(start: Plane, end: Plane) -> tuple[Plane, Plane]:
     """Return a line without its ends, at which others may meet it."""
-    step = end.minus(start).times(min(TRIMMED / max(math.dist(start, end), SHORTEST), MOST))
+    step = end.minus(start).times(min(TRIMMED / max(math.dist(start, end), SHORTEST_LINE), MOST))
     return start.plus(step), end.minus(step)
 
 
@@ -185,13 +185,13 @@ def _shortened(start: Plane, end: Plane) -> tuple[Plane, Plane]:
 
 
 def _draw_angle(sheet: Sheet, paper: Paper, mark: AngleMark) -> None:
-    if abs(mark.sweep) < FLAT:
+    if abs(mark.sweep) < SMALLEST_DRAWN_ANGLE:
         return
     at, lines = paper.at(mark.vertex), list(_lines_at(paper, mark.vertex))
     arcs = [Arc(at, r, MEASURE, mark.start, mark.sweep) for r in RADII]
     arc = min(arcs, key=lambda a: 2 * sheet.occupied.crossed((a,)) + 0.1 * a.radius)
     for angle in (mark.start, mark.start + mark.sweep):
-        if all(direction(angle).dot(unit) < SAME for unit in lines):
+        if all(direction(angle).dot(unit) < SAME_DRAWN_DIRECTION for unit in lines):
             ray = line(
                 off(at, direction(angle), WITNESS),
                 off(at, direction(angle), arc.radius + 2),

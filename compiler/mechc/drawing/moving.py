@@ -21,7 +21,7 @@ from .vectors import VelocityVectors, index
 LONGEST, SHORTEST = 20.0, 1.0
 """How long the largest velocity is drawn, and how long one is that is drawn at all."""
 
-FAR = 1.5
+FARTHEST_CENTRE = 1.5
 """How often as far off as the mechanism is large a centre may be to be drawn."""
 
 CROSS = 1.6
@@ -95,7 +95,7 @@ def _centres(paper: Paper, velocities: MotionVelocities) -> Iterator[Centre]:
 def _is_near(paper: Paper, centre: Centre) -> bool:
     places = [paper.at(point) for point in paper.figure.points]
     xs, ys = [at.x for at in places], [at.y for at in places]
-    reach = FAR * max(max(xs) - min(xs), max(ys) - min(ys))
+    reach = FARTHEST_CENTRE * max(max(xs) - min(xs), max(ys) - min(ys))
     middle = Plane((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
     return math.dist(centre.at, middle) < reach
 

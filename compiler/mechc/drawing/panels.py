@@ -12,7 +12,7 @@ from .describe_plot import shown
 from .drawing import Pen, TextRun
 from .lettering import name
 from .ticks import Scale, scale, widened
-from .tolerances import WHOLE
+from .tolerances import SAME_WHOLE_NUMBER
 
 WIDE, HIGH, LOWER = 110.0, 72.0, 48.0
 """How wide and high a panel is; lower where there are several."""
@@ -121,7 +121,7 @@ def _equal(plot: Plot, panel: Panel) -> PanelFrame:
 
 def _every(found: Scale, step: float) -> Scale:
     """Return a scale with ticks at multiples of a step alone."""
-    ticks = (t for t in found.ticks if abs(t / step - round(t / step)) < WHOLE)
+    ticks = (t for t in found.ticks if abs(t / step - round(t / step)) < SAME_WHOLE_NUMBER)
     return found._replace(ticks=tuple(ticks))
 
 

@@ -11,7 +11,7 @@ from .tolerances import NO_BAR, NO_EXTENT
 USUAL = 42.0
 """How long a vector of usual length is drawn."""
 
-SHORT = 11.0
+SHORTEST_BAR = 11.0
 """How long the shortest bar is drawn at least, if the picture does not become too large."""
 
 NORMAL, LARGE = 120.0, 170.0
@@ -45,7 +45,7 @@ def on_paper(figure: Figure) -> Paper:
     extent = max(*sides, NO_EXTENT * figure.size)
     scale = min(USUAL / figure.size, NORMAL / extent)
     shortest = min(_bars(figure), default=figure.size)
-    return Paper(figure, min(max(scale, SHORT / shortest), LARGE / extent))
+    return Paper(figure, min(max(scale, SHORTEST_BAR / shortest), LARGE / extent))
 
 
 def _extent(figure: Figure) -> Iterator[Plane]:

@@ -30,7 +30,7 @@ GAP = 0.8
 COUPLE = 6.0
 """The radius of a couple's arrow."""
 
-WHOLE = 60.0
+WHOLE_WHEEL_RADIUS = 60.0
 """The largest radius of a wheel that is drawn all round."""
 
 RIM = 16.0
@@ -185,7 +185,7 @@ def couple(
 
 def wheel(centre: Plane, radius: float, touch: Plane) -> Iterator[Shape]:
     """Yield a gear: its pitch circle, of a large one the part next to its pitch point, its hub."""
-    if radius <= WHOLE:
+    if radius <= WHOLE_WHEEL_RADIUS:
         yield Arc(centre, radius, AXIS)
     else:
         yield _rim(centre, radius, touch)
@@ -198,7 +198,7 @@ def sector(centre: Plane, radius: float, touch: Plane) -> Iterator[Shape]:
 
     A gear that is drawn all round has none.
     """
-    if radius > WHOLE:
+    if radius > WHOLE_WHEEL_RADIUS:
         rim = _rim(centre, radius, touch)
         for end in (rim.at(0.0), rim.at(1.0)):
             yield line(centre, end, SYMBOL)
@@ -206,7 +206,7 @@ def sector(centre: Plane, radius: float, touch: Plane) -> Iterator[Shape]:
 
 def _rim(centre: Plane, radius: float, touch: Plane) -> Arc:
     """Return the part of a pitch circle next to its pitch point."""
-    half = 0.5 * WHOLE / radius
+    half = 0.5 * WHOLE_WHEEL_RADIUS / radius
     return Arc(centre, radius, AXIS, touch.minus(centre).angle - half, 2 * half)
 
 
@@ -216,7 +216,7 @@ def standing(centre: Plane, radius: float, touch: Plane, ground: int) -> Iterato
     The ground is outside of the rim for a ``ground`` of 1, as of a ring, inside for −1.
     """
     half = min(0.5 * RIM / radius, math.pi / 3)
-    middle = touch.minus(centre).angle + (math.pi if radius <= WHOLE else 0.0)
+    middle = touch.minus(centre).angle + (math.pi if radius <= WHOLE_WHEEL_RADIUS else 0.0)
     yield Arc(centre, radius, SYMBOL, middle - half, 2 * half)
     count = max(3, round(2 * half * radius / _STEP))
     for i in range(count):

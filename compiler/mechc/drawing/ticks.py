@@ -3,9 +3,9 @@
 import math
 
 from ..named import NamedTuple
-from .tolerances import ONE_VALUE, SAME_STEP, WHOLE
+from .tolerances import ONE_VALUE, SAME_STEP, SAME_WHOLE_NUMBER
 
-STEPS = (1.0, 2.0, 5.0, 10.0)
+TICK_STEPS = (1.0, 2.0, 5.0, 10.0)
 """The steps between ticks, times a power of ten."""
 
 OF_DEGREES = (15.0, 30.0, 45.0, 90.0, 180.0, 360.0)
@@ -43,15 +43,20 @@ def scale(low: float, high: float, most: int, degrees: bool = False) -> Scale:
     ((0.0, 45.0, 90.0), 0.15)
     """
     step = _step((high - low) / most, degrees)
-    first, last = math.ceil(low / step - WHOLE), math.floor(high / step + WHOLE)
-    decimals = max(0, -math.floor(math.log10(step) + WHOLE))
+    first, last = (
+        math.ceil(low / step - SAME_WHOLE_NUMBER),
+        math.floor(high / step + SAME_WHOLE_NUMBER),
+    )
+    decimals = max(0, -math.floor(math.log10(step) + SAME_WHOLE_NUMBER))
     ticks = tuple(round(i * step, decimals + 3) for i in range(first, last + 1))
     size = max(abs(low), abs(high))
     if LEAST <= size < LARGEST:
         return Scale(ticks, step, decimals)
-    exponent = math.floor(math.log10(size) + WHOLE)
+    exponent = math.floor(math.log10(size) + SAME_WHOLE_NUMBER)
     ticks = tuple(i * step for i in range(first, last + 1))
-    return Scale(ticks, step, max(0, exponent - math.floor(math.log10(step) + WHOLE)), exponent)
+    return Scale(
+        ticks, step, max(0, exponent - math.floor(math.log10(step) + SAME_WHOLE_NUMBER)), exponent
+    )
 
 
 def _step(least: float, degrees: bool) -> float:
@@ -59,7 +64,7 @@ def _step(least: float, degrees: bool) -> float:
     power = 10.0 ** math.floor(math.log10(least) + SAME_STEP)
     if degrees and 10.0 < least <= OF_DEGREES[-1]:
         return next(step for step in OF_DEGREES if step >= least)
-    return next(step * power for step in STEPS if step * power >= least * (1 - SAME_STEP))
+    return next(step * power for step in TICK_STEPS if step * power >= least * (1 - SAME_STEP))
 
 
 def widened(low: float, high: float, most: int, degrees: bool = False) -> tuple[float, float]:
@@ -74,6 +79,9 @@ def widened(low: float, high: float, most: int, degrees: bool = False) -> tuple[
         beside = abs(high) / 10 or 1.0
         return low - beside, high + beside
     step = scale(low, high, most, degrees).step
-    ends = math.floor(low / step + WHOLE) * step, math.ceil(high / step - WHOLE) * step
+    ends = (
+        math.floor(low / step + SAME_WHOLE_NUMBER) * step,
+        math.ceil(high / step - SAME_WHOLE_NUMBER) * step,
+    )
     digits = 12 - min(0, math.floor(math.log10(step)))
     return round(ends[0], digits), round(ends[1], digits)

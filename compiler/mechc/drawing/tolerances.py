@@ -19,7 +19,7 @@ DETOUR = 1e-6
 ALONG_AXIS = 1e-12
 """A line that changes a coordinate by less than this, in millimetres, never crosses its bounds."""
 
-SHORTEST = 1e-9
+SHORTEST_LINE = 1e-9
 """A line counts as this long at least, in millimetres: one of no length has no direction."""
 
 NO_EXTENT = 1e-9
@@ -28,7 +28,7 @@ NO_EXTENT = 1e-9
 NO_BAR = 1e-6
 """A bar shorter than this part of the figure's size has no length: a gap may leave as much."""
 
-WHOLE = 1e-9
+SAME_WHOLE_NUMBER = 1e-9
 """A number nearer to a whole one than this is whole: tenths have no exact double."""
 
 SAME_STEP = 1e-12

@@ -20,10 +20,10 @@ from .vectors import VelocityVectors, index
 LARGE = 62.0
 """How wide or high the polygon is, in millimetres."""
 
-NEAR = 0.5
+SAME_DRAWN_POINT = 0.5
 """Points nearer to each other than this, in millimetres, are drawn as one."""
 
-SHORT = 5.0
+SHORTEST_NAMED = 5.0
 """An arrow shorter than this, in millimetres, is not named in the polygon."""
 
 DOT = 0.6
@@ -124,7 +124,7 @@ class _PolygonMaker:
 
     def _join(self, nodes: list[PolygonPoint], new: PolygonPoint) -> None:
         for i, node in enumerate(nodes):
-            if math.dist(node.at, new.at) < NEAR:
+            if math.dist(node.at, new.at) < SAME_DRAWN_POINT:
                 nodes[i] = PolygonPoint(node.at, node.points + new.points, node.under + new.under)
                 return
         nodes.append(new)
@@ -151,7 +151,7 @@ class _PolygonMaker:
         """
         for points in self._bodies():
             known = [p for p in points if p in self.velocities.points and split_points(p)]
-            if all(self.velocities.speed(p) * self.scale > NEAR for p in known):
+            if all(self.velocities.speed(p) * self.scale > SAME_DRAWN_POINT for p in known):
                 yield from combinations(known, 2)
 
     def _bodies(self) -> Iterator[tuple[str, ...]]:
@@ -215,7 +215,7 @@ def _points(figure: Figure, body: str) -> tuple[str, ...]:
 def _is_named(sheet: Sheet, one: VelocityArrow, nodes: list[PolygonPoint]) -> bool:
     """Write the name of an arrow next to it; return whether it is long enough, with room."""
     start = one.tail if one.tail != NOWHERE else _behind(one.tip, nodes)
-    if math.dist(start, one.tip) < SHORT:
+    if math.dist(start, one.tip) < SHORTEST_NAMED:
         return False
     return sheet.name_next_to(BesideLine(start, one.tip, one.runs, one.pen))
 
@@ -227,7 +227,7 @@ def _behind(tip: Plane, nodes: list[PolygonPoint]) -> Plane:
         at
         for at, points, _ in nodes
         if points
-        and 0 < math.hypot(*at) < length - NEAR
+        and 0 < math.hypot(*at) < length - SAME_DRAWN_POINT
         and abs(at.turned().dot(tip)) < AHEAD * math.hypot(*at) * length
         and at.dot(tip) > 0
     ]

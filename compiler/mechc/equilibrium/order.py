@@ -16,10 +16,10 @@ from ..frozen import frozen
 from ..work import spend
 from .equilibrium import EquilibriumStep, EquilibriumSum, FoundForce
 
-TOGETHER = 3
+MOST_SUMS_TOGETHER = 3
 """More sums than this nobody solves together by hand."""
 
-VANISHED = 1e-9
+ROUNDED_PART = 1e-9
 """A part of a sum that is smaller, relative to the others, is rounding of 0."""
 
 ForceNames = frozenset[str]
@@ -63,7 +63,7 @@ def _candidate(
     except (KeyError, ZeroDivisionError):
         numbers = dict.fromkeys(balance.terms, 1.0)
     most = max(map(abs, numbers.values()))
-    numbers = {name: n / most for name, n in numbers.items() if abs(n) > VANISHED * most}
+    numbers = {name: n / most for name, n in numbers.items() if abs(n) > ROUNDED_PART * most}
     length = sum(map(count_operations, formulas)) + 2 * len(formulas) + 2 * bool(balance.centre)
     return CandidateSum(balance, frozenset(balance.terms) - known, numbers, length)
 
@@ -98,7 +98,7 @@ def _single(
 
 def _together(sums: Sequence[CandidateSum], found: ForceNames) -> list[CandidateSum]:
     """Return the fewest sums that give as many forces, the shortest of those."""
-    for size in range(2, TOGETHER + 1):
+    for size in range(2, MOST_SUMS_TOGETHER + 1):
         few = [c for c in sums if 1 < len(c.unknown - found) <= size]
         groups = _groups([c.unknown - found for c in few], size)
         fit = [taken for names in groups if (taken := _independent(few, names, found))]

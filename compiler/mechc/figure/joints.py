@@ -22,7 +22,7 @@ GROUNDS = (DOWN, UP, LEFT, RIGHT, *(direction(math.radians(45 + 90 * i)) for i i
 APART = math.radians(50)
 """The angle between the ground of a pivot and the bars that leave it, where there is room."""
 
-BESIDE = 0.25
+PIN_BESIDE_SLIDE = 0.25
 """How far from a slide a pin is drawn that touches it, in usual lengths."""
 
 PULLEY = 0.07
@@ -97,7 +97,7 @@ def _beside(contact: PointContact, ways: LinearVectors) -> Plane:
     frame = ways.pose.frames[contact.body]
     row = 0 if any(frame.values()) else len(frame) - 1
     middle = ways.unit(ways.pose.slides[contact.body]).times(row / 2)
-    return middle.plus(ways.unit(contact.normal).times(BESIDE))
+    return middle.plus(ways.unit(contact.normal).times(PIN_BESIDE_SLIDE))
 
 
 def _away(mesh: model.WheelPair, ways: LinearVectors) -> Plane:

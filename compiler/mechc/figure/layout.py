@@ -26,7 +26,7 @@ STRETCHED = (1.3, 1.6, 2.0, 2.5, 3.2, 4.0)
 SHRUNK = (0.7, 0.5)
 """By what they are where all that is longer leaves twins too near each other."""
 
-ROOM = 0.5
+PARTS_APART = 0.5
 """How far apart unconnected parts are drawn, in usual lengths."""
 
 FigurePoints = dict[str, Plane]
@@ -162,7 +162,7 @@ class _Table:
         if sharing:
             return MirrorLine(points[sharing[0]], self.axis)
         left = self.axis.turned()
-        reach = max(left.dot(at) for at in points.values()) + ROOM * self.size
+        reach = max(left.dot(at) for at in points.values()) + PARTS_APART * self.size
         return MirrorLine(left.times(reach), self.axis)
 
     def _side(self, points: FigurePoints, mirror: MirrorLine | None) -> Plane:
@@ -179,7 +179,7 @@ class _Table:
         far = max(side.dot(at) for at in points.values())
         near = min(side.dot(at) for at in group.values())
         rise = _middle(points, up) - _middle(group, up)
-        return side.times(far + ROOM * self.size - near).plus(up.times(rise))
+        return side.times(far + PARTS_APART * self.size - near).plus(up.times(rise))
 
 
 def _holds(group: FigurePoints, sharing: Sequence[str]) -> bool:

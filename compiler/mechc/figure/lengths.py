@@ -11,7 +11,7 @@ from ..named import NamedTuple
 from .linear_vectors import DrawnVector, Linear
 from .tolerances import DEPENDENT, SAME_LENGTH
 
-SHORTEST = 0.2
+SHORTEST_ROD = 0.2
 """No rod is to be drawn shorter than this part of a usual length, where loops allow it."""
 
 ROUNDS = 400
@@ -41,10 +41,10 @@ def choose(ways: Sequence[DrawnVector], rods: Iterable[str], usual: float) -> Op
     lengths = {**dict.fromkeys(names, usual), **dict.fromkeys(rods, usual)}
     lengths = _closed(lengths, rows)
     for _ in range(ROUNDS):
-        short = [name for name in rods if lengths[name] < SHORTEST * usual * (1 - SAME_LENGTH)]
+        short = [name for name in rods if lengths[name] < SHORTEST_ROD * usual * (1 - SAME_LENGTH)]
         if not short:
             break
-        lengths = _closed({**lengths, **dict.fromkeys(short, SHORTEST * usual)}, rows)
+        lengths = _closed({**lengths, **dict.fromkeys(short, SHORTEST_ROD * usual)}, rows)
     return lengths
 
 

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from ..model.mechanism import Arrow, Geometry, Link, Offset
 from ..pose.places import Plane
-from .tolerances import FLAT
+from .tolerances import ON_ONE_LINE
 
 
 def outline(names: Iterable[str], points: Mapping[str, Plane]) -> tuple[str, ...]:
@@ -33,7 +33,7 @@ def _chain(names: Iterable[str], points: Mapping[str, Plane]) -> list[str]:
 def _turns_left(a: Plane, b: Plane, c: Plane) -> bool:
     first, second = b.minus(a), c.minus(b)
     across = first.turned().dot(second)
-    return across > FLAT * (first.dot(first) + second.dot(second))
+    return across > ON_ONE_LINE * (first.dot(first) + second.dot(second))
 
 
 def rods(link: Link, geometry: Iterable[Geometry]) -> tuple[tuple[str, str], ...]:

@@ -4,7 +4,7 @@ Two sizes come back. What is compared with itself after a few operations differs
 1e-9; a point that was found by an arc cosine near the end of its range has half the digits, 1e-6.
 """
 
-FLAT = 1e-9
+ON_ONE_LINE = 1e-9
 """Three points whose triangle is flatter than this, to its sides, are on one line."""
 
 DEPENDENT = 1e-9

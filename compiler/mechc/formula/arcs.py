@@ -14,7 +14,7 @@ What is concluded from what:
   the point before: it is the solution. Where another branch crossed on the way the sign is not
   that of the start, as of symmetric mechanisms, whose forces need not stay alike;
 - of two points of the curve, so close together that their tangents differ by less than an angle
-  of :data:`FOLDED`, or of :data:`BENT` at a :data:`SHARP` end, and alike in the sign of the
+  of :data:`FOLDED`, or of :data:`ARC_COSINE` at a :data:`SHARP` end, and alike in the sign of the
   determinant, one has t' > 0 and the other t' <= 0: between them F_x is singular with
   t' = 0, a fold. From the fold on the share falls: with all of it no solution is on the branch.
   But what is rounded off on the way may have made the fold, where it is all that there is in an
@@ -38,7 +38,7 @@ from .elimination import Elimination, Matrix, eliminate
 CurveEquations = Callable[[Sequence[float], float], tuple[list[float], Matrix]]
 """Residuals and their slopes, by the unknowns and last by the share, at values of both."""
 
-POINTS = 256
+MOST_POINTS = 256
 """Points of the curve altogether, those that are not found among them."""
 
 FIRST, LONGEST = 2.0**-6, 0.25
@@ -47,13 +47,13 @@ FIRST, LONGEST = 2.0**-6, 0.25
 LEAST = 2.0**-30
 """An arc that is shorter leads nowhere: corrections are no longer exact against it."""
 
-BENT = 0.9
+ARC_COSINE = 0.9
 """The cosine of the angle by which tangents may differ at the ends of an arc."""
 
 EASY = 0.975
 """The cosine of half that angle: behind an arc that is bent more the next is no longer."""
 
-ALIKE = 0.99
+STRAIGHT_COSINE = 0.99
 """The same where the sign of the determinant changes over an arc: the curve goes straight on.
 
 Along one curve it changes at a crossing alone. An arc that led across to another branch, which
@@ -67,22 +67,22 @@ Where pressing forces turn round the curve has all but corners. A longer arc led
 to another branch, which seemed to fall, and a mechanism that moves was said to jam.
 """
 
-FEW = 6
+POINT_CORRECTIONS = 6
 """Corrections of a point at most."""
 
-STRAIGHT = 12
+FOLD_CORRECTIONS = 12
 """Corrections from the start straight to a solution at most, where a fold was found."""
 
 CONTRACTION = 0.4
 """What a correction may be at most, as a part of the one before."""
 
-STRAY = 0.5
+FIRST_CORRECTION_OF_ARC = 0.5
 """What the first correction may be, as a part of the arc."""
 
 TINY, ROUNDING = 1e-11, 1e-17
 """A correction behind which no other is needed, and one that is expected to be below rounding."""
 
-NEAR = 1e-2
+EXACT_ON_THE_WAY = 1e-2
 """The same on the way, against the first that may be: a point need be exact against its arc alone.
 
 What such a correction leaves is its square, as an arc is bent by less than its length.
@@ -117,7 +117,7 @@ class Arcs(NamedTuple):
         point, arc = [*start, 0.0], FIRST
         along = [*(0.0 for _ in start), 1.0]
         side, tangent = self._tangent(point, along)
-        for _ in range(POINTS if side else 0):
+        for _ in range(MOST_POINTS if side else 0):
             rest = (1.0 - point[-1]) / tangent[-1]
             is_last = arc >= rest
             length = rest if is_last else arc
@@ -152,10 +152,10 @@ class Arcs(NamedTuple):
         """
         ahead = [p + length * t for p, t in zip(point, tangent, strict=True)]
         if end is None:
-            return self._corrected(ahead, tangent, STRAY * length)
+            return self._corrected(ahead, tangent, FIRST_CORRECTION_OF_ARC * length)
         ahead[-1] = 1.0
         along, side = end
-        return self._corrected(ahead, along, STRAY * length, side)
+        return self._corrected(ahead, along, FIRST_CORRECTION_OF_ARC * length, side)
 
     def _corrected(
         self, start: ArcPoint, across: ArcPoint, stray: float, side: int = 0
@@ -165,8 +165,8 @@ class Arcs(NamedTuple):
         The first correction may be so long. If a side is asked for, the point must be on it, and
         is exact.
         """
-        found, most, tiny = start, stray, TINY if side else max(TINY, NEAR * stray)
-        for _ in range(FEW):
+        found, most, tiny = start, stray, TINY if side else max(TINY, EXACT_ON_THE_WAY * stray)
+        for _ in range(POINT_CORRECTIONS):
             change, matrix = self._bordered(found, across)
             sign = self.solve(matrix, change)
             size = math.sqrt(_dot(change, change))
@@ -181,7 +181,7 @@ class Arcs(NamedTuple):
 
     def _straight(self, found: ArcPoint, along: ArcPoint) -> ArcPoint:
         """Return a solution with all of the share that Newton's method comes to; none: []."""
-        for _ in range(STRAIGHT):
+        for _ in range(FOLD_CORRECTIONS):
             change, matrix = self._bordered(found, along)
             if not self.solve(matrix, change):
                 return []
@@ -212,10 +212,10 @@ class Arcs(NamedTuple):
 def _least(share: float, is_alike: bool, length: float) -> float:
     """Return the least cosine between the tangents at the ends of an arc, by that at its end."""
     if share > 0.0:
-        return BENT if is_alike else ALIKE
+        return ARC_COSINE if is_alike else STRAIGHT_COSINE
     if not is_alike:
         return math.inf
-    return BENT if length <= SHARP else FOLDED
+    return ARC_COSINE if length <= SHARP else FOLDED
 
 
 def _dot(one: Sequence[float], other: Sequence[float]) -> float:

@@ -4,7 +4,7 @@
 has none (NaN) where none holds and nothing is said otherwise. A condition is a call that is 1
 where it holds and else 0, and NaN where a side of it is. ``interpolate(x, x1, y1, x2, y2, …)``
 lies between two rows of a table in proportion, ``row(x, x1, y1, …)`` is the value of the row at x
-(to :data:`NEAR`), ``next(x, s1, s2, …)`` the smallest size that is no less than x; they have no
+(to :data:`SAME_ROW`), ``next(x, s1, s2, …)`` the smallest size that is no less than x; they have no
 value elsewhere. ``met(x, x1, x2, …)`` is x at a row, else that of the rows which lies nearest.
 ``sense(x, size)`` is the sign of x, and 0 where nothing but rounding is left of it against
 ``size``. Machines know the first only (:func:`spelled_out`).
@@ -20,7 +20,7 @@ from .tree import ZERO, Call, Formula, is_call, negative, number, product, quoti
 
 T = TypeVar("T")
 
-NEAR = Fraction(1, 10**9)
+SAME_ROW = Fraction(1, 10**9)
 """How far from a row, in parts of it, a value may lie that is meant: half of 63 mm, 31.5 mm."""
 
 SIGNS: Mapping[str, str] = {
@@ -86,7 +86,7 @@ def _nearest(x: float, rows: Sequence[float]) -> float:
 
 def _met(x: float, *rows: float) -> float:
     row = _nearest(x, rows)
-    return row if abs(x - row) > float(NEAR) * abs(row) else x
+    return row if abs(x - row) > float(SAME_ROW) * abs(row) else x
 
 
 def _row(x: float, *rows: float) -> float:
@@ -195,7 +195,7 @@ def _about(rows: Sequence[Formula]) -> Iterator[tuple[Formula, Formula]]:
 def _at_row(x: Formula, row: Formula, *values: Formula) -> Formula:
     """Return the first value where x is a row, the second, if there is one, elsewhere."""
     away = Call("abs", (total([x, negative(row)]),))
-    near = product([(number(NEAR), 1), (Call("abs", (row,)), 1)])
+    near = product([(number(SAME_ROW), 1), (Call("abs", (row,)), 1)])
     return Call("choose", (Call("at_most", (away, near)), *values))
 
 

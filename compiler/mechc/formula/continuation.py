@@ -20,7 +20,7 @@ from .tree import System
 RUNG = 1 / 32
 """How far apart rungs are, against the symbol's scale: three corrections lead to the next one."""
 
-FAR = 8.0
+RUNG_REACH = 8.0
 """How far rungs lead, against that: the corrections of a whole way suffice for more."""
 
 ABOUT = 8
@@ -94,7 +94,7 @@ class _Ladder:
     def at(self, outer: tuple[float, ...]) -> tuple[float, ...]:
         """Return the unknowns; none where no rungs lead there."""
         away = (outer[self._varied] - self._origin) / self._step
-        before = self._rung(int(away)) if abs(away) <= FAR / RUNG else None
+        before = self._rung(int(away)) if abs(away) <= RUNG_REACH / RUNG else None
         if before is None:
             return ()
         guess = self._guess(away)

@@ -21,7 +21,7 @@ Returns the sign of the determinant, 0 where there is no solution.
 CUBES = 24
 """An elimination takes a third of the cube of its size, eight times as fast as algebra's steps."""
 
-LARGEST = 8
+WRITTEN_OUT_UNKNOWNS = 8
 """The most unknowns for which operations are written out: they are some three hundred lines."""
 
 
@@ -67,10 +67,10 @@ def _clear(matrix: Matrix, right: list[float], pivot: int) -> None:
 
 def quick(size: int) -> Elimination:
     """Return the elimination for a size that is met often."""
-    return _written_out(size) if size <= LARGEST else eliminate
+    return _written_out(size) if size <= WRITTEN_OUT_UNKNOWNS else eliminate
 
 
-@lru_cache(maxsize=LARGEST + 1)
+@lru_cache(maxsize=WRITTEN_OUT_UNKNOWNS + 1)
 def _written_out(size: int) -> Elimination:
     """Return the operations for one size as a function without loops."""
     lines = [

@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, assert_never
 
 from ..named import NamedTuple
-from ..work import LIMIT, Allowance, at_most, spend
+from ..work import MOST_WORK, Allowance, at_most, spend
 from . import derivative, newton
 from .choices import chosen
 from .functions import FUNCTIONS
@@ -173,14 +173,14 @@ class _Ended(NamedTuple):
 def _followed(system: System) -> Callable[[tuple[float, ...]], _Ended]:
     with at_most(Allowance()) as allowance:
         way = way_of(system)
-    ahead = LIMIT - allowance.left
+    ahead = MOST_WORK - allowance.left
 
     @lru_cache(maxsize=SOLUTIONS)
     def followed(outer: tuple[float, ...]) -> _Ended:
         outer = turned_back(system, outer)
         with at_most(Allowance()) as allowance:
             ended, found = way.follow(*beginning(system, outer), outer)
-        return _Ended(ended, found, ahead + LIMIT - allowance.left)
+        return _Ended(ended, found, ahead + MOST_WORK - allowance.left)
 
     return followed
 

@@ -27,10 +27,10 @@ from .tree import (
 )
 from .walk import children, rebuild, walk
 
-ROUNDING = 1e-9
+NO_SIGN = 1e-9
 """A sine that is smaller is 0 but for rounding, and has no sign."""
 
-LONG = 400
+MOST_READ_OPERATIONS = 400
 """Formulas of more operations are read by machines alone."""
 
 
@@ -66,7 +66,7 @@ def facing(
     >>> text(facing(Call("cos", (angle,)), lambda: {"a": 0.1, "b": 0.5}, lambda angle: -90))
     'sin(b - a + 67*pi/180)'
     """
-    if count_operations(formula) > LONG:
+    if count_operations(formula) > MOST_READ_OPERATIONS:
         return formula
     faced = _positive(formula, values)
     turned = _turned_by(formula, quarter) if quarter else formula
@@ -429,7 +429,7 @@ def _is_below(formula: Formula, at: SharedEvaluation) -> bool:
         sizes = [at.of(term) for term in formula.terms]
     except KeyError:
         return False
-    return sum(sizes) < -ROUNDING * max(map(abs, sizes))
+    return sum(sizes) < -NO_SIGN * max(map(abs, sizes))
 
 
 def _paired(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
@@ -468,7 +468,7 @@ def _sum_turned(terms: Sequence[Formula], at: SharedEvaluation) -> Formula | Non
         not has_minus(new) and not has_minus(old) for new, old in zip(turned, terms, strict=True)
     )
     try:
-        return total(_led(turned)) if is_led and at.of(Sum(tuple(terms))) < -ROUNDING else None
+        return total(_led(turned)) if is_led and at.of(Sum(tuple(terms))) < -NO_SIGN else None
     except KeyError:
         return None
 
@@ -476,7 +476,7 @@ def _sum_turned(terms: Sequence[Formula], at: SharedEvaluation) -> Formula | Non
 def _is_behind(difference: Sum, at: SharedEvaluation) -> bool:
     """Return whether the sine of a difference is negative; False where it has no value."""
     try:
-        return math.sin(at.of(difference)) < -ROUNDING
+        return math.sin(at.of(difference)) < -NO_SIGN
     except KeyError:
         return False
 

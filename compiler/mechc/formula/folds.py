@@ -17,13 +17,13 @@ from .newton import Residuals
 STEP, SHORTEST = 0.06, 1e-7
 """Steps along the curve, in radians; lengths are measured in sizes of the mechanism."""
 
-STEPS = 600
+MOST_STEPS = 600
 """Steps after which a curve is given up."""
 
-NEAR = 1.5e-3
+CROSSING_STEP = 1.5e-3
 """Steps by which a crossing is looked for; solutions are exact to twelve digits so near it."""
 
-CORRECTIONS = 12
+STEP_CORRECTIONS = 12
 
 CLOSED = 1e-12
 """A correction behind which a point lies on the curve, and a step behind which it turns back."""
@@ -74,7 +74,7 @@ class SolutionCurve:
         sense = 1.0 if goal > x else -1.0
         tangent = self._tangent(point, [*([0.0] * len(unknowns)), sense])
         step = STEP
-        for _ in range(STEPS):
+        for _ in range(MOST_STEPS):
             ahead = self._corrected(point, tangent, step) if tangent else None
             turned = self._tangent(ahead, tangent) if ahead and tangent else None
             if not ahead or not tangent or not turned or _dot(turned, tangent) < 0.9:
@@ -100,8 +100,8 @@ class SolutionCurve:
         tangent = self._tangent(point, [*([0.0] * len(unknowns)), sense])
         here = self._determinant(point)
         while tangent and tangent[-1] * sense > 0 and (goal - self._drive(point)) * sense > 0:
-            step, ahead = NEAR, self._corrected(point, tangent, NEAR)
-            while ahead is None and step < 2 * NEAR:
+            step, ahead = CROSSING_STEP, self._corrected(point, tangent, CROSSING_STEP)
+            while ahead is None and step < 2 * CROSSING_STEP:
                 step *= 1.3
                 ahead = self._corrected(point, tangent, step)
             if ahead is None:
@@ -113,7 +113,7 @@ class SolutionCurve:
 
     def _crossed(self, point: CurvePoint, tangent: CurvePoint, middle: float) -> float | None:
         """Return the drive where the determinant vanishes, about a step along a tangent."""
-        steps = [middle + NEAR * part for part in (-5, -4, -3, -2, -1, 1, 2, 3, 4, 5)]
+        steps = [middle + CROSSING_STEP * part for part in (-5, -4, -3, -2, -1, 1, 2, 3, 4, 5)]
         points = [p for step in steps if (p := self._corrected(point, tangent, step))]
         if len(points) < len(steps):
             return None
@@ -151,7 +151,7 @@ class SolutionCurve:
         """Return the point of the curve at a step along a tangent, across which it is sought."""
         start = [p + step * t for p, t in zip(point, tangent, strict=True)]
         found = start
-        for _ in range(CORRECTIONS):
+        for _ in range(STEP_CORRECTIONS):
             gaps, matrix = self._at(found)
             across = _dot([f - s for f, s in zip(found, start, strict=True)], tangent)
             right = [*gaps, across]

@@ -315,7 +315,7 @@ def short_decimal(value: Fraction) -> str | None:
     return None if value.denominator in {1, 2, 4, 8, 16, 32, 64} else decimal(value)
 
 
-LONGEST = 12
+MOST_FRACTION_DIGITS = 12
 """Digits of a fraction, above and below the line, beyond which it is given as a decimal."""
 
 
@@ -348,7 +348,11 @@ def is_long(value: Fraction) -> bool:
     (False, True)
     """
     digits = len(str(abs(value.numerator))) + len(str(value.denominator))
-    return value.denominator != 1 and digits > LONGEST and LEAST <= abs(float(value)) < LARGEST
+    return (
+        value.denominator != 1
+        and digits > MOST_FRACTION_DIGITS
+        and LEAST <= abs(float(value)) < LARGEST
+    )
 
 
 def has_minus(term: Formula) -> bool:

@@ -47,7 +47,7 @@ thirty of some triads, be it found at those next to it.
 CONTRACTION = 0.4
 """What a correction may be at most, as a part of the one before."""
 
-LONGEST = 0.5
+FIRST_CORRECTION = 0.5
 """What the first correction of a step may be, as a part of :func:`scale`: half a radian.
 
 At a whole radian one step in two thousand passed over the end of a branch of a triad, to
@@ -60,25 +60,25 @@ WIDEST = 1.5
 FARTHEST = WIDEST * CORRECTIONS
 """A change that no number of corrections would reach."""
 
-SHORTEST = 2.0**-10
+SHORTEST_STEP = 2.0**-10
 """Where corrections run out at steps below this part of the path, the branch ends there."""
 
-SHORT = 2.0**-6
+ARCS_FROM = 2.0**-6
 """Where steps are below this part of a path that is followed by arcs, these lead on faster."""
 
 TINY = 1e-11
 """A correction behind which no other is needed."""
 
-ROUGH = 1e-2
+ROUGH_CORRECTION = 1e-2
 """A correction behind which a step that does not end the path may follow."""
 
 GUESSED = 1e-4
 """What takes a guess to the solution that it is all but equal to, at most."""
 
-FEW = 4
+QUICK_CORRECTIONS = 4
 """Corrections that this takes at most."""
 
-ROUNDING = 1e-17
+NEGLIGIBLE_CORRECTION = 1e-17
 """Nor is one needed that is expected, from how the last two shrank, to be below this."""
 
 
@@ -132,7 +132,7 @@ class Way(NamedTuple):
             return 2, tuple(start)
         base, found = list(start), list(start)
         reached, step, last = 0.0, longest, 0.0
-        shortest = SHORT if self.along else 0.0
+        shortest = ARCS_FROM if self.along else 0.0
         for _ in range(CORRECTIONS):
             if step < shortest:
                 break
@@ -144,7 +144,7 @@ class Way(NamedTuple):
                 found, step, last = base, step / 2, 0.0
                 continue
             found = [x - c for x, c in zip(found, correction, strict=True)]
-            if not (_is_precise(size, last) or (aim < 1.0 and size <= ROUGH)):
+            if not (_is_precise(size, last) or (aim < 1.0 and size <= ROUGH_CORRECTION)):
                 last = size
             elif aim == 1.0:
                 return 0, tuple(found)
@@ -153,7 +153,7 @@ class Way(NamedTuple):
                 step = min(2 * step, longest, 1.0 - reached)
         if self.along:
             return self._by_arcs(self.along, anchor, start, outer)
-        return 1 if step < SHORTEST else 2, tuple(base)
+        return 1 if step < SHORTEST_STEP else 2, tuple(base)
 
     def _by_arcs(
         self,
@@ -180,7 +180,7 @@ class Way(NamedTuple):
         >>> Way(circle, 1, [1.0]).beside([2.1], [4.0])
         """
         found, last = list(guess), GUESSED / CONTRACTION
-        for _ in range(FEW):
+        for _ in range(QUICK_CORRECTIONS):
             sign, correction = self._correction(found, outer)
             size = _norm(correction, self.scales)
             if not (sign == self.side != 0 and _shrinks(size, last)):
@@ -229,9 +229,9 @@ def _norm(correction: Sequence[float], scales: Sequence[float]) -> float:
 
 def _shrinks(size: float, last: float) -> bool:
     """Return whether a correction is small enough behind the last one; 0: it is the first."""
-    return size <= TINY or size <= (CONTRACTION * last if last > 0 else LONGEST)
+    return size <= TINY or size <= (CONTRACTION * last if last > 0 else FIRST_CORRECTION)
 
 
 def _is_precise(size: float, last: float) -> bool:
     """Return whether the next correction would be below rounding."""
-    return size <= TINY or size * size * size <= ROUNDING * last * last
+    return size <= TINY or size * size * size <= NEGLIGIBLE_CORRECTION * last * last

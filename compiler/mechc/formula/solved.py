@@ -28,7 +28,7 @@ from .tree import (
 )
 from .walk import symbols
 
-CLOSE = 1e-9
+SAME_SOLUTION = 1e-9
 """By how many radians, or parts of it, a formula may miss the value that it is for."""
 
 
@@ -50,9 +50,9 @@ class AngleSolution(NamedTuple):
         if not math.isfinite(first):
             return None
         if not period:
-            return self.value if abs(first - x) <= CLOSE * abs(x) else None
+            return self.value if abs(first - x) <= SAME_SOLUTION * abs(x) else None
         turns = round((x - first) / period)
-        if abs(first + turns * period - x) > CLOSE:
+        if abs(first + turns * period - x) > SAME_SOLUTION:
             return None
         return _tidy((self.value, degrees(turns * self.period)))
 

@@ -37,7 +37,7 @@ FloatProgram = Callable[[Sequence[float]], list[float]]
 Operation = Callable[[Any], Any]
 """Takes one value, or several as a tuple."""
 
-QUICK = 8
+OPERATIONS_A_STEP = 8
 """So many operations on floats take as long as one step of algebra."""
 
 OFTEN = 64
@@ -90,7 +90,7 @@ class StraightLine:
         self._constants, self._made = maker.in_order()
         self._steps = [(value.operation, value.arguments) for value in self._made]
         self._results = [result.index for result in results]
-        self._work = 1 + len(self._steps) // QUICK
+        self._work = 1 + len(self._steps) // OPERATIONS_A_STEP
         self._left = often
         self._function: FloatProgram = self._step_by_step
 

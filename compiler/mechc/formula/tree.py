@@ -157,7 +157,7 @@ Definitions = Sequence[tuple[str, Formula]]
 ZERO, HALF, ONE, PI = Number(Fraction(0)), Number(Fraction(1, 2)), Number(Fraction(1)), Pi()
 
 
-FEW = 64
+KEPT_NUMBERS = 64
 """Whole numbers below this stand in formulas again and again, and fractions are dear to make."""
 
 _WHOLE: dict[int, Number] = {}
@@ -165,7 +165,7 @@ _WHOLE: dict[int, Number] = {}
 
 def number(value: int | Fraction) -> Number:
     """Return an exact number; of small whole ones there is one each."""
-    if type(value) is not int or not -FEW < value < FEW:
+    if type(value) is not int or not -KEPT_NUMBERS < value < KEPT_NUMBERS:
         return Number(Fraction(value))
     if value not in _WHOLE:
         _WHOLE[value] = Number(Fraction(value))

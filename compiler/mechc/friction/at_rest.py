@@ -16,7 +16,7 @@ from ..power.numbers import pose_values, value_of, values_along
 from ..units import ANGLE
 from .tolerances import PRECISE, SAME_RESULT
 
-STEP = 1e-8
+BESIDE_POSE = 1e-8
 """How far from the default pose its sides are looked at, in SI."""
 
 
@@ -68,7 +68,7 @@ def _steps(pose: Pose, name: str) -> Iterator[float]:
     """Yield the steps to either side at which a parameter is in its range, and there is a pose."""
     low, high = range_of(name, pose.mechanism) or (-math.inf, math.inf)
     is_within = low <= pose_values(pose).get(name, 0.0) <= high
-    for step in (-STEP, STEP):
+    for step in (-BESIDE_POSE, BESIDE_POSE):
         values = values_along(pose, name, 2 * step)
         if _is_pose(pose, values) and (low <= values[name] <= high or not is_within):
             yield step

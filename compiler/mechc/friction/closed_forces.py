@@ -205,7 +205,7 @@ class OfBodies:
     def _size(self, name: str) -> Product:
         """Return the size of a force as it is known; a driving load that is long, by its name."""
         size = self._solved(name)
-        if name == self._asked.driving and count_operations(size.formula()) <= SHORT:
+        if name == self._asked.driving and count_operations(size.formula()) <= PUT_IN_OPERATIONS:
             return size
         return self._given().get(name, size)
 
@@ -223,7 +223,7 @@ class OfBodies:
         return self._solver.sizes[name]
 
 
-SHORT = 8
+PUT_IN_OPERATIONS = 8
 """Operations of a driving load that is put in; one that has more keeps its name."""
 
 SignedForces = Sequence[tuple[BodyForce, int]]

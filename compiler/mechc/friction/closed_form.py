@@ -31,7 +31,7 @@ from .signs import AtAnyPose, SignSymbols, bare, exact_sign, is_root
 from .signs_at_a_pose import AtOnePose
 from .solution import FrictionStep
 
-BESIDE = 1e-3
+BESIDE_DEFAULT = 1e-3
 """How far beside the default pose signs are looked at, in radians: far enough for no rounding."""
 
 AT_REST = 1e-9
@@ -235,7 +235,7 @@ class DefaultPose:
         zeros = [formula for formula, operator in found.holds if operator == "="]
         if not zeros:
             return False
-        moved = values_beside(self._plan.graph.pose, BESIDE)
+        moved = values_beside(self._plan.graph.pose, BESIDE_DEFAULT)
         known = completed({**self.values(), **moved}, found.where)
         return any(abs(evaluate(formula, known)) > AT_REST for formula in zeros)
 

@@ -52,10 +52,10 @@ from .naming import ForceSizes
 from .pairs import Component, LoadedPair
 from .senses import sense_of
 
-NOTHING = number(Fraction(1, 10**30))
+KEPT_FROM_ZERO = number(Fraction(1, 10**30))
 """What is added to pressing forces so that none of them vanishes, where no slope would be."""
 
-ROUNDED = Fraction(3, 100)
+ROUNDED_OFF = Fraction(3, 100)
 """By how much, against the loads, pressing forces are rounded off where they vanish.
 
 They are at the outset, and no longer at the end: on the way a force may turn round.
@@ -201,7 +201,7 @@ def _definitions(of: Coupled, sense: int) -> Iterator[Definition]:
     yield Definition(of.names.scale, _hypot(row.ideal.name for row in of.rows))
     for name, pair in zip(of.names.alone, of.pairs, strict=True):
         ideal = (_per_scale(of, row.ideal.name) for row in pair)
-        yield Definition(name, Call("hypot", (*ideal, number(ROUNDED))))
+        yield Definition(name, Call("hypot", (*ideal, number(ROUNDED_OFF))))
     yield from _against(of, [sense_of(p.slip) for p in of.loaded], sense)
     slips = [p.slip.formula() for p in of.loaded]
     for name, loaded, slip in zip(of.names.added, of.loaded, slips, strict=True):
@@ -232,7 +232,7 @@ def _of_the_load(of: Coupled) -> Iterator[Definition]:
     )
     yield Definition(names.common, total(common))
     squares = (product([(Symbol(name), 2)]) for name in names.added)
-    yield Definition(names.turn, quotient(Symbol(names.common), total([*squares, NOTHING])))
+    yield Definition(names.turn, quotient(Symbol(names.common), total([*squares, KEPT_FROM_ZERO])))
     both = product([(Symbol(names.turn), 1), (Symbol(names.common), 1)])
     whole = total([product([(Symbol(share.name), 2)]) for share in of.shares])
     rest = Call("max", (total([whole, negative(both)]), number(0)))
@@ -261,7 +261,7 @@ def _argument(of: Coupled, name: str, is_ideal: bool) -> Formula:
     if name in (names.step, names.left):
         return quotient(ONE, Symbol(names.length))
     if name == names.rounded:
-        return NOTHING
+        return KEPT_FROM_ZERO
     if name in names.added:
         return product([(Symbol(names.turn), 1), (Symbol(name), 1)])
     return _per_scale(of, name) if is_ideal else Symbol(name)
@@ -306,7 +306,7 @@ def _system(names: SystemNames, pairs: Sequence[Sequence[ForceRow]]) -> System:
 
 def _anchor(names: SystemNames, rows: Sequence[ForceRow]) -> tuple[tuple[str, float | None], ...]:
     """Return where the way begins: without friction; what has no value there stays as it is."""
-    path = ((names.step, 0.0), (names.left, 1.0), (names.rounded, float(ROUNDED)))
+    path = ((names.step, 0.0), (names.left, 1.0), (names.rounded, float(ROUNDED_OFF)))
     kept = [*(row.ideal.name for row in rows), *names.alone, *names.added]
     kept += [share.name for row in rows for share in row.shares]
     return (*path, *((name, None) for name in kept))
@@ -345,7 +345,7 @@ def _measure(names: SystemNames) -> Formula:
 
 
 def _hypot(names: Iterator[str]) -> Formula:
-    return Call("hypot", (*map(Symbol, names), NOTHING))
+    return Call("hypot", (*map(Symbol, names), KEPT_FROM_ZERO))
 
 
 def _certain(whole: Formula) -> Formula:

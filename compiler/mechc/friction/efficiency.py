@@ -26,7 +26,7 @@ from ..power.numbers import default_values, value_of
 from ..source import Span
 from ..units import NUMBER
 from .closed_form import DefinedFormula, Operator, PrintedFormula, readable
-from .iterated import SHORT
+from .iterated import AS_SHORT_AS_NAME
 from .solution import FrictionStep
 
 
@@ -112,7 +112,7 @@ class Drives:
         if case is None:
             return None
         where, holds = (*case.where, Definition(name, case.formula)), case.holds
-        if count_operations(self._ideal.formula) > SHORT:
+        if count_operations(self._ideal.formula) > AS_SHORT_AS_NAME:
             above, below = (self._k, Symbol(name))[:: self._exponent]
             here, where = quotient(above, below), self._with_ideal(where)
         elif not _has_roots(case):

@@ -49,7 +49,7 @@ def first_order_case(
     """
     parts = [p for p in _powers(loaded, positive_at(signs)) if p.force and p.slip]
     formula = _with(ideal.formula, parts, sense)
-    if count_operations(formula) > LINE:
+    if count_operations(formula) > MOST_MULTIPLIED_OUT:
         return _in_names(ideal, parts, sense, signs)
     labels = radii(part.pair for part in parts)
     added: list[Added] = []
@@ -92,7 +92,7 @@ def _in_names(
     )
 
 
-LINE = 60
+MOST_MULTIPLIED_OUT = 60
 """Operations of a formula that is multiplied out: more are several lines, and names are read."""
 
 
@@ -250,14 +250,14 @@ def exact_case(
             slip = _slip_called(p.pair, size, called)
             factor = named_factor(p.pair, labels, signs).formula()
             parts.append(Added(factor, sizes.of(p.pair), slip, sizes.sense * p.times))
-    is_long = count_operations(ideal.formula) > SHORT
+    is_long = count_operations(ideal.formula) > AS_SHORT_AS_NAME
     without, known = (Symbol(ideal.name), (_called_so(ideal),)) if is_long else (ideal.formula, ())
     where = (*known, *signs.definitions, *sizes.definitions)
     steps = (step_of(loaded),)
     return PrintedFormula(_sum(without, parts), where, conditions(signs), steps, sizes.positive)
 
 
-SHORT = 8
+AS_SHORT_AS_NAME = 8
 """Operations of a formula without friction that is as short to read as its name."""
 
 

@@ -18,7 +18,7 @@ from .pairs import LoadedPair
 from .signs import SignSymbols
 from .solution import FrictionStep, StepKind
 
-MOST = 3
+MOST_READ_PAIRS = 3
 """More pairs than this make a formula that nobody reads."""
 
 
@@ -33,7 +33,7 @@ class LinearSolver:
         signs: SignSymbols,
         sense: int,
     ) -> None:
-        if len(loaded) > MOST or any(len(p.components) != 1 for p in loaded):
+        if len(loaded) > MOST_READ_PAIRS or any(len(p.components) != 1 for p in loaded):
             raise EquationsCoupled
         self._driving, self._ideal = driving, ideal
         self.loaded, self._signs, self._sense = loaded, signs, sense

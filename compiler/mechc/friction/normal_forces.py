@@ -200,10 +200,10 @@ def _thrust_under(
 # --------------------------------------------------------------------------------- what never slips
 
 
-POSES = 4
+NEARBY_POSES = 4
 """At so many poses besides the default one a slip is nothing but rounding if it is zero."""
 
-TRIES = 24
+NEARBY_DRAWS = 24
 """Draws to find these poses, at most."""
 
 SPREAD = 0.1
@@ -243,7 +243,7 @@ def _poses(plan: Plan) -> Iterator[Rounding]:
     moved = sorted(p.name for p in independent(pose.mechanism) if p.name in given)
     angles = {p.name for p in pose.mechanism.parameters if p.dimension == ANGLE}
     chain = following(pose.mechanism, pose.definitions)
-    for i in range(TRIES):
+    for i in range(NEARBY_DRAWS):
         shifts = {n: chance.uniform(-SPREAD, SPREAD) * bool(i) for n in moved}
         there = {n: given[n] + s if n in angles else given[n] * (1 + s) for n, s in shifts.items()}
         rounding = Rounding({**given, **there})
@@ -265,4 +265,4 @@ def _vanishes(slip: Product, poses: Sequence[Rounding]) -> bool:
         if not (found.is_zero and found.error <= PRECISE):
             return False
         zeros += 1
-    return zeros > POSES
+    return zeros > NEARBY_POSES

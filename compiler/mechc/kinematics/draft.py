@@ -11,7 +11,7 @@ from ..source import Span
 from .forms import QUARTER, projection, subtract
 from .graph import Flow, Graph, LinearForm, Relation, Rule, SpeedKind, UnknownSpeed, Velocity
 
-LONGEST = 3
+MOST_VELOCITY_PARTS = 3
 """A velocity of more parts than this gets unknowns of its own before a link is based on it."""
 
 
@@ -86,7 +86,7 @@ class Draft:
         Without this each link of a chain would carry the parts of all links before it.
         """
         velocity = self.velocities[point]
-        if len(velocity) <= LONGEST or point not in self._carriers:
+        if len(velocity) <= MOST_VELOCITY_PARTS or point not in self._carriers:
             return
         link, base = self._carriers[point]
         along = next(iter(self.guides.values()), Angle())

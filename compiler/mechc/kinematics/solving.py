@@ -10,7 +10,7 @@ from ..algebra.sums import BoundSum, add, canonical
 from .graph import LinearForm
 from .plan import Binding, SpeedFactors
 
-LONG = 12
+MOST_UNNAMED_TERMS = 12
 """A sum with more terms than this, inner ones included, is bound to a name."""
 
 
@@ -74,7 +74,7 @@ class Binder:
     def bound(self, product: Product) -> Product:
         """Return the product with its long sums replaced by bound names."""
         for factor, exponent in product.factors.items():
-            if isinstance(factor, Sum) and factor.weight > LONG:
+            if isinstance(factor, Sum) and factor.weight > MOST_UNNAMED_TERMS:
                 name = self._name(factor)
                 product = product * Product(1, {factor: -exponent, name: exponent})
         return product

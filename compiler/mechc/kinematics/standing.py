@@ -16,7 +16,7 @@ from ..frozen import fields, frozen
 from .graph import LinearForm, Relation, SpeedKind
 from .plan import Binding, Block, Plan, SpeedFactors
 
-MOST = 3
+MOST_ORDERED_UNKNOWNS = 3
 """Unknowns of a block whose determinants are looked at in every order."""
 
 Shortened = Callable[[int, SpeedFactors], SpeedFactors]
@@ -80,7 +80,9 @@ def _of_block(
         (unknown,) = block.unknowns
         return [_single(relations[0].form, unknown, speeds, plan.speeds[unknown])]
     whole = [plan.speeds[unknown] for unknown in block.unknowns]
-    if len(relations) > MOST or not all(len(s) == 1 and is_long(s[0]) for s in whole):
+    if len(relations) > MOST_ORDERED_UNKNOWNS or not all(
+        len(s) == 1 and is_long(s[0]) for s in whole
+    ):
         return whole
     return _together([r.form for r in relations], block.unknowns, speeds)
 

@@ -13,13 +13,13 @@ from ..units import ANGLE, LENGTH, UNITS, Dimension
 LARGEST_EXPONENT = 64
 """Beyond, a constant power is refused: powers of powers would fill the memory."""
 
-LARGEST = 10**308
+LARGEST_DOUBLE = 10**308
 """What a double can hold."""
 
 LARGEST_BITS = 4096
 """Size of a constant's denominator; that of a literal has 1,200 at most."""
 
-FAR = 1e60
+LARGEST_QUANTITY = 1e60
 """Quantities lie between this and its reciprocal, in SI: cubes of them are still doubles."""
 
 LONG_WAY = 1e6
@@ -40,7 +40,7 @@ def out_of_reach(value: float, dimension: Dimension) -> bool:
         return False
     if dimension == ANGLE:
         return abs(value) > MANY_TURNS
-    far = LONG_WAY if dimension == LENGTH else FAR
+    far = LONG_WAY if dimension == LENGTH else LARGEST_QUANTITY
     return value != 0 and not 1 / far <= abs(value) <= far
 
 
@@ -95,7 +95,7 @@ def too_large(value: Fraction) -> bool:
     >>> too_large(Fraction(9) ** 64), too_large(Fraction(9) ** 640)
     (False, True)
     """
-    return abs(value) > LARGEST or value.denominator.bit_length() > LARGEST_BITS
+    return abs(value) > LARGEST_DOUBLE or value.denominator.bit_length() > LARGEST_BITS
 
 
 def last_digit(number: ast.Number) -> Fraction:

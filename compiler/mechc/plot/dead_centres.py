@@ -16,7 +16,7 @@ NEAR, ASIDE = 1e-12, 1e-3
 Rounding leaves it no value where the mechanism can just be assembled.
 """
 
-VANISHED = 1e-4
+NOTHING_BESIDE = 1e-4
 """What is smaller than this part of what a factor is beside a point is nothing there."""
 
 
@@ -67,7 +67,7 @@ class _Rest:
                 [size for values in of if not math.isnan(size := abs(factor(values)))]
                 for of in (at, beside)
             )
-            is_nothing = bool(here and there) and min(here) < VANISHED * max(there)
+            is_nothing = bool(here and there) and min(here) < NOTHING_BESIDE * max(there)
             yield isinstance(vanishing.cause, DeadCentre) and is_nothing
 
     def _around(self, x: float) -> Iterator[list[float]]:

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from .narrowing import NEAR, Array, ArrayFunction, narrowed, on, without_holes
-from .sampling import CELLS, PROMINENT, Trace
+from .narrowing import BESIDE_POINT, Array, ArrayFunction, narrowed, on, without_holes
+from .sampling import PLOT_CELLS, PROMINENT, Trace
 
-BENT = 3e-4
+OFF_THE_LINE = 3e-4
 """How far a curve may be off the straight line between two points, against the panel."""
 
 NARROW = 1e-9
@@ -17,7 +17,7 @@ NARROW = 1e-9
 ROUNDS, MOST = 12, 6000
 """How often cells are halved for a smooth curve, and how many points are enough for any."""
 
-STEEP = 0.02
+JUMP_OF_PANEL = 0.02
 """A step of this part of the panel, between values that are neighbours, is a jump."""
 
 
@@ -38,7 +38,7 @@ def smooth(function: ArrayFunction, trace: Trace, low: float, high: float) -> Tr
     xs, ys = without_holes(function, xs, ys)
     shown = np.clip(ys, low, high)
     jumps = sorted({*trace.jumps, *_steps(function, xs, shown, scale[1], trace.poles)})
-    near = NEAR * scale[0]
+    near = BESIDE_POINT * scale[0]
     turns = (t for t in trace.turns if all(abs(t.x - jump) > near for jump in jumps))
     if beside := [x for jump in jumps for x in (jump - near, jump + near) if xs[0] < x < xs[-1]]:
         xs = np.unique(np.array([*xs, *beside]))
@@ -55,9 +55,9 @@ def _open(
         dx, dy = np.diff(x), np.diff(y)
         slope = dy / dx
         bend = np.abs(np.diff(slope)) * np.minimum(dx[:-1], dx[1:]) / 8
-        bent = np.concatenate([[False], bend / np.hypot(1.0, slope[1:]) > BENT])
-        bent[:-1] |= bend / np.hypot(1.0, slope[:-1]) > BENT
-        wide = np.hypot(dx, dy) > BENT
+        bent = np.concatenate([[False], bend / np.hypot(1.0, slope[1:]) > OFF_THE_LINE])
+        bent[:-1] |= bend / np.hypot(1.0, slope[:-1]) > OFF_THE_LINE
+        wide = np.hypot(dx, dy) > OFF_THE_LINE
     return np.flatnonzero(bent & wide & (dx > NARROW))
 
 
@@ -65,7 +65,7 @@ def _steps(
     function: ArrayFunction, xs: Array, ys: Array, span: float, poles: tuple[float, ...]
 ) -> list[float]:
     """Return where a function jumps without a change of its sign."""
-    steep = np.abs(np.diff(ys)) > STEEP * span
+    steep = np.abs(np.diff(ys)) > JUMP_OF_PANEL * span
     alike = np.sign(ys[:-1]) * np.sign(ys[1:]) >= 0
     inside = np.searchsorted(poles, xs[:-1]) == np.searchsorted(poles, xs[1:])
     cells = np.flatnonzero(steep & alike & inside)
@@ -76,8 +76,8 @@ def _steps(
         return np.abs(values - start) <= np.abs(values - end)
 
     a, b = narrowed(is_before, xs[cells], xs[cells + 1])
-    width = NEAR * (xs[cells + 1] - xs[cells])
-    jumps = np.abs(function(b + width) - function(a - width)) > STEEP * span / 2
+    width = BESIDE_POINT * (xs[cells + 1] - xs[cells])
+    jumps = np.abs(function(b + width) - function(a - width)) > JUMP_OF_PANEL * span / 2
     return list(map(float, np.where(is_before(b[:, None])[:, 0], b, a)[jumps]))
 
 
@@ -100,7 +100,7 @@ def limits(traces: list[Trace]) -> tuple[float, float]:
 
 def _evenly(trace: Trace) -> Array:
     """Return the values on an even grid: more of them are near poles."""
-    ys = np.interp(np.linspace(trace.xs[0], trace.xs[-1], CELLS + 1), trace.xs, trace.ys)
+    ys = np.interp(np.linspace(trace.xs[0], trace.xs[-1], PLOT_CELLS + 1), trace.xs, trace.ys)
     found: Array = ys[np.isfinite(ys)]
     return found
 

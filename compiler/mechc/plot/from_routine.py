@@ -14,7 +14,7 @@ from ..pose.places import Plane
 from ..routine.steps import Routine
 from ..units import LENGTH
 from .fitting import limits, pieces, smooth
-from .narrowing import NEAR, Array, ArrayFunction, narrowed, on
+from .narrowing import BESIDE_POINT, Array, ArrayFunction, narrowed, on
 from .plot import Curve, FamilyValue, Mark, MarkKind, Panel, Plot, PlotAxis, Zone
 from .quantities import PlotQuantity, quantities, unit_of
 from .query import Query, ZoneCondition
@@ -130,7 +130,7 @@ def _curve(
 def _least(values: Array) -> float:
     """Return the size below which a value counts as zero, compared with the range of values."""
     finite = values[np.isfinite(values)]
-    return NEAR * float(np.ptp(finite)) if finite.size else 0.0
+    return BESIDE_POINT * float(np.ptp(finite)) if finite.size else 0.0
 
 
 def _clean(value: float, least: float) -> float:
@@ -192,7 +192,7 @@ def _joined(found: Sequence[AxisEnds]) -> list[AxisEnds]:
 # -------------------------------------------------------------------------------------------- paths
 
 
-CELLS = 720
+PATH_LINES = 720
 """How many straight lines the path of a point is made of."""
 
 STATIONS = 12
@@ -243,7 +243,7 @@ def _path(
             xs, ys = across(grid), up(grid)
         return [Plane(float(x), float(y)) for x, y in zip(xs, ys, strict=True)]
 
-    parts = groupby(at(sweep.grid(CELLS + 1)), key=lambda p: bool(np.isfinite(p).all()))
+    parts = groupby(at(sweep.grid(PATH_LINES + 1)), key=lambda p: bool(np.isfinite(p).all()))
     whole = tuple(tuple(piece) for finite, piece in parts if finite)
     stations = sweep.grid(STATIONS + 1)
     marks = [

@@ -10,7 +10,7 @@ from ..named import NamedTuple
 from ..routine.steps import Routine
 from ..units import ANGLE, size_of
 
-POINTS = 101
+USUAL_ROWS = 101
 """How many rows the table has where nothing else is asked for."""
 
 GivenSetting = str | float
@@ -57,7 +57,7 @@ class Query:
     ends: tuple[GivenSetting, GivenSetting] | None = None
     paths: tuple[str, ...] = ()
     zone: tuple[ZoneCondition, ...] = ()
-    points: int = POINTS
+    points: int = USUAL_ROWS
 
 
 ROWS = 11
@@ -66,10 +66,10 @@ ROWS = 11
 FEWEST, MOST = 8, 20
 """Between how many rows a table has for the sake of round steps."""
 
-STEPS = (1.0, 2.0, 2.5, 4.0, 5.0)
+ROUND_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0)
 """Round steps, but for powers of ten."""
 
-ROUNDING = 1e-9
+STEP_ROUNDING = 1e-9
 """By what part of it a step that was computed may be off."""
 
 DEGREES = (1.0, 2.0, 3.0, 4.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0)
@@ -95,9 +95,9 @@ def _is_round(step: float, unit: str) -> bool:
     """
     if step <= 0:
         return False
-    power = 10.0 ** math.floor(math.log10(step) + ROUNDING)
-    known = DEGREES if unit == "deg" else [size * power for size in STEPS]
-    return any(math.isclose(step, one, rel_tol=ROUNDING) for one in known)
+    power = 10.0 ** math.floor(math.log10(step) + STEP_ROUNDING)
+    known = DEGREES if unit == "deg" else [size * power for size in ROUND_STEPS]
+    return any(math.isclose(step, one, rel_tol=STEP_ROUNDING) for one in known)
 
 
 def usual(mechanism: Mechanism, routine: Routine) -> Query | None:

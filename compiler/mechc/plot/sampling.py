@@ -11,9 +11,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..named import NamedTuple
-from .narrowing import EPS, NEAR, Array, ArrayFunction, lone, lowest, narrowed, on, without_holes
+from .narrowing import (
+    BESIDE_POINT,
+    EPS,
+    Array,
+    ArrayFunction,
+    lone,
+    lowest,
+    narrowed,
+    on,
+    without_holes,
+)
 
-CELLS = 360
+PLOT_CELLS = 360
 """Cells in which zeros, poles and extrema are looked for."""
 
 LARGE, VANISHED = 1e3, 1e-6
@@ -47,18 +57,20 @@ class Trace(NamedTuple):
 
 def traced(function: ArrayFunction, low: float, high: float) -> Trace:
     """Return a function on a fine grid, and its zeros, breaks and extrema."""
-    grid = np.linspace(low, high, CELLS + 1)
+    grid = np.linspace(low, high, PLOT_CELLS + 1)
     xs, ys = without_holes(function, grid, function(grid))
     zeros, poles, jumps = _crossings(function, xs, ys)
     edges = _edges(function, xs, ys)
     high_up = {*map(float, xs[np.isinf(ys)]), *_touched(function, xs, ys)}
     found = sorted({*poles, *high_up, *_at_ends(function, xs, ys, edges)})
-    poles = [x for i, x in enumerate(found) if not i or x - found[i - 1] > NEAR * (high - low)]
+    poles = [
+        x for i, x in enumerate(found) if not i or x - found[i - 1] > BESIDE_POINT * (high - low)
+    ]
     turns = tuple(_turns(function, xs, ys, np.array([*poles, *jumps])))
     size = _usual(ys)
     inwards = ((xs[0], ys[0], ys[1]), (xs[-1], ys[-1], ys[-2]))
     ends = [float(x) for x, y, next_ in inwards if abs(y) < NOISE * size < abs(next_)]
-    beside = _beside(poles, (high - low) / CELLS, low, high)
+    beside = _beside(poles, (high - low) / PLOT_CELLS, low, high)
     known = [*xs, *edges, *(t.x for t in turns), *beside]
     grid = np.unique(np.array(known))
     near = sorted({*zeros, *ends})
@@ -121,7 +133,7 @@ def _touched(function: ArrayFunction, xs: Array, ys: Array) -> Iterator[float]:
     cells = np.flatnonzero(peaks & np.isfinite(sizes[1:-1])) + 1
     best = lowest(lambda x: -np.abs(function(x)), xs[cells - 1], xs[cells + 1])
     beside = np.maximum(sizes[cells - 1], sizes[cells + 1])
-    width = NEAR * (xs[cells + 1] - xs[cells - 1])
+    width = BESIDE_POINT * (xs[cells + 1] - xs[cells - 1])
     around = np.abs(on(function, best[:, None] + width[:, None] * np.array([-1.0, 0.0, 1.0])))
     largest = np.max(np.where(np.isnan(around), 0.0, around), axis=1)
     yield from map(float, best[largest > LARGE**2 * beside])

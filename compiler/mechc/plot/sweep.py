@@ -19,7 +19,7 @@ from .plot import FamilyValue, Panel, Plot, PlotAxis, PlotColumn
 from .quantities import PlotQuantity, unit_of
 from .query import GivenSetting, Query
 
-MOST = 12
+MOST_CURVES = 12
 """How many curves a person can distinguish."""
 
 
@@ -154,8 +154,8 @@ def columns(sweep: PlotRange, asked: Sequence[PlotQuantity], points: int) -> tup
 
 def refuse_many(number: int) -> None:
     """Raise E589 where there are more curves than a person can distinguish."""
-    if number > MOST:
-        raise MechcError([messages.too_many_curves(number, MOST)])
+    if number > MOST_CURVES:
+        raise MechcError([messages.too_many_curves(number, MOST_CURVES)])
 
 
 def plot_of(

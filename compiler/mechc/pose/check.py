@@ -11,10 +11,10 @@ from ..model.values import completed, defaults, following, independent
 from .pose import BodyFrame, Pose, PoseDefinition, Vector, evaluate_vector
 from .tolerances import LOOP_GAP
 
-STEP = 1e-5
+DRIVE_STEP = 1e-5
 """By how much the drive is moved, in SI, to see what changes with it."""
 
-ROUGH = 1e-4
+RATE_GAP = 1e-4
 """By how much a rate may differ from what a step of the drive makes of it."""
 
 
@@ -142,9 +142,9 @@ def _rates(pose: Pose) -> Iterator[str]:
         return
     if pose.rates.get(drive.parameter) != ONE:
         yield f"the drive {drive.parameter} does not have the rate 1"
-    here, before, after = (_values(pose, shift) for shift in (0.0, -STEP, STEP))
+    here, before, after = (_values(pose, shift) for shift in (0.0, -DRIVE_STEP, DRIVE_STEP))
     for name in [d.name for d in pose.definitions if d.name in pose.rates]:
         rate = pose.rates[name].evaluate(here)
-        change = (after[name] - before[name]) / (2 * STEP)
-        if abs(rate - change) > ROUGH * (1 + abs(rate)):
+        change = (after[name] - before[name]) / (2 * DRIVE_STEP)
+        if abs(rate - change) > RATE_GAP * (1 + abs(rate)):
             yield f"{name} changes by {change:.6g}, not {rate:.6g}, per unit of the drive"

@@ -14,7 +14,7 @@ from .pose import PoseDefinition
 NUMBER = 5
 """The default pose, and two pairs of poses on either side of it."""
 
-STEP = 0.02
+POSE_STEP = 0.02
 """The part of a value, or of a usual one, by which poses lie apart."""
 
 USUAL_ANGLE, USUAL_PART = 0.1, 0.01
@@ -68,6 +68,6 @@ def _moved(given: GivenParameters, number: int) -> Values:
             values[parameter.name] = (low + high) / 2 + (high - low) / 2 * part
         elif value is not None:
             usual = USUAL_ANGLE if parameter.dimension == ANGLE else USUAL_PART * longest
-            step = STEP * part * max(abs(value), usual)
+            step = POSE_STEP * part * max(abs(value), usual)
             values[parameter.name] = value + step * bool(number)
     return values

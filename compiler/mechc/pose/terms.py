@@ -15,7 +15,7 @@ from ..model.values import is_constant
 from ..units import ANGLE
 from .pose import PoseDefinition
 
-LONG = 40
+MOST_PUT_IN_OPERATIONS = 40
 """A dependent parameter of more operations than this keeps its name."""
 
 
@@ -40,7 +40,7 @@ class AlgebraicTerms:
         formula = self._inside(parameter.value)
         inner = _angle_formula(formula) if parameter.dimension == ANGLE else _length(formula)
         is_named = is_constant(parameter)
-        if inner is not None and not is_named and count_operations(inner) <= LONG:
+        if inner is not None and not is_named and count_operations(inner) <= MOST_PUT_IN_OPERATIONS:
             self._inner[parameter.name] = inner
         else:
             self.definitions.append(PoseDefinition(parameter.name, formula))

@@ -248,7 +248,7 @@ def _along_axis(vector: Vector) -> Arm | None:
     return Arm(x or y, Angle.constant(0 if x else 90))
 
 
-MOST = 20
+MOST_MISSING_VECTORS = 20
 """Missing vectors among which it is looked whether they give another one."""
 
 
@@ -266,7 +266,7 @@ class Missing:
 
     def add(self, tail: str, head: str) -> bool:
         """Note a missing vector; return whether it does not follow from those missing before."""
-        if len(self._asked) < MOST and self._follows(tail, head):
+        if len(self._asked) < MOST_MISSING_VECTORS and self._follows(tail, head):
             return False
         self._asked.append((tail, head))
         return True

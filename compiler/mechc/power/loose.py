@@ -21,7 +21,7 @@ from .balance import Balance
 from .loads import at_rest, held_drives
 from .problem import PowerProblem
 
-FEW = 3
+LISTED_PARTS = 3
 """Parts that a hint names."""
 
 
@@ -54,7 +54,7 @@ def _turns_on_its_guide(link: Link, mechanism: Mechanism) -> bool:
 
 
 def _named(parts: Sequence[str]) -> str:
-    if len(parts) > FEW:
+    if len(parts) > LISTED_PARTS:
         return f"{parts[0]} and its neighbours"
     return syntax.listed(parts, "and")
 

@@ -105,7 +105,7 @@ def root(square: Product) -> Product:
     return outside * Product.of(Opaque(Call("sqrt", (under,))))
 
 
-PLAIN = 100
+WRITTEN_DENOMINATORS = 100
 """The denominators up to which a fraction under a root is a number that a person wrote."""
 
 
@@ -114,7 +114,7 @@ def _without_fraction(square: Rational) -> tuple[Rational, Rational]:
     whole, below = (math.isqrt(abs(n)) for n in (square.numerator, square.denominator))
     if Fraction(whole * whole, below * below) == square:
         return rational(Fraction(whole, below)), 1
-    if square.denominator > PLAIN:
+    if square.denominator > WRITTEN_DENOMINATORS:
         return 1, square
     outside = below if below * below == square.denominator else square.denominator
     return rational(Fraction(1, outside)), rational(Fraction(square) * outside * outside)

@@ -34,7 +34,7 @@ from ..pose.pose import Pose
 from .balance import AlgebraicResult, Balance
 from .tolerances import VANISHED
 
-STEPS = 24
+STROKE_PARTS = 24
 """Parts of the stroke at whose ends the sign of a result is looked at."""
 
 
@@ -186,7 +186,7 @@ def _given(pose: Pose) -> dict[str, float]:
     return {**defaults(pose.mechanism), **dict.fromkeys(pose.placeholders, 1.0)}
 
 
-ASIDE = (1.013, 0.971)
+OTHER_POWERS = (1.013, 0.971)
 """By what parameters are changed to see whether a result stays zero, each by another power."""
 
 
@@ -206,7 +206,7 @@ def is_nil_everywhere(formula: Formula, where: Iterable[tuple[str, Formula]], po
         return True
     loads = {load.name: 1.0 for load in pose.mechanism.loads}
     given, chain = {**loads, **_given(pose)}, (*_chain(pose).definitions, *where)
-    return all(_is_nil_at(formula, chain, given, ratio) for ratio in (1.0, *ASIDE))
+    return all(_is_nil_at(formula, chain, given, ratio) for ratio in (1.0, *OTHER_POWERS))
 
 
 def _is_nil_at(
@@ -360,7 +360,7 @@ class Arrows:
         if drive is None or not (ends := range_of(drive.parameter, self._pose.mechanism)):
             return False
         chain, given, (low, high) = _chain(self._pose), _given(self._pose), ends
-        along = (low + (high - low) * i / STEPS for i in range(STEPS + 1))
+        along = (low + (high - low) * i / STROKE_PARTS for i in range(STROKE_PARTS + 1))
         poses = (chain.complete({**given, drive.parameter: x}) for x in along)
         return any((value_of(result, values) or 0.0) > 0 for values in poses)
 

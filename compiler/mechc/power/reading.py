@@ -18,10 +18,10 @@ from .definitions import bound_sums, resting_on
 from .loads import terms
 from .numbers import default_values
 
-LONG = 64
+UNREAD_OPERATIONS = 64
 """Operations of a ratio that nobody reads: the canonical form is not kept for its own sake."""
 
-LINE = 24
+GLANCE_OPERATIONS = 24
 """Operations that are taken in at a glance: a longer ratio may rest on named ratios of speeds."""
 
 
@@ -53,10 +53,10 @@ class RatioReader:
         """
         if self._plan.bindings or not is_long(value):
             return value
-        if not self._is_closed and count_operations(value.formula()) <= LONG:
+        if not self._is_closed and count_operations(value.formula()) <= UNREAD_OPERATIONS:
             return value
         short = readable(value, [solved(equations_of(terms(self._standing)))])
-        if self._plan.mobility > 1 or count_operations(short.formula()) <= LINE:
+        if self._plan.mobility > 1 or count_operations(short.formula()) <= GLANCE_OPERATIONS:
             return short
         nested = solved(equations_of(terms(self._ratios)))
         where = self._rests_on(nested)

@@ -12,11 +12,11 @@ from .sentences.remarks import asked
 from .sentences.wording import EquationSides, lines
 from .steps import Derivation, Equation
 
-LONG = 24
+MOST_REPEATED_OPERATIONS = 24
 """A ratio of more operations than this is not written out a second time."""
 
 
-MANY = 12
+MOST_POSITION_VALUES = 12
 """With more values than this the numbers put into those of the position would fill a page."""
 
 
@@ -57,7 +57,7 @@ def at_length(
     """
     every = tuple(found)
     position = {Symbol(d.name) for section in whole.position for d in section.where}
-    aside = tuple(e for e in every if len(every) > MANY and e.left in position)
+    aside = tuple(e for e in every if len(every) > MOST_POSITION_VALUES and e.left in position)
     return aside, tuple(e for e in every if e not in aside)
 
 
@@ -66,6 +66,6 @@ def needed(derivation: Derivation) -> Iterator[Equation]:
     for result in derivation.results:
         match result.target:
             case LoadRatio(above, below) if above != below:
-                is_long = count_operations(result.formula) > LONG
+                is_long = count_operations(result.formula) > MOST_REPEATED_OPERATIONS
                 factor: Formula = Symbol(result.name) if is_long else result.formula
                 yield Equation(Symbol(above), product([(Symbol(below), 1), (factor, 1)]))

@@ -23,9 +23,9 @@ from ..model.result import Definition
 from .dimensions import names_in
 from .evaluated import Evaluated, KnownQuantities, found_unit
 from .made_names import NamedSums
-from .put_in import DIGITS, GivenQuantity, in_numbers, values_of
+from .put_in import PUT_IN_DIGITS, GivenQuantity, in_numbers, values_of
 
-ROUNDED = 5e-6
+PRINTED_ROUNDING = 5e-6
 """The part of a value that rounding of printed numbers may make."""
 
 
@@ -136,10 +136,10 @@ def _in_values(formula: Formula, value: GivenQuantity, known: KnownQuantities) -
     shorter = rebuild(formula, tuple(map(values.put_in, children(formula))))
     shorter = over_line(shorter) if over_line(formula) == formula else shorter
     as_printed = {n: q.value for n, q in known.quantities.items()}
-    as_printed |= {n: float(f"{q.value:.{DIGITS}g}") for n, q in values.named.items()}
+    as_printed |= {n: float(f"{q.value:.{PUT_IN_DIGITS}g}") for n, q in values.named.items()}
     if not values.named or not names_in(shorter) <= as_printed.keys():
         return None
-    if not isclose(evaluate(shorter, as_printed), value.value, rel_tol=ROUNDED):
+    if not isclose(evaluate(shorter, as_printed), value.value, rel_tol=PRINTED_ROUNDING):
         return None
     numbers = _numbers(shorter, value, {**known.quantities, **values.named})
     return None if numbers is not None and _is_a_value(numbers) else numbers

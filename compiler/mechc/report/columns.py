@@ -10,10 +10,10 @@ from typing import assert_never
 from ..named import NamedTuple
 from ..study.stroke.stroke import AngleAt, Column, SpeedOf, Stroke
 
-SAME = 1e-9
+SAME_ALONG_STROKE = 1e-9
 """Values along a stroke that differ by less than this part are one: rounding of operations."""
 
-FEW = 5
+CHANCE_MEETINGS = 5
 """Places at which curves may meet by chance; what they say of all the stroke takes so many."""
 
 
@@ -28,7 +28,7 @@ def is_constant(index: int, stroke: Stroke) -> bool:
     """Return whether a column has one value at all places that have any."""
     values = [row.values[index] for row in stroke.rows if not row.trouble]
     size = max(map(abs, values), default=math.nan)
-    return math.isfinite(size) and max(values) - min(values) <= SAME * size
+    return math.isfinite(size) and max(values) - min(values) <= SAME_ALONG_STROKE * size
 
 
 def repeated(index: int, stroke: Stroke) -> RepeatedColumn | None:
@@ -37,7 +37,11 @@ def repeated(index: int, stroke: Stroke) -> RepeatedColumn | None:
     None where the stroke is looked at in a few places only.
     """
     ratio = stroke.columns[index]
-    if ratio.content != "velocity" or len(stroke.rows) < FEW or is_constant(index, stroke):
+    if (
+        ratio.content != "velocity"
+        or len(stroke.rows) < CHANCE_MEETINGS
+        or is_constant(index, stroke)
+    ):
         return None
     for other, column in enumerate(stroke.columns):
         if column.content == "result" and column.dimension == ratio.dimension:
@@ -52,7 +56,8 @@ def _are_alike(index: int, other: int, factor: int, stroke: Stroke) -> bool:
     pairs = [(row.values[index], factor * row.values[other]) for row in stroke.rows]
     size = max((abs(v) for pair in pairs for v in pair if math.isfinite(v)), default=math.nan)
     return all(
-        a == b or abs(a - b) <= SAME * size or (math.isnan(a) and math.isnan(b)) for a, b in pairs
+        a == b or abs(a - b) <= SAME_ALONG_STROKE * size or (math.isnan(a) and math.isnan(b))
+        for a, b in pairs
     )
 
 

@@ -126,8 +126,8 @@ def _as_written(definition: Definition, known: NameLetters) -> Definition:
         book = book_forms.book_form(formula, known.positive, known.ranges)
         return Definition(name, over_line(book))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
-    is_short = value.denominator < 10**DIGITS
-    shown = value if is_short else Fraction(f"{float(value):.{DIGITS}g}")
+    is_short = value.denominator < 10**CONSTANT_DIGITS
+    shown = value if is_short else Fraction(f"{float(value):.{CONSTANT_DIGITS}g}")
     return Definition(name, _measure(shown))
 
 
@@ -171,7 +171,7 @@ def literal_units(results: Iterable[Result]) -> dict[str, str]:
     return {r.name: si_unit(r.dimension) for r in numbers if r.dimension not in (ANGLE, NUMBER)}
 
 
-DIGITS = 6
+CONSTANT_DIGITS = 6
 """Significant digits of a constant in a unit of the user's."""
 
 

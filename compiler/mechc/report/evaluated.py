@@ -46,7 +46,7 @@ _ALIKE = {"rel_tol": 1e-6, "abs_tol": 1e-12}
 FIGURES = 6
 """Significant digits of a value among what is given."""
 
-NOTHING = 1e-40
+ITERATED_ZERO = 1e-40
 """What is smaller is what iteration leaves of a zero, in SI."""
 
 
@@ -314,7 +314,7 @@ def _iterated(
     unit = usual.of(FORCE.over(_measured_by(result, mechanism)))
     known = (d.name for d in result.where if d.name in named and d.name in values)
     finite = ((name, values[name]) for name in known if math.isfinite(values[name]))
-    return {name: GivenQuantity(size * (abs(size) > NOTHING), unit) for name, size in finite}
+    return {name: GivenQuantity(size * (abs(size) > ITERATED_ZERO), unit) for name, size in finite}
 
 
 def _measured_by(result: Analysis, mechanism: Mechanism) -> Dimension:

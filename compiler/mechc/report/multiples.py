@@ -8,7 +8,7 @@ from ..formula.operations import count_operations
 from ..formula.tree import Formula
 from ..study.analysis import Multiple
 
-LONG = 100
+MOST_DIVIDED_OPERATIONS = 100
 """Formulas of more operations are not divided by each other."""
 
 
@@ -25,9 +25,9 @@ def multiple(
     >>> multiple(i, {"k": k}, {"a", "c"}).name, multiple(i, {"k": k}, {"a"})
     ('k', None)
     """
-    own = to_product(formula) if count_operations(formula) <= LONG else None
+    own = to_product(formula) if count_operations(formula) <= MOST_DIVIDED_OPERATIONS else None
     for name, other in earlier.items() if own and own.coefficient else ():
-        known = to_product(other) if count_operations(other) <= LONG else None
+        known = to_product(other) if count_operations(other) <= MOST_DIVIDED_OPERATIONS else None
         if own and known and known.coefficient:
             factor = own / known
             if all(_is_positive(part, positive) for part in factor.factors):

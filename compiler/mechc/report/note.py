@@ -39,7 +39,7 @@ from .put_in import (
 from .sentences.remarks import kind
 from .sentences.speller import Speller, component_words
 
-SHOWN = 6
+NOTE_DIGITS = 6
 """Digits of values that were computed."""
 
 
@@ -283,7 +283,7 @@ def _rounded(formula: Formula, value: GivenQuantity | None) -> Formula:
     """Return a formula; a number of so many digits that it was computed as values are shown."""
     digits = sum(map(str.isdigit, formula.name)) if isinstance(formula, Constant) else 0
     if isinstance(formula, Constant) and value and digits > COMPUTED:
-        return replace(formula, name=value.text(SHOWN))
+        return replace(formula, name=value.text(NOTE_DIGITS))
     return formula
 
 

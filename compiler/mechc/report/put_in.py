@@ -46,19 +46,19 @@ from ..units import (
 )
 from .dimensions import found_dimension, is_homogeneous, is_plain, is_solved, names_in, with_symbols
 
-DIGITS = 6
+PUT_IN_DIGITS = 6
 """Significant digits of numbers that are put in."""
 
 COMPUTED = 12
 """Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""
 
-LONGEST = 60
+MOST_SHOWN_OPERATIONS = 60
 """A formula of more operations than this is given by its value alone."""
 
 ONE_ROW = 1e-12
 """A number nearer to a row of a table than this part is that row: a unit has rounded it."""
 
-FINEST = 9
+DEGREE_DECIMALS = 9
 """Decimals of an angle in degrees, beyond which there is nothing but rounding."""
 
 
@@ -99,7 +99,7 @@ def put_in(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
     match formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
             turn = _within_a_turn(evaluate(angle, values_of(given)))
-            value = Call(function, (in_degrees(abs(turn), DIGITS),))
+            value = Call(function, (in_degrees(abs(turn), PUT_IN_DIGITS),))
             return negative(value) if turn < 0 and function != "cos" else value
         case Call("hypot", sides) if symbols(formula):
             return put_in(power(squares(sides), HALF), given)
@@ -117,13 +117,13 @@ def put_in(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
         case Product(factors) if sum(bool(symbols(f)) for f in factors) > 1:
             return _in_front([_factor(factor, given) for factor in diameters_behind(factors)])
         case Symbol(name) if given[name].unit == "deg":
-            return in_degrees(given[name].value, DIGITS)
+            return in_degrees(given[name].value, PUT_IN_DIGITS)
         case Symbol(name):
             return _constant(given[name], bracketed=given[name].value < 0)
         case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
             quantity = given[name]
             is_root, is_divisor = exponent == HALF, exponent == Number(Fraction(-1))
-            is_long = bool(quantity.unit) or "e" in quantity.text(DIGITS)
+            is_long = bool(quantity.unit) or "e" in quantity.text(PUT_IN_DIGITS)
             bracketed = not is_root and ((is_long and not is_divisor) or quantity.value < 0)
             return Power(_constant(quantity, bracketed), put_in(exponent, given))
         case Power(base, exponent):
@@ -214,7 +214,7 @@ def _argument(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
 
 
 def _constant(quantity: GivenQuantity, bracketed: bool) -> Constant:
-    text = quantity.text(DIGITS)
+    text = quantity.text(PUT_IN_DIGITS)
     return Constant(f"({text})" if bracketed else text, Number(Fraction(quantity.value)))
 
 
@@ -234,7 +234,7 @@ def without_rounding(quantity: GivenQuantity) -> GivenQuantity:
     >>> without_rounding(GivenQuantity(-4e-17, "deg")).value
     0.0
     """
-    is_nothing = quantity.unit == "deg" and not round(math.degrees(quantity.value), FINEST)
+    is_nothing = quantity.unit == "deg" and not round(math.degrees(quantity.value), DEGREE_DECIMALS)
     return GivenQuantity(0.0, "deg") if is_nothing else quantity
 
 
@@ -249,7 +249,7 @@ def in_degrees(angle: float, digits: int) -> Formula:
     >>> float(back(in_degrees(math.radians(266.9662), 4)))
     266.97
     """
-    turn = round(math.degrees(angle), FINEST)
+    turn = round(math.degrees(angle), DEGREE_DECIMALS)
     digits += abs(turn) >= 100
     return degrees(Fraction(f"{turn:.{digits}g}"))
 
@@ -257,7 +257,7 @@ def in_degrees(angle: float, digits: int) -> Formula:
 def in_numbers(formula: Formula, given: Mapping[str, GivenQuantity], bare: bool) -> Formula | None:
     """Return a formula with its numbers put in, if it is short and all of them are known."""
     names = names_in(formula)
-    if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
+    if not names <= given.keys() or not names or count_operations(formula) > MOST_SHOWN_OPERATIONS:
         return None
     if is_solved(formula) or _is_value(formula, given):
         return None
@@ -323,7 +323,7 @@ def _short(cell: Formula) -> Formula:
     if not isinstance(cell, Constant) or digits < COMPUTED:
         return cell
     number, unit = split_quantity(cell.name)
-    return replace(cell, name=f"{float(number):.{DIGITS}g} {unit}".rstrip())
+    return replace(cell, name=f"{float(number):.{PUT_IN_DIGITS}g} {unit}".rstrip())
 
 
 def line_between(table: WrittenTable, asked: float) -> Formula | None:
@@ -353,7 +353,7 @@ def _is_one_of(asked: float, *rows: float) -> bool:
 def _asked(value: float, row: Formula) -> Constant:
     """Return the value asked for in the unit of a row."""
     unit = next((split_quantity(c.name)[1] for c in constants([row])), "")
-    return Constant(GivenQuantity(value, unit).text(DIGITS), Number(Fraction(value)))
+    return Constant(GivenQuantity(value, unit).text(PUT_IN_DIGITS), Number(Fraction(value)))
 
 
 def _as_written(cell: Formula) -> Formula:

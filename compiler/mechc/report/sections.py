@@ -27,7 +27,7 @@ from .sentences.remarks import own_conditions, reaction
 if TYPE_CHECKING:
     from .steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
 
-LONG = 24
+MOST_SIZE_OPERATIONS = 24
 """The size of a force that takes more operations is given by the components."""
 
 
@@ -306,7 +306,7 @@ def in_short(result: Analysis, results: Iterable[Analysis]) -> Analysis:
             return replace(result, formula=Call("atan2", sides[::-1]))
         case "size", Call("abs", (Sum() | Product(),)) if len(only) == 1:
             return replace(result, formula=Call("abs", (*only,)))
-        case "size", formula if sides and count_operations(formula) > LONG:
+        case "size", formula if sides and count_operations(formula) > MOST_SIZE_OPERATIONS:
             return replace(result, formula=Call("hypot", sides))
         case _:
             return result

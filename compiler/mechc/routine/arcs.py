@@ -50,7 +50,7 @@ def follow(sides: ArrayEquations, start: Array) -> tuple[Array, Array]:
     side, tangents = _tangents(sides, left, points, along)
     curves = _Curves(points, tangents, np.full(poses, arcs.FIRST), side)
     left, curves = left[side != 0], curves.only(side != 0)
-    for _ in range(arcs.POINTS):
+    for _ in range(arcs.MOST_POINTS):
         curves, here = _ahead(sides, left, curves)
         here, curves = _straight(sides, start, left, here, curves)
         done = here < 2
@@ -74,15 +74,20 @@ def _ahead(sides: ArrayEquations, poses: PoseIndices, curves: _Curves) -> tuple[
     along[-1] = 1.0
     across = np.where(is_last, along, tangents)
     is_found, found = _corrected(
-        sides, poses, ahead, across, arcs.STRAY * length, np.where(is_last, side, 0)
+        sides,
+        poses,
+        ahead,
+        across,
+        arcs.FIRST_CORRECTION_OF_ARC * length,
+        np.where(is_last, side, 0),
     )
     there, turned = _tangents(sides, poses, found, tangents)
     is_end = is_found & is_last
     is_within = is_found & (found[-1] <= 1.0)
     cosine = _dot(turned, tangents)
     rises, is_alike = turned[-1] > 0.0, there == side
-    close = np.where(rises, arcs.ALIKE, arcs.FOLDED)
-    bent = np.where(is_alike & (rises | (length <= arcs.SHARP)), arcs.BENT, close)
+    close = np.where(rises, arcs.STRAIGHT_COSINE, arcs.FOLDED)
+    bent = np.where(is_alike & (rises | (length <= arcs.SHARP)), arcs.ARC_COSINE, close)
     good = is_within & (there != 0) & (rises | is_alike) & (cosine >= bent)
     longer = np.where(cosine >= arcs.EASY, np.minimum(2.0 * arc, arcs.LONGEST), arc)
     is_fold = good & ~is_end & (turned[-1] <= 0.0)
@@ -110,7 +115,7 @@ def _straight(
     along = np.zeros_like(found)
     along[-1] = 1.0
     good, there = np.ones(len(folds), bool), np.zeros(len(folds), bool)
-    for _ in range(arcs.STRAIGHT):
+    for _ in range(arcs.FOLD_CORRECTIONS):
         sign, change = _solved(sides, poses[folds], found, along)
         good &= there | (sign != 0)
         found = np.where(good & ~there, found - change, found)
@@ -132,9 +137,9 @@ def _corrected(
 ) -> tuple[Flags, Array]:
     """Return whether there is a point of the curve next to one, and that point."""
     found, most = start.copy(), stray
-    tiny = np.maximum(arcs.TINY, np.where(side == 0, arcs.NEAR * stray, 0.0))
+    tiny = np.maximum(arcs.TINY, np.where(side == 0, arcs.EXACT_ON_THE_WAY * stray, 0.0))
     good, there = np.ones(len(poses), bool), np.zeros(len(poses), bool)
-    for _ in range(arcs.FEW):
+    for _ in range(arcs.POINT_CORRECTIONS):
         sign, change = _solved(sides, poses, found, across)
         size = np.sqrt(_dot(change, change))
         good &= there | ((sign != 0) & ((size <= arcs.TINY) | (size <= most)))

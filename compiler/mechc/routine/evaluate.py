@@ -17,7 +17,7 @@ from ..model.result import DrivingLoad
 from .arcs import Array
 from .newton import SolverEquations, follow
 from .quotient import quotient_of
-from .steps import NOTHING, Function, Guard, PoseProgram, ProgramStatement, Solve, Solver
+from .steps import NO_LOAD, Function, Guard, PoseProgram, ProgramStatement, Solve, Solver
 
 Value: TypeAlias = float | Array
 OnArrays = Callable[..., Value]
@@ -117,7 +117,7 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
     found = np.where(none & (friction == 2), 2, found)
     found = np.where(none & ~is_pose, 1, found)
     found = np.where(none & reduce(np.logical_or, (d == 2 for d in loops), False), 2, found)
-    unloaded = (np.abs(without) < NOTHING) & (np.abs(load) < NOTHING)
+    unloaded = (np.abs(without) < NO_LOAD) & (np.abs(load) < NO_LOAD)
     if asked.is_idle:
         moves = unloaded | (asked.sense * load >= 0)
     else:

@@ -34,7 +34,7 @@ from .steps import (
 if TYPE_CHECKING:
     from ..pose.motion import Motion
 
-LONG = 24
+FEWEST_SHARED_DEFINITIONS = 24
 """Definitions beyond which functions may compute together what they have in common."""
 
 
@@ -116,7 +116,7 @@ def _functions(
     listed: Sequence[AskedResult], scope: ProgramScope, names: Sequence[str]
 ) -> Iterator[Function]:
     """Yield the function of each result; many long ones share their steps."""
-    long = [one for one in listed if len(one.result.where) > LONG]
+    long = [one for one in listed if len(one.result.where) > FEWEST_SHARED_DEFINITIONS]
     found = together.together(long, scope, names) if long else {}
     others = (one for one in listed if one.result.name not in found)
     found |= _separate(others, scope, names)

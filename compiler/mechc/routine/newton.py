@@ -78,7 +78,7 @@ def _follow(equations: SolverEquations, solver: Solver, outer: Array) -> tuple[A
     tried = left
     for _ in range(newton.CORRECTIONS):
         if solver.by_arcs is not None:
-            is_long = poses.step >= newton.SHORT
+            is_long = poses.step >= newton.ARCS_FROM
             left, poses = left[is_long], poses.only(is_long)
         if not len(left):
             break
@@ -91,7 +91,7 @@ def _follow(equations: SolverEquations, solver: Solver, outer: Array) -> tuple[A
         left = tried[status[tried] > 0]
         status[left], result[:, left] = _by_arcs(equations, solver, outer[:, left])
     else:
-        status[left] = np.where(poses.step < newton.SHORTEST, 1.0, 2.0)
+        status[left] = np.where(poses.step < newton.SHORTEST_STEP, 1.0, 2.0)
     return status, result
 
 
@@ -118,10 +118,12 @@ def _corrected(
     sign = eliminate(matrix, residuals)
     size = np.sqrt(np.sum(residuals / scales * (residuals / scales), axis=0))
     last = poses.last
-    allowed = np.where(last > 0, newton.CONTRACTION * last, newton.LONGEST)
+    allowed = np.where(last > 0, newton.CONTRACTION * last, newton.FIRST_CORRECTION)
     good = (sign == solver.side) & (sign != 0) & ((size <= newton.TINY) | (size <= allowed))
-    precise = (size <= newton.TINY) | (size * size * size <= newton.ROUNDING * last * last)
-    there = good & (precise | ((aim < 1.0) & (size <= newton.ROUGH)))
+    precise = (size <= newton.TINY) | (
+        size * size * size <= newton.NEGLIGIBLE_CORRECTION * last * last
+    )
+    there = good & (precise | ((aim < 1.0) & (size <= newton.ROUGH_CORRECTION)))
 
     found = np.where(good, poses.found - residuals, poses.base)
     reached = np.where(there, aim, poses.reached)

@@ -217,7 +217,7 @@ STATUSES = (
 )
 """What each status means; the first three are those of a pose as well."""
 
-NOTHING = 1e-30
+NO_LOAD = 1e-30
 """Below this, in units of the SI, there is no load: what remains of it is rounding."""
 
 

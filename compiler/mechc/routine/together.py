@@ -35,7 +35,7 @@ from .steps import (
     sides_of,
 )
 
-MANY = 8
+FEWEST_USES = 8
 """How many times over the same definitions are needed before they are computed together."""
 
 Groups = dict[tuple[str, ...], list[AskedResult]]
@@ -66,7 +66,7 @@ def together(
 def _repeats(group: Sequence[AskedResult]) -> bool:
     """Return whether the same definitions are needed many times over."""
     needed = [{d.name for d in one.result.where} for one in group]
-    return sum(map(len, needed)) > MANY * len(set[str]().union(*needed))
+    return sum(map(len, needed)) > FEWEST_USES * len(set[str]().union(*needed))
 
 
 def _sharing(

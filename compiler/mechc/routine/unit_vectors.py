@@ -32,16 +32,16 @@ from .unit import WANTED, DirectionVector, factors, plain, whole
 MULTIPLES = (-2, -1, 1, 2)
 """Multiples of an angle that are written out."""
 
-FEW = 2
+MOST_DIVIDING_SUMS = 2
 """Sums of angles that may divide by the size of a vector; for more it is divided out at once."""
 
-LONGEST = 6
+MOST_SIZE_FACTORS = 6
 """Factors of a size beyond which it is divided out at once: far from what underflows."""
 
-MANY = 3
+CARRIED_ANGLES = 3
 """Angles in a sum that has a name from which on it is carried as one direction."""
 
-MOST = 5
+MOST_EXPANDED_ANGLES = 5
 """Angles in a sum that is written out; each doubles what there is to compute."""
 
 
@@ -149,7 +149,7 @@ class _Turning:
     def _define_sum(self, name: str, angle: Angle) -> None:
         """Add an angle that carried ones make up: a direction of its own where they are many."""
         turns = self._turns(angle)
-        if MANY <= len(turns) <= MOST:
+        if CARRIED_ANGLES <= len(turns) <= MOST_EXPANDED_ANGLES:
             self.units[name] = self._carried(name, turns)
         else:
             self.sums[name] = angle
@@ -160,7 +160,7 @@ class _Turning:
             unit = DirectionVector(
                 self._named(f"x_{name}", unit.x), self._named(f"y_{name}", unit.y), unit.size
             )
-        if self.uses[name] <= FEW and factors(unit.size) <= LONGEST:
+        if self.uses[name] <= MOST_DIVIDING_SUMS and factors(unit.size) <= MOST_SIZE_FACTORS:
             return unit
         return DirectionVector(
             self._named(f"cos_{name}", unit.cos), self._named(f"sin_{name}", unit.sin)
@@ -190,7 +190,7 @@ class _Turning:
             return []
         if others:
             found.append(plain(angle))
-        return found if len(found) <= MOST else []
+        return found if len(found) <= MOST_EXPANDED_ANGLES else []
 
     def _simple(self, name: str, formula: Formula) -> DirectionVector | None:
         match formula:
@@ -244,7 +244,7 @@ class _Turning:
     def _turned(self, angle: Angle) -> DirectionVector | None:
         """Return the direction of an angle that mentions carried ones; None for others."""
         turns = self._turns(angle)
-        return whole(turns) if 0 < len(turns) <= MOST else None
+        return whole(turns) if 0 < len(turns) <= MOST_EXPANDED_ANGLES else None
 
     def _turns(self, angle: Angle) -> list[DirectionVector]:
         """Return the directions that an angle is the sum of; none where it has no carried one."""

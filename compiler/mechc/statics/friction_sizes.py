@@ -21,16 +21,16 @@ from ..work import spend
 ROUNDS = 400
 """Repetitions at most: what takes more is followed."""
 
-QUICK = 16
+PRODUCTS_A_STEP = 16
 """So many products, each of a friction and what it does to a force, are a step of work."""
 
-STILL = 1e-16
+ROUNDING_CHANGE = 1e-16
 """A relative change below this is rounding."""
 
 ENDLESS = 1e12
 """Frictions this large against the loads have no end."""
 
-ROUNDED = 0.03
+ROUNDED_OFF = 0.03
 """By how much, against all of them, forces are rounded off at the outset, by friction of 1.
 
 More than so much, by as much as friction is larger, no force would be left to turn.
@@ -39,10 +39,10 @@ More than so much, by as much as friction is larger, no force would be left to t
 FIRST, SHORTEST = 1 / 8, 1e-6
 """The first step on the way, and the shortest before it is given up."""
 
-STEPS = 400
+PATH_STEPS = 400
 """Steps at most, those that are given up among them: friction is far too large for more."""
 
-CORRECTIONS = 12
+PATH_CORRECTIONS = 12
 """Corrections in one step at most, each :data:`SHRINKS` times as long as the one before."""
 
 SHRINKS, LONGEST = 0.5, 0.3
@@ -54,7 +54,7 @@ NONE = 1e-15
 ATTEMPTS = 40
 """Corrections from a start that is not followed to, but guessed."""
 
-STARTS = (0.1, 1.0, 10.0, 100.0)
+GUESSED_FORCES = (0.1, 1.0, 10.0, 100.0)
 """How large guessed forces are, against those without friction."""
 
 GUESSES = 1000
@@ -105,7 +105,7 @@ def other_friction_sizes(pairs: Sequence[SurfacePair]) -> Iterator[list[float]]:
 
 def _starts(count: int) -> Iterator[list[float]]:
     """Yield guessed sizes of forces: one alone, all alike, then at random over eight decades."""
-    for times, i in product(STARTS, range(count + 1)):
+    for times, i in product(GUESSED_FORCES, range(count + 1)):
         yield [times if i in (j, count) else 0.0 for j in range(count)]
     dice = Random(count)
     for _ in range(GUESSES // max(1, count)):
@@ -114,14 +114,14 @@ def _starts(count: int) -> Iterator[list[float]]:
 
 def _repeated(pairs: Sequence[SurfacePair]) -> list[float] | None:
     """Let frictions follow from one another until all stay; None where they do not soon."""
-    work = 1 + len(pairs) * sum(len(p.components) for p in pairs) // QUICK
+    work = 1 + len(pairs) * sum(len(p.components) for p in pairs) // PRODUCTS_A_STEP
     frictions, most = [0.0] * len(pairs), math.inf
     for _ in range(ROUNDS):
         spend(work)
         after = [p.factor * _size(p.components, frictions) for p in pairs]
         largest = max(after, default=0.0)
         change = max((abs(a - b) for a, b in zip(after, frictions, strict=True)), default=0.0)
-        if change <= STILL * largest:
+        if change <= ROUNDING_CHANGE * largest:
             return after
         most = min(most, ENDLESS * largest)
         if not largest <= most:
@@ -152,7 +152,7 @@ class _Way:
         self._loads = math.hypot(*(ideal for p in pairs for ideal, _ in p.components)) or 1.0
         self.pairs = [[self._scaled(*c) for c in p.components] for p in pairs]
         by = (b for components in self.pairs for _, row in components for b in row)
-        self._roundness = ROUNDED / max(1.0, math.hypot(*by))
+        self._roundness = ROUNDED_OFF / max(1.0, math.hypot(*by))
 
     def _scaled(self, ideal: float, by: Sequence[float]) -> tuple[float, list[float]]:
         return ideal / self._loads, [b * f for b, f in zip(by, self._factors, strict=True)]
@@ -180,7 +180,7 @@ class _Way:
         forces = (math.hypot(self._roundness, *(ideal for ideal, _ in cs)) for cs in self.pairs)
         found = [*forces, 1.0]
         side = self._side(found, here)
-        for _ in range(STEPS):
+        for _ in range(PATH_STEPS):
             aim = min(1.0, here + step)
             ahead = self._corrected(found, aim, side)
             if ahead is not None and not self._turns(found, here, ahead, aim):
@@ -223,7 +223,7 @@ class _Way:
         """Return the solution near the one before, None where Newton's method finds none."""
         found, last = list(before), 0.0
         whole = math.hypot(*before)
-        for _ in range(CORRECTIONS):
+        for _ in range(PATH_CORRECTIONS):
             residuals, matrix = self._equations(found, before, part)
             if eliminate(matrix, residuals) != side:
                 return None

@@ -37,10 +37,10 @@ from .verdict import (
     Verdict,
 )
 
-POSES = 4
+CHECKED_POSES = 4
 """How many poses a result is checked at, where there are others than the default one."""
 
-DRAWS = 40
+POSE_DRAWS = 40
 """How many poses are drawn, at most, to find them."""
 
 SINGULAR = 1e9
@@ -70,7 +70,7 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     equilibrium at none, or where the pose does not fit the description. A result that no
     pose can decide earns a warning.
     """
-    poses, wanted = Replay(candidates(pose, DRAWS)), POSES if varies(pose) else 1
+    poses, wanted = Replay(candidates(pose, POSE_DRAWS)), CHECKED_POSES if varies(pose) else 1
     _measure(pose, poses, report)
     balanced = Replay(Balanced(pose, values) for values in poses)
     for at in islice(balanced, 1):
@@ -109,7 +109,7 @@ def _refuse_slack(faults: Iterable[Diagnostic], pose: Pose, report: Report) -> N
 
 def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
     """See that the mechanism stands as described at the poses that are checked first."""
-    gaps = (worst_gap(pose, values) for values in islice(poses, POSES))
+    gaps = (worst_gap(pose, values) for values in islice(poses, CHECKED_POSES))
     gap = next((gap for gap in gaps if gap is not None), None)
     if gap is not None:
         report.add(messages.pose_does_not_close(pose.mechanism.span, gap.what, gap.size))

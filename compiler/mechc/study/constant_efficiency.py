@@ -25,14 +25,14 @@ from .states import Ideal, Moving, Ratios
 from .sweep import Sweep
 from .tolerances import DIFFERENCE
 
-FAR = 0.05
+SAME_CONSTANT = 0.05
 """By so much a constant may miss the efficiency that friction makes."""
 
-STEEP = 8.0
+STEEP_LOGARITHM = 8.0
 """|d ln k/dφ| per radian at which pins of an eighth of a rod's length with f = 0.1, δ = 0.0125,
 take a tenth of the force."""
 
-CELLS = 48
+RANGE_CELLS = 48
 """Cells of a range whose ends are looked at for steep ratios."""
 
 
@@ -97,7 +97,7 @@ class _Comparison:
         return evaluate(efficiency, values) if efficiency is not None and known else math.nan
 
     def _is_far(self, moving: Moving, x: float) -> bool:
-        return abs(self._given(moving, x) - moving.efficiency(x)) > FAR
+        return abs(self._given(moving, x) - moving.efficiency(x)) > SAME_CONSTANT
 
     def _along(self, name: str) -> Iterator[str]:
         """Yield the efficiencies with friction over ranges where they differ from the given one."""
@@ -128,7 +128,7 @@ def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
         scale = 1.0 if turns(name, mechanism) else whole[1] - whole[0]
         slope = _Slope(sweep, ideal, scale)
         if ends:
-            for part in spans(spaced(*ends, CELLS), slope.is_steep):
+            for part in spans(spaced(*ends, RANGE_CELLS), slope.is_steep):
                 yield f"for {shown(name, part, mechanism)}"
         elif scale and slope.is_steep(here):
             yield f"at the default {name}"
@@ -148,4 +148,4 @@ class _Slope:
         if not first * last > 0:
             return True
         width = DIFFERENCE * (math.isfinite(before) + math.isfinite(after))
-        return abs(math.log(last / first)) > STEEP * width
+        return abs(math.log(last / first)) > STEEP_LOGARITHM * width

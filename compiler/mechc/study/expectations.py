@@ -45,13 +45,13 @@ from .analysis import as_printed
 from .ranges import scale_of
 from .tolerances import SAME_FIGURE, SAME_RATIO
 
-POSES = 12
+RANDOM_POSES = 12
 """Random poses in addition to the default one."""
 
-DRAWS = 60
+ASSEMBLED_DRAWS = 60
 """How many are drawn, at most, to find so many that can be assembled."""
 
-TRIES = 200
+NARROW_DRAWS = 200
 """Draws before a narrow ``require`` is given up."""
 
 ROUNDINGS = 4
@@ -189,12 +189,12 @@ def _compare_formula(
     expect: Expect, result: Result, mechanism: Mechanism, definitions: Sequence[Definition]
 ) -> Finding:
     finding = Finding(expect, "undecided", poses=0)
-    drawn = (default_pose(mechanism), *random_poses(mechanism, DRAWS))
+    drawn = (default_pose(mechanism), *random_poses(mechanism, ASSEMBLED_DRAWS))
     everything = (
         _everything(complete(mechanism, {**pose, **_at(expect)}), expect, result) for pose in drawn
     )
     assembled = (values for values in everything if _is_assembled(values, definitions))
-    for given in islice(assembled, POSES + 1):
+    for given in islice(assembled, RANDOM_POSES + 1):
         rounding = Rounding(given)
         rounding.define(result.where)
         found, expected = rounding.of(result.formula), rounding.of(expect.value)
@@ -236,7 +236,7 @@ def _everything(values: Values, expect: Expect, result: Result) -> Values:
 def random_poses(mechanism: Mechanism, number: int, seed: int = 1) -> Iterator[Values]:
     """Yield up to ``number`` poses that every ``require`` allows."""
     chance, chain = random.Random(seed), following(mechanism)
-    drawn = (chain.complete(_draw(mechanism, chance)) for _ in range(TRIES))
+    drawn = (chain.complete(_draw(mechanism, chance)) for _ in range(NARROW_DRAWS))
     return islice((v for v in drawn if allowed(mechanism, v)), number)
 
 

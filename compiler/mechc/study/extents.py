@@ -15,7 +15,7 @@ from .stroke import extent
 from .sweep import Sweep
 from .tolerances import SAME_FIGURE
 
-CELLS = 192
+EXTENT_CELLS = 192
 """Cells of a range in which a result is looked at."""
 
 
@@ -78,7 +78,7 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
         return
     for one in _of_trends(solution, result, ["turns"]):
         sweep = Sweep(solution.plan, one.parameter, {})
-        extremes = _extremes(sweep, result, spaced(*one.range, CELLS))
+        extremes = _extremes(sweep, result, spaced(*one.range, EXTENT_CELLS))
         if extremes:
             low, high = least_and_greatest(extremes)
             yield replace(one, least=low, greatest=high)

@@ -38,7 +38,7 @@ from .tolerances import SAME_RATIO
 from .trends import trend
 from .zeros import breaks, limits
 
-MANY = 16
+MOST_PARAMETERS = 16
 """A result of more parameters than this is given without swaps, trends and derivatives.
 
 Their number grows with the square of the parameters', and nobody reads them then.
@@ -110,7 +110,7 @@ def _with_trends(result: Analysis, value: Product, pose: Pose, numbers: DefaultN
     """
     mechanism, used = pose.mechanism, symbols(result.formula)
     names = [p.name for p in mechanism.parameters if p.name in used]
-    if len(names) > MANY or not depends_openly(value):
+    if len(names) > MOST_PARAMETERS or not depends_openly(value):
         return result
     if result.where:
         return _sloping(result, _along_the_stroke(value, result, pose), mechanism, numbers)
@@ -269,7 +269,7 @@ def _agree_at_a_pose(formula: Formula, a: str, b: str) -> bool:
 # --------------------------------------------------------------------------------- printed formulas
 
 
-ALIKE = 1e-6
+PRINTED_ROUNDING = 1e-6
 """What a printed formula may be off its value by rounding, as a part of it."""
 
 
@@ -295,7 +295,9 @@ def fails_here(result: Analysis, values: Values) -> bool:
     if not symbols(result.formula) <= known.keys():
         return False
     value = evaluate(result.formula, known)
-    return isfinite(value) and not isclose(value, result.default, rel_tol=ALIKE, abs_tol=ALIKE**2)
+    return isfinite(value) and not isclose(
+        value, result.default, rel_tol=PRINTED_ROUNDING, abs_tol=PRINTED_ROUNDING**2
+    )
 
 
 def _on_paper(formula: Formula, rounding: Rounding) -> Rounded:

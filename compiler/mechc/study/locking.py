@@ -18,7 +18,7 @@ from ..model.values import range_of
 from .intervals import Bound, Locking, LockingInterval, LockingIntervals, Range, State
 from .ranges import last, turns, unit_of, varying
 from .ratios import Study
-from .sampling import CELLS, before_dead_centre, dead_centre, looked_at, nearest
+from .sampling import DEAD_CENTRE_CELLS, before_dead_centre, dead_centre, looked_at, nearest
 from .states import Moving
 from .tolerances import EXACT, HALF_THE_DIGITS, NEARLY
 
@@ -28,10 +28,10 @@ BEYOND = math.pi / 2
 WHOLE_TURN = 2 * math.pi - NEARLY
 """What is beyond a wider range is the same again."""
 
-SHORT = 12
+MOST_END_OPERATIONS = 12
 """An end of more operations than this is given as a figure."""
 
-LONG = 200
+MOST_SOLVED_OPERATIONS = 200
 """A formula of more operations than this is not solved for anything."""
 
 Solve = Callable[[Formula, str], Iterator[AngleSolution]]
@@ -100,7 +100,7 @@ def _next_dead_centre(start: float, beyond: float, moving: Moving) -> float:
     driven = moving.driven(start)
     if driven is None:
         return start
-    grid = [start + beyond * step / CELLS for step in range(CELLS + 1)]
+    grid = [start + beyond * step / DEAD_CENTRE_CELLS for step in range(DEAD_CENTRE_CELLS + 1)]
     for before, x in pairwise(grid):
         if moving.driven(x) != driven:
             return before_dead_centre(moving, before, x)
@@ -213,7 +213,7 @@ class _Intervals:
         self, x: float, result: Result, ways: Sequence[Solve], is_dead_centre: bool = False
     ) -> Bound:
         """Return an end with its formula, if it has one of names that do not vary themselves."""
-        if count_operations(result.formula) > LONG:
+        if count_operations(result.formula) > MOST_SOLVED_OPERATIONS:
             return Bound(x, None, is_dead_centre)
         values = self.moving.sweep.named(result, x)
         varying = self.moving.sweep.varying(result)
@@ -231,4 +231,4 @@ def _are_near(grid: Sequence[float], a: float, b: float) -> bool:
 
 
 def _is_short(exact: Formula) -> bool:
-    return count_operations(exact) <= SHORT
+    return count_operations(exact) <= MOST_END_OPERATIONS

@@ -23,13 +23,13 @@ from ..pose.vector_graph import mentioned
 from .ranges import last, moving_first, turns
 from .tolerances import SAME_RATIO
 
-CELLS = 37
+SIGN_CELLS = 37
 """Cells in which changes of sign are looked for."""
 
-BEYOND = 0.01
+BEYOND_RANGE = 0.01
 """The part of a range by which it is looked at beyond its ends, where factors may vanish."""
 
-TOGETHER = 1e-6
+VANISHES_TOO = 1e-6
 """What a factor may be at a zero of another one that it vanishes with."""
 
 ANYWHERE = 1.0
@@ -115,13 +115,13 @@ def meeting(
     def is_as_before(i: int, sense: float, x: float) -> bool:
         return at(x)[i] * sense > 0
 
-    beyond = BEYOND * (ends[1] - ends[0])
-    rows = [(x, at(x)) for x in roots.spaced(ends[0] - beyond, ends[1] + beyond, CELLS)]
+    beyond = BEYOND_RANGE * (ends[1] - ends[0])
+    rows = [(x, at(x)) for x in roots.spaced(ends[0] - beyond, ends[1] + beyond, SIGN_CELLS)]
     for (a, before), (b, after) in pairwise(rows):
         passing = [i for i, (u, v) in enumerate(zip(before, after, strict=True)) if u * v < 0]
         for i in passing if len(passing) > 1 else ():
             here = at(last(partial(is_as_before, i, before[i]), a, b))
-            yield from ((i, j) for j in passing if j > i and abs(here[j]) < TOGETHER)
+            yield from ((i, j) for j in passing if j > i and abs(here[j]) < VANISHES_TOO)
 
 
 def _place(number: int) -> str:

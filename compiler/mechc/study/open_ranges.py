@@ -37,7 +37,7 @@ def why_open(definitions: Mapping[str, Formula], values: Values) -> str:
     return NOT_REACHED if is_followed else NOT_ASSEMBLED
 
 
-HALVINGS = 40
+RANGE_HALVINGS = 40
 """After so many nothing is left of a range that is shown."""
 
 
@@ -93,7 +93,7 @@ def _last(parameter: Parameter, end: float, closing: _Closing) -> float | None:
     name, good, bad = parameter.name, closing.defaults[parameter.name], end
     if closing.is_closed({name: bad}):
         return None
-    for _ in range(HALVINGS):
+    for _ in range(RANGE_HALVINGS):
         middle = (good + bad) / 2
         if closing.is_closed({name: middle}):
             good = middle

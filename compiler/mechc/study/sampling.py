@@ -17,7 +17,7 @@ from .ranges import SignedMeasure, last
 from .states import Moving
 from .tolerances import JUMP_WIDTH, NEARLY, SAME_EFFICIENCY, SAME_VALUE, TOUCHED
 
-CELLS = 36
+DEAD_CENTRE_CELLS = 36
 """Cells between which dead centres are looked for."""
 
 SELDOM = 3
@@ -26,7 +26,7 @@ SELDOM = 3
 STUCK = 2
 """So much closer it is looked at where nothing moves: something may in between."""
 
-HALVINGS = 8
+NEARER_VALUES = 8
 """Further values beside a dead centre, each half as far from it as the one before."""
 
 NEAREST = 2.0**-20
@@ -35,10 +35,10 @@ NEAREST = 2.0**-20
 FARTHER = 4.0
 """By how much farther from it is looked at, again and again, where iteration finds nothing."""
 
-BENT = 0.02
+BENT_CELL = 0.02
 """A cell is halved where its middle is off the straight line by this part of the values."""
 
-DEEPEST = 10
+MOST_HALVED = 10
 """How often a cell is halved at most."""
 
 BEFORE_JUMP = 1e-2
@@ -59,7 +59,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
 
     None is nearer to a dead centre than what rounding leaves to be solved there.
     """
-    even = spaced(low, high, CELLS)
+    even = spaced(low, high, DEAD_CENTRE_CELLS)
     centres = _centres(moving, even)
     step = even[1] - low
     beside = [c + away for c in (low, high, *centres) for away in _near(moving, step)]
@@ -104,12 +104,12 @@ def _in_cells(find: Find, moving: Moving, grid: Sequence[float]) -> Iterator[flo
 
 def nearest(width: float) -> float:
     """Return how near to a dead centre is looked at, where so much is looked at altogether."""
-    return NEAREST * width / CELLS
+    return NEAREST * width / DEAD_CENTRE_CELLS
 
 
 def _near(moving: Moving, step: float) -> Iterator[float]:
     """Yield how far from a dead centre to look, on both sides."""
-    halvings = 1 if moving.is_slow else HALVINGS
+    halvings = 1 if moving.is_slow else NEARER_VALUES
     for part in (*(0.5**i for i in range(1, halvings + 1)), NEAREST):
         yield from (-step * part, step * part)
 
@@ -142,7 +142,7 @@ def _alone(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
 # -------------------------------------------------------------------- dead centres
 
 
-def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> Iterator[float]:
+def _dead_centres(moving: Moving, a: float, b: float, depth: int = MOST_HALVED) -> Iterator[float]:
     """Yield the dead centres between two values; ``depth`` falls with every halving."""
     pole = _pole_of_a_term(moving, a, b)
     if pole is not None and depth:
@@ -163,7 +163,7 @@ def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> I
         return  # the ratio is zero throughout, but for rounding, or there is no pose
     first, here, final = (moving.without(x) for x in (a, middle, b))
     size = abs(first) + 2 * abs(here) + abs(final)
-    if not abs(first + final - 2 * here) > BENT * size:
+    if not abs(first + final - 2 * here) > BENT_CELL * size:
         return
     if depth:
         yield from _dead_centres(moving, a, middle, depth - 1)
@@ -290,7 +290,7 @@ def _beside_ends(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """
     for beyond, end, inside in (*_triples(grid), *_triples(grid[::-1])):
         if moving.driven(beyond) != moving.driven(end) and _is_stuck(moving, end, inside):
-            yield from (end + (inside - end) * 0.5**i for i in range(1, HALVINGS + 1))
+            yield from (end + (inside - end) * 0.5**i for i in range(1, NEARER_VALUES + 1))
 
 
 def _is_stuck(moving: Moving, a: float, b: float) -> bool:

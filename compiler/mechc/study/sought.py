@@ -21,12 +21,12 @@ from ..model.values import Chain
 from ..power.balance import AlgebraicResult, Balance
 from .analysis import Cause
 from .causes import cause
-from .meeting import TOGETHER, Meetings, flat_sides
+from .meeting import VANISHES_TOO, Meetings, flat_sides
 from .ranges import moving_first, with_range
 from .tolerances import VANISHED_SUM
 from .trends import is_free_of_zeros
 
-STEPS = (1e-4, 1e-6)
+BESIDE_ROOT = (1e-4, 1e-6)
 """How far from a root the values are compared that refute it, in radians.
 
 Far from it rounding does no harm; near it no other root that is close by does.
@@ -116,7 +116,7 @@ def is_refuted(root: AngleRoot, of: Sought) -> bool:
     names = {root.name, *root.value.names}
     if not names <= of.near.keys() or not names.isdisjoint(of.defined):
         return False
-    far, near = STEPS
+    far, near = BESIDE_ROOT
     sizes = _beside(root, far, of)
     if not sizes:
         return _meets_another(root, of)
@@ -137,7 +137,7 @@ def _meets_another(root: AngleRoot, of: Sought) -> bool:
     across = (f for f, e in of.value.factors.items() if isinstance(f, Trig) and e * of.side < 0)
     found = (f for f in across if not f.angle.names.isdisjoint(of.defined))
     known = (f for f in found if f.angle.names <= there.keys())
-    return any(abs(evaluate(f.formula(), there)) < TOGETHER for f in known)
+    return any(abs(evaluate(f.formula(), there)) < VANISHES_TOO for f in known)
 
 
 def _beside(root: AngleRoot, step: float, of: Sought) -> list[float]:

@@ -18,7 +18,7 @@ PARTS = 48
 """A factor's sign is looked for on at most this many parts of the box."""
 
 
-CELLS = 16
+DIVISOR_CELLS = 16
 """Cells along a parameter at whose ends the sign of a divisor is looked at."""
 
 
@@ -60,7 +60,7 @@ def _changes_sign(divisor: Product, name: str, box: IntervalBox) -> bool:
     if name not in box:
         return False
     low, high = box[name]
-    grid = [low + (high - low) * i / CELLS for i in range(CELLS + 1)]
+    grid = [low + (high - low) * i / DIVISOR_CELLS for i in range(DIVISOR_CELLS + 1)]
     signs = {sign(divisor, {**_corner(box, name, 0), name: widened(x, x)}) for x in grid}
     return {1, -1} <= signs
 

@@ -6,7 +6,7 @@ CHARACTERS = 250_000
 NESTING = 64
 """Depth of brackets, powers of powers and repeated signs in one expression."""
 
-DIGITS = 40
+MOST_DIGITS = 40
 """Digits of a number."""
 
 DECIMAL_EXPONENT = 308

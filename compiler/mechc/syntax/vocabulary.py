@@ -142,7 +142,7 @@ def counted(arity: Arity) -> str:
     return words if arity.most is not None else f"{words} or more"
 
 
-ROOM = " \t,;–-"
+BETWEEN_POINTS = " \t,;–-"
 """What may stand between points that are to be written together."""
 
 
@@ -165,7 +165,7 @@ def apart(text: str, one_each: bool = False) -> str:
     """
     if text.startswith("-") and points_of(text[1:]):
         return f"an entry of a list has a space behind its '-': - {text[1:]}"
-    parts = [part for part in re.split(f"[{ROOM}]+", text) if part]
+    parts = [part for part in re.split(f"[{BETWEEN_POINTS}]+", text) if part]
     counts = [len(points_of(part)) for part in parts]
     if len(parts) < 2 or not all(counts):
         return ""

@@ -7,16 +7,16 @@ from ...source import Span
 from ...units import UNITS
 from ..diagnostic import Message, Related, coded, near_miss
 
-FEW = 6
+MOST_LISTED_NAMES = 6
 """Names that are listed where none is near."""
 
-MANY = 200
+MOST_COMPARED_NAMES = 200
 """Names among which no near miss is looked for: thousands of errors would take minutes."""
 
 
 def near(name: str, known: Collection[str]) -> str:
     """Return the question whether a name that is spelled alike is meant, '' if there is none."""
-    return near_miss(name, sorted(known)) if len(known) <= MANY else ""
+    return near_miss(name, sorted(known)) if len(known) <= MOST_COMPARED_NAMES else ""
 
 
 def offered(name: str, known: Collection[str], what: str) -> str:
@@ -35,9 +35,9 @@ def offered(name: str, known: Collection[str], what: str) -> str:
     *front, last = known
     if not front:
         return f"the only one of the {what} is {last}"
-    if len(known) <= FEW:
+    if len(known) <= MOST_LISTED_NAMES:
         return f"the {what} are {', '.join(front)} and {last}"
-    return f"some of the {what}: {', '.join(known[:FEW])}"
+    return f"some of the {what}: {', '.join(known[:MOST_LISTED_NAMES])}"
 
 
 @coded("E201")
@@ -166,7 +166,7 @@ def meant(name: str) -> str:
 
 def found_if_asked(used: str, result: str, alike: Sequence[str]) -> str:
     """Return the hint at a result that a used mechanism does not ask for, or by another name."""
-    has = f"; as it is, it gives {', '.join(alike)}" if 0 < len(alike) <= FEW else ""
+    has = f"; as it is, it gives {', '.join(alike)}" if 0 < len(alike) <= MOST_LISTED_NAMES else ""
     return f"{used} gives it once it has a line `find {result}`{has}"
 
 

@@ -23,7 +23,7 @@ FLAGS = ("-O3", "-ffp-contract=fast", "-fPIC", "-shared")
 BLOCK = 16384
 """Poses at once where an argument is one number, which fills an array of so many."""
 
-KEPT = 64
+KEPT_LIBRARIES = 64
 """Libraries that the folder holds; those that were used longest ago go."""
 
 
@@ -93,7 +93,7 @@ def _build(command: str, source: str, target: Path) -> None:
 
 def _tidy(libraries: Path) -> None:
     by_age = sorted(libraries.glob("*.so"), key=lambda path: path.stat().st_mtime)
-    for path in by_age[:-KEPT]:
+    for path in by_age[:-KEPT_LIBRARIES]:
         path.unlink(missing_ok=True)
 
 

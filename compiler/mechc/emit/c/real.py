@@ -40,7 +40,7 @@ class Real(NamedTuple):
     @property
     def rounding(self) -> float:
         """Return the expected correction below which none is needed."""
-        return 1e-8 if self is FLOAT else newton.ROUNDING
+        return 1e-8 if self is FLOAT else newton.NEGLIGIBLE_CORRECTION
 
     @property
     def least(self) -> float:

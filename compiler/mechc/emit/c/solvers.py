@@ -168,7 +168,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         far=" + ".join(gaps) or "0.0",
         norm=" + ".join(changes),
         side=solver.side * left.turn or NEVER,
-        shortest=f" && step >= {newton.SHORT!r}" if solver.by_arcs else "",
+        shortest=f" && step >= {newton.ARCS_FROM!r}" if solver.by_arcs else "",
         by_arcs=_by_arcs(solver, solver.by_arcs, f"{name}_sides", given, [*fixed, *body], printer)
         if solver.by_arcs
         else None,

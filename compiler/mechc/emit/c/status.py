@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from ...model.result import DrivingLoad
 from ...named import NamedTuple
 from ...routine.steps import (
-    NOTHING,
+    NO_LOAD,
     STATUSES,
     Checks,
     Function,
@@ -43,7 +43,7 @@ class StatusContext(NamedTuple):
     call: str
     number: str
     loop: str
-    nothing: float = NOTHING
+    nothing: float = NO_LOAD
 
 
 OWN = ("value", "ideal", "load", "is_ahead", "is_unloaded", "status", "n", "i")

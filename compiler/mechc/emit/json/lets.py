@@ -8,7 +8,7 @@ from ...frozen import replace
 from ...model.result import Definition, Result
 from ...study.analysis import Analysis
 
-LONG = 24
+MOST_INTERMEDIATES = 24
 """Intermediates beyond which those are left out that another result stands for."""
 
 
@@ -46,7 +46,7 @@ def _short(
     where: tuple[Definition, ...], read: Iterable[Formula], results: Mapping[str, Formula]
 ) -> tuple[Definition, ...]:
     """Return of many intermediates those alone that lead to other results."""
-    if len(where) <= LONG:
+    if len(where) <= MOST_INTERMEDIATES:
         return where
     defined, wanted = dict(where), set[str]()
     left = [name for formula in read for name in symbols(formula)]

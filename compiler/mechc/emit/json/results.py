@@ -22,7 +22,7 @@ from ...units import si_unit
 from ..describe import dimension_name
 from .formula import DEFINITION, FORMULA
 from .kinds import FLOAT, TEXT, TRUTH, JsonKind, list_of, map_of, member, one_of, optional, record
-from .lets import LONG
+from .lets import MOST_INTERMEDIATES
 
 TRENDS, SCOPES = get_args(Trend), get_args(Scope)
 CAUSES = ("dead centre", "perpendicular load", "other")
@@ -168,7 +168,8 @@ RESULT: JsonKind[Analysis] = record(
     member(
         "where",
         "In order of definition. A let of more than "
-        f"{LONG} leaves out those that other results are, or define in their own where.",
+        f"{MOST_INTERMEDIATES} leaves out "
+        "those that other results are, or define in their own where.",
         list_of(DEFINITION),
         lambda r: r.where,
     ),

@@ -8,7 +8,7 @@ from ...model.parts.written import WrittenTable
 from ...named import NamedTuple
 from ...report.checks import NoteCheck
 from ...report.languages.locale import Locale
-from ...report.latex.display import LINE
+from ...report.latex.display import LINE_WIDTH
 from ...report.latex.document_style import first_orders
 from ...report.latex.given import ParameterRow, parameter_row
 from ...report.latex.notation import LatexNotation, name, relation_sign, spellings, translated
@@ -142,7 +142,7 @@ def _parts(columns: Sequence[tuple[Box, ...]]) -> Iterator[list[tuple[Box, ...]]
     width = 0.0
     for column in columns:
         widest = max(cell.width for cell in column) + BETWEEN
-        if part and width + widest > LINE:
+        if part and width + widest > LINE_WIDTH:
             yield part
             part, width = [], 0.0
         part.append(column)

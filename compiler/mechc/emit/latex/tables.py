@@ -17,7 +17,7 @@ from ...units import size_of
 D = r"\mathrm{d}"
 """The sign of a derivative, as in the formulas beside it."""
 
-ABREAST = 6
+MOST_COLUMNS = 6
 """How many columns a table has at most beside that of the drive."""
 
 
@@ -68,12 +68,12 @@ def numbers(values: Sequence[float], style: LatexNotation) -> list[str]:
     ['$-5$', '$0$', '$5$']
     """
     largest = max((abs(v) for v in values if math.isfinite(v)), default=0.0)
-    sizes = [0.0 if abs(v) < NOTHING * largest else v for v in values]
+    sizes = [0.0 if abs(v) < COLUMN_ROUNDING * largest else v for v in values]
     decimals = _decimals([abs(v) for v in sizes if math.isfinite(v) and v])
     return [_number(size, decimals, style) for size in sizes]
 
 
-NOTHING = 1e-12
+COLUMN_ROUNDING = 1e-12
 """What is below this part of the largest number of a column is rounding where zero is meant."""
 
 FIGURES, LEAST, MOST = 5, 3, 6
@@ -130,7 +130,7 @@ def _parts(columns: Sequence[int]) -> Iterator[Sequence[int]]:
     >>> [len(part) for part in _parts(range(7))], [len(part) for part in _parts(range(6))]
     ([4, 3], [6])
     """
-    count = math.ceil(len(columns) / ABREAST)
+    count = math.ceil(len(columns) / MOST_COLUMNS)
     for part in range(count):
         ends = (math.ceil(len(columns) * i / count) for i in (part, part + 1))
         yield columns[slice(*ends)]

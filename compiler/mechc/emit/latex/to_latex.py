@@ -22,7 +22,7 @@ from ...report.evaluated import (
 )
 from ...report.languages import registry
 from ...report.languages.locale import Locale
-from ...report.latex.display import LINE, DisplayLine, display, vanishing
+from ...report.latex.display import LINE_WIDTH, DisplayLine, display, vanishing
 from ...report.latex.document_style import style_of
 from ...report.latex.given import (
     ParameterRow,
@@ -304,7 +304,7 @@ def _equations(equations: Iterable[EquationSides], locale: Locale, style: LatexN
 
 
 def _is_wide(line: DisplayLine) -> bool:
-    return line.right == ZERO and line.left.width > LINE
+    return line.right == ZERO and line.left.width > LINE_WIDTH
 
 
 def _last(steps: tuple[LastStep, ...], locale: Locale, style: LatexNotation) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from ...named import NamedTuple
 from ...routine.steps import (
-    NOTHING,
+    NO_LOAD,
     STATUSES,
     Checks,
     Function,
@@ -40,7 +40,7 @@ class StatusContext(NamedTuple):
     idle: bool
     moves: str
     standstill: tuple[int, int]
-    nothing: float = NOTHING
+    nothing: float = NO_LOAD
 
 
 OWN = ("value", "ideal", "load", "ahead", "unloaded", "moves", "found")

@@ -15,7 +15,7 @@ from typing import Any
 from ...diagnostics import MechcError
 from ...diagnostics.drawing import no_library
 from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Shape, TextRun
-from ...drawing.lettering import SMALL, SMALLER
+from ...drawing.lettering import INDEX_SIZE, SMALLER
 
 FONTS = (
     "STIX Two Text, Times New Roman, Liberation Serif, FreeSerif, Noto Serif, DejaVu Serif,"
@@ -135,7 +135,7 @@ def _runs(label: Label) -> Iterator[str]:
 
 def _type(run: TextRun, size: float, step: float) -> str:
     italic = ' font-style="italic"' if run.italic else ""
-    scale = SMALLER if run.level < -1 else SMALL
+    scale = SMALLER if run.level < -1 else INDEX_SIZE
     small = f' font-size="{_number(scale * size)}"' if run.level else ""
     moved = f' dy="{_number(step)}"' if not math.isclose(step, 0.0, abs_tol=NO_SHIFT) else ""
     return f"{italic}{small}{moved}"

@@ -14,7 +14,7 @@ from ..mechanism import Mechanism, Parameter, Require
 from ..results import failures
 from ..values import Chain, Values, bounds, defaults, dependent, holds, user_defined
 
-STEPS = 12
+RANGE_PARTS = 12
 """Parts of a range, at whose ends it is looked at."""
 
 
@@ -100,7 +100,7 @@ def _along(parameter: Parameter, require: Require) -> Iterator[float]:
     compared = [f for f in walk(require.left) if isinstance(f, Call) and f.function in SIGNS]
     by_rows = require.subject is not None and require.subject.kind == "row"
     if not by_rows and CONDITIONS["="] not in (call.function for call in compared):
-        yield from (low + (high - low) * step / STEPS for step in range(1, STEPS))
+        yield from (low + (high - low) * step / RANGE_PARTS for step in range(1, RANGE_PARTS))
         limits = (f for call in compared for f in _against(parameter.name, call))
         yield from (limit for limit in limits if low < limit < high)
 

@@ -149,7 +149,7 @@ def _reach(
         yield from ((value + sign * size, "the tolerance") for sign in (-1, 1))
 
 
-FAR = 100.0
+USUAL_LENGTH_RATIO = 100.0
 """How many times a length is the largest, or the smallest, of the others: 35 is met in books."""
 
 FAR_OF_ONE = 300
@@ -226,7 +226,7 @@ def _lengths(entry: object) -> tuple[Formula, ...]:
             return ()
 
 
-MOST = 10.0
+MOST_GUIDE_FRICTION = 10.0
 """How many times its normal force a guide resists with at most: of one that jams it is below 5."""
 
 
@@ -253,13 +253,13 @@ def _too_much(joint: JointFriction, longest: float, values: Values) -> str:
             return ""
     if isinstance(joint, GuideFriction):
         resists = f"the guide of {point} resists with {size:.4g} times its normal force"
-        return resists if size > MOST else ""
+        return resists if size > MOST_GUIDE_FRICTION else ""
     circle = f"the friction circle of {point} has a radius of {size * 1e3:.4g} mm"
     return f"{circle}, more than every length of the mechanism" if size > longest else ""
 
 
 def _is_far(size: float, others: Sequence[float]) -> bool:
-    return size > FAR * max(others) or size * FAR < min(others)
+    return size > USUAL_LENGTH_RATIO * max(others) or size * USUAL_LENGTH_RATIO < min(others)
 
 
 # -------------------------------------------------------------------------- places
@@ -274,7 +274,7 @@ def _far_places(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
         if here is None:
             continue
         spread = max(math.dist(*pair) for pair in combinations(others, 2))
-        if min(math.dist(here, other) for other in others) > FAR * spread > 0:
+        if min(math.dist(here, other) for other in others) > USUAL_LENGTH_RATIO * spread > 0:
             yield messages.place_far_off(drawn.span, drawn.point)
 
 

@@ -42,7 +42,7 @@ def with_coordinates(mechanism: Mechanism, sketch: Sketch, report: Report) -> Me
     return replace(valued, geometry=(*mechanism.geometry, *standing))
 
 
-ASIDE = 0.01
+MOVED_ASIDE = 0.01
 """How far points are moved, as a part of the drawing, to see how they hang together in general."""
 
 
@@ -64,7 +64,7 @@ def _is_elsewhere(mechanism: Mechanism, sketch: Sketch) -> bool:
 
 def _in_general(sketch: Sketch) -> Sketch:
     """Return a drawing with its points moved a little, each in another direction."""
-    far, moved = ASIDE * sketch.size, copy(sketch)
+    far, moved = MOVED_ASIDE * sketch.size, copy(sketch)
     ways = (cmath.rect(far, 1.0 + n * n) for n in range(len(sketch.places)))
     moved.places = {
         point: place._replace(at=(place.at[0] + way.real, place.at[1] + way.imag))

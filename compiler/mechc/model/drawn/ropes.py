@@ -21,7 +21,7 @@ ACROSS = 0.5
 OFF = 0.01
 """The part of its radius by which a drum may be off a fall, as it is drawn."""
 
-ROOM = math.radians(15)
+WRAP_GAP = math.radians(15)
 """How far a wrap may be from the turn of the drawn falls: pulleys have a size, points have none."""
 
 
@@ -74,7 +74,7 @@ def _wrapped_otherwise(friction: RopeFriction, rope: Rope, sketch: Sketch) -> It
         return
     wrap, turn = sense * evaluate(friction.wrap, sketch.values), _turn(friction, rope, sketch)
     meant = (wrap,) if friction.reach else (wrap, -wrap)
-    if all(abs(math.remainder(turn - angle, math.tau)) > ROOM for angle in meant):
+    if all(abs(math.remainder(turn - angle, math.tau)) > WRAP_GAP for angle in meant):
         yield messages.wrapped_farther(friction.span, friction.point, wrap, turn)
 
 

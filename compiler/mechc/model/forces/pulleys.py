@@ -57,7 +57,7 @@ def _pulley(point: ast.Name, built: Mechanism, scope: NameScope) -> tuple[Rope, 
     return None
 
 
-CLOSE = math.radians(0.5)
+SAME_FALL = math.radians(0.5)
 """Directions that are no farther apart are taken for one."""
 
 
@@ -71,7 +71,7 @@ def _fits(
         return True
     turn = known[1] - known[0]
     sizes = (size,) if statement.link else (size, -size)
-    if any(abs(math.remainder(turn - angle, math.tau)) < CLOSE for angle in sizes):
+    if any(abs(math.remainder(turn - angle, math.tau)) < SAME_FALL for angle in sizes):
         return True
     point = statement.point.text
     scope.report.add(messages.wrap_unlike_falls(statement.wrap.span, point, turn, size))

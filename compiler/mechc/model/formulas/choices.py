@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from ...diagnostics.model import doubts
 from ...diagnostics.model import sheets as messages
-from ...formula.choices import CONDITIONS, NEAR
+from ...formula.choices import CONDITIONS, SAME_ROW
 from ...formula.evaluate import evaluate
 from ...formula.tree import Call, Formula, number
 from ...formula.walk import symbols
@@ -41,13 +41,13 @@ class Chosen(NamedTuple):
     requires: tuple[Require, ...] = ()
 
 
-JUMP = 5.0
+DOUBTFUL_SIZE_STEP = 5.0
 """How many times the size before it a size in a unit of its own is without a doubt."""
 
 JUMP_OF_TWO = 100.0
 """The same where there are two sizes, either of which may have the wrong unit."""
 
-MOST = 200
+MOST_ROWS = 200
 """Rows of a table, or sizes of a list: more are a file of data."""
 
 
@@ -57,8 +57,8 @@ def read_tables(file: ast.File, scope: NameScope) -> Tables:
     lengths = [(table.name, len(table.rows)) for table in every(file, ast.Table)]
     lengths += [(listed.name, len(listed.sizes)) for listed in every(file, ast.Sizes)]
     for name, length in lengths:
-        if length > MOST:
-            scope.report.add(messages.too_long(name.span, name.text, MOST))
+        if length > MOST_ROWS:
+            scope.report.add(messages.too_long(name.span, name.text, MOST_ROWS))
             return found
     for table in every(file, ast.Table):
         if rows := _rows(table, scope):
@@ -138,7 +138,7 @@ def _check_units(
     odd = [i for i, unit in enumerate(units) if unit != usual]
     if len(odd) != 1:
         return
-    jump = JUMP if len(units) > 2 else JUMP_OF_TWO
+    jump = DOUBTFUL_SIZE_STEP if len(units) > 2 else JUMP_OF_TWO
     values = [_value(size) for size in sizes]
     here, rest = odd[0], [v for i, v in enumerate(values) if v and i != odd[0]]
     nearest = min(rest, key=lambda value: abs(value - values[here]), default=0.0)
@@ -228,7 +228,7 @@ def note_between(
 
 
 def _is_row(value: float, rows: Sequence[float]) -> bool:
-    return any(math.isclose(value, row, rel_tol=float(NEAR)) for row in rows)
+    return any(math.isclose(value, row, rel_tol=float(SAME_ROW)) for row in rows)
 
 
 def _row_of(

@@ -30,7 +30,7 @@ from .misplaced_units import note_misplaced_unit, note_unit_factor
 from .parameters import constant, note_unitless, read_parameter
 from .sorts import Nature
 
-LONGEST = 200
+MOST_LET_PARTS = 200
 """Parts of a let that is written out: lets of lets can double in length with each."""
 
 DefiningStatement = ast.Param | ast.Let | ast.Taken
@@ -244,7 +244,7 @@ def written_out(found: DefinedValues, scope: NameScope) -> dict[str, Formula]:
             continue
         parts = [part.name if isinstance(part, Symbol) else "" for part in walk(let.value)]
         lengths[name] = sum(lengths.get(part, 1) for part in parts)
-        if lengths[name] <= LONGEST:
+        if lengths[name] <= MOST_LET_PARTS:
             formulas[name] = substitute(let.value, formulas)
     return formulas
 

@@ -42,10 +42,10 @@ from ..mechanism import (
 )
 from ..parts.holding import OnLink
 
-FAR = 10**6
+UNCONNECTED = 10**6
 """So many links separate what hangs on no pivot."""
 
-DIGITS = 9
+SAME_LENGTH_DIGITS = 9
 """Lengths that agree in so many digits are equal."""
 
 CarrierNode = tuple[str, str]
@@ -91,7 +91,7 @@ class Carriers:
             lengths = refined(nodes, sized)
             drawn = refined(nodes, [*sized, *self._directions()])
             for body in self._bodies:
-                near = (pivots.get(body.name, FAR), guides.get(body.name, FAR))
+                near = (pivots.get(body.name, UNCONNECTED), guides.get(body.name, UNCONNECTED))
                 place = [ranks["body", body.name] for ranks in (structure, lengths, drawn)]
                 rigid = isinstance(body, Telescope), body.name not in bent
                 self._ranks[body.name] = (*rigid, *near, *place, body.name)
@@ -193,7 +193,8 @@ class Carriers:
                 case _:
                     continue
             if length is not None and symbols(length) <= self._values.keys():
-                yield (tail, head), float(f"{abs(evaluate(length, self._values)):.{DIGITS}g}")
+                size = abs(evaluate(length, self._values))
+                yield (tail, head), float(f"{size:.{SAME_LENGTH_DIGITS}g}")
 
 
 def _counted(items: Iterable[Hashable]) -> Hashable:

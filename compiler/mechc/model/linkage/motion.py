@@ -29,7 +29,7 @@ from ..values import following
 MOST_TURNS = 100
 """Full turns of a drive that are still a stroke: each is looked at in seven places or more."""
 
-STRAY = 0.01
+OFF_STROKE = 0.01
 """The part of a stroke by which the default pose is off it before that is remarked upon."""
 
 
@@ -186,7 +186,7 @@ def _strays(parameter: Parameter, low: float, high: float) -> bool:
     gap = evaluate(parameter.value, {}) - (low + high) / 2
     if parameter.dimension == ANGLE:
         gap = math.remainder(gap, 2 * math.pi)
-    return low < high and abs(gap) > (0.5 + STRAY) * (high - low)
+    return low < high and abs(gap) > (0.5 + OFF_STROKE) * (high - low)
 
 
 def _end(end: ast.Expr | None, name: ast.Name, scope: NameScope) -> Formula | None:

@@ -293,11 +293,11 @@ class NameScope:
 
     def _offered(self, usage: Usage) -> list[str]:
         """Return the names that may stand in a formula, as far as they are few enough to list."""
-        if len(self.entries) > messages.MANY:
+        if len(self.entries) > messages.MOST_COMPARED_NAMES:
             return []
         pairs = [permutations(k.points, 2) for k in self.points.links.values()]
         vectors = [f"{form}_{a}{b}" for pair in pairs for a, b in pair for form in ("phi", "len")]
-        posed = vectors if usage.posed and len(vectors) <= messages.MANY else []
+        posed = vectors if usage.posed and len(vectors) <= messages.MOST_COMPARED_NAMES else []
         return [*self.names(usage.kinds), *posed]
 
     def size(self, formula: Formula) -> float:

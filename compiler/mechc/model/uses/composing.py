@@ -29,10 +29,10 @@ from .joint_points import UsedPart, WholeMechanism, points_of_parts, structural
 from .part_names import Renaming, spelled_out
 from .renamed import renamed
 
-MOST = 64
+MOST_SHEETS = 64
 """Sheets that one is put together from, itself included."""
 
-DEEPEST = 16
+MOST_NESTED_SHEETS = 16
 """Sheets that use one another in a row."""
 
 
@@ -212,8 +212,11 @@ def _read(
         _pass_on(error, use, report)
         return None
     texts = [text for _, text in (*report.source.parts(), *used.source.parts())]
-    if len(texts) > MOST or sum(len(part.text) for part in texts) > files.LARGEST:
-        report.add(messages.too_much_used(use.used.span, MOST))
+    if (
+        len(texts) > MOST_SHEETS
+        or sum(len(part.text) for part in texts) > files.LARGEST_DESCRIPTION
+    ):
+        report.add(messages.too_much_used(use.used.span, MOST_SHEETS))
         return None
     return used._replace(start=report.attach(used.source, use.used.span))
 
@@ -224,8 +227,8 @@ def _text(use: ast.Use, folder: Path | None, users: Users) -> Source:
     path = files.used(use.used.text, folder, span)
     if files.resolved(path) in users:
         raise MechcError([messages.used_in_a_circle(span, use.used.text)])
-    if len(users) >= DEEPEST:
-        raise MechcError([messages.too_much_used(span, MOST)])
+    if len(users) >= MOST_NESTED_SHEETS:
+        raise MechcError([messages.too_much_used(span, MOST_SHEETS)])
     try:
         return files.read(path)
     except MechcError as error:

@@ -19,7 +19,7 @@ AXES: tuple[tuple[str, int], ...] = (("x", 1), ("y", 1), ("x", -1), ("y", -1))
 """The axes by quarter turns from +x."""
 
 
-NOTHING = (Fraction(0), "")
+BARE_ZERO = (Fraction(0), "")
 """A zero without a unit, which it needs none of."""
 
 
@@ -125,9 +125,9 @@ def angle_of(axis: ast.Axis) -> ast.Expr:
 def plus(one: ast.Expr, other: ast.Expr) -> ast.Expr:
     """Return a sum: a number where both are numbers in one unit."""
     left, right = literal(one), literal(other)
-    if left == NOTHING:
+    if left == BARE_ZERO:
         return other
-    if right == NOTHING:
+    if right == BARE_ZERO:
         return one
     if left and right and left[1] == right[1]:
         return number(left[0] + right[0], left[1], one.span)

@@ -12,7 +12,7 @@ from ..statements import every
 from .composed import Used
 from .part_names import FindName
 
-WHOLE = (ast.Mirror, ast.Copies, ast.Efficiency)
+NOT_OF_A_PART = (ast.Mirror, ast.Copies, ast.Efficiency)
 """What cannot be said of a part."""
 
 
@@ -139,7 +139,7 @@ def _outside(
 def is_a_part(joining: Joining, report: Report) -> bool:
     """Return whether a mechanism can be a part; report the first reason why it cannot."""
     place, own = joining.use.used.span, joining.own
-    if strange := next((s for s in own if isinstance(s, WHOLE)), None):
+    if strange := next((s for s in own if isinstance(s, NOT_OF_A_PART)), None):
         report.add(messages.only_of_a_whole(place, strange.span))
         return False
     gravity = next((s for s in own if isinstance(s, ast.Gravity)), None)

@@ -41,7 +41,7 @@ class Loops(Protocol):
 AssemblyMeasure = Callable[[Assembly, Values], float | None]
 """Twice the area of three points, or a place along a guide; None where that is open."""
 
-FEW = 3
+LISTED_CLOSURES = 3
 """Closures that are listed in a line; more are listed in a table, and by so many directions."""
 
 
@@ -75,7 +75,7 @@ class AssemblyHints:
             return messages.MEET
         if alike:
             return messages.no_line_decides(self._apart(alike), drive)
-        if len(poses) > FEW and not refuted:
+        if len(poses) > LISTED_CLOSURES and not refuted:
             return self._table(poses, lines)
         found = [self._described(p, own) for p, own in zip(poses, lines, strict=True)]
         if refuted:
@@ -113,7 +113,7 @@ class AssemblyHints:
         angles = [
             {n: f"{math.degrees(math.remainder(p[n], 2 * math.pi)):.4g}" for n in names}
             for p in poses
-            for names in ([n for n in self._angles if n in p][:FEW],)
+            for names in ([n for n in self._angles if n in p][:LISTED_CLOSURES],)
         ]
         point = next((triple[1] for triple in self._group.triples()), self._group.cycle[0].head)
         return messages.one_row(point, modes, angles)

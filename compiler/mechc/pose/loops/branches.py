@@ -16,7 +16,7 @@ from .groups import LoopGroup, draw, rows_of, size_of, system_of
 from .reach import limits_of_drive
 from .state import LoopState
 
-STARTS = 60
+POSE_STARTS = 60
 """Random starts from which poses that close are looked for."""
 
 
@@ -58,7 +58,7 @@ def _closed(
     assert state.mechanism.drive is not None
     dice, x = Random(state.mechanism.name), state.base[state.mechanism.drive.parameter]
     size = size_of(rows_of(block), sorted(block.unknown), state.base)
-    for _ in range(STARTS):
+    for _ in range(POSE_STARTS):
         start = [draw(name in state.angles, size, dice) for name in sorted(block.unknown)]
         if found := curve.near(start, x):
             yield found

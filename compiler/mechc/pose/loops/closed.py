@@ -15,7 +15,7 @@ class OpenUnknowns(NamedTuple):
     missing: int
 
 
-NOTHING = OpenUnknowns(frozenset(), 0)
+ALL_CLOSED = OpenUnknowns(frozenset(), 0)
 """No loop is left."""
 
 

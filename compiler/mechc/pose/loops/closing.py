@@ -15,7 +15,7 @@ from ..terms import AlgebraicTerms
 from ..vector_graph import Edge, NameSet, VectorGraph, mentioned
 from ..vectors import Vectors
 from . import by_groups, state
-from .closed import NOTHING, Closed
+from .closed import ALL_CLOSED, Closed
 from .guide_lines import GuideLine, guide_lines
 
 
@@ -37,7 +37,7 @@ def close(
     if not (directions.sought or named or (lines and mechanism.drive)):
         crossed = _crossed(lines, edges, lengths)
         if not crossed:
-            return Closed(mechanism, frozenset(), {}, (), (), NOTHING, mechanism.assemblies)
+            return Closed(mechanism, frozenset(), {}, (), (), ALL_CLOSED, mechanism.assemblies)
         edges = [e for e in edges if mentioned(e.arms) & lengths <= crossed]
         lengths = crossed
     angles = frozenset(directions.sought) | _turning(mechanism, named)

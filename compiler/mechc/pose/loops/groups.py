@@ -25,13 +25,13 @@ from .closed import OpenUnknowns
 from .dyads import Closure
 from .state import LoopState
 
-STARTS = 400
+CLOSURE_STARTS = 400
 """Random starts from which closures are looked for."""
 
 VAIN = 40
 """Closures met again, one after another, after which no new one is expected."""
 
-STEPS = 40
+NEWTON_STEPS = 40
 """Newton steps after which a start is given up."""
 
 
@@ -219,7 +219,7 @@ def _solutions(
             return [tuple(near[n] for n in names)]
     found: list[tuple[float, ...]] = []
     vain = 0
-    for _ in range(STARTS):
+    for _ in range(CLOSURE_STARTS):
         if vain > VAIN:
             break
         start = {n: draw(n in state.angles, size, dice) for n in names}
@@ -265,7 +265,7 @@ def _newton(
     size: float,
 ) -> Values | None:
     """Return values at which all rows vanish, None where the start leads nowhere."""
-    for _ in range(STEPS):
+    for _ in range(NEWTON_STEPS):
         gaps = [_component(arms, part, values) for arms, part in rows]
         if max(map(abs, gaps)) < SOLVED_GAP * size:
             return values

@@ -27,10 +27,10 @@ from .dyads import Closure
 from .rated import moved_by
 from .state import LoopState
 
-SAMPLES = 720
+STROKE_PLACES = 720
 """Places along the stroke that are tried: every half degree of a full turn."""
 
-LONGEST = 80
+LONGEST_LIMIT = 80
 """A limit of more characters than this is given as a number only."""
 
 
@@ -113,7 +113,7 @@ class _Reach:
                 whole = total([inverse, (constant + Angle.constant(360 * turn)).formula()])
                 yield PossibleEnd(x + turn * 2 * math.pi, _shown(whole))
         if not exact:
-            grid = [low + (high - low) * i / SAMPLES for i in range(SAMPLES + 1)]
+            grid = [low + (high - low) * i / STROKE_PLACES for i in range(STROKE_PLACES + 1)]
             yield from (PossibleEnd(root.x) for root in roots(self._function(margin), grid))
 
     def _function(self, margin: Product) -> Callable[[float], float]:
@@ -181,4 +181,4 @@ def _shown(formula: Formula) -> str:
     ):
         return ""
     shown = text(formula)
-    return shown if len(shown) <= LONGEST else ""
+    return shown if len(shown) <= LONGEST_LIMIT else ""

@@ -18,7 +18,7 @@ from .dyads import Closure
 from .guide_lines import GuideLine
 from .rated import Rated, given_rates
 
-MANY = 3
+NAMED_DIRECTION_ANGLES = 3
 """The angles that a direction is the sum of, from which on it keeps its name."""
 
 
@@ -158,7 +158,7 @@ class LoopState:
         """
         open_ = self.angles - self.found
         for name, angle in list(self.directions.items()):
-            is_long = len(angle.terms) >= MANY and self.directions[name] == angle
+            is_long = len(angle.terms) >= NAMED_DIRECTION_ANGLES and self.directions[name] == angle
             is_long = is_long and name not in self._mirrored
             if is_long and open_.isdisjoint(angle.names):
                 self._define_direction(name, angle)

@@ -5,7 +5,7 @@ from functools import cache, partial
 from typing import Literal
 
 from ...formula.facing import (
-    LONG,
+    MOST_READ_OPERATIONS,
     ahead,
     as_in,
     condition,
@@ -56,7 +56,7 @@ class Facing:
         ``longer`` by so many operations.
         """
         faced = over_line(facing(formula, self._values, self._quarter, longer))
-        if count_operations(faced) > LONG:
+        if count_operations(faced) > MOST_READ_OPERATIONS:
             return faced
         is_turned = not self._turns.isdisjoint(symbols(formula))
         return led(geometry_first(faced, self._turns) if is_turned else faced)

@@ -17,13 +17,13 @@ from ...named import NamedTuple
 from .notation import LatexNotation
 from .printer import Box, Boxes, box, plain, row, signed
 
-LINE = 38.0
+LINE_WIDTH = 38.0
 """Room in a line, in em: A4 with margins of 25 mm at 11 pt, less some air; reports have more."""
 
-ABREAST = 40.0
+TWO_EQUATIONS_WIDTH = 40.0
 """Room for two equations in a line; widths are estimated rather too large than too small."""
 
-TOGETHER = 4
+LINES_ON_A_PAGE = 4
 """An equation of no more lines than this stands on one page."""
 
 _INDENT = 2.0
@@ -79,7 +79,7 @@ def _row(line: DisplayLine, style: LatexNotation, names: _Display) -> tuple[Box,
     if line.chain is None:
         return line.left, _fitted(line, style, names)
     whole = row((line.left, plain("="), line.chain))
-    if whole.width + names.box(line.right, line.angle).width + _INDENT <= LINE:
+    if whole.width + names.box(line.right, line.angle).width + _INDENT <= LINE_WIDTH:
         return whole, _fitted(line._replace(left=whole), style, names)
     first, *others = _fitted(line._replace(left=plain("")), style, names)
     return line.left, [line.chain, row((plain("="), first)), *others]
@@ -108,7 +108,7 @@ def _multline(parts: list[Box]) -> str:
 
 def _break(lines: int) -> str:
     """Return the end of a line of one equation, which a page parts where it is long alone."""
-    return r"\\*" if lines <= TOGETHER else r"\\"
+    return r"\\*" if lines <= LINES_ON_A_PAGE else r"\\"
 
 
 def _with_names(whole: str, names: _Display, style: LatexNotation, where: str) -> str:
@@ -132,7 +132,7 @@ def _environment(rows: list[tuple[Box, list[Box]]], boxed: bool = False) -> str:
 
 def _room(left: Box, parts: list[Box]) -> float:
     """Return how much of a line an equation takes; one of several lines takes all of it."""
-    return left.width + parts[0].width + 1.2 if len(parts) == 1 else ABREAST
+    return left.width + parts[0].width + 1.2 if len(parts) == 1 else TWO_EQUATIONS_WIDTH
 
 
 def aligned(lines: Sequence[tuple[str, float]]) -> str:
@@ -159,7 +159,10 @@ def _pairs(lines: Sequence[tuple[str, float]]) -> int:
     widths = [width for _, width in lines]
     most = 0
     for number in range(1, len(lines) // 2 + 1):
-        if max(widths[: 2 * number : 2]) + max(widths[1 : 2 * number : 2]) + _GAP > ABREAST:
+        if (
+            max(widths[: 2 * number : 2]) + max(widths[1 : 2 * number : 2]) + _GAP
+            > TWO_EQUATIONS_WIDTH
+        ):
             break
         most = number
     return most
@@ -184,7 +187,7 @@ def _aligned(left: Box, parts: list[Box]) -> str:
 
 def _fitted(line: DisplayLine, style: LatexNotation, names: _Display) -> list[Box]:
     """Return the right side as the lines that it takes."""
-    room = max(LINE - line.left.width - _INDENT, LINE / 2)
+    room = max(LINE_WIDTH - line.left.width - _INDENT, LINE_WIDTH / 2)
     whole = names.box(line.right, line.angle)
     if whole.width <= room:
         return [row((whole, Box(line.unit, 0.0))) if line.unit else whole]
@@ -197,7 +200,7 @@ def _fitted(line: DisplayLine, style: LatexNotation, names: _Display) -> list[Bo
 
 def broken(line: DisplayLine, style: LatexNotation) -> list[Box]:
     """Return the right side as the lines that it takes; none where a part of it fits on none."""
-    room = LINE - line.left.width - _INDENT
+    room = LINE_WIDTH - line.left.width - _INDENT
     if isinstance(line.right, Sum):
         terms = enumerate(line.right.terms)
         lines = _pack([signed(t, style, i == 0, line.angle) for i, t in terms], room)

@@ -8,7 +8,7 @@ from ...units import ANGLE
 from ..languages.locale import Locale
 from ..note import NoteLine
 from ..put_in import GivenQuantity
-from .display import LINE, DisplayLine, display
+from .display import LINE_WIDTH, DisplayLine, display
 from .notation import LatexNotation, name, translated
 from .printer import Box, box, latex, plain, row
 from .quantity import in_unit, math
@@ -51,11 +51,11 @@ def in_numbers(line: NoteLine, where: str, style: LatexNotation) -> str:
         needed = box(line.formula, style)
         return rf"\[ {left.tex}={found.tex}\geq {needed.tex}={asked.tex} \]"
     sides = list(_sides(line, style))
-    if line.formula and max(side.width for side in sides) > LINE:
+    if line.formula and max(side.width for side in sides) > LINE_WIDTH:
         return _broken(line, line.formula, left, sides[-1], where, style)
     if r"\end{cases}" in sides[0].tex and len(sides) > 1:
         return _behind_cases(left, sides)
-    if left.width + sum(side.width + 1.2 for side in sides) <= LINE or len(sides) == 1:
+    if left.width + sum(side.width + 1.2 for side in sides) <= LINE_WIDTH or len(sides) == 1:
         return rf"\[ {'='.join(side.tex for side in (left, *sides))} \]"
     rows = r" \\ ".join(rf"&={side.tex}" for side in sides)
     return rf"\begin{{align*}} {left.tex}{rows} \end{{align*}}"
@@ -68,7 +68,7 @@ def _behind_cases(left: Box, sides: Sequence[Box]) -> str:
     """
     value = "=".join(side.tex for side in (left, *sides[1:]))
     width = sum(side.width + 1.2 for side in (left, left, *sides))
-    between = r"\qquad " if width <= LINE else "\\]\n\\[ "
+    between = r"\qquad " if width <= LINE_WIDTH else "\\]\n\\[ "
     return rf"\[ {left.tex}={sides[0].tex}{between}{value} \]"
 
 

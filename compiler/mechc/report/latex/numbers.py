@@ -12,7 +12,7 @@ from ..by_parts import by_parts
 from ..evaluated import Evaluated
 from ..languages.locale import Locale
 from ..sentences.remarks import asked
-from .display import LINE, DisplayLine, aligned, broken
+from .display import LINE_WIDTH, DisplayLine, aligned, broken
 from .notation import LatexNotation, name
 from .printer import Box, box, latex, plain
 from .quantity import in_unit, measured, usual_unit
@@ -53,10 +53,10 @@ def _line(item: Evaluated, locale: Locale, style: LatexNotation) -> tuple[str, f
     if not parts:
         return f"{left.tex}&={value}", left.width + plain(value).width + 1.2
     width = left.width + parts[-1].width + plain(value).width + 2.4
-    between = r" \\ &=" if width > LINE else "="
+    between = r" \\ &=" if width > LINE_WIDTH else "="
     numbers = r" \\ &\quad{}".join(part.tex for part in parts)
     whole = f"{left.tex}&={numbers}{between}{value}"
-    return whole, width if len(parts) == 1 else LINE
+    return whole, width if len(parts) == 1 else LINE_WIDTH
 
 
 def numbers(

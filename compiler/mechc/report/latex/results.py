@@ -18,7 +18,7 @@ from ..languages.locale import Locale
 from ..sections import Section
 from ..sentences.remarks import asked, heading, headings, is_nameless, ratio, remarks, said
 from ..steps import Equation, Paragraph
-from .display import LINE, DisplayLine, balance, display, vanishing
+from .display import LINE_WIDTH, DisplayLine, balance, display, vanishing
 from .notation import LatexNotation, name, points, relation_sign
 from .note import alone
 from .numbers import short_derivatives, slope
@@ -114,7 +114,7 @@ def _displays(equations: Iterable[Equation], locale: Locale, style: LatexNotatio
     for _, group in groupby(equations, lambda e: e if _is_wide(e, style) else None):
         part = tuple(group)
         line = DisplayLine(box(part[0].left, style), part[0].right)
-        if _is_wide(part[0], style) and line.left.width + box(line.right, style).width > LINE:
+        if _is_wide(part[0], style) and line.left.width + box(line.right, style).width > LINE_WIDTH:
             yield _balance(part[0], locale, style)
         else:
             yield _display(part, locale, style)
@@ -158,7 +158,7 @@ def _main(
     result: Analysis, locale: Locale, style: LatexNotation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
     left = _left(result, style)
-    short = left.width + box(result.formula, style).width <= LINE
+    short = left.width + box(result.formula, style).width <= LINE_WIDTH
     if result.coefficients and not short:
         return _as_form(left, result.coefficients, locale, style)
     angle = result.dimension == ANGLE

@@ -12,10 +12,10 @@ from .locking import rounded_value, span
 from .order import enumeration
 from .speller import Speller
 
-MANY = 8
+MOST_LISTED_ZEROS = 8
 """More zeros, or poles, than this are not listed."""
 
-DIGITS = 5
+EXTREME_DIGITS = 5
 """Significant digits of an extreme value."""
 
 AS_NOTHING = 1e-6
@@ -81,7 +81,7 @@ def _singular(
         spans = enumeration([span(part, extent, locale, spell) for part in extent.nil], locale)
         yield locale.extents["0 throughout"].format(result=symbol, spans=spans)
     for kind, found in (("0", extent.zeros), ("infinite", extent.poles)):
-        if 0 < len(found) <= MANY:
+        if 0 < len(found) <= MOST_LISTED_ZEROS:
             places = _places(found, extent, locale, spell)
             yield locale.extents[kind].format(result=symbol, places=places)
 
@@ -125,5 +125,5 @@ def _at(x: float, extent: Extent, locale: Locale, spell: Speller) -> str:
 
 
 def _value(extreme: Extreme, extent: Extent, locale: Locale, spell: Speller) -> str:
-    rounded = float(f"{extreme.value / size_of(extent.scale):.{DIGITS}g}")
+    rounded = float(f"{extreme.value / size_of(extent.scale):.{EXTREME_DIGITS}g}")
     return spell.number(rounded or 0.0) + spell.unit_behind(extent.scale)

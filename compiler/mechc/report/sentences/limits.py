@@ -11,7 +11,7 @@ from .locking import span
 from .order import alternatives, positive_first
 from .speller import Speller
 
-LONG = 8
+MOST_CONDITION_OPERATIONS = 8
 """A condition of more operations says less than the places at which it holds."""
 
 
@@ -82,7 +82,7 @@ def _stated(result: Analysis, kind: str) -> list[Vanishing]:
 
 
 def _is_long(limit: Vanishing) -> bool:
-    return limit.at is None and count_operations(limit.factor) > LONG
+    return limit.at is None and count_operations(limit.factor) > MOST_CONDITION_OPERATIONS
 
 
 def _is_bare(limit: Vanishing) -> bool:

@@ -10,7 +10,7 @@ from ...study.stroke.stroke import Row, Stroke
 from ...units import size_of
 from .stroke import headed, held, unit_of, written
 
-DIGITS = 15
+DOUBLE_DIGITS = 15
 """The digits of a number: with fewer, values would be lost, with more, 30° come out as 29.99…"""
 
 
@@ -55,7 +55,7 @@ def _values(stroke: Stroke, dialect: Dialect) -> Iterator[list[str]]:
 
 
 def _number(value: float, unit: str, dialect: Dialect) -> str:
-    shown = "" if math.isnan(value) else f"{value / size_of(unit):.{DIGITS}g}"
+    shown = "" if math.isnan(value) else f"{value / size_of(unit):.{DOUBLE_DIGITS}g}"
     return shown.replace(".", dialect.decimal)
 
 

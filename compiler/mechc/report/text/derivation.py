@@ -29,7 +29,7 @@ from ..sentences.wording import (
 from ..steps import Derivation, LastStep, names_met
 from . import note
 from .given import given
-from .speller import DEEP, LINES, WIDTH, TextSpeller, speller
+from .speller import DEEP, LINE_COLUMNS, LINES, TextSpeller, speller
 
 
 def render(
@@ -39,7 +39,7 @@ def render(
     unicode: bool = True,
     numbers: bool = True,
     language: str = "en",
-    width: int = WIDTH,
+    width: int = LINE_COLUMNS,
 ) -> str:
     """Return the derivation as text, ending in a line feed.
 
@@ -110,7 +110,7 @@ def render_brief(
     unicode: bool = True,
     numbers: bool = True,
     language: str = "en",
-    width: int = WIDTH,
+    width: int = LINE_COLUMNS,
 ) -> str:
     """Return the formulas of a derivation as text: of the position, the speeds, the results.
 

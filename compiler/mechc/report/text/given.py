@@ -23,7 +23,7 @@ from ..definitions import given_loads
 from ..roles import with_roles
 from . import note
 from .printer import print_name, print_quantity
-from .speller import SHOWN, TextSpeller
+from .speller import VALUE_DIGITS, TextSpeller
 
 
 def given(
@@ -92,7 +92,9 @@ def _size(angle: Formula, spell: TextSpeller) -> str:
     if not isinstance(angle, Number):
         return spell.relation((angle,), (), True)
     value = evaluate(angle, {})
-    turn, degrees = (print_quantity(in_unit(value, u, SHOWN), spell.signs) for u in ("rad", "deg"))
+    turn, degrees = (
+        print_quantity(in_unit(value, u, VALUE_DIGITS), spell.signs) for u in ("rad", "deg")
+    )
     return f"{spell.units(turn)} ({spell.units(degrees)})"
 
 
@@ -138,7 +140,7 @@ def _stroke(mechanism: Mechanism, spell: TextSpeller) -> Iterator[str]:
     if found := own_stroke(mechanism):
         parameter, *ends = found
         unit = parameter.unit or si_unit(parameter.dimension)
-        values = (in_unit(evaluate(end, {}), unit, SHOWN) for end in ends)
+        values = (in_unit(evaluate(end, {}), unit, VALUE_DIGITS) for end in ends)
         low, high = (spell.units(print_quantity(value, spell.signs)) for value in values)
         symbol = print_name(parameter.name, spell.signs)
         driven = spell.locale.joints["driven"]

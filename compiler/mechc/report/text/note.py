@@ -20,7 +20,7 @@ from ..note import NoteLine, label, note
 from ..put_in import GivenQuantity
 from .printer import print_formula, print_name, print_quantity
 from .signs import TextSigns, tens
-from .speller import SHOWN, TextSpeller
+from .speller import VALUE_DIGITS, TextSpeller
 
 
 class NoteRow(NamedTuple):
@@ -117,14 +117,14 @@ def _given(parameter: Parameter, spell: TextSpeller, value: Formula | None = Non
         shown = parameter.written or WrittenFormula(parameter.value)
         said = _asked(shown, shown.formula, signs, parameter.name in signs.angles)
         if value is not None:
-            known = in_unit(evaluate(value, {}), _unit_of_value(parameter), SHOWN)
+            known = in_unit(evaluate(value, {}), _unit_of_value(parameter), VALUE_DIGITS)
             said += f" = {print_quantity(known, signs)}"
     else:
         size = evaluate(parameter.value, {})
-        said = print_quantity(in_unit(size, unit, SHOWN), signs)
-        said += f" ({print_quantity(in_unit(size, 'deg', SHOWN), signs)})" * (unit == "rad")
+        said = print_quantity(in_unit(size, unit, VALUE_DIGITS), signs)
+        said += f" ({print_quantity(in_unit(size, 'deg', VALUE_DIGITS), signs)})" * (unit == "rad")
     if parameter.range:
-        ends = (in_unit(evaluate(end, {}), unit, SHOWN) for end in parameter.range)
+        ends = (in_unit(evaluate(end, {}), unit, VALUE_DIGITS) for end in parameter.range)
         between = " … " if signs.fancy else " .. "
         said += f", {spell.locale.range.lower()} {print_quantity(between.join(ends), signs)}"
     texts = (spell.text(text) for text in (parameter.label, parameter.about) if text)
@@ -203,7 +203,7 @@ def _asked(line: NoteLine | WrittenFormula, formula: Formula, signs: TextSigns, 
 
 
 def _value(quantity: GivenQuantity, signs: TextSigns) -> str:
-    return print_quantity(quantity.text(SHOWN), signs)
+    return print_quantity(quantity.text(VALUE_DIGITS), signs)
 
 
 def _check(check: NoteCheck, signs: TextSigns, words: Words) -> NoteRow:

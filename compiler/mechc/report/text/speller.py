@@ -26,10 +26,10 @@ from .signs import ASCII, UNICODE, TextSigns, tens
 textwrap = Later("textwrap")
 """Breaks lines; most of what ``check`` says fits into one."""
 
-SHOWN = 6
+VALUE_DIGITS = 6
 """Significant digits of values."""
 
-WIDTH = 80
+LINE_COLUMNS = 80
 """Columns that lines keep to where they can."""
 
 LINES = 2
@@ -60,7 +60,7 @@ class TextSpeller(NamedTuple):
 
     signs: TextSigns
     locale: Locale
-    width: int = WIDTH
+    width: int = LINE_COLUMNS
     texts: Mapping[str, str] = MappingProxyType({})
     parts: RepeatedSums | None = None
 
@@ -90,7 +90,7 @@ class TextSpeller(NamedTuple):
 
     def number(self, value: float) -> str:
         """Return a number that was computed."""
-        figures = tens(f"{value:.{SHOWN}g}", self.signs)
+        figures = tens(f"{value:.{VALUE_DIGITS}g}", self.signs)
         return self.decimals(figures.replace("-", self.signs.minus))
 
     def measured(self, value: float, unit: str, digits: int) -> str:
@@ -100,8 +100,8 @@ class TextSpeller(NamedTuple):
     def quantity(self, quantity: GivenQuantity) -> str:
         """Return a value in its unit, an angle in degrees."""
         if quantity.unit != "deg":
-            return printer.print_quantity(quantity.text(SHOWN), self.signs)
-        return printer.print_side(in_degrees(quantity.value, SHOWN), self.signs, True)
+            return printer.print_quantity(quantity.text(VALUE_DIGITS), self.signs)
+        return printer.print_side(in_degrees(quantity.value, VALUE_DIGITS), self.signs, True)
 
     def unit_behind(self, unit: str) -> str:
         """Return a unit behind its number."""
@@ -172,13 +172,13 @@ class TextSpeller(NamedTuple):
     def naming(self, formulas: Iterable[Formula], made: MadeNames) -> "TextSpeller":
         """Return the speller of a page, which has names for what its formulas have repeatedly."""
         page = tuple(formulas)
-        many = (f for f in page if self._width(f) > LINES * WIDTH)
+        many = (f for f in page if self._width(f) > LINES * LINE_COLUMNS)
         repeated = RepeatedSums(many, made, self._is_long, page)
         return self._replace(parts=repeated) if repeated.sums else self
 
     def _is_long(self, part: Formula) -> bool:
         """Return whether a part of a formula takes more than half a line."""
-        return not is_angle(part, self.angles) and self._width(part) > WIDTH // 2
+        return not is_angle(part, self.angles) and self._width(part) > LINE_COLUMNS // 2
 
     def _width(self, formula: Formula) -> int:
         return len(self.relation((formula,), (), False))
@@ -209,7 +209,7 @@ def speller(
     mechanism: Mechanism,
     unicode: bool,
     language: str = "en",
-    width: int = WIDTH,
+    width: int = LINE_COLUMNS,
 ) -> TextSpeller:
     """Return the speller of mathematics, with the names that are angles in this mechanism."""
     words = locale_of(language)

@@ -42,7 +42,7 @@ ENDS = {
 FIGURES = 6
 """Significant digits of values in sentences, as reports have them; a :class:`Stroke` has all."""
 
-MOST = 13
+ENOUGH_DIGITS = 13
 """Digits beyond which the ends of an interval are one place."""
 
 
@@ -298,7 +298,7 @@ def _efficiency_range(name: str, efficiency: EfficiencyRange, shown: WrittenStro
 
 def _span(low: float, high: float, shown: WrittenStroke) -> str:
     """Return an interval, with as many digits as its ends take to be two."""
-    for digits in range(FIGURES, MOST + 1):
+    for digits in range(FIGURES, ENOUGH_DIGITS + 1):
         ends = _at(low, shown, digits), _at(high, shown, digits)
         if len({*ends}) == 2:
             break

@@ -171,8 +171,8 @@ def check_number(token: Token) -> None:
     """Refuse numbers that are too long or too large to keep exactly."""
     digits, _ = split_quantity(token)
     mantissa, _, exponent = digits.lower().partition("e")
-    if sum(c.isdigit() for c in mantissa) > limits.DIGITS:
-        raise Fault(syntax_limits.number_too_long(span_of(token), limits.DIGITS))
+    if sum(c.isdigit() for c in mantissa) > limits.MOST_DIGITS:
+        raise Fault(syntax_limits.number_too_long(span_of(token), limits.MOST_DIGITS))
     power = exponent.lstrip("+-0")
     if len(power) > 3 or int(power or 0) > limits.DECIMAL_EXPONENT:
         limit = limits.DECIMAL_EXPONENT
