@@ -15,7 +15,7 @@ from mechc.formula.to_text import text as written
 from mechc.formula.walk import symbols
 from mechc.source import Source
 from mechc.study.analysis import Acted, DeadCentre
-from mechc.study.stroke.along import Along
+from mechc.study.pose_sweep import PoseCode, PoseSweep
 from other_kinds import of_two_lengths
 from paths import LIBRARY
 from small_mechanisms import slider_crank
@@ -790,7 +790,8 @@ def test_a_column_is_what_the_formulas_call_so(name):
     compilation = Compilation(source_of(name, ""))
     plan = compilation.solution.plan
     defined = {d.name for d in (*plan.graph.pose.definitions, *plan.graph.pose.closing)}
-    along, found = Along(plan, {}), compilation.stroke(5)
+    found = compilation.stroke(5)
+    along = PoseSweep(PoseCode(plan), found.drive)
     for i, column in enumerate(found.columns):
         if column.name in defined:
             for row in found.rows:

@@ -28,13 +28,13 @@ from mechc.source import Source
 from mechc.study import ranges
 from mechc.study.analysis import Acted, Break, DeadCentre, Vanishing
 from mechc.study.expectations import random_poses
+from mechc.study.forms import holding
 from mechc.study.ratios import sizes
 from mechc.study.sampling import _beside_ends, _jumps, _loose
 from mechc.study.sampling import looked_at as values_looked_at
 from mechc.study.states import AgainstFriction, Found, Moving, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
-from mechc.study.stroke.forms import holding
 from mechc.study.stroke.rows import from_both_sides
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
 from mechc.study.stroke.stretches import with_reached

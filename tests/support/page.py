@@ -35,6 +35,9 @@ DIGITS = 2e-5
 NIL = 1e-8
 """A smaller number may be zero: angles at the end of a loop have half the digits of others."""
 
+ZERO, LEFT_OF_ZERO = 1e-12, 1e-6
+"""What is zero but for rounding, and what constants in six figures may leave of it."""
+
 
 class Page:
     """The equations of a report, and what its names stand for."""
@@ -91,7 +94,8 @@ class Page:
                 meant = known.setdefault(left, value)
                 if math.isnan(value) or math.isnan(meant):
                     continue
-                if not math.isclose(value, meant, rel_tol=DIGITS, abs_tol=NIL):
+                nil = LEFT_OF_ZERO if abs(meant) < ZERO else NIL
+                if not math.isclose(value, meant, rel_tol=DIGITS, abs_tol=nil):
                     yield f"{left} is {meant}, not {value} = {right}"
 
     def _value(self, tex: str, known: Mapping[str, float]) -> float | None:

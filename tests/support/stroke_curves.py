@@ -233,7 +233,8 @@ def values_of_extrema(seen: Curve) -> Iterator[str]:
 
 def sides_of_jumps(seen: Curve) -> Iterator[str]:
     for jump in seen.jumps:
-        beside = seen.at(np.array([-1e-7, 1e-7]) * seen.range + jump.drive)
+        near, far = (seen.at(np.array([-x, x]) * seen.range + jump.drive) for x in (1e-7, 2e-7))
+        beside = 2 * near - far
         stated = jump.sides or ()
         if not all(
             math.isclose(k, side, rel_tol=1e-3, abs_tol=1e-12)

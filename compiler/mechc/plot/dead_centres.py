@@ -7,7 +7,7 @@ from ..frozen import frozen, replace
 from ..model.values import Chain, Values, defaults, following
 from ..pose.pose import Pose
 from ..study.analysis import Analysis, DeadCentre, Vanishing
-from ..study.stroke.forms import form
+from ..study.forms import form
 from .plot import Curve, Plot
 
 NEAR, ASIDE = 1e-12, 1e-3

@@ -18,6 +18,7 @@ from ..friction.solution import Solution
 from ..model.mechanism import Find, LoadForm, LoadRatio, WithFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
+from .pose_sweep import PoseCode
 from .ranges import moved, shown, spans, turns
 from .ratios import sizes
 from .sampling import looked_at
@@ -72,6 +73,7 @@ class _Comparison:
         self._ratios = Ratios(Ideal(ideal), real, find.target.sense)
         self._mechanism = solution.plan.graph.pose.mechanism
         self._loads = sizes(self._mechanism, real)
+        self._code = PoseCode(solution.plan)
 
     def remark(self, report: Report) -> None:
         """Warn where both differ much, at the default pose or on a range."""
@@ -88,7 +90,7 @@ class _Comparison:
             report.add(messages.efficiency_beside_friction(self._find.span, given, found))
 
     def _moving(self, name: str) -> Moving:
-        sweep = Sweep(self._solution.plan, name, self._loads or {})
+        sweep = Sweep(self._code, name, loads=self._loads)
         return self._ratios.along(self._ratios.ideal_along(sweep))
 
     def _given(self, moving: Moving, x: float) -> float:
@@ -121,8 +123,9 @@ def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
     loads = sizes(mechanism, ideal)
     if loads is None or ideal.default is None:
         return
+    code = PoseCode(solution.plan)
     for name in moved(mechanism, (ideal,)):
-        sweep, ends = Sweep(solution.plan, name, loads), range_of(name, mechanism)
+        sweep, ends = Sweep(code, name, loads=loads), range_of(name, mechanism)
         here = sweep.defaults[name]
         whole = ends or (here, here)
         scale = 1.0 if turns(name, mechanism) else whole[1] - whole[0]
@@ -142,8 +145,8 @@ class _Slope:
 
     def is_steep(self, x: float) -> bool:
         """Return whether the ratio changes fast, passes zero or has no value."""
-        step, here = DIFFERENCE * self._scale, self._sweep.of(self._ideal, x)
-        before, after = (self._sweep.of(self._ideal, x + s) for s in (-step, step))
+        step, here = DIFFERENCE * self._scale, self._sweep.standing(self._ideal, x)
+        before, after = (self._sweep.standing(self._ideal, x + s) for s in (-step, step))
         first, last = (v if math.isfinite(v) else here for v in (before, after))
         if not first * last > 0:
             return True

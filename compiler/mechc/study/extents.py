@@ -2,14 +2,16 @@
 
 import math
 from collections.abc import Collection, Iterator, Sequence
+from functools import partial
 
 from ..diagnostics import Report
-from ..formula.roots import lowest, spaced
+from ..formula.roots import Function, lowest, spaced
 from ..friction.solution import Solution
 from ..frozen import replace
 from ..model.mechanism import Drive, LoadRatio, SpeedRatio
 from ..model.values import range_of
 from .analysis import Analysis, Extent, Extreme, Trend, least_and_greatest
+from .pose_sweep import PoseCode
 from .ranges import extends, scale_of, turns, unit_of, varying
 from .stroke import extent
 from .sweep import Sweep
@@ -76,9 +78,10 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
     is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
     if not is_ratio or not bounded or result.default is None:
         return
+    code = PoseCode(solution.plan)
     for one in _of_trends(solution, result, ["turns"]):
-        sweep = Sweep(solution.plan, one.parameter, {})
-        extremes = _extremes(sweep, result, spaced(*one.range, EXTENT_CELLS))
+        sweep = Sweep(code, one.parameter, one.range)
+        extremes = _extremes(partial(sweep.standing, result), spaced(*one.range, EXTENT_CELLS))
         if extremes:
             low, high = least_and_greatest(extremes)
             yield replace(one, least=low, greatest=high)
@@ -91,11 +94,11 @@ def _at_ends(solution: Solution, result: Analysis, moving: Collection[str]) -> I
     """
     if not isinstance(result.target, LoadRatio | SpeedRatio):
         return
-    known = {*moving, *(result.proportional or {})}
+    code, known = PoseCode(solution.plan), {*moving, *(result.proportional or {})}
     for one in _of_trends(solution, result, ["rises", "falls"]):
         if one.parameter in known:
             continue
-        sweep = Sweep(solution.plan, one.parameter, {})
+        sweep = Sweep(code, one.parameter, one.range)
         reached = [(x, sweep.beyond_rounding(result, x)) for x in one.range]
         ends = [Extreme(x, y) for x, y in reached if y is not None and math.isfinite(y)]
         if len(ends) == len(reached):
@@ -122,19 +125,19 @@ def _of_trends(solution: Solution, result: Analysis, trends: Collection[Trend]) 
             )
 
 
-def _extremes(sweep: Sweep, result: Analysis, grid: Sequence[float]) -> list[Extreme]:
+def _extremes(at: Function, grid: Sequence[float]) -> list[Extreme]:
     """Return the values at the ends of a range and where they turn; none where some are missing."""
-    values = [sweep.of(result, x) for x in grid]
+    values = [*map(at, grid)]
     if not all(map(math.isfinite, values)):
         return []
     turning = [grid[0], grid[-1]]
     for i in range(1, len(grid) - 1):
         for sense in (1, -1):
             if sense * values[i] <= min(sense * values[i - 1], sense * values[i + 1]):
-                turning.append(_turning(sweep, result, sense, grid[i - 1], grid[i + 1]))
-    turning += _beside_ends(sweep, result, grid, values)
+                turning.append(_turning(at, sense, grid[i - 1], grid[i + 1]))
+    turning += _beside_ends(at, grid, values)
     most = max(map(abs, values))
-    return [Extreme(x, _without_rounding(sweep.of(result, x), most)) for x in turning]
+    return [Extreme(x, _without_rounding(at(x), most)) for x in turning]
 
 
 def _without_rounding(value: float, most: float) -> float:
@@ -142,17 +145,15 @@ def _without_rounding(value: float, most: float) -> float:
     return 0.0 if abs(value) < SAME_FIGURE * most else value
 
 
-def _beside_ends(
-    sweep: Sweep, result: Analysis, grid: Sequence[float], values: Sequence[float]
-) -> Iterator[float]:
+def _beside_ends(at: Function, grid: Sequence[float], values: Sequence[float]) -> Iterator[float]:
     """Yield where a result turns within the first and the last cell, beyond both ends of it."""
     for i in (0, len(grid) - 2):
         for sense in (1, -1):
-            x = _turning(sweep, result, sense, grid[i], grid[i + 1])
-            beyond = min(sense * values[i], sense * values[i + 1]) - sense * sweep.of(result, x)
+            x = _turning(at, sense, grid[i], grid[i + 1])
+            beyond = min(sense * values[i], sense * values[i + 1]) - sense * at(x)
             if beyond > SAME_FIGURE * abs(values[i]):
                 yield x
 
 
-def _turning(sweep: Sweep, result: Analysis, sense: int, low: float, high: float) -> float:
-    return lowest(lambda x: sense * sweep.of(result, x), low, high)
+def _turning(at: Function, sense: int, low: float, high: float) -> float:
+    return lowest(lambda x: sense * at(x), low, high)

@@ -178,7 +178,7 @@ class _Intervals:
         a, b = grid[i], grid[i + way]
         here, there = self.moving.at(a), self.moving.at(b)
         if here.driven != there.driven:
-            is_pose = bool(self.moving.sweep.values(b))
+            is_pose = not self.moving.sweep.trouble(b)
             return self._bound(
                 dead_centre(self.moving, a, b), self.moving.ideal, (zeros, poles), is_pose
             )

@@ -11,10 +11,11 @@ from ..model.parts.friction import GuideFriction, PinFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
 from .intervals import USUAL, EfficiencyRange, Range
+from .pose_sweep import PoseCode
 from .ranges import moved, spans, unit_of, varying
 from .sampling import looked_at
 from .states import Ideal, IdealAlong, Moving, Ratios
-from .sweep import Code, Sweep
+from .sweep import Sweep
 from .tolerances import SAME_EFFICIENCY
 
 
@@ -24,7 +25,7 @@ class Study:
     def __init__(self, solution: Solution) -> None:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
-        self._code = Code(solution.plan)
+        self._code = PoseCode(solution.plan)
         self._ideals: dict[str, Ideal] = {}
         self._ideals_along: dict[tuple[str, bool, str, frozenset[str]], IdealAlong] = {}
         self._ratios: dict[tuple[str, Sense], Ratios] = {}
@@ -70,7 +71,7 @@ class Study:
         """Return the sweep along a parameter: poses are the same in both senses of motion."""
         key = parameter, frozenset(loads)
         if key not in self._sweep:
-            self._sweep[key] = Sweep(self.solution.plan, parameter, loads, self._code)
+            self._sweep[key] = Sweep(self._code, parameter, loads=loads)
         return self._sweep[key]
 
 

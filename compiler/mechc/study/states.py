@@ -11,20 +11,21 @@ found at all, nothing is said.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 
 from ..formula.evaluate import status_along
 from ..formula.newton import Status
-from ..formula.tree import ZERO, Formula, Implicit, Number, Power, Product, Symbol, is_call
+from ..formula.tree import Formula, Implicit, Number, Power, Product, Symbol, is_call
 from ..formula.walk import symbols, walk
 from ..frozen import replace
 from ..model.parts.targets import SIGNS, Sense
-from ..model.result import Definition, FrictionResult, Result
+from ..model.result import FrictionResult, Result
 from ..model.values import Values
 from ..named import NamedTuple
 from .intervals import Range, State
-from .sweep import VALUE, Sweep
+from .pose_sweep import Functions
+from .sweep import Sweep
 from .tolerances import BESIDE_REST, NEGLIGIBLE
 
 
@@ -54,15 +55,14 @@ class Ideal:
         self.result = result
 
     @cached_property
-    def factors(self) -> Result:
-        """Return a result that has the factors of the ratio."""
-        return parts_of(self.result, factors(self.result.formula, dict(self.result.where)))
+    def factors(self) -> list[Formula]:
+        """Return the factors of the ratio."""
+        return [*factors(self.result.formula, dict(self.result.where))]
 
     @cached_property
-    def divisors(self) -> Result:
-        """Return a result that has the divisors in the terms of the ratio."""
-        divisors = divisors_of_terms(self.result.formula, dict(self.result.where))
-        return parts_of(self.result, divisors)
+    def divisors(self) -> list[Formula]:
+        """Return the divisors in the terms of the ratio."""
+        return [*divisors_of_terms(self.result.formula, dict(self.result.where))]
 
 
 class IdealAlong:
@@ -75,12 +75,10 @@ class IdealAlong:
         self.sweep, self.result, self._ideal = sweep, ideal.result, ideal
         self.centres: dict[Range, tuple[float, ...]] = {}
         self._dead: dict[float, bool] = {}
-        self._factors: dict[float, tuple[float, ...]] = {}
-        self._divisors: dict[float, tuple[float, ...]] = {}
 
     def at(self, x: float) -> float:
         """Return the ratio."""
-        return self.sweep.of(self.result, x)
+        return self.sweep.standing(self.result, x)
 
     def is_dead_centre(self, x: float) -> bool:
         """Return whether the ratio is 0 or infinite, but for rounding, or there is none."""
@@ -107,18 +105,21 @@ class IdealAlong:
         ideal = self.sweep.beyond_rounding(self.result, x)
         return ideal if ideal is not None and math.isfinite(ideal) else 0.0
 
-    def factors(self, x: float) -> tuple[float, ...]:
+    def factors(self, x: float) -> Sequence[float]:
         """Return the factors of the ratio: each is zero at a dead centre."""
-        if x not in self._factors:
-            is_dead = self.is_dead_centre(x)
-            self._factors[x] = () if is_dead else self.sweep.parts(self._ideal.factors, x)
-        return self._factors[x]
+        return () if self.is_dead_centre(x) else self._factors(x)
 
-    def divisors(self, x: float) -> tuple[float, ...]:
+    @cached_property
+    def _factors(self) -> Functions:
+        return self.sweep.together(self._ideal.factors, self.result.where)
+
+    def divisors(self, x: float) -> Sequence[float]:
         """Return the divisors in terms of the ratio: each is 0 at a pole."""
-        if x not in self._divisors:
-            self._divisors[x] = self.sweep.parts(self._ideal.divisors, x)
-        return self._divisors[x]
+        return () if self.sweep.trouble(x) else self._divisors(x)
+
+    @cached_property
+    def _divisors(self) -> Functions:
+        return self.sweep.together(self._ideal.divisors, self.result.where)
 
 
 class ZeroAlong(IdealAlong):
@@ -147,6 +148,11 @@ class Ratios:
         return (AgainstFriction if self.real.is_idle else Moving)(ideal, self)
 
     @cached_property
+    def forms(self) -> tuple[Result, Result | None]:
+        """Return the ratio with friction, and that for where it has no value, each on its own."""
+        return replace(self.real, elsewhere=None), self.real.elsewhere
+
+    @cached_property
     def is_iterated(self) -> bool:
         """Return whether friction is found by iteration."""
         return any(solutions(self.real))
@@ -157,10 +163,10 @@ class Ratios:
         return any(isinstance(f, Implicit) for d in self.real.where for f in walk(d.formula))
 
     @cached_property
-    def signs(self) -> Result:
-        """Return a result that has all signs in the ratio with friction."""
+    def signs(self) -> list[Formula]:
+        """Return all signs in the ratio with friction."""
         parts = (part for d in self.real.where for part in walk(d.formula))
-        return parts_of(self.real, filter(is_sign, parts))
+        return [*dict.fromkeys(filter(is_sign, parts))]
 
     def ways(self, result: Result) -> list[HowItEnds]:
         """Return the ways to the solutions of a result's systems."""
@@ -179,7 +185,6 @@ class Moving:
         self.is_iterated, self.is_slow = ratios.is_iterated, ratios.is_slow
         self._known: dict[float, Found] = {}
         self._driven: dict[float, bool | None] = {}
-        self._signs: dict[float, tuple[float, ...]] = {}
 
     def at(self, x: float) -> Found:
         """Return the state at a value of the parameter."""
@@ -202,17 +207,19 @@ class Moving:
         """Return the ratio without friction."""
         return self.ideal_along.at(x)
 
-    def signs(self, x: float) -> tuple[float, ...]:
+    def signs(self, x: float) -> Sequence[float]:
         """Return the signs of slips and forces: where one changes, friction may jump."""
-        if x not in self._signs:
-            self._signs[x] = self.sweep.parts(self._ratios.signs, x)
-        return self._signs[x]
+        return () if self.sweep.trouble(x) else self._signs(x)
 
-    def factors(self, x: float) -> tuple[float, ...]:
+    @cached_property
+    def _signs(self) -> Functions:
+        return self.sweep.together(self._ratios.signs, self._ratios.real.where)
+
+    def factors(self, x: float) -> Sequence[float]:
         """Return the factors of the ratio without friction: each is zero at a dead centre."""
         return self.ideal_along.factors(x)
 
-    def divisors(self, x: float) -> tuple[float, ...]:
+    def divisors(self, x: float) -> Sequence[float]:
         """Return the divisors in terms of the ratio without friction: each is 0 at a pole."""
         return self.ideal_along.divisors(x)
 
@@ -228,13 +235,13 @@ class Moving:
 
         Friction has no sense there, and what is without it is the limit of neither side.
         """
-        real = self._ratios.real
-        rest = self.sweep.at_rest(real, x)
+        where = self._ratios.real.where
+        rest = self.sweep.at_rest(where, x)
         if not rest:
             return x
         step = BESIDE_REST * max(abs(x), 1.0)
-        sides = (side for side in (x - step, x + step) if self.sweep.values(side))
-        return next((side for side in sides if self.sweep.at_rest(real, side) < rest), x)
+        sides = (side for side in (x - step, x + step) if not self.sweep.trouble(side))
+        return next((side for side in sides if self.sweep.at_rest(where, side) < rest), x)
 
     def _state(self, real: float, x: float, driven: bool) -> Found:
         """Return the state in a pose by the ratio with friction there."""
@@ -245,15 +252,13 @@ class Moving:
 
     def _real(self, x: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
-        real, x = self._ratios.real, self._beside_rest(x)
-        found = self._value(real, x)
-        if found is None and real.elsewhere:
-            return self._value(real.elsewhere, x)
-        return found
+        (form, elsewhere), x = self._ratios.forms, self._beside_rest(x)
+        found = self._value(form, x)
+        return self._value(elsewhere, x) if elsewhere and found is None else found
 
     def _value(self, result: Result, x: float) -> float | None:
         """Return a result's value, NaN where its system says that there is none."""
-        found = self.sweep.guarded(result, x)
+        found = self.sweep.standing(result, x)
         if math.isfinite(found):
             return found
         values = self.sweep.named(result, x)
@@ -376,14 +381,3 @@ def _divisors_in(
                 yield from _divisors_in(where[name], where, seen)
             case _:
                 pass
-
-
-def parts_of(result: Result, parts: Iterable[Formula]) -> Result:
-    """Return a result whose last definitions are parts of another, after what they rest on."""
-    where = [Definition(f"{VALUE}{i}", part) for i, part in enumerate(dict.fromkeys(parts))]
-    needed = frozenset[str]().union(*(symbols(part.formula) for part in where))
-    for definition in reversed(result.where):
-        if definition.name in needed:
-            where.insert(0, definition)
-            needed |= symbols(definition.formula)
-    return replace(result, formula=ZERO, where=tuple(where), guards=())

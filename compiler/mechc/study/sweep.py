@@ -1,190 +1,131 @@
-"""Results where one parameter varies and the others stand at their values."""
+"""Results along one parameter, and what of them is nothing but rounding."""
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import partial
 
-from ..formula.rounding import Rounding, beyond_rounding
+from ..formula.roots import Function
+from ..formula.rounding import beyond_rounding
 from ..formula.tree import Formula, is_call
 from ..formula.walk import symbols
-from ..kinematics.plan import Plan
+from ..friction.at_rest import one_or_both
 from ..model.result import Result
-from ..model.values import Chain, Values, allowed, compare, defaults, dependent
-
-VALUE, LEFT, RIGHT = "=", "<", ">"
-"""What a result's value, and the sides of its guards, are called, next to its definitions."""
-
-SOON = 4
-"""Code along a range is compiled when it has been used so often: most is used a hundred times."""
+from ..model.values import Chain, Looked, Values, of_sound_form, standing
+from .forms import Definitions, together
+from .pose_sweep import Functions, PoseCode, PoseSweep, keeping
+from .tolerances import SAME_SIDES, SIDE
 
 
-class Code:
-    """The formulas of a pose and of results as code, the same whatever parameter varies."""
-
-    def __init__(self, plan: Plan) -> None:
-        pose = plan.graph.pose
-        lets = {let.name: let.value for let in pose.mechanism.lets}
-        self.formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
-        self.pose = Chain(self.formulas)
-        self._closing = tuple(definition.name for definition in pose.definitions)
-        self._forms: dict[tuple[int, frozenset[str]], tuple[Result, ResultCode]] = {}
-
-    def closes(self, values: Values) -> bool:
-        """Return whether loops close with values: nothing that closes them is undefined."""
-        return not any(math.isnan(values.get(name, 0.0)) for name in self._closing)
-
-    def of(self, result: Result, known: frozenset[str]) -> "ResultCode":
-        """Return a result in names that have values in a pose."""
-        key = id(result), known
-        if key not in self._forms:
-            self._forms[key] = result, ResultCode(result, known)
-        return self._forms[key][1]
-
-
-class ResultCode:
-    """A result, with its definitions and the sides of its guards, in names that have values."""
-
-    def __init__(self, result: Result, known: frozenset[str]) -> None:
-        self._code = Chain(_formulas(result)).completion(known, SOON)
-        places = {name: place for place, name in enumerate(self._code.names)}
-        self._value = places.get(VALUE)
-        guards = enumerate(guard.operator for guard in result.guards)
-        sides = ((places.get(f"{LEFT}{i}"), sign, places.get(f"{RIGHT}{i}")) for i, sign in guards)
-        self._guards = [(a, sign, b) for a, sign, b in sides if a is not None and b is not None]
-        self._parts = [
-            places[d.name] for d in result.where if d.name.startswith(VALUE) and d.name in places
-        ]
-        senses = (d.name for d in result.where if is_call(d.formula, "sense"))
-        self._senses = [places[name] for name in senses if name in places]
-
-    def following(self, values: Values) -> list[float]:
-        """Return the values of the definitions, of the result and of the sides of its guards."""
-        return self._code.following(values)
-
-    def value(self, found: Sequence[float]) -> float:
-        """Return the result's own value among them, NaN where it has none."""
-        return math.nan if self._value is None else found[self._value]
-
-    def guarded(self, found: Sequence[float]) -> float:
-        """Return the result's own value, NaN as well where a guard does not hold."""
-        sound = all(compare(found[i], sign, found[j]) for i, sign, j in self._guards)
-        return self.value(found) if sound else math.nan
-
-    def parts(self, found: Sequence[float]) -> tuple[float, ...]:
-        """Return the values of the definitions that are called parts, as far as they have any."""
-        return tuple(map(found.__getitem__, self._parts))
-
-    def at_rest(self, found: Sequence[float]) -> int:
-        """Return how many slips are 0, so that their friction has no sense."""
-        return sum(found[i] == 0 for i in self._senses)
-
-    def named(self, found: Sequence[float]) -> dict[str, float]:
-        """Return all of them by name."""
-        return dict(zip(self._code.names, found, strict=True))
-
-
-class Sweep:
-    """Evaluates results; ``loads`` are sizes of loads that nobody gives."""
+class Sweep(PoseSweep):
+    """Evaluates formulas of results in the poses along a parameter."""
 
     def __init__(
-        self, plan: Plan, parameter: str, loads: Mapping[str, float], code: Code | None = None
+        self,
+        code: PoseCode,
+        parameter: str,
+        ends: Sequence[float] = (),
+        loads: Mapping[str, float] | None = None,
     ) -> None:
-        self._mechanism = plan.graph.pose.mechanism
-        self._parameter = parameter
-        self.defaults = {**loads, **defaults(self._mechanism)}
-        self._code = code or Code(plan)
-        self._known: dict[float, dict[str, float]] = {}
-        self._found: dict[tuple[int, float], float] = {}
-        self._sizes: dict[tuple[int, float], float | None] = {}
-        self._rounding: dict[float, Rounding] = {}
-        given = frozenset((*self.defaults, parameter))
-        self._pose = self._code.pose.completion(given, SOON)
-        self._names = given.union(self._pose.names)
-        self._last: tuple[Result, float, ResultCode, list[float]] | None = None
+        super().__init__(code, parameter, ends, loads)
+        self._step = SIDE * (max(ends) - min(ends) if ends else 1.0)
+        self._senses: dict[int, tuple[Definitions, Functions | None]] = {}
+        self._functions: dict[tuple[int, int], tuple[Formula, Result | None, Function]] = {}
 
-    def values(self, x: float) -> dict[str, float]:
-        """Return the values of all names that have one; nothing where no pose is allowed.
+    def of(self, formula: Formula, where: Result | None, x: float) -> float:
+        """Return a formula's value, with the definitions of a result; NaN where it has none.
 
-        Nor is there anything where a loop does not close, be it one that a result does not rest on.
+        It has none either where a condition of the result is broken; where the result has a
+        form for elsewhere, its value is that of the form that stands. Where a slip is 0 for once,
+        it is the limit, or one of both where the result jumps.
         """
-        if x not in self._known:
-            values = self._pose.complete({**self.defaults, self._parameter: x})
-            is_pose = self._code.closes(values) and allowed(self._mechanism, values)
-            self._known[x] = values if is_pose else {}
-        return self._known[x]
+        return self.function(formula, where)(x)
 
-    @property
-    def default(self) -> float:
-        """Return the parameter's own value; any value where it is none of the mechanism."""
-        return self.defaults.get(self._parameter, 0.0)
+    def function(self, formula: Formula, where: Result | None) -> Function:
+        """Return a formula as a function of the parameter, which keeps its values."""
+        key = id(formula), id(where)
+        if key not in self._functions:
+            value = keeping(self.code.form(formula, where, self.names), self.values)
+            senses = self._senses_of(where.where) if where else None
+            value = value if senses is None else partial(self._on_sides, value, senses)
+            self._functions[key] = formula, where, value
+        return self._functions[key][2]
 
-    def beyond_rounding(self, result: Result, x: float) -> float | None:
-        """Return a result's value without what is nothing but rounding; None where it has none."""
-        key = id(result), x
-        if key not in self._sizes:
-            number, rounding = self.of(result, x), self._rounding_at(x)
-            size = beyond_rounding(number, result.formula, result.where, rounding)
-            self._sizes[key] = size.number
-        return self._sizes[key]
+    def standing(self, result: Result, x: float) -> float:
+        """Return a result's value, NaN as well where there is no pose."""
+        return math.nan if self.trouble(x) else self.of(result.formula, result, x)
 
-    def _rounding_at(self, x: float) -> Rounding:
-        if x not in self._rounding:
-            rounding = Rounding({**self.defaults, self._parameter: x})
-            rounding.define(self._code.pose.definitions)
-            self._rounding[x] = rounding
-        return self._rounding[x]
+    def named(self, result: Result, x: float) -> Values:
+        """Return the values at ``x``, those of the names in a result among them."""
+        return Chain(dict(result.where)).complete(self.values(x))
+
+    def together(self, formulas: Sequence[Formula], definitions: Definitions) -> Functions:
+        """Return formulas as one function of the parameter, those that have a value along it."""
+        return keeping(together(formulas, self.names, definitions), self.values)
+
+    def _on_sides(self, value: Function, senses: Functions, x: float) -> float:
+        """Return a value, the limit of it where a slip is 0 for once."""
+        limits = [side for side in self._sides(value, senses, x) if math.isfinite(side)]
+        return limits[0] if limits else value(x)
+
+    def sides(self, value: Function, where: Definitions, x: float) -> Sequence[float]:
+        """Return the limits of a result where a slip is 0 for once, one where they are alike.
+
+        Friction has no sense there, and what is without it is the limit of neither side; NaN
+        stands for one on which nothing balances. There are none where no slip is 0, or each is on
+        both sides as well.
+        """
+        senses = self._senses_of(where)
+        return () if senses is None else self._sides(value, senses, x)
+
+    def _sides(self, value: Function, senses: Functions, x: float) -> Sequence[float]:
+        rest = senses(x).count(0)
+        if not rest:
+            return ()
+        steps = [s * self._step for s in (-1, 1)]
+        moving = (step for step in steps if senses(x + step).count(0) < rest)
+        away = [step for step in moving if not self.trouble(x + step)]
+        limits = [2 * value(x + step) - value(x + 2 * step) for step in away]
+        return one_or_both(limits, SAME_SIDES)
+
+    def at_rest(self, where: Definitions, x: float) -> int:
+        """Return how many slips in definitions are 0, so that their friction has no sense."""
+        senses = self._senses_of(where)
+        return senses(x).count(0) if senses else 0
+
+    def _senses_of(self, where: Definitions) -> Functions | None:
+        """Return the senses of slips in definitions as a function of the parameter, if any.
+
+        Those without a value along it are NaN.
+        """
+        if id(where) not in self._senses:
+            found = [d[1] for d in where if is_call(d[1], "sense")]
+            self._senses[id(where)] = where, self.together(found, where) if found else None
+        return self._senses[id(where)][1]
+
+    def beyond_rounding(
+        self, result: Result, x: float, number: float | None = None
+    ) -> float | None:
+        """Return a result's value, ``number`` if that is known, without what is only rounding."""
+        known = self.standing(result, x) if number is None else number
+
+        def look(at: Result) -> Looked:
+            form = self.form_at(at, x)
+            value = known if at is result else self.of(at.formula, at, x)
+            return Looked(form, value, beyond_rounding(value, form.formula, form.where, rounding))
+
+        rounding = self.rounding(x)
+        return of_sound_form(result, look).number
+
+    def form_at(self, result: Result, x: float) -> Result:
+        """Return the form of a result that has a value: the one for elsewhere, perhaps."""
+        return standing(result, self.values(x)) or result if result.elsewhere else result
 
     def varying(self, result: Result) -> set[str]:
         """Return the parameter and the names that vary with it, those of a result among them."""
-        formulas = {**self._code.formulas, **dict(result.where)}
+        formulas = {**dict(self.code.chain.definitions), **dict(result.where)}
         needed = {name: symbols(formula) for name, formula in formulas.items()}
-        varying, before = {self._parameter}, 0
+        varying, before = {self.parameter}, 0
         while len(varying) > before:
             before = len(varying)
             varying |= {n for n, needs in needed.items() if not varying.isdisjoint(needs)}
         return varying
-
-    def of(self, result: Result, x: float) -> float:
-        """Return a result's value, NaN where it has none."""
-        key = id(result), x
-        if key not in self._found:
-            form, found = self._following(result, x)
-            self._found[key] = form.value(found)
-        return self._found[key]
-
-    def guarded(self, result: Result, x: float) -> float:
-        """Return a result's value, NaN as well where a guard of it does not hold."""
-        form, found = self._following(result, x)
-        return form.guarded(found)
-
-    def at_rest(self, result: Result, x: float) -> int:
-        """Return how many slips in a result are 0, so that their friction has no sense."""
-        form, found = self._following(result, x)
-        return form.at_rest(found)
-
-    def parts(self, result: Result, x: float) -> tuple[float, ...]:
-        """Return the values of the definitions of a result that are called parts."""
-        form, found = self._following(result, x)
-        return form.parts(found) if self.values(x) else ()
-
-    def named(self, result: Result, x: float) -> dict[str, float]:
-        """Return the values at ``x``, those of the names in a result among them."""
-        form, found = self._following(result, x)
-        return {**self.values(x), **form.named(found)}
-
-    def _following(self, result: Result, x: float) -> tuple[ResultCode, list[float]]:
-        """Return a result as code, and what it gives at ``x``; the last is kept."""
-        if self._last and self._last[0] is result and self._last[1] == x:
-            return self._last[2:]
-        values = self.values(x)
-        form = self._code.of(result, self._names if values else frozenset())
-        found = form.following(values)
-        self._last = result, x, form, found
-        return form, found
-
-
-def _formulas(result: Result) -> dict[str, Formula]:
-    """Return a result's definitions, and with them its value and the sides of its guards."""
-    found = {**dict(result.where), VALUE: result.formula}
-    for i, guard in enumerate(result.guards):
-        found |= {f"{LEFT}{i}": guard.left, f"{RIGHT}{i}": guard.right}
-    return found

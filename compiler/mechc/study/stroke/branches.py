@@ -13,21 +13,21 @@ from ...algebra.sums import add
 from ...formula.roots import Function, Root, lowest, roots
 from ...formula.walk import symbols
 from ...pose.pose import Pose
+from ..pose_sweep import PoseSweep
 from ..tolerances import SAME_VALUE, TOUCHING_WIDTH, VANISHED_MARGIN
-from .along import Along
 from .stroke import Branch
 
 TOUCHING = 0.25
 """What is left of a margin beside where it is touched, at most: a ninth of a parabola's."""
 
 
-def branch_points(pose: Pose, along: Along, grid: Sequence[float]) -> tuple[Branch, ...]:
+def branch_points(pose: Pose, along: PoseSweep, grid: Sequence[float]) -> tuple[Branch, ...]:
     """Return the branch points between the first and the last point of a grid, in their order."""
     margins = [(limit.loop, margin) for limit in pose.limits for margin in limit.margins]
     slopes = {
         i: slope for i, (_, m) in enumerate(margins) if (slope := _slope(m, pose)) is not None
     }
-    curves = along.together([*(margin for _, margin in margins), *slopes.values()])
+    curves = along.inside_together([*(margin for _, margin in margins), *slopes.values()])
     sloping = dict(zip(slopes, curves[len(margins) :], strict=True))
     found = [
         Branch(loop, *root)

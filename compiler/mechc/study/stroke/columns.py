@@ -16,7 +16,7 @@ from ...model.values import Chain, Values
 from ...named import NamedTuple
 from ...pose.motion import Motion, MotionQuantity
 from ...units import Dimension
-from .along import Along
+from ..sweep import Sweep
 from .stroke import Column
 
 ALL = "all"
@@ -71,7 +71,7 @@ def asked(motion: Motion | None, paths: Sequence[str]) -> ShownQuantities:
 
 
 def path_columns(
-    asked: ShownQuantities, along: Along, unit: Callable[[Dimension], str]
+    asked: ShownQuantities, along: Sweep, unit: Callable[[Dimension], str]
 ) -> Iterator[Filled]:
     """Yield the columns of what is asked for."""
     moving = _Moving(asked.definitions, along)
@@ -89,7 +89,7 @@ def path_columns(
 class _Moving:
     """Evaluates the formulas of a motion along the drive."""
 
-    def __init__(self, definitions: Sequence[tuple[str, Formula]], along: Along) -> None:
+    def __init__(self, definitions: Sequence[tuple[str, Formula]], along: Sweep) -> None:
         self._along = along
         self._chain = Chain(dict(definitions))
         self._definitions = [Definition(*d) for d in self._chain.definitions]

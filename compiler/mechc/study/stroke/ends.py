@@ -15,7 +15,7 @@ from ...model.values import Chain, following
 from ...named import NamedTuple
 from ...pose.pose import Pose
 from ...units import LENGTH
-from .along import Along
+from ..pose_sweep import PoseSweep
 
 Outer = Callable[[float], Sequence[float]]
 """The outer symbols of a system at a value of the drive."""
@@ -34,7 +34,7 @@ class LastValue(NamedTuple):
     crossed: str = ""
 
 
-def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> LastValue:
+def end_of_branch(pose: Pose, along: PoseSweep, edge: float, range_: float) -> LastValue:
     """Return where a loop turns back, or another branch crosses it, beyond an edge.
 
     ``range_`` is the length of the stroke, negative where there are poses after the edge.
@@ -54,7 +54,7 @@ def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> LastV
     return LastValue(edge)
 
 
-def _systems(pose: Pose, along: Along) -> Iterator[tuple[System, Outer]]:
+def _systems(pose: Pose, along: PoseSweep) -> Iterator[tuple[System, Outer]]:
     """Yield each system with its outer symbols along the drive."""
     before: dict[str, Formula] = {}
     for name, formula in pose.definitions:
@@ -68,7 +68,7 @@ def _solves(known: Formula, formula: Implicit) -> bool:
     return isinstance(known, Implicit) and known.system == formula.system
 
 
-def _outer(formula: Implicit, chain: Chain, along: Along, x: float) -> list[float]:
+def _outer(formula: Implicit, chain: Chain, along: PoseSweep, x: float) -> list[float]:
     values = chain.complete(along.given(x))
     return [evaluate(argument, values) for argument in formula.arguments]
 

@@ -11,9 +11,10 @@ from ...model.values import range_of, user_defined
 from ...units import ANGLE
 from ..analysis import Analysis, Extent, Extreme, Vanishing, least_and_greatest
 from ..intervals import Range
+from ..pose_sweep import PoseCode
 from ..ranges import scale_of
+from ..sweep import Sweep
 from ..tolerances import SAME_ZERO
-from .along import Along
 from .from_balance import run
 from .rounded import is_nil
 from .run import has_sign
@@ -49,7 +50,8 @@ def _extents(
     stroke: Stroke, results: Sequence[Analysis], solution: Solution
 ) -> Iterator[tuple[str, Extent]]:
     part = _home(stroke)
-    along = Along(solution.plan, user_defined(solution.plan.graph.pose.mechanism))
+    ends = range_of(stroke.drive, solution.plan.graph.pose.mechanism) or ()
+    along = Sweep(PoseCode(solution.plan), stroke.drive, ends)
     known = {column.name for column in stroke.columns}
     for result in results:
         if part is None or result.name not in known:
@@ -70,7 +72,7 @@ def _home(stroke: Stroke) -> StrokeInterval | None:
 
 
 def _zeros_of_force(
-    force: Analysis, stroke: Stroke, part: StrokeInterval, along: Along
+    force: Analysis, stroke: Stroke, part: StrokeInterval, along: Sweep
 ) -> Iterator[tuple[str, Extent]]:
     """Yield a force with where it is zero on its way, if it is anywhere."""
     own = (s.drive for s in stroke.singular if s.result == force.name and s.value == "0")
@@ -83,7 +85,7 @@ def _bare(
     result: Analysis,
     stroke: Stroke,
     part: StrokeInterval,
-    along: Along,
+    along: Sweep,
     zeros: tuple[float, ...] = (),
     nil: tuple[Range, ...] = (),
 ) -> Extent:
@@ -102,7 +104,7 @@ def _bare(
     )
 
 
-def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along) -> Extent:
+def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Sweep) -> Extent:
     own = [s for s in stroke.singular if s.result == result.name and _is_on(s.drive, part)]
     zeros, poles = (tuple(s.drive for s in own if s.value == value) for value in ("0", "infinite"))
     is_open = any(s.value == "undetermined" for s in own) or any(
@@ -140,7 +142,7 @@ def vanishing(
     limits: Sequence[Vanishing],
     result: Analysis,
     part: StrokeInterval,
-    along: Along,
+    along: Sweep,
 ) -> Iterator[tuple[float, Formula]]:
     """Yield places, each with the factor that is zero there, where it is one of several."""
     factors = [limit.factor for limit in limits] if len(limits) > 1 else []
@@ -155,7 +157,7 @@ def vanishing(
             yield x, met[0]
 
 
-def _size(factor: Formula, result: Analysis, part: StrokeInterval, along: Along) -> float:
+def _size(factor: Formula, result: Analysis, part: StrokeInterval, along: Sweep) -> float:
     """Return the largest value of a factor at places on an interval, NaN where it has none."""
     grid = spaced(part.low, part.high, SAMPLES)
     return max(abs(along.of(factor, result, x)) for x in grid)
@@ -170,7 +172,7 @@ def _is_in(nil: ZeroInterval, part: StrokeInterval) -> bool:
 
 
 def _extremes(
-    result: Analysis, stroke: Stroke, part: StrokeInterval, along: Along
+    result: Analysis, stroke: Stroke, part: StrokeInterval, along: Sweep
 ) -> list[Extreme]:
     """Return the extrema on an interval, and the values at its ends."""
     inner = [

@@ -9,8 +9,8 @@ from ...formula.roots import lowest, roots
 from ...frozen import replace
 from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
+from ..sweep import Sweep
 from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT, SAME_RATIO, SAME_VALUE
-from .along import Along
 from .friction import is_shown
 from .jumps import has_turns, is_on_the_stroke
 from .rounded import is_nil, is_turning, rounded
@@ -117,7 +117,7 @@ def _part(inner: Sequence[float], first: float, last: float) -> list[float]:
 
 
 def beside_jump(
-    jump: Singular, result: Analysis, along: Along, range_: float
+    jump: Singular, result: Analysis, along: Sweep, range_: float
 ) -> Iterator[Extremum]:
     """Yield the sides of a jump that are the least or greatest nearby: the result turns there."""
     assert jump.sides is not None
@@ -169,7 +169,7 @@ def _own_poles(run: Run, result: Analysis, stretch: StrokeInterval) -> list[floa
 
 
 def extrema(
-    result: Analysis, drive: str, along: Along, grid: Sequence[float]
+    result: Analysis, drive: str, along: Sweep, grid: Sequence[float]
 ) -> Iterator[Extremum]:
     """Yield the extrema between values that lie close together.
 
@@ -200,7 +200,7 @@ def _is_direction(result: Analysis) -> bool:
 
 
 def turns_between(
-    extremum: Extremum, poles: Sequence[float], result: Analysis, along: Along
+    extremum: Extremum, poles: Sequence[float], result: Analysis, along: Sweep
 ) -> bool:
     """Return whether an extremum near a pole is no value at the pole, which is rounding.
 
@@ -219,7 +219,7 @@ def _usual(values: Sequence[float]) -> float:
 
 
 def _turning(
-    result: Analysis, drive: str, along: Along, sense: int, within: tuple[float, float]
+    result: Analysis, drive: str, along: Sweep, sense: int, within: tuple[float, float]
 ) -> float:
     """Return the value between two others at which a result turns: where its slope is 0."""
     slope = (result.derivatives or {}).get(drive)

@@ -11,7 +11,7 @@ from ...pose.motion import Motion
 from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH
 from ..analysis import Analysis
-from .along import EXCLUDED
+from ..pose_sweep import EXCLUDED
 from .columns import ShownQuantities, asked, named_apart
 from .extrema import extrema_along
 from .friction import efficiency_ranges, standstills

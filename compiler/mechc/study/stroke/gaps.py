@@ -9,8 +9,8 @@ from ...formula.roots import spaced
 from ...kinematics.plan import Plan
 from ...model.values import range_of
 from ..open_ranges import NO_POSE
+from ..pose_sweep import PoseCode, PoseSweep
 from ..tolerances import FLAT_LOOP
-from .along import Along
 
 CELLS = 120
 """Cells of a stroke whose ends are looked at."""
@@ -30,7 +30,7 @@ def remark(plan: Plan, report: Report) -> tuple[StrokePart, ...]:
         return ()
     parameter = mechanism.parameter(drive.parameter)
     wide = FLAT_LOOP * (ends[1] - ends[0])
-    along, grid = Along(plan, {}), spaced(*ends, CELLS)
+    along, grid = PoseSweep(PoseCode(plan), drive.parameter, ends), spaced(*ends, CELLS)
     parts = _parts(along, grid)
     found = tuple((low, high) for low, high in parts if high - low > wide)
     if found:
@@ -41,7 +41,7 @@ def remark(plan: Plan, report: Report) -> tuple[StrokePart, ...]:
     return found
 
 
-def _parts(along: Along, grid: list[float]) -> Iterator[StrokePart]:
+def _parts(along: PoseSweep, grid: list[float]) -> Iterator[StrokePart]:
     closed = [along.trouble(x) not in NO_POSE for x in grid]
     start = None if closed[0] else grid[0]
     for (a, b), (before, after) in zip(pairwise(grid), pairwise(closed), strict=True):
@@ -54,7 +54,7 @@ def _parts(along: Along, grid: list[float]) -> Iterator[StrokePart]:
         yield start, grid[-1]
 
 
-def _edge(along: Along, good: float, bad: float) -> float:
+def _edge(along: PoseSweep, good: float, bad: float) -> float:
     """Return the last value that closes between one that does and one that does not."""
     for _ in range(HALVINGS):
         middle = (good + bad) / 2

@@ -16,8 +16,8 @@ from ...model.entries import direction_matters, points_of
 from ...model.mechanism import Arrow, Link, Mechanism, Slider
 from ...named import NamedTuple
 from ...pose.pose import Pose, Vector, evaluate_vector
+from ..pose_sweep import PoseCode, PoseSweep
 from ..tolerances import DIFFERENCE, SAME_RATE
-from .along import Along
 
 Rates = Mapping[str, float]
 """How fast each link turns."""
@@ -75,22 +75,22 @@ def out_of_step(plan: Plan) -> tuple[Lagging, ...]:
     return tuple(links_lagging(plan, *found)) if found else ()
 
 
-def at_default(plan: Plan) -> tuple[Along, float] | None:
+def at_default(plan: Plan) -> tuple[PoseSweep, float] | None:
     """Return the default pose as a value of the drive, None where nothing is to be seen there."""
     pose = plan.graph.pose
     drive = pose.mechanism.drive
     if drive is None or drive.reshapes or plan.mobility != 1:
         return None
-    along = Along(plan, {})
+    along = PoseSweep(PoseCode(plan), drive.parameter)
     x = along.defaults.get(drive.parameter)
-    if x is None or not _mentioned(pose) <= along.values(x).keys():
+    if x is None or not _mentioned(pose) <= along.names:
         return None
     steps = (-2 * DIFFERENCE, -DIFFERENCE, 0, DIFFERENCE, 2 * DIFFERENCE)
     stands = not any(along.trouble(x + step) for step in steps)
     return (along, x) if stands and _is_smooth(pose, along, x) else None
 
 
-def _is_smooth(pose: Pose, along: Along, x: float) -> bool:
+def _is_smooth(pose: Pose, along: PoseSweep, x: float) -> bool:
     """Return whether differences show how fast links turn: next to the end of a loop they do not.
 
     One over twice the step is then the same.
@@ -104,7 +104,7 @@ def _is_smooth(pose: Pose, along: Along, x: float) -> bool:
     return all(abs(b - a) <= SAME_RATE * fastest for a, b in zip(near, far, strict=True))
 
 
-def links_lagging(plan: Plan, along: Along, x: float) -> Iterator[Lagging]:
+def links_lagging(plan: Plan, along: PoseSweep, x: float) -> Iterator[Lagging]:
     """Yield the links that do not follow the drive at a value of it."""
     pose = plan.graph.pose
     drawn = {link.name: _turning(pose, link, along, x) for link in pose.mechanism.links}
@@ -135,7 +135,7 @@ def _mentioned(pose: Pose) -> set[str]:
     }
 
 
-def _turning(pose: Pose, link: Link, along: Along, x: float, step: float = DIFFERENCE) -> float:
+def _turning(pose: Pose, link: Link, along: PoseSweep, x: float, step: float = DIFFERENCE) -> float:
     """Return how fast a link turns in the drawing, per unit of the drive.
 
     The point that turns fastest counts: others may stand for what a part touches just now.
@@ -146,7 +146,7 @@ def _turning(pose: Pose, link: Link, along: Along, x: float, step: float = DIFFE
     return max(turns, key=abs) / (2 * step)
 
 
-def _bent(pose: Pose, link: Link, along: Along, x: float, fastest: float) -> str:
+def _bent(pose: Pose, link: Link, along: PoseSweep, x: float, fastest: float) -> str:
     """Return the angle in a link that changes most, as its pins turn at different rates, else ''.
 
     A point that has a load alone may stand for what the link touches just now.

@@ -14,8 +14,8 @@ from ...formula.walk import walk
 from ...model.parts.targets import Efficiency, Reaction, WithFriction
 from ..analysis import Analysis
 from ..ranges import last
+from ..sweep import Sweep
 from ..tolerances import JUMP_SIDES
-from .along import Along
 from .rounded import is_nothing
 from .run import Run
 from .stroke import Kind, Singular, StrokeInterval
@@ -73,7 +73,7 @@ def has_turns(result: Analysis) -> bool:
 
 
 def jumping(
-    result: Analysis, along: Along, grid: Sequence[float], turns: Sequence[float] = ()
+    result: Analysis, along: Sweep, grid: Sequence[float], turns: Sequence[float] = ()
 ) -> Iterator[Singular]:
     """Yield where a result jumps between values of a grid, unless it is nothing but rounding.
 
@@ -98,7 +98,7 @@ def is_on_the_stroke(found: Singular, run: Run) -> bool:
     return not found.sides or run.low + near < found.drive < run.high - near
 
 
-def _jumping(name: str, jump: Jump, along: Along, range_: float) -> Singular:
+def _jumping(name: str, jump: Jump, along: Sweep, range_: float) -> Singular:
     """Return a jump as a singular pose: what grows without end towards it is far."""
     near, away = (along.values(jump.x + part * range_) for part in JUMP_SIDES)
     is_far = any(abs(near[n]) > GROWS * abs(away[n]) > 0 for n in along.closing if n in near)
@@ -121,7 +121,7 @@ Signs = Callable[[float], Sequence[float]]
 """Returns the signs of slips and forces at a value of the drive."""
 
 
-def _signs(results: Sequence[Analysis], along: Along) -> Iterator[Signs]:
+def _signs(results: Sequence[Analysis], along: Sweep) -> Iterator[Signs]:
     """Yield the signs in results, those in forms for elsewhere among them, a few functions for all.
 
     Results that call different things by one name do not share a function.
@@ -138,7 +138,7 @@ def _signs(results: Sequence[Analysis], along: Along) -> Iterator[Signs]:
     for group in groups:
         parts = dict.fromkeys(p for f in group.values() for p in walk(f) if is_call(p, *SIGNS))
         if parts:
-            yield along.signs([*parts], [*group.items()])
+            yield along.together([*parts], [*group.items()])
 
 
 def changes_of_sign(signs: Signs, grid: Sequence[float]) -> Iterator[float]:

@@ -9,8 +9,8 @@ from ...model.mechanism import Link
 from ...model.values import Chain, Values
 from ...pose.motion import paths
 from ...pose.pose import Vector, evaluate_vector
+from ..pose_sweep import PoseSweep
 from ..tolerances import DIFFERENCE, SAME_RATE, STILL
-from .along import Along
 from .in_step import at_default, links_lagging
 
 Velocities = Mapping[str, complex]
@@ -30,7 +30,7 @@ def lagging(plan: Plan) -> frozenset[str]:
     return frozenset((*(link.name for link in links), *_points(plan, links, *found)))
 
 
-def _points(plan: Plan, lost: Collection[Link], along: Along, x: float) -> Iterator[str]:
+def _points(plan: Plan, lost: Collection[Link], along: PoseSweep, x: float) -> Iterator[str]:
     """Yield the points whose positions do not change as the joints demand."""
     pose = plan.graph.pose
     located = paths(pose, lost)

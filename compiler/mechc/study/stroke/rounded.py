@@ -9,11 +9,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
 from ...formula.roots import spaced
-from ...formula.rounding import beyond_rounding, with_error
+from ...formula.rounding import with_error
 from ...model.result import Result
-from ...model.values import Looked, of_sound_form, standing
+from ..sweep import Sweep
 from ..tolerances import BRANCH_POINT, LOST, NEARBY, NEGLIGIBLE
-from .along import Along
 from .run import Run
 from .stroke import Branch, Extremum, Singular, StrokeInterval, ZeroInterval
 
@@ -25,20 +24,20 @@ FEW, MANY = 8, 180
 
 
 def rounded(
-    found: Extremum, result: Result, along: Along, grid: Sequence[float]
+    found: Extremum, result: Result, along: Sweep, grid: Sequence[float]
 ) -> Iterator[Extremum]:
     """Yield an extremum, 0 where that is nothing but rounding; none where there is no value.
 
     Nor is there one where rounding is as large as values elsewhere: something is infinite.
     """
-    number = _beyond(found.value, found.drive, result, along)
+    number = along.beyond_rounding(result, found.drive, found.value)
     if number is None or not math.isfinite(number):
         return
     if number or abs(found.value) <= LOST * _usual(result, along, grid):
         yield found._replace(value=number)
 
 
-def is_turning(found: Extremum, result: Result, along: Along, grid: Sequence[float]) -> bool:
+def is_turning(found: Extremum, result: Result, along: Sweep, grid: Sequence[float]) -> bool:
     """Return whether a result turns by more than what rounding may have made of its values.
 
     Beside a branch point rounding may be larger than what the result changes by. Where friction
@@ -60,36 +59,33 @@ def is_turning(found: Extremum, result: Result, along: Along, grid: Sequence[flo
     )
 
 
-def _error(x: float, result: Result, along: Along) -> float:
+def _error(x: float, result: Result, along: Sweep) -> float:
     """Return a bound of the rounding error in a result's value, 0 where none is known."""
-    form = _form(result, along, x)
+    form = along.form_at(result, x)
     error = with_error(form.formula, form.where, along.rounding(x)).error
     return error if math.isfinite(error) else 0.0
 
 
-def is_nil(result: Result, along: Along, stretch: StrokeInterval) -> bool:
+def is_nil(result: Result, along: Sweep, stretch: StrokeInterval) -> bool:
     """Return whether a result is zero but for rounding wherever a stretch is looked at.
 
     That is no proof, and what states it says that it was looked at.
     """
     grids = (spaced(stretch.low, stretch.high, parts)[1:-1] for parts in (FEW, MANY))
-    return all(
-        _beyond(along.of(result.formula, result, x), x, result, along) == 0
-        for x in chain.from_iterable(grids)
-    )
+    return all(along.beyond_rounding(result, x) == 0 for x in chain.from_iterable(grids))
 
 
 def is_nothing(
-    sides: Mapping[float, float], result: Result, along: Along, grid: Sequence[float]
+    sides: Mapping[float, float], result: Result, along: Sweep, grid: Sequence[float]
 ) -> bool:
     """Return whether a result's values at some places are nothing but rounding.
 
     They are small against what half of those exceed that are not rounding, too: relative to what is
     infinite rounding alone is larger than any value.
     """
-    if any(_beyond(value, x, result, along) != 0 for x, value in sides.items()):
+    if any(along.beyond_rounding(result, x, value) != 0 for x, value in sides.items()):
         return False
-    certain = [x for x in grid if _beyond(along.of(result.formula, result, x), x, result, along)]
+    certain = [x for x in grid if along.beyond_rounding(result, x)]
     usual = _usual(result, along, certain)
     return not usual or max(map(abs, sides.values())) < NEGLIGIBLE * usual
 
@@ -128,7 +124,7 @@ def _flat_part(x: float, result: Result, run: Run) -> tuple[float, float]:
     along, least = run.along, FLAT * run.range
 
     def is_flat(at: float) -> bool:
-        return _beyond(along.of(result.formula, result, at), at, result, along) == 0
+        return along.beyond_rounding(result, at) == 0
 
     def reach(side: int) -> float:
         step = least
@@ -139,23 +135,7 @@ def _flat_part(x: float, result: Result, run: Run) -> tuple[float, float]:
     return reach(-1), reach(1)
 
 
-def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:
-    """Return the value ``number`` that a result has at ``x``, without what is only rounding."""
-
-    def look(at: Result) -> Looked:
-        form, value = _form(at, along, x), number if at is result else along.of(at.formula, at, x)
-        size = beyond_rounding(value, form.formula, form.where, along.rounding(x))
-        return Looked(form, value, size)
-
-    return of_sound_form(result, look).number
-
-
-def _form(result: Result, along: Along, x: float) -> Result:
-    """Return the form of a result that has a value at ``x``: the one for elsewhere, perhaps."""
-    return standing(result, along.values(x)) or result if result.elsewhere else result
-
-
-def _usual(result: Result, along: Along, grid: Sequence[float]) -> float:
+def _usual(result: Result, along: Sweep, grid: Sequence[float]) -> float:
     """Return a size that half of a result's values do not exceed."""
     values = (along.of(result.formula, result, x) for x in grid)
     sizes = sorted(abs(value) for value in values if math.isfinite(value))

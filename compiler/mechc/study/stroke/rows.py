@@ -20,8 +20,8 @@ from ...model.values import own_unit
 from ...units import ANGLE, LENGTH, Dimension
 from ..open_ranges import NO_POSE
 from ..states import is_sign
+from ..sweep import Sweep
 from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING
-from .along import Along
 from .columns import Filled, ShownQuantities, path_columns
 from .run import Run
 from .stretches import beyond, trouble
@@ -69,7 +69,7 @@ def _slopes(run: Run, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
             yield Filled(column, run.values(slope, result), slope, result.where)
 
 
-def _angle(along: Along, angle: Transmission, x: float) -> float:
+def _angle(along: Sweep, angle: Transmission, x: float) -> float:
     size = angle.at(along.values(x))
     return 0.0 if abs(size) < STRAIGHT else size
 
@@ -93,7 +93,7 @@ class Sizes:
 
     def at(self, x: float) -> list[PrintedNumber]:
         """Return the size of each column at one of the poses."""
-        alone = cache(partial(self._run.along.rounding, x))
+        alone = cache(partial(self._run.along.rounding_inside, x))
         known = zip(self._filled, self._rounded, strict=True)
         return [self._size(f, x, column, alone) for f, column in known]
 
@@ -119,7 +119,7 @@ class Sizes:
 
     def _beyond_rounding(self, filled: Filled, x: float) -> float:
         """Return a value, 0 where it is but rounding: that grows beside a pose as at a pole."""
-        number, rounding = filled.at(x), self._run.along.rounding(x)
+        number, rounding = filled.at(x), self._run.along.rounding_inside(x)
         size = beyond_rounding(number, filled.formula, filled.where, rounding)
         return number if size.number is None else size.number
 

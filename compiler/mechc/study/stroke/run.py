@@ -26,7 +26,8 @@ from ...model.mechanism import (
 from ...model.values import user_defined
 from ...pose.pose import Pose
 from ..analysis import Analysis
-from .along import Along
+from ..pose_sweep import PoseCode
+from ..sweep import Sweep
 from .branches import branch_points
 from .friction import in_code
 from .stroke import Branch, StrokeInterval
@@ -70,7 +71,7 @@ class Run:
     drive: Parameter
     low: float
     high: float
-    along: Along
+    along: Sweep
     results: tuple[Analysis, ...]
     open: tuple[tuple[str, tuple[str, ...]], ...]
     grid: tuple[float, ...]
@@ -133,7 +134,7 @@ def run_of(
 ) -> Run:
     """Return the run of the drive between two ends."""
     pose = solution.plan.graph.pose
-    along = Along(solution.plan, user_defined(pose.mechanism), (low, high))
+    along = Sweep(PoseCode(solution.plan), drive.name, (low, high))
     shown = [r for r in results if r.default is not None or r.target is not None]
     shown = [in_code(r, solution) for r in shown]
     without = {r.name: _loads_without_size(r, pose.mechanism) for r in shown}

@@ -11,6 +11,7 @@ from ...formula.roots import Function, Root, roots, spaced
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import symbols
 from ..analysis import Analysis, Break, Vanishing
+from ..sweep import Sweep
 from ..tolerances import (
     BEYOND_BRANCH_POINT,
     BRANCH_POINT,
@@ -20,7 +21,6 @@ from ..tolerances import (
     SIDE,
     STEADY,
 )
-from .along import Along
 from .jumps import PLACES, jumping, jumps_along
 from .rounded import each_zero_once, is_nil, is_nothing
 from .run import Run
@@ -92,7 +92,7 @@ def order_of(run: Run, result: Analysis, x: float, parts: Sequence[float] = NEAR
 
 
 def singular_poses(
-    result: Analysis, drive: str, along: Along, stretch: StrokeInterval, grid: Sequence[float]
+    result: Analysis, drive: str, along: Sweep, stretch: StrokeInterval, grid: Sequence[float]
 ) -> Iterator[Singular]:
     """Yield the singular poses of a ratio of loads on a stretch, by zeros, then by poles."""
     conditions: list[tuple[Vanishing, Value]] = [(v, "0") for v in result.zeros]
@@ -116,7 +116,7 @@ def singular_poses(
 
 
 def _is_met(
-    vanishing: Vanishing, result: Analysis, along: Along, stretch: StrokeInterval, x: float
+    vanishing: Vanishing, result: Analysis, along: Sweep, stretch: StrokeInterval, x: float
 ) -> bool:
     """Return whether another factor vanishes at the same value: what stands still is open there."""
     others = (along.function(other, result) for other in vanishing.but)
@@ -135,7 +135,7 @@ def _other_zeros(size: Function, grid: Sequence[float], known: Sequence[float]) 
 def roots_at(
     result: Analysis,
     vanishing: Vanishing | Break,
-    along: Along,
+    along: Sweep,
     stretch: StrokeInterval,
     grid: Sequence[float],
 ) -> Iterator[Root]:
@@ -159,7 +159,7 @@ def _at_the_ends(factor: Function, stretch: StrokeInterval) -> Iterator[Root]:
             yield Root(end, math.ulp(end))
 
 
-def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formula | None:
+def _exact(vanishing: Vanishing, drive: str, along: Sweep, root: Root) -> Formula | None:
     """Return the drive as a constant formula, turned by half turns to the value found."""
     if vanishing.at is None or vanishing.at[0] != drive:
         return None

@@ -1,0 +1,205 @@
+"""Poses along one parameter: the values of all names at each of its values, the others stand.
+
+A drive on its stroke and a parameter in its range are looked at in this one way.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence, Set
+from functools import cached_property, partial
+from typing import TypeVar
+
+from ..algebra.product import Product
+from ..formula.continuation import continued
+from ..formula.roots import Function
+from ..formula.rounded_columns import RoundedColumn, RoundedColumns
+from ..formula.rounding import EPS, Rounded, Rounding
+from ..formula.straight_line import in_order
+from ..formula.tree import Formula
+from ..kinematics.plan import Plan
+from ..model.result import Result
+from ..model.values import Chain, Values, defaults, dependent
+from .forms import Form, form, holding, together
+from .open_ranges import NOT_ASSEMBLED, why_open
+
+EXCLUDED = "excluded by a condition of use"
+
+SOON = 4
+"""Code along a range is compiled when it has been used so often: most is used a hundred times."""
+
+T = TypeVar("T")
+
+Functions = Callable[[float], Sequence[float]]
+"""Returns several values at a value of the parameter."""
+
+
+class PoseCode:
+    """The formulas of a pose and of results as code, the same whatever parameter varies.
+
+    ``given`` are the values that do not follow from others; lengths that nobody gives are 1.
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        pose = plan.graph.pose
+        self.mechanism = pose.mechanism
+        self.defaults = defaults(pose.mechanism)
+        self.given = {**dict.fromkeys(pose.placeholders, 1.0), **self.defaults}
+        self.closing = dict(pose.definitions)
+        lets = {let.name: let.value for let in pose.mechanism.lets}
+        self.chain = Chain({**dependent(pose.mechanism), **self.closing, **lets}, continued)
+        self._plan = plan
+        self._forms: dict[tuple[int, int, Set[str]], tuple[Formula, Result | None, Form]] = {}
+
+    @cached_property
+    def inner(self) -> Chain:
+        """Return the formulas of what the compiler found on its way."""
+        bound = {name: value.formula() for name, value in self._plan.bindings}
+        return Chain({**dict(self._plan.graph.pose.closing), **bound})
+
+    def form(self, formula: Formula, where: Result | None, names: Set[str]) -> Form:
+        """Return a formula of a result in names that have values."""
+        key = id(formula), id(where), names
+        if key not in self._forms:
+            self._forms[key] = formula, where, form(formula, where, names)
+        return self._forms[key][2]
+
+
+class PoseSweep:
+    """Poses at values of a ``parameter``, the others at their defaults.
+
+    ``loads`` are sizes of loads that nobody gives; ``ends`` are those of what is looked at.
+    """
+
+    def __init__(
+        self,
+        code: PoseCode,
+        parameter: str,
+        ends: Sequence[float] = (),
+        loads: Mapping[str, float] | None = None,
+    ) -> None:
+        self.mechanism, self.parameter = code.mechanism, parameter
+        self.code, self._given = code, {**(loads or {}), **code.given}
+        fixed = {name: v for name, v in self._given.items() if name != parameter}
+        self._fixed = code.chain.complete(fixed)
+        names = frozenset((*self._fixed, parameter))
+        self._following = code.chain.completion(names, SOON)
+        self.names = names.union(self._following.names)
+        self._near = 2 * EPS * max(map(abs, ends), default=0.0)
+        self._known: dict[float, Values] = {}
+        self._known_inside: dict[float, Values] = {}
+        self._troubles: dict[float, str] = {}
+
+    @property
+    def defaults(self) -> Values:
+        """The values that the user gave."""
+        return self.code.defaults
+
+    @property
+    def default(self) -> float:
+        """Return the parameter's own value; any value where it is none of the mechanism."""
+        return self._given.get(self.parameter, 0.0)
+
+    @property
+    def closing(self) -> Set[str]:
+        """The names of what is found by closing loops."""
+        return self.code.closing.keys()
+
+    def given(self, x: float) -> Values:
+        """Return the given values at a value of the parameter."""
+        return {**self._given, self.parameter: x}
+
+    def values(self, x: float) -> Values:
+        """Return the value of every name that has one, at a value of the parameter."""
+        if x not in self._known:
+            self._known[x] = self._following.complete({**self._fixed, self.parameter: x})
+        return self._known[x]
+
+    def trouble(self, x: float) -> str:
+        """Return why there is no pose at a value of the parameter, '' where there is one."""
+        if x not in self._troubles:
+            self._troubles[x] = self._trouble(self.values(x))
+        return self._troubles[x]
+
+    def _trouble(self, values: Values) -> str:
+        if not all(map(math.isfinite, self._found(values))):
+            return why_open(self.code.closing, values) or NOT_ASSEMBLED
+        return "" if self._is_allowed(values) else EXCLUDED
+
+    @cached_property
+    def _found(self) -> Callable[[Values], Sequence[float]]:
+        """Return the function that takes what loops give from among values."""
+        return in_order([name for name in self.code.closing if name in self.names])
+
+    @cached_property
+    def _is_allowed(self) -> Callable[[Values], bool]:
+        return holding(self.mechanism.requires, self.names)
+
+    def rounding(self, x: float) -> Rounding:
+        """Return the values at one of the parameter with what rounding makes of them.
+
+        The parameter itself is as near as the ends and the steps between them are.
+        """
+        rounding = Rounding(self.given(x))
+        rounding.values[self.parameter] = Rounded(x, max(self._near, EPS * abs(x)))
+        rounding.define(self.code.chain.definitions)
+        return rounding
+
+    def rounding_inside(self, x: float) -> Rounding:
+        """Return the same with the names that the compiler found on its way."""
+        rounding = self.rounding(x)
+        rounding.define(self.code.inner.definitions)
+        return rounding
+
+    def rounded(self, places: Sequence[float]) -> RoundedColumns:
+        """Return the values of :meth:`rounding_inside` at several of the parameter at once."""
+        rows = len(places)
+        given = {
+            name: RoundedColumn([value] * rows, [EPS * abs(value)] * rows)
+            for name, value in self._given.items()
+        }
+        given[self.parameter] = RoundedColumn(places, [self._near] * rows)
+        named = RoundedColumns(given, rows).with_definitions(self.code.chain.definitions)
+        return named.with_definitions(self.code.inner.definitions)
+
+    def inside_together(self, values: Sequence[Product]) -> list[Function]:
+        """Return intermediate results of the compiler as functions that are evaluated together.
+
+        But for rounding they have the values of :meth:`inside`.
+        """
+        names = self.code.inner.complete(self.values(self.default)).keys()
+        formulas = [value.formula() for value in values]
+        found = keeping(together(formulas, names), self._inside)
+        return [partial(_taken, found, i) for i in range(len(formulas))]
+
+    def inside(self, value: Product, x: float) -> float:
+        """Return the value of something that the compiler found on its way, NaN at a pole."""
+        try:
+            return value.evaluate(self._inside(x))
+        except (KeyError, ZeroDivisionError, ValueError, OverflowError):
+            return math.nan
+
+    def _inside(self, x: float) -> Values:
+        """Return the values of names that the compiler found on its way, too."""
+        if x not in self._known_inside:
+            values = {**self._fixed_inside, **self.values(x)}
+            self._known_inside[x] = self.code.inner.complete(values)
+        return self._known_inside[x]
+
+    @cached_property
+    def _fixed_inside(self) -> Values:
+        return self.code.inner.complete(self._fixed)
+
+
+def keeping(value: Callable[[Values], T], at: Callable[[float], Values]) -> Callable[[float], T]:
+    """Return a function of the parameter, computed of its values there once each."""
+    known: dict[float, T] = {}
+
+    def function(x: float) -> T:
+        if x not in known:
+            known[x] = value(at(x))
+        return known[x]
+
+    return function
+
+
+def _taken(found: Functions, i: int, x: float) -> float:
+    return found(x)[i]
