@@ -11,5 +11,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"arcs", "derivative", "newton", "roots"}
+    SELDOM = {"arcs", "continuation", "derivative", "newton", "roots", "rounded_columns"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -11,7 +11,7 @@ from . import derivative, newton
 from .choices import chosen
 from .functions import FUNCTIONS
 from .names import another
-from .straight_line import StraightLine, SystemSolver, in_order
+from .straight_line import OFTEN, StraightLine, SystemSolver, in_order
 from .tree import (
     Call,
     Constant,
@@ -143,9 +143,10 @@ def straight_line(
     formulas: Sequence[Formula],
     names: Sequence[str],
     definitions: Iterable[tuple[str, Formula]] = (),
+    often: int = OFTEN,
 ) -> StraightLine:
     """Return formulas that are evaluated again and again, as functions of what has a name."""
-    return StraightLine(formulas, names, solver, definitions)
+    return StraightLine(formulas, names, solver, definitions, often)
 
 
 @lru_cache(maxsize=SYSTEMS)

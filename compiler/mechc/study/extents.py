@@ -8,7 +8,7 @@ from ..diagnostics import Report
 from ..formula.roots import Function, lowest, spaced
 from ..friction.solution import Solution
 from ..frozen import replace
-from ..model.mechanism import Drive, LoadRatio, SpeedRatio
+from ..model.mechanism import Drive, LoadRatio, Mechanism, SpeedRatio
 from ..model.values import range_of
 from .analysis import Analysis, Extent, Extreme, Trend, least_and_greatest
 from .pose_sweep import PoseCode
@@ -36,10 +36,11 @@ def with_extents(
         along = solution if mechanism.drive else _driven_by(name, solution)
         for result, one in extent.along_the_stroke(along, moving[name], report).items():
             found.setdefault(result, []).append(one)
+    code = PoseCode(solution.plan)
     return tuple(
         replace(r, extents=(*(found.get(r.name) or turning), *ends))
         for r in results
-        for turning, ends in [(_over_ranges(solution, r), _at_ends(solution, r, moving))]
+        for turning, ends in [(_over_ranges(code, r), _at_ends(code, r, moving))]
     )
 
 
@@ -69,7 +70,7 @@ def _driven_by(name: str, solution: Solution) -> Solution:
     return replace(solution, balance=replace(solution.balance, plan=plan))
 
 
-def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
+def _over_ranges(code: PoseCode, result: Analysis) -> Iterator[Extent]:
     """Yield the extent of a ratio over each range in which it is proved to turn.
 
     Nothing where it may be infinite there.
@@ -78,8 +79,7 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
     is_ratio = isinstance(result.target, LoadRatio | SpeedRatio)
     if not is_ratio or not bounded or result.default is None:
         return
-    code = PoseCode(solution.plan)
-    for one in _of_trends(solution, result, ["turns"]):
+    for one in _of_trends(code.mechanism, result, ["turns"]):
         sweep = Sweep(code, one.parameter, one.range)
         extremes = _extremes(partial(sweep.standing, result), spaced(*one.range, EXTENT_CELLS))
         if extremes:
@@ -87,15 +87,15 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
             yield replace(one, least=low, greatest=high)
 
 
-def _at_ends(solution: Solution, result: Analysis, moving: Collection[str]) -> Iterator[Extent]:
+def _at_ends(code: PoseCode, result: Analysis, moving: Collection[str]) -> Iterator[Extent]:
     """Yield the extent of a ratio over each range in which it is proved to rise, or to fall.
 
     That is what it comes to at the ends. Nothing of what is ``moving`` along a stroke.
     """
     if not isinstance(result.target, LoadRatio | SpeedRatio):
         return
-    code, known = PoseCode(solution.plan), {*moving, *(result.proportional or {})}
-    for one in _of_trends(solution, result, ["rises", "falls"]):
+    known = {*moving, *(result.proportional or {})}
+    for one in _of_trends(code.mechanism, result, ["rises", "falls"]):
         if one.parameter in known:
             continue
         sweep = Sweep(code, one.parameter, one.range)
@@ -106,9 +106,10 @@ def _at_ends(solution: Solution, result: Analysis, moving: Collection[str]) -> I
             yield replace(one, least=low, greatest=high, is_monotone=True)
 
 
-def _of_trends(solution: Solution, result: Analysis, trends: Collection[Trend]) -> Iterator[Extent]:
+def _of_trends(
+    mechanism: Mechanism, result: Analysis, trends: Collection[Trend]
+) -> Iterator[Extent]:
     """Yield the extent, values left out, over each range in which a result has such a trend."""
-    mechanism = solution.plan.graph.pose.mechanism
     for name, trend in (result.trends or {}).items():
         ends = range_of(name, mechanism)
         if trend in trends and ends is not None:

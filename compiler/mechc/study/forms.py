@@ -12,6 +12,9 @@ from ..model.mechanism import Require
 from ..model.result import Result
 from ..model.values import Values, compare
 
+SOON = 4
+"""Code along a range is compiled when it has been used so often: most is used a hundred times."""
+
 Form = Callable[[Values], float]
 """Returns a value where names have values; NaN where there is none."""
 
@@ -75,7 +78,7 @@ def together(formulas: Sequence[Formula], names: Set[str], definitions: Definiti
     followed = reached(symbols(*valued), new)
     needed = symbols(*valued, *map(new.__getitem__, followed))
     given = sorted(needed & names)
-    at = straight_line(valued, given, [d for d in new.items() if d[0] in followed]).at
+    at = straight_line(valued, given, [d for d in new.items() if d[0] in followed], SOON).at
     take = in_order(given)
     if all(is_valued):
         return lambda values: at(take(values))

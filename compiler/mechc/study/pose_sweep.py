@@ -6,25 +6,24 @@ A drive on its stroke and a parameter in its range are looked at in this one way
 import math
 from collections.abc import Callable, Mapping, Sequence, Set
 from functools import cached_property, partial
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from ..algebra.product import Product
-from ..formula.continuation import continued
-from ..formula.roots import Function
-from ..formula.rounded_columns import RoundedColumn, RoundedColumns
+from ..formula import continuation, rounded_columns
 from ..formula.rounding import EPS, Rounded, Rounding
-from ..formula.straight_line import in_order
-from ..formula.tree import Formula
+from ..formula.straight_line import Solution, in_order
+from ..formula.tree import Formula, System
 from ..kinematics.plan import Plan
 from ..model.result import Result
-from ..model.values import Chain, Values, defaults, dependent
-from .forms import Form, form, holding, together
-from .open_ranges import NOT_ASSEMBLED, why_open
+from ..model.values import Chain, Completion, Values, defaults, dependent
+from . import open_ranges
+from .forms import SOON, Form, form, holding, together
+
+if TYPE_CHECKING:
+    from ..formula.roots import Function
+    from ..formula.rounded_columns import RoundedColumns
 
 EXCLUDED = "excluded by a condition of use"
-
-SOON = 4
-"""Code along a range is compiled when it has been used so often: most is used a hundred times."""
 
 T = TypeVar("T")
 
@@ -45,9 +44,10 @@ class PoseCode:
         self.given = {**dict.fromkeys(pose.placeholders, 1.0), **self.defaults}
         self.closing = dict(pose.definitions)
         lets = {let.name: let.value for let in pose.mechanism.lets}
-        self.chain = Chain({**dependent(pose.mechanism), **self.closing, **lets}, continued)
+        self.chain = Chain({**dependent(pose.mechanism), **self.closing, **lets}, _continued)
         self._plan = plan
         self._forms: dict[tuple[int, int, Set[str]], tuple[Formula, Result | None, Form]] = {}
+        self._chains: dict[int, tuple[Result, Chain]] = {}
 
     @cached_property
     def inner(self) -> Chain:
@@ -61,6 +61,13 @@ class PoseCode:
         if key not in self._forms:
             self._forms[key] = formula, where, form(formula, where, names)
         return self._forms[key][2]
+
+    def named(self, result: Result, names: frozenset[str]) -> Completion:
+        """Return what follows in a result from names that have values."""
+        key = id(result)
+        if key not in self._chains:
+            self._chains[key] = result, Chain(dict(result.where))
+        return self._chains[key][1].completion(names, SOON)
 
 
 class PoseSweep:
@@ -121,7 +128,7 @@ class PoseSweep:
 
     def _trouble(self, values: Values) -> str:
         if not all(map(math.isfinite, self._found(values))):
-            return why_open(self.code.closing, values) or NOT_ASSEMBLED
+            return open_ranges.why_open(self.code.closing, values) or open_ranges.NOT_ASSEMBLED
         return "" if self._is_allowed(values) else EXCLUDED
 
     @cached_property
@@ -144,23 +151,25 @@ class PoseSweep:
         return rounding
 
     def rounding_inside(self, x: float) -> Rounding:
-        """Return the same with the names that the compiler found on its way."""
+        """Return the values of :meth:`rounding`, with those that the compiler found on its way."""
         rounding = self.rounding(x)
         rounding.define(self.code.inner.definitions)
         return rounding
 
-    def rounded(self, places: Sequence[float]) -> RoundedColumns:
+    def rounded(self, places: Sequence[float]) -> "RoundedColumns":
         """Return the values of :meth:`rounding_inside` at several of the parameter at once."""
         rows = len(places)
         given = {
-            name: RoundedColumn([value] * rows, [EPS * abs(value)] * rows)
+            name: rounded_columns.RoundedColumn([value] * rows, [EPS * abs(value)] * rows)
             for name, value in self._given.items()
         }
-        given[self.parameter] = RoundedColumn(places, [self._near] * rows)
-        named = RoundedColumns(given, rows).with_definitions(self.code.chain.definitions)
+        given[self.parameter] = rounded_columns.RoundedColumn(places, [self._near] * rows)
+        named = rounded_columns.RoundedColumns(given, rows).with_definitions(
+            self.code.chain.definitions
+        )
         return named.with_definitions(self.code.inner.definitions)
 
-    def inside_together(self, values: Sequence[Product]) -> list[Function]:
+    def inside_together(self, values: Sequence[Product]) -> list["Function"]:
         """Return intermediate results of the compiler as functions that are evaluated together.
 
         But for rounding they have the values of :meth:`inside`.
@@ -187,6 +196,11 @@ class PoseSweep:
     @cached_property
     def _fixed_inside(self) -> Values:
         return self.code.inner.complete(self._fixed)
+
+
+def _continued(system: System) -> Solution:
+    """Return a system's unknowns; most poses have no systems."""
+    return continuation.continued(system)
 
 
 def keeping(value: Callable[[Values], T], at: Callable[[float], Values]) -> Callable[[float], T]:

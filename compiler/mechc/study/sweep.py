@@ -3,17 +3,20 @@
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
-from ..formula.roots import Function
 from ..formula.rounding import beyond_rounding
 from ..formula.tree import Formula, is_call
 from ..formula.walk import symbols
-from ..friction.at_rest import one_or_both
+from ..friction import at_rest
 from ..model.result import Result
-from ..model.values import Chain, Looked, Values, of_sound_form, standing
+from ..model.values import Looked, Values, of_sound_form, standing
 from .forms import Definitions, together
 from .pose_sweep import Functions, PoseCode, PoseSweep, keeping
 from .tolerances import SAME_SIDES, SIDE
+
+if TYPE_CHECKING:
+    from ..formula.roots import Function
 
 
 class Sweep(PoseSweep):
@@ -40,7 +43,7 @@ class Sweep(PoseSweep):
         """
         return self.function(formula, where)(x)
 
-    def function(self, formula: Formula, where: Result | None) -> Function:
+    def function(self, formula: Formula, where: Result | None) -> "Function":
         """Return a formula as a function of the parameter, which keeps its values."""
         key = id(formula), id(where)
         if key not in self._functions:
@@ -56,18 +59,18 @@ class Sweep(PoseSweep):
 
     def named(self, result: Result, x: float) -> Values:
         """Return the values at ``x``, those of the names in a result among them."""
-        return Chain(dict(result.where)).complete(self.values(x))
+        return self.code.named(result, self.names).complete(self.values(x))
 
     def together(self, formulas: Sequence[Formula], definitions: Definitions) -> Functions:
         """Return formulas as one function of the parameter, those that have a value along it."""
         return keeping(together(formulas, self.names, definitions), self.values)
 
-    def _on_sides(self, value: Function, senses: Functions, x: float) -> float:
+    def _on_sides(self, value: "Function", senses: Functions, x: float) -> float:
         """Return a value, the limit of it where a slip is 0 for once."""
         limits = [side for side in self._sides(value, senses, x) if math.isfinite(side)]
         return limits[0] if limits else value(x)
 
-    def sides(self, value: Function, where: Definitions, x: float) -> Sequence[float]:
+    def sides(self, value: "Function", where: Definitions, x: float) -> Sequence[float]:
         """Return the limits of a result where a slip is 0 for once, one where they are alike.
 
         Friction has no sense there, and what is without it is the limit of neither side; NaN
@@ -77,7 +80,7 @@ class Sweep(PoseSweep):
         senses = self._senses_of(where)
         return () if senses is None else self._sides(value, senses, x)
 
-    def _sides(self, value: Function, senses: Functions, x: float) -> Sequence[float]:
+    def _sides(self, value: "Function", senses: Functions, x: float) -> Sequence[float]:
         rest = senses(x).count(0)
         if not rest:
             return ()
@@ -85,7 +88,7 @@ class Sweep(PoseSweep):
         moving = (step for step in steps if senses(x + step).count(0) < rest)
         away = [step for step in moving if not self.trouble(x + step)]
         limits = [2 * value(x + step) - value(x + 2 * step) for step in away]
-        return one_or_both(limits, SAME_SIDES)
+        return at_rest.one_or_both(limits, SAME_SIDES)
 
     def at_rest(self, where: Definitions, x: float) -> int:
         """Return how many slips in definitions are 0, so that their friction has no sense."""
