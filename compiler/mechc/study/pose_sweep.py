@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, TypeVar
 from ..algebra.product import Product
 from ..formula import continuation, rounded_columns
 from ..formula.rounding import EPS, Rounded, Rounding
-from ..formula.straight_line import Solution, in_order
+from ..formula.straight_line import SystemSolver, in_order
 from ..formula.tree import Formula, System
 from ..kinematics.plan import Plan
 from ..model.result import Result
-from ..model.values import Chain, Completion, Values, defaults, dependent
+from ..model.values import Chain, Completion, Values, defaults, following, user_defined
 from . import open_ranges
 from .forms import SOON, Form, form, holding, together
 
@@ -43,8 +43,8 @@ class PoseCode:
         self.defaults = defaults(pose.mechanism)
         self.given = {**dict.fromkeys(pose.placeholders, 1.0), **self.defaults}
         self.closing = dict(pose.definitions)
-        lets = {let.name: let.value for let in pose.mechanism.lets}
-        self.chain = Chain({**dependent(pose.mechanism), **self.closing, **lets}, _continued)
+        formulas = {**self.closing, **user_defined(pose.mechanism)}
+        self.chain = following(pose.mechanism, formulas.items(), _continued)
         self._plan = plan
         self._forms: dict[tuple[int, int, Set[str]], tuple[Formula, Result | None, Form]] = {}
         self._chains: dict[int, tuple[Result, Chain]] = {}
@@ -198,7 +198,7 @@ class PoseSweep:
         return self.code.inner.complete(self._fixed)
 
 
-def _continued(system: System) -> Solution:
+def _continued(system: System) -> SystemSolver:
     """Return a system's unknowns; most poses have no systems."""
     return continuation.continued(system)
 

@@ -7,7 +7,7 @@ from ...formula.roots import spaced
 from ...formula.tree import Formula
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, SpeedRatio, WithFriction
-from ...model.values import range_of, user_defined
+from ...model.values import range_of
 from ...units import ANGLE
 from ..analysis import Analysis, Extent, Extreme, Vanishing, least_and_greatest
 from ..intervals import Range

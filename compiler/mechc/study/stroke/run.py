@@ -23,7 +23,6 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
-from ...model.values import user_defined
 from ...pose.pose import Pose
 from ..analysis import Analysis
 from ..pose_sweep import PoseCode
