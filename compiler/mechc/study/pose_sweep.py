@@ -63,7 +63,7 @@ class PoseCode:
         return self._forms[key][2]
 
     def named(self, result: Result, names: frozenset[str]) -> Completion:
-        """Return what follows in a result from names that have values."""
+        """Return the definitions of a result as code in names that have values."""
         key = id(result)
         if key not in self._chains:
             self._chains[key] = result, Chain(dict(result.where))
