@@ -1,11 +1,13 @@
 """Messages for drives that are held (E525 to E527)."""
 
+import math
+
 from ...source import Span
 from ..diagnostic import Message, Related, coded
 
 
 @coded("E525")
-def cannot_hold(at: Span, name: str) -> Message:
+def cannot_hold(at: Span, name: str, drawn: tuple[str, float] | None = None) -> Message:
     """Several drives: the first one moves, and what the other ones hold is undetermined.
 
     A drive is held by making fast what it moves: the direction of a link on a pivot, the
@@ -16,13 +18,22 @@ def cannot_hold(at: Span, name: str) -> Message:
         AB = b @ phi + psi      # right: psi is the angle between OA and AB
         drive phi from 0 deg to 90 deg
         drive psi
+
+    In a drawn mechanism such an angle is given besides, ``param psi = 137 deg`` and ``angle OAB =
+    psi``: the direction of a link that hangs on another one is no angle between the two.
     """
+    hint = (
+        "leave it out, for one degree of freedom has one drive; of several each is the direction "
+        "of a link on a pivot, or an angle between two links"
+    )
+    if drawn:
+        angle = f"'param psi = {math.degrees(drawn[1]):.4g} deg', 'angle {drawn[0]} = psi'"
+        hint = f"if it is one of several, drive an angle between two links: {angle}, 'drive psi'"
     return Message(
         at,
         f"the drive {name} cannot be held: found no link on a pivot, two links with a common "
         "pin, telescope or slider that it moves",
-        "leave it out, for one degree of freedom has one drive; of several each is the direction "
-        "of a link on a pivot, or an angle between two links",
+        hint,
     )
 
 

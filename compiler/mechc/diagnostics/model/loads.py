@@ -90,6 +90,27 @@ def off_the_mirror(span: Span, what: str, mirror: Span) -> Message:
     )
 
 
+@coded("W353")
+def on_the_line_twice(span: Span, load: str, point: str, sharing: str) -> Message:
+    """A load acts on a point that slides on the mirror line and that the halves do not share.
+
+    What is not shared is there twice, and so is the load on it: the hand at the end of one rope is
+    two hands at two ropes, though one is seen::
+
+        slider K along y through (0 mm, 0 mm)
+        slider H along y through (0 mm, 100 mm)
+        rope A, K along -y, H along y
+        mirror across y sharing K       # warned of: 2P·V_H
+        mirror across y sharing K, H    # right for one hand
+    """
+    message = f"{load} acts on {point}, which is on the mirror line, and each half has one"
+    return Message(
+        span,
+        message,
+        f"of one {point} write 'sharing {sharing}'; of two {load} is the load on each",
+    )
+
+
 @coded("E219")
 def mirror_turns(span: Span) -> Message:
     """A mirror line has the direction of a vector between points, which turns as they move.

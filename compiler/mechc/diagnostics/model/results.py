@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Collection, Sequence
+from typing import Final
 
 from ...source import Span
 from ..diagnostic import Message, coded
@@ -37,7 +38,9 @@ def not_findable(span: Span, hint: str = "") -> Message:
 
 
 @coded("E282")
-def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) -> Message:
+def unknown_load(
+    span: Span, name: str, loads: Collection[str], points: Collection[str], is_speed: bool
+) -> Message:
     """A ``find`` names a load that is not there.
 
     force P at A along x
@@ -49,27 +52,17 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
         message = f"'{name}' is no velocity: what stands behind the '_' is no point or link"
         return Message(span, message, "write V_A for a point A, omega_OA for a link OA")
     message = f"there is no load '{name}'"
-    if component := re.fullmatch(r"(R_[A-Z].*)_(?:x|y|direction)", name):
-        whole = component[1]
-        hint = f"write 'find {whole}', which gives {whole}_x, {whole}_y and {whole}_direction, too"
-        return Message(span, message, hint)
-    if rod := re.fullmatch(r"R_(([A-Z][\d']*)[A-Z][\d']*)", name):
-        hint = (
-            f"along a rod it is 'find N_{rod[1]}', at one of its pins 'find R_{rod[2]} on {rod[1]}'"
-        )
-        return Message(span, message, hint)
+    for pattern, hint in _FORCES.items():
+        if (found := re.fullmatch(pattern, name)) and (
+            named := re.findall(r"[A-Z][\d']*", found[1])
+        ):
+            strange = next((point for point in named if point not in points), "")
+            fallback = f"no point is called {strange}: {offered(strange, points, 'points')}"
+            at, first = found[1], named[0]
+            return Message(span, message, fallback if strange else hint.format(at=at, first=first))
     if with_friction := re.fullmatch(r"eta_(\w+)|(\w+?)_(?:f1|f|hold)", name):
         ideal = with_friction[1] or with_friction[2]
         hint = f"with friction a line 'find {ideal} = …' brings {name} along: it is not asked for"
-        return Message(span, message, hint)
-    if force := re.fullmatch(r"R([A-Z][\d']*)|F_?((?:[A-Z][\d']*){2})", name):
-        asked = f"R_{force[1]}" if force[1] else f"N_{force[2]}"
-        return Message(span, message, f"a force at a joint is asked for by 'find {asked}'")
-    if spring := re.fullmatch(r"S_((?:[A-Z][\d']*){2})", name):
-        hint = f"S_{spring[1]} is the force of a spring; along a rod it is 'find N_{spring[1]}'"
-        return Message(span, message, hint)
-    if near := re.fullmatch(r"R_?([A-Z][\d']*)_?[xy]", name):
-        hint = f"write 'find R_{near[1]}', which gives R_{near[1]}_x and R_{near[1]}_y, too"
         return Message(span, message, hint)
     if name.startswith("mu_"):
         hint = "transmission angles stand in the table of `mechc stroke`"
@@ -83,6 +76,21 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
     if name.lower() in ("eta", "efficiency"):
         return Message(span, message, WITH_FRICTION)
     return Message(span, message, offered(name, loads, "loads"))
+
+
+_FORCES: Final = {
+    r"R_([A-Z][\d']*(?:_on_\w+)?)_(?:x|y|direction)": (
+        "write 'find R_{at}', which gives R_{at}_x, R_{at}_y and R_{at}_direction, too"
+    ),
+    r"R_((?:[A-Z][\d']*){2})": (
+        "along a rod it is 'find N_{at}', at one of its pins 'find R_{first} on {at}'"
+    ),
+    r"R([A-Z][\d']*)": "a force at a joint is asked for by 'find R_{at}'",
+    r"F_?((?:[A-Z][\d']*){2})": "a force at a joint is asked for by 'find N_{at}'",
+    r"S_((?:[A-Z][\d']*){2})": "S_{at} is the force of a spring; along a rod it is 'find N_{at}'",
+    r"R_?([A-Z][\d']*)_?[xy]": "write 'find R_{at}', which gives R_{at}_x and R_{at}_y, too",
+}
+"""By how forces at joints are often called, how they are asked for."""
 
 
 @coded("E265")

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from ...diagnostics.model import quantities
 from ...formula.evaluate import evaluate
-from ...formula.tree import Formula, degrees
+from ...formula.tree import Formula, Symbol, degrees
 from ...formula.walk import symbols
 from ...source import Span
 from ...syntax import ast
@@ -86,10 +86,17 @@ def value_of(formula: Formula, scope: NameScope) -> float | None:
 
 
 def check_sign(formula: Formula | None, span: Span, what: str, scope: NameScope) -> None:
-    """Report a quantity that cannot be negative and is; ``what`` names it in messages."""
+    """Report a quantity that cannot be negative and is, or is in a part of the range given.
+
+    ``what`` names it in messages.
+    """
     value = value_of(formula, scope) if formula else None
+    cause = None
     if formula and value is not None and value < 0:
         cause = scope.cause(formula, span)
+    elif isinstance(formula, Symbol) and scope.ranges.get(formula.name, (0.0,))[0] < 0:
+        cause = scope.lower_ends.get(formula.name)
+    if cause is not None:
         written = scope.report.source.written(cause)
         scope.report.add(quantities.negative_quantity(span, what, written, cause))
 

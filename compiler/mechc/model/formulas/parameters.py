@@ -13,7 +13,7 @@ from ...frozen import replace
 from ...syntax import ast
 from ...syntax.settings import parse
 from ...syntax.vocabulary import points_of
-from ...units import ANGLE, DIMENSIONS, LENGTH, MASS, NUMBER, STIFFNESS, UNITS, Dimension
+from ...units import ANGLE, DIMENSIONS, LENGTH, NUMBER, UNITS, Dimension
 from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
 from ..names.points import PointTable
@@ -255,13 +255,8 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: NameScope) -
     if any(out_of_reach(end, parameter.dimension) for end in (low, high)):
         scope.report.add(quantities.out_of_reach(edge, parameter.dimension))
         return
-    if low < 0 and parameter.dimension in (MASS, STIFFNESS):
-        what = "a mass" if parameter.dimension == MASS else "a stiffness"
-        written = scope.report.source.written(statement.low.span)
-        scope.report.add(
-            quantities.negative_quantity(statement.low.span, what, written, statement.low.span)
-        )
     scope.ranges[parameter.name] = low, high
+    scope.lower_ends[parameter.name] = statement.low.span
     if parameter.dimension != ANGLE or not is_beyond_a_turn(low, high):
         what = f"the range of '{parameter.name}'"
         note_units((statement.low, statement.high), what, edge, scope)

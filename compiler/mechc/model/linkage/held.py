@@ -4,10 +4,12 @@ What a held drive would move is made fast: a link on a pivot is pinned to the gr
 point, links are joined by a rod between points of both, a telescope becomes a rod.
 """
 
+from cmath import phase
 from collections.abc import Iterator
 
 from ...diagnostics import Report
 from ...diagnostics.model import held as messages
+from ...formula.evaluate import evaluate
 from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...frozen import replace
@@ -21,11 +23,13 @@ from ..mechanism import (
     LoadForm,
     LoadRatio,
     Mechanism,
+    Offset,
     Pivot,
     Slider,
     SpeedRatio,
     Turn,
 )
+from ..values import default_pose
 
 
 class Pinned(NamedTuple):
@@ -64,12 +68,38 @@ def with_held(mechanism: Mechanism, report: Report) -> Mechanism:
 
 def _held(mechanism: Mechanism, hold: Hold | None, drive: Drive, report: Report) -> Mechanism:
     if hold is None:
-        report.add(messages.cannot_hold(drive.span, drive.parameter))
+        report.add(messages.cannot_hold(drive.span, drive.parameter, _as_angle(drive, mechanism)))
         return mechanism
     inside = [f for f in mechanism.finds if not isinstance(f.target, OUTSIDE)]
     if inside and not _is_itself(hold, mechanism):
         report.add(messages.held_by_what(inside[0].span, drive.parameter, drive.span))
     return _fastened(mechanism, hold, drive)
+
+
+def _as_angle(drive: Drive, mechanism: Mechanism) -> tuple[str, float] | None:
+    """Return the corner between a drawn link that drives and one that it is pinned to, as drawn.
+
+    That is its name, OAB, and its angle in radians; None where there is none.
+    """
+    ends, places = set(drive.ends or ()), _places(mechanism)
+    for link in mechanism.links if ends and places.keys() >= ends else ():
+        shared, rest = ends & set(link.points), [p for p in link.points if p not in ends]
+        first = next((p for p in rest if p in places), "")
+        if len(shared) == 1 and first:
+            (vertex,), (second,) = shared, ends - shared
+            before, behind = (places[p] - places[vertex] for p in (first, second))
+            return f"{first}{vertex}{second}", phase(behind / before) if before else 0.0
+    return None
+
+
+def _places(mechanism: Mechanism) -> dict[str, complex]:
+    """Return where points are drawn, and pivots placed."""
+    values = default_pose(mechanism)
+    drawn = [(d.point, d.x, d.y) for d in mechanism.drawn]
+    placed = [e for e in mechanism.geometry if isinstance(e, Offset) and not e.tail]
+    given = [*((e.head, e.x, e.y) for e in placed), *drawn]
+    known = [(p, x, y) for p, x, y in given if symbols(x, y) <= values.keys()]
+    return {p: complex(evaluate(x, values), evaluate(y, values)) for p, x, y in known}
 
 
 def _is_itself(hold: Hold, mechanism: Mechanism) -> bool:

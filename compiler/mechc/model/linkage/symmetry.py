@@ -156,14 +156,42 @@ def check_shared_places(mechanism: Mechanism, scope: NameScope) -> None:
     placed = [(p, at) for p, at in _placed(mechanism, scope) if p in mirror.sharing]
     if angle is None:
         return
-    for point, (x, y) in placed[1:]:
-        first, (x0, y0) = placed[0]
-        off = abs((y - y0) * math.cos(angle) - (x - x0) * math.sin(angle))
+    for point, place in placed[1:]:
+        first, start = placed[0]
         slack = slacks.get(first, 0.0) + slacks.get(point, 0.0)
-        if off > slack + SAME_VECTOR * math.hypot(x - x0, y - y0):
+        if not _is_along(start, place, angle, slack):
             what = f"the way from {first} to {point}, which both halves share,"
             span = mechanism.spans.get(point, mirror.span)
             scope.report.add(load_words.off_the_mirror(span, what, mirror.span))
+    _check_guided_twice(mechanism, mirror, angle, scope)
+
+
+def _is_along(
+    start: tuple[float, float], end: tuple[float, float], angle: float, slack: float
+) -> bool:
+    """Return whether a way leads in a direction, or against it, but for what is slack."""
+    x, y = (b - a for a, b in zip(start, end, strict=True))
+    off = abs(y * math.cos(angle) - x * math.sin(angle))
+    return off <= slack + SAME_VECTOR * math.hypot(x, y)
+
+
+def _check_guided_twice(
+    mechanism: Mechanism, mirror: Mirror, angle: float, scope: NameScope
+) -> None:
+    """Warn of a load on a point that slides on the mirror line and that each half has."""
+    places = dict(_placed(mechanism, scope))
+    guides = [k for k in mechanism.each(Slider) if not k.is_of_slide]
+    places |= {k.point: places[k.through] for k in guides if k.through in places}
+    start = next((places[point] for point in mirror.sharing if point in places), None)
+    for slider in guides if start else ():
+        point, place = slider.point, places.get(slider.point)
+        acting = [load for load in mechanism.loads if point in load.points]
+        if point in mechanism.shared or not (start and place and acting):
+            continue
+        is_along = parallel(slider.along, mirror.across, scope)
+        if is_along and acting[0].times == 1 and _is_along(start, place, angle, 0.0):
+            names, load = ", ".join((*mirror.sharing, point)), acting[0]
+            scope.report.add(load_words.on_the_line_twice(load.span, load.name, point, names))
 
 
 def _placed(mechanism: Mechanism, scope: NameScope) -> Iterator[tuple[str, tuple[float, float]]]:

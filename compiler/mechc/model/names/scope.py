@@ -116,6 +116,7 @@ class NameScope:
         self.settings: dict[str, Span] = {}
         self.sizes: dict[str, float] = {}
         self.ranges: dict[str, tuple[float, float]] = {}
+        self.lower_ends: dict[str, Span] = {}
         self.constants: dict[tuple[str, Formula], NamedNumber] = {}
         self.shared = frozenset[Formula]()
         self.shared_sizes = frozenset[tuple[str, Formula]]()

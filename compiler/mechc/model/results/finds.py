@@ -199,7 +199,8 @@ def _load(symbol: ast.Symbol, scope: NameScope, alone: bool = False) -> Operand 
     if entry is None:
         is_speed = symbol.name.startswith(("V_", "omega_"))
         loads = scope.names({"load"})
-        scope.report.add(messages.unknown_load(symbol.span, symbol.name, loads, is_speed))
+        points = scope.points.places
+        scope.report.add(messages.unknown_load(symbol.span, symbol.name, loads, points, is_speed))
         return None
     if entry.kind != "load" or entry.dimension is None:
         scope.report.add(messages.not_findable(symbol.span, f"'{symbol.name}' is a {entry.kind}"))
