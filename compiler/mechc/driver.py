@@ -96,12 +96,25 @@ class Compilation(Pipeline):
 
     @Stage
     def reported(self) -> "Derivation":
-        """The derivation as a report has it: with the extents of ratios along the stroke.
+        """The derivation as a report has it: with extents of ratios, with names for directions."""
+        if self.calculation:
+            return self.derivation
+        return self._with_directions(self._along_stroke)
+
+    def _with_directions(self, derivation: "Derivation") -> "Derivation":
+        """Return a derivation with names for directions, of which loops alone make long sums."""
+        if not self.pose.closing:
+            return derivation
+        from .report.directions import in_derivation
+
+        return in_derivation(derivation, self.pose)
+
+    @Stage
+    def _along_stroke(self) -> "Derivation":
+        """The derivation with the extents of ratios along the stroke.
 
         It is without that where following the stroke takes more work than is allowed.
         """
-        if self.calculation:
-            return self.derivation
         from .study.extents import with_extents
 
         derivation, report = self.derivation, Report(self.source)
@@ -127,7 +140,9 @@ class Compilation(Pipeline):
         """The derivation as a report has it, loads by the equilibrium of free bodies."""
         from .report.derivation.equilibrium import derive_by_equilibrium
 
-        return derive_by_equilibrium(self.solution, self.equilibrium, self.reported.results)
+        results = self._along_stroke.results
+        found = derive_by_equilibrium(self.solution, self.equilibrium, results)
+        return self._with_directions(found)
 
     @Stage
     @of_linkages

@@ -22,6 +22,7 @@ from ..model.mechanism import (
 )
 from ..model.result import Definition, Result
 from ..named import NamedTuple
+from ..report import directions
 from ..report.definitions import (
     NameLetters,
     SolvedSystem,
@@ -131,14 +132,23 @@ def _of_results(compilation: Compilation, spell: TextSpeller) -> Iterator[str]:
         yield from note.in_brief(compilation.mechanism, compilation.results, spell)
         yield from _of_findings(compilation, spell)
         return
-    known = letters(compilation.mechanism, compilation.results)
+    results = _with_directions(compilation)
+    known = letters(compilation.mechanism, results)
     before: Analysis | None = None
-    for result, entry in zip(compilation.results, _entries(compilation, spell), strict=True):
+    for result, entry in zip(results, _entries(compilation, results, spell), strict=True):
         yield from _of_result(entry, before, known, spell)
         before = result
         remarks = friction_remarks(result, spell.locale, spell)
         yield from (f"    {spell.units(line)}" for line in remarks)
     yield from _of_findings(compilation, spell)
+
+
+def _with_directions(compilation: Compilation) -> Sequence[Analysis]:
+    """Return the results with names for directions, of which loops alone make long sums."""
+    if not compilation.pose.closing:
+        return compilation.results
+    chosen = directions.directions(compilation.results, compilation.pose)
+    return directions.in_results(compilation.results, chosen)
 
 
 class _Entry(NamedTuple):
@@ -152,9 +162,11 @@ class _Entry(NamedTuple):
     looked_up: Sequence[Parameter]
 
 
-def _entries(compilation: Compilation, spell: TextSpeller) -> Iterator[_Entry]:
+def _entries(
+    compilation: Compilation, results: Sequence[Analysis], spell: TextSpeller
+) -> Iterator[_Entry]:
     """Yield the entries of all results."""
-    mechanism, results = compilation.mechanism, compilation.results
+    mechanism = compilation.mechanism
     earlier, own = ShownNames(), own_lines(mechanism, results)
     given = {result.name for result in results if _is_given(result)}
     for result in results:

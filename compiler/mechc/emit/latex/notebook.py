@@ -63,7 +63,7 @@ def derivation_in_latex(compiled: Compiled) -> str:
 
 
 def _style(compiled: Compiled) -> LatexNotation:
-    return style_of(compiled.mechanism, compiled.derivation.results, notation(_LANGUAGE))
+    return style_of(compiled.mechanism, compiled.reported.results, notation(_LANGUAGE))
 
 
 def _markdown(text: str) -> str:

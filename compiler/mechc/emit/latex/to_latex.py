@@ -101,7 +101,7 @@ def _body(compiled: Compiled, locale: Locale, style: LatexNotation, options: Opt
         note = note_report(compiled, locale, style, options.fragment, derived)
         parts = (_used(prefix, part, locale, options) for prefix, part in used)
         return "\n".join((render("latex/note.jinja", note), *parts))
-    style = style_of(compiled.mechanism, compiled.derivation.results, style)
+    style = style_of(compiled.mechanism, derivation.results, style)
     derivation = chosen(derivation, compiled.mechanism)
     if options.brief:
         in_brief = brief(compiled, derivation, locale, style, options)
@@ -118,7 +118,7 @@ def _derived(used: Iterable[tuple[str, Compiled]]) -> frozenset[str]:
 
 def _used(prefix: str, compiled: Compiled, locale: Locale, options: Options) -> str:
     """Return the report of a mechanism that a sheet uses, with its scheme."""
-    known, derivation = compiled.derivation.results, chosen(compiled.reported, compiled.mechanism)
+    known, derivation = compiled.reported.results, chosen(compiled.reported, compiled.mechanism)
     style = style_of(compiled.mechanism, known, notation(options.language))
     whole = report(compiled, derivation, locale, style, options._replace(fragment=True))
     if whole.pictures == NO_PICTURES and not options.fragment:
