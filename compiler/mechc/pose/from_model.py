@@ -21,11 +21,10 @@ from .closure import ClosingEquations, ClosureCondition, across
 from .directions import Directions
 from .drawn import drawn_elsewhere, given_by_hand, moved_from_drawing
 from .given_angles import in_given_angles
-from .loops.closed import Closed
 from .loops.closing import close
 from .loops.guide_lines import with_lines
 from .missing_directions import explained, unfound_angles
-from .pose import Pose
+from .pose import Closed, Pose
 from .pruning import pruned
 from .samples import default_pose, poses_nearby
 from .terms import AlgebraicTerms

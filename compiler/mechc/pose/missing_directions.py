@@ -23,7 +23,7 @@ from ..model.mechanism import (
 from ..model.values import bounds
 from ..source import Span
 from ..units import ANGLE, LENGTH, in_unit
-from .loops.closed import OpenUnknowns
+from .pose import OpenUnknowns
 from .vector_graph import NameSet, mentioned
 from .vectors import Vectors
 

@@ -22,12 +22,11 @@ from ...model.mechanism import Assembly, Link, Mechanism
 from ...model.values import following
 from ...units import LENGTH
 from ..directions import Directions
-from ..pose import OF_A_TRIANGLE, ClosedLoop, Limit, LoopKind, PoseDefinition
+from ..pose import OF_A_TRIANGLE, Closed, ClosedLoop, Limit, LoopKind, PoseDefinition
 from ..vector_graph import Cycle, NameSet, loop_name, mentioned, points_around
 from ..vectors import Vectors
 from . import branches
 from .choosing import AssemblyChoice
-from .closed import Closed
 from .drawn import start
 from .dyad_closures import dyad
 from .dyad_sides import DyadSides

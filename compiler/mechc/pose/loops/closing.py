@@ -11,11 +11,11 @@ from ...diagnostics import Report
 from ...model.mechanism import Mechanism, Parameter
 from ...units import ANGLE, LENGTH
 from ..directions import Directions
+from ..pose import ALL_CLOSED, Closed
 from ..terms import AlgebraicTerms
 from ..vector_graph import Edge, NameSet, VectorGraph, mentioned
 from ..vectors import Vectors
 from . import by_groups, state
-from .closed import ALL_CLOSED, Closed
 from .guide_lines import GuideLine, guide_lines
 
 

@@ -17,11 +17,10 @@ from ...formula.tree import Call, Formula, Sum, Symbol, System, implicit, is_cal
 from ...formula.tree import Product as Factors
 from ...frozen import replace
 from ...named import NamedTuple
-from ..pose import Arm, Limit, PoseDefinition, Vector, components, gathered
+from ..pose import Arm, Limit, OpenUnknowns, PoseDefinition, Vector, components, gathered
 from ..samples import Values
 from ..tolerances import SAME_CLOSURE, SOLVED_GAP
 from ..vector_graph import Cycle, mentioned
-from .closed import OpenUnknowns
 from .dyads import Closure
 from .state import LoopState
 
