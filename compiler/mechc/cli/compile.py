@@ -1,6 +1,6 @@
 """``mechc compile``: one description, any number of outputs."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from .. import witness
@@ -151,15 +151,23 @@ def command(
         c_openmp=c_openmp,
         by=method,
     )
-    made = [(output, _emitted(compilation, output, options)) for output in wanted]
-    texts = [file for output, emitted in made for file in placed(output, emitted).items()]
-    printed = [emitted[0].text for output, emitted in made if output.path is None]
+    texts, printed = _made(compilation, wanted, options)
+    used = compilation.source.used()
     if deps:
-        read = [path_of(file, stdin_name), *compilation.source.used()]
-        _add_rule(deps, list(filter(None, read)), texts, printed)
-    claims = [claim_of(file), *map(claim, compilation.source.used())]
+        read = filter(None, [path_of(file, stdin_name), *used])
+        _add_rule(deps, list(read), texts, printed)
+    claims = [claim_of(file), *map(claim, used)]
     refuse_collisions([path for path, _ in texts], claims, bool(printed))
     _deliver(texts, printed, [output.path for output in wanted if output.folder])
+
+
+def _made(
+    compilation: Compilation, wanted: Sequence[OutputPath], options: Options
+) -> tuple[list[Text], list[str]]:
+    """Return the files to be written, and the texts that go to standard output."""
+    made = [(output, _emitted(compilation, output, options)) for output in wanted]
+    texts = [file for output, emitted in made for file in placed(output, emitted).items()]
+    return texts, [emitted[0].text for output, emitted in made if output.path is None]
 
 
 def _emitted(compilation: Compilation, output: OutputPath, options: Options) -> tuple[Emitted, ...]:

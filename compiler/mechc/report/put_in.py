@@ -98,9 +98,7 @@ def put_in(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
     """
     match formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
-            turn = _within_a_turn(evaluate(angle, values_of(given)))
-            value = Call(function, (in_degrees(abs(turn), PUT_IN_DIGITS),))
-            return negative(value) if turn < 0 and function != "cos" else value
+            return _of_degrees(function, evaluate(angle, values_of(given)))
         case Call("hypot", sides) if symbols(formula):
             return put_in(power(squares(sides), HALF), given)
         case Call("abs", (inner,)):
@@ -121,17 +119,34 @@ def put_in(formula: Formula, given: Mapping[str, GivenQuantity]) -> Formula:
         case Symbol(name):
             return _constant(given[name], bracketed=given[name].value < 0)
         case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
-            quantity = given[name]
-            is_root, is_divisor = exponent == HALF, exponent == Number(Fraction(-1))
-            is_long = bool(quantity.unit) or "e" in quantity.text(PUT_IN_DIGITS)
-            bracketed = not is_root and ((is_long and not is_divisor) or quantity.value < 0)
-            return Power(_constant(quantity, bracketed), put_in(exponent, given))
+            base = _constant(given[name], _is_bracketed(given[name], exponent))
+            return Power(base, put_in(exponent, given))
         case Power(base, exponent):
             return _power(put_in(base, given), put_in(exponent, given))
         case _:
             parts = children(formula)
             found = tuple(put_in(part, given) for part in parts)
             return rebuild(formula, found) if parts else formula
+
+
+def _of_degrees(function: str, angle: float) -> Formula:
+    """Return a function of an angle in degrees, none of them negative; a minus is before it."""
+    turn = _within_a_turn(angle)
+    value = Call(function, (in_degrees(abs(turn), PUT_IN_DIGITS),))
+    return negative(value) if turn < 0 and function != "cos" else value
+
+
+def _is_bracketed(quantity: GivenQuantity, exponent: Formula) -> bool:
+    """Return whether a quantity that a power is taken of stands in brackets.
+
+    It does with a unit, a power of ten or a minus; not under a root, and below a line for a
+    minus alone.
+    """
+    if exponent == HALF:
+        return False
+    is_long = bool(quantity.unit) or "e" in quantity.text(PUT_IN_DIGITS)
+    is_divisor = exponent == Number(Fraction(-1))
+    return (is_long and not is_divisor) or quantity.value < 0
 
 
 def _in_front(factors: Iterable[Formula]) -> Formula:

@@ -129,27 +129,25 @@ class LoopState:
         self.rated.enter(closure.definitions, moving, twins)
         self.values = [self.tried(closure, values) for values in self.values]
         self.definitions.extend(closure.definitions)
-        directions = dict(closure.directions)
-        self.directions = {n: a.put(directions) for n, a in self.directions.items()} | directions
-        self.graph.put(directions)
-        self.guide_lines = [r._replace(angle=r.angle.put(directions)) for r in self.guide_lines]
-        for values in self.values:
-            for name in directions:
-                values.pop(name, None)
+        self._put_in(closure.directions)
         self._mirrored.update(closure.directions if closure.across else ())
         turn = self._is_clockwise(points) if kind == "triangle" else None
         self.found.update(unknown)
         self.graph.sought.difference_update(unknown)
         names = (*(d.name for d in closure.definitions), *self._name_directions())
         like = next((loop.points for loop in self.solved if not known.isdisjoint(loop.names)), ())
-        known_by = {closure.across, *closure.alike}
-        put_in = tuple(
-            PoseDefinition(name, principal(angle).formula())
-            for name, angle in closure.directions.items()
-            if name in known_by
-        )
-        placed = place or ("", None)
+        put_in, placed = tuple(_put_in_by(closure)), place or ("", None)
         self.solved.append(SolvedLoop(kind, points, names, turn, like, known, put_in, *placed))
+
+    def _put_in(self, directions: Mapping[str, Angle]) -> None:
+        """Put directions that were found wherever they are mentioned."""
+        self.directions = {n: a.put(directions) for n, a in self.directions.items()}
+        self.directions.update(directions)
+        self.graph.put(directions)
+        self.guide_lines = [r._replace(angle=r.angle.put(directions)) for r in self.guide_lines]
+        for values in self.values:
+            for name in directions:
+                values.pop(name, None)
 
     def _name_directions(self) -> Iterator[str]:
         """Name the directions that are sums of many angles, all of them known by now.
@@ -203,3 +201,11 @@ def _passing_zero(mechanism: Mechanism) -> Iterator[str]:
         places = [evaluate(end, {}) for end in ends]
         if parameter.dimension == LENGTH and places and min(places) < 0 < max(places):
             yield parameter.name
+
+
+def _put_in_by(closure: Closure) -> Iterator[PoseDefinition]:
+    """Yield the directions that are put in as those of other vectors, or as mirrored ones."""
+    known_by = {closure.across, *closure.alike}
+    for name, angle in closure.directions.items():
+        if name in known_by:
+            yield PoseDefinition(name, principal(angle).formula())
