@@ -5,7 +5,7 @@ import pytest
 import mechc
 from mechc.algebra.angle import Angle
 from mechc.algebra.trigonometry import cosine, sine
-from mechc.formula.facing import quarter_turned, rewritten
+from mechc.formula.differences import as_cofunction, rewritten
 from mechc.formula.to_text import text
 from mechc.pose.given_angles import Constants, GivenLines
 
@@ -19,7 +19,7 @@ def at(angle: Angle, degrees: int) -> Angle:
 def written(product, *lines: Angle) -> str:
     """Return a product in the angles between lines, each of them written as an arrow."""
     quarter = GivenLines({Angle(), *lines}, {Angle(), *lines}).quarter
-    return text(rewritten(product.formula(), lambda whole: quarter_turned(whole, quarter)))
+    return text(rewritten(product.formula(), lambda whole: as_cofunction(whole, quarter)))
 
 
 @pytest.mark.parametrize(
@@ -160,5 +160,5 @@ def test_the_angle_of_a_link_is_read_where_another_part_is_measured_from_the_y_a
     lines = {Angle(), arm, rod}
     quarter = GivenLines(lines, {*lines}, written=[Angle.constant(20)]).quarter
     for projection in (sine(rod - arm), cosine(THETA - arm)):
-        turned = rewritten(projection.formula(), lambda whole: quarter_turned(whole, quarter))
+        turned = rewritten(projection.formula(), lambda whole: as_cofunction(whole, quarter))
         assert text(turned) == "cos(phi - theta + pi/9)"

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 
 from formula_strategies import VALUES, formulas
+from mechc.formula.differences import differences_as_in, plus_first, with_positive_sines
 from mechc.formula.evaluate import evaluate
-from mechc.formula.facing import as_in, facing, led
 from mechc.formula.layout import in_degrees, over_line
 from mechc.formula.tree import Sum
 from mechc.report.book_forms import book_form
@@ -21,9 +21,11 @@ def quarter(angle):
 
 
 REWRITINGS = {
-    "facing": lambda formula: facing(formula, lambda: VALUES, quarter),
-    "led": led,
-    "as in its negative": lambda formula: as_in(formula, facing(formula, lambda: VALUES, quarter)),
+    "with_positive_sines": lambda formula: with_positive_sines(formula, lambda: VALUES, quarter),
+    "plus_first": plus_first,
+    "as in its negative": lambda formula: differences_as_in(
+        formula, with_positive_sines(formula, lambda: VALUES, quarter)
+    ),
     "geometry first": lambda formula: geometry_first(formula, {"alpha", "theta"}),
     "over a line": over_line,
     "as in books": lambda formula: book_form(formula, {"a", "b", "c"}),

@@ -6,8 +6,8 @@ from typing import assert_never
 
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.from_formula import to_angle
+from ..formula.differences import plus_first
 from ..formula.evaluate import evaluate
-from ..formula.facing import led
 from ..formula.to_text import text
 from ..formula.tree import Formula, Sum, Symbol, negative, total
 from ..formula.walk import constants, symbols
@@ -126,7 +126,7 @@ def _length(formula: Formula, half: Half) -> str:
     if not symbols(formula):
         return _written(evaluate(formula, {}), _unit(formula, mechanism))
     if isinstance(formula, Sum):
-        return text(led(total(_with_unit(term, mechanism) for term in formula.terms)))
+        return text(plus_first(total(_with_unit(term, mechanism) for term in formula.terms)))
     return text(formula)
 
 

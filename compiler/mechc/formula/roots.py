@@ -12,7 +12,7 @@ from ..named import NamedTuple
 
 Function = Callable[[float], float]
 
-TOUCHED = 1e-7
+TOUCHING = 1e-7
 """A minimum below this part of the greatest value is a zero that is touched.
 
 Half the digits: nothing nearer separates a double zero from one that is just missed.
@@ -24,25 +24,13 @@ NOISE = 1e-12
 A dip that is no deeper is rounding as well.
 """
 
-ROUNDED = 1e-14
+ROUNDED_END = 1e-14
 """A value at an end of the stroke below this part of the greatest is a zero that was rounded."""
 
-JUMP = 1e-3
+LEFT_AT_ZERO = 1e-3
 """What is left of a value where the sign changes, if it is a zero: a pole or a jump leaves more."""
 
-STEEP = 4.0
-"""How much more than beside it a function that does not change its sign varies where it jumps."""
-
-STEADY = 0.1
-"""What it varies by near a jump, at most, as a part of that."""
-
-NARROW, BESIDE = 1e-11, 1e-8
-"""To what part of the range a jump is narrowed down, and from how far its sides are seen.
-
-What is infinite at the pole itself is rounded worse, the nearer that is.
-"""
-
-CLOSE = 4
+LEAST_STEP = 4
 """So many units in the last place are stepped to where a zero must be next to a value."""
 
 MOST_CUTS = 40
@@ -51,7 +39,7 @@ MOST_CUTS = 40
 HALF_DIGITS = 1e-8
 """How exact a zero is that is touched, as a part of it: a minimum is known to half the digits."""
 
-SMALL = 1e-3
+EXACT_AS_AT_ZERO = 1e-3
 """A zero nearer to 0 than this is as exact as one there."""
 
 SAME_ROOT = 1e-9
@@ -96,75 +84,12 @@ def roots(function: Function, grid: Sequence[float]) -> list[Root]:
     for (a, b), (u, v) in zip(pairwise(grid), pairwise(values), strict=True):
         if u * v < 0 and max(abs(u), abs(v)) > NOISE * size:
             root = narrowed(function, a, b)
-            if abs(function(root.x)) <= JUMP * max(abs(u), abs(v)):
+            if abs(function(root.x)) <= LEFT_AT_ZERO * max(abs(u), abs(v)):
                 found.append(root)
     found.extend(_touched(function, grid, values, size))
     ends = ((grid[0], values[0]), (grid[-1], values[-1]))
-    found.extend(Root(x, math.ulp(x)) for x, y in ends if abs(y) < ROUNDED * size)
+    found.extend(Root(x, math.ulp(x)) for x, y in ends if abs(y) < ROUNDED_END * size)
     return _distinct(found, grid)
-
-
-class Jump(NamedTuple):
-    """An x at which a function is finite on either side, but not the same, and its sides."""
-
-    x: float
-    bracket: float
-    before: float
-    after: float
-
-
-def jumps(function: Function, grid: Sequence[float]) -> list[Jump]:
-    """Return where a function jumps from one finite value to another.
-
-    >>> [round(j.x, 9) for j in jumps(lambda x: 1.0 if x < 0.3 else 2.0, [0.0, 0.25, 0.5])]
-    [0.3]
-    >>> steep = lambda x: 0.02 / (x - 0.24) if x < 0.3 else -0.3
-    >>> [round(j.x, 9) for j in jumps(steep, [0.0, 0.1, 0.25, 0.5])]
-    [0.3]
-    """
-    values = [function(x) for x in grid]
-    steps = [abs(v - u) for u, v in pairwise(values)]
-    sizes = sorted(abs(y) for y in values if math.isfinite(y))
-    least = TOUCHED * sizes[len(sizes) // 2] if sizes else 0.0
-    range_ = abs(grid[-1] - grid[0])
-    found: list[Jump] = []
-    for i, step in enumerate(steps):
-        beside = [*steps[max(i - 1, 0) : i], *steps[i + 1 : i + 2]]
-        turns = values[i] * values[i + 1] < 0
-        if step > least and (turns or step > STEEP * max(beside, default=0.0)):
-            jump = _narrowed(function, grid[i], grid[i + 1], range_)
-            left = abs(jump.after - jump.before)
-            if left > JUMP * step and is_steady(function, jump, range_):
-                found.append(jump)
-    return found
-
-
-def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
-    """Return a jump between two points: what is between is on the side that it is more like.
-
-    Where the sign changes that is the side of its sign: beside a pole values fall from far above.
-    """
-    before, after = function(a), function(b)
-    turns = before * after < 0
-    while b - a > NARROW * range_ and (middle := (a + b) / 2) not in (a, b):
-        value = function(middle)
-        if turns:
-            is_before = value * before > 0
-        else:
-            is_before = abs(value - before) < abs(value - after)
-        if is_before:
-            a, before = middle, value
-        else:
-            b, after = middle, value
-    beside = BESIDE * range_
-    return Jump((a + b) / 2, b - a, function(a - beside), function(b + beside))
-
-
-def is_steady(function: Function, jump: Jump, range_: float) -> bool:
-    """Return whether this is a jump, no pole: ten times as far values are nearly the same."""
-    away, most = 10 * BESIDE * range_, STEADY * abs(jump.after - jump.before)
-    before, after = (function(jump.x + side * away) for side in (-1, 1))
-    return abs(before - jump.before) <= most and abs(after - jump.after) <= most
 
 
 def _alone(values: Sequence[float], i: int, size: float) -> bool:
@@ -205,7 +130,7 @@ def narrowed(function: Function, a: float, b: float, enough: float = 0.0) -> Roo
 
 def _cut(here: _At, far: _At, last: _At, cuts: int) -> float:
     """Return where to divide the interval between two values of unlike sign."""
-    width, least = far.x - here.x, CLOSE * math.ulp(max(abs(here.x), abs(far.x)))
+    width, least = far.x - here.x, LEAST_STEP * math.ulp(max(abs(here.x), abs(far.x)))
     if last is not far and cuts < MOST_CUTS and abs(width) > 2 * least:
         along, up = (here.x - far.x) / (last.x - far.x), (here.y - far.y) / (last.y - far.y)
         if up * up < along and (1 - up) * (1 - up) < 1 - along:
@@ -245,8 +170,8 @@ def _lowest(
     least = sense * function(x)
     if least < -NOISE * size:
         yield from (narrowed(function, *sorted((end, x))) for end in within)
-    elif least < TOUCHED * size:
-        yield Root(x, HALF_DIGITS * max(abs(x), SMALL))
+    elif least < TOUCHING * size:
+        yield Root(x, HALF_DIGITS * max(abs(x), EXACT_AS_AT_ZERO))
 
 
 def lowest(

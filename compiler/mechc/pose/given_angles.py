@@ -9,7 +9,7 @@ from functools import cache, partial
 
 from ..algebra.angle import Angle, Rational
 from ..algebra.from_formula import to_angle
-from ..formula.facing import Quarter, led, quarter_turned, rewritten
+from ..formula.differences import Quarter, as_cofunction, plus_first, rewritten
 from ..formula.tree import Formula, Implicit, System
 from ..frozen import replace
 from ..model.mechanism import Arrow, Turn
@@ -204,16 +204,16 @@ def in_given_angles(pose: Pose) -> Pose:
 
     def turned(formula: Formula) -> Formula | None:
         if not isinstance(formula, Implicit):
-            return quarter_turned(formula, quarter)
+            return as_cofunction(formula, quarter)
         system = formula.system
         if system not in systems:
-            equations = tuple(led(rewritten(e, turned)) for e in system.equations)
+            equations = tuple(plus_first(rewritten(e, turned)) for e in system.equations)
             systems[system] = replace(system, equations=equations)
         return replace(formula, system=systems[system])
 
     def written(definitions: Iterable[PoseDefinition]) -> tuple[PoseDefinition, ...]:
         return tuple(
-            PoseDefinition(n, led(rewritten(formula, turned))) for n, formula in definitions
+            PoseDefinition(n, plus_first(rewritten(formula, turned))) for n, formula in definitions
         )
 
     return replace(

@@ -33,7 +33,7 @@ def joint_force(problem: PowerProblem, find: Find, asked: ForceAtJoint) -> Algeb
 
 
 def _result(problem: PowerProblem, find: Find, asked: ForceAtJoint, found: ForceFormula) -> Result:
-    formula = problem.faced(found.formula)
+    formula = problem.with_positive_sines(found.formula)
     where = [d for p in found.plans for d in resting_on(p, formula, found.values)]
     problem.check_lengths(find, [formula, *(d.formula for d in where)])
     given = _given_loads(problem, found)

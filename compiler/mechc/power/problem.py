@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ..algebra.product import Product
 from ..diagnostics import Report
 from ..diagnostics import power as messages
-from ..formula.facing import facing
+from ..formula.differences import with_positive_sines
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..kinematics.plan import Plan
@@ -75,14 +75,14 @@ class PowerProblem:
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
         """Return a formula as a result, with the definitions that it rests on."""
-        formula = self.faced(formula)
+        formula = self.with_positive_sines(formula)
         where = resting_on(self.reading.plan, formula, values)
         self.check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)
 
-    def faced(self, formula: Formula) -> Formula:
+    def with_positive_sines(self, formula: Formula) -> Formula:
         """Return a formula with its angles and differences as they are at the default pose."""
-        return facing(formula, lambda: self.numbers.values, self.reading.quarter)
+        return with_positive_sines(formula, lambda: self.numbers.values, self.reading.quarter)
 
     def check_lengths(self, find: Find, formulas: Sequence[Formula]) -> None:
         """Report what is asked for where a length has no value that its formulas need."""

@@ -17,8 +17,8 @@ from ..algebra.product import Product
 from ..algebra.product import Sum as FactoredSum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
+from ..formula.differences import as_cofunction, rewritten
 from ..formula.evaluate import evaluate
-from ..formula.facing import quarter_turned, rewritten
 from ..formula.layout import has_minus
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Sum, is_call, negative, number, power, quotient, total
@@ -177,7 +177,7 @@ def _in_angles_of(components: Iterable[Formula], square: Formula) -> Formula:
     found = (to_angle(call.arguments[0]) for call in calls)
     arms = {angle for angle in found if angle is not None}
     quarter = GivenLines({Angle(), *arms}, {Angle(), *arms}).quarter
-    return rewritten(square, lambda part: quarter_turned(part, quarter))
+    return rewritten(square, lambda part: as_cofunction(part, quarter))
 
 
 def _operations(distance: Formula) -> int:

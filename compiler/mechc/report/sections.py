@@ -8,7 +8,7 @@ from itertools import zip_longest
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ..formula.facing import led
+from ..formula.differences import plus_first
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Implicit, Product, Sum, Symbol, System
 from ..formula.walk import constants, symbols
@@ -155,7 +155,7 @@ class ShownNames:
         """Return whether a name stands for a formula already, which may lead by another term."""
         known, formula = self._known.get(definition.name), definition.formula
         return known == formula or (
-            known is not None and not isinstance(formula, Implicit) and known == led(formula)
+            known is not None and not isinstance(formula, Implicit) and known == plus_first(formula)
         )
 
     def said_once(

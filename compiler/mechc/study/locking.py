@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import chain, groupby, pairwise
 
 from ..algebra.from_formula import to_product
+from ..formula.differences import with_positive_divisors
 from ..formula.evaluate import evaluate
-from ..formula.facing import upright
 from ..formula.operations import count_operations
 from ..formula.solved import AngleSolution, poles, zeros
 from ..formula.tree import Formula
@@ -221,7 +221,9 @@ class _Intervals:
             exact = solution.at(x, values)
             if exact is not None and symbols(exact).isdisjoint(varying) and _is_short(exact):
                 shown = exact if solution.period else to_product(exact).formula()
-                return Bound(evaluate(exact, values), upright(shown, values), is_dead_centre)
+                return Bound(
+                    evaluate(exact, values), with_positive_divisors(shown, values), is_dead_centre
+                )
         return Bound(x, None, is_dead_centre)
 
 

@@ -25,12 +25,12 @@ from ...study.analysis import Analysis
 from ..kinds import SentenceKind
 from ..sentences.order import positive_first
 from ..steps import Derivation, Equation, Explanation, Paragraph
-from .facing import Facing, turns_of_friction
 from .forces import of_forces
 from .friction import of_friction
 from .notation import direction_formula
 from .per_load import by_forces
 from .position import position_steps
+from .readable import ReadableFormulas, turns_of_friction
 
 Places = tuple[str, ...]
 
@@ -71,7 +71,7 @@ def derive_by_equilibrium(
     explanations = (*sums, *of_friction(solution, results))
     pose = solution.plan.graph.pose
     requires = pose.mechanism.requires
-    face = Facing(solution.plan, turns_of_friction(results, pose))
+    face = ReadableFormulas(solution.plan, turns_of_friction(results, pose))
     derivation = Derivation((), (), (), tuple(results), explanations, requires=requires)
     derivation = face.derivation(derivation)
     position = position_steps(pose, derivation)

@@ -13,12 +13,12 @@ from ..kinds import StepRule
 from ..sentences.speller import guided_of
 from ..steps import Derivation, DerivationStep, Equation
 from . import equilibrium
-from .facing import Facing, turns_of_friction
 from .forces import of_forces
 from .friction import of_friction
 from .last_step import last_steps
 from .position import position_steps
 from .power_terms import power_equations, power_terms, speeds_along
+from .readable import ReadableFormulas, turns_of_friction
 from .speed_steps import SpeedSteps
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def derive(
         ratios=tuple(speeds.ratios),
         requires=mechanism.requires,
     )
-    face = Facing(solution.plan, turns_of_friction(results, solution.plan.graph.pose))
+    face = ReadableFormulas(solution.plan, turns_of_friction(results, solution.plan.graph.pose))
     derivation = face.derivation(derivation)
     last = map(face.last_step, last_steps(derivation, solution.balance.equations.owners))
     derivation = without_unused(replace(derivation, last_steps=tuple(last)))

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, groupby
 
-from ...formula.facing import led
+from ...formula.differences import plus_first
 from ...formula.names import VECTOR_POINTS, corner_of, split_points
 from ...formula.tree import HALF, ONE, Call, Formula, Implicit, Number, Power, Product, Sum
 from ...formula.walk import reached, symbols, walk
@@ -58,7 +58,7 @@ def _of_loops(pose: Pose, derivation: Derivation, formulas: Formulas) -> Iterato
         names = [n for n in loop.names if n in needed]
         put_in = [d for d in loop.put_in if any(map((_ends(d.name) - fixed).issubset, subjects))]
         if names or put_in or not loop.again.isdisjoint(needed):
-            shown = (Definition(d.name, led(d.formula)) for d in put_in)
+            shown = (Definition(d.name, plus_first(d.formula)) for d in put_in)
             given = (Definition(n, formulas[n]) for n in names)
             found = (*given, *shown) if loop.kind == "mirrored" else (*shown, *given)
             step = _of_radius(_introduced(loop, _kind(loop, found), found), pose.mechanism)

@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from itertools import pairwise, product
 
-from ...formula.roots import BESIDE, NARROW, Function, Jump, is_steady, jumps, spaced
+from ...formula.jumps import BESIDE_JUMP, JUMP_WIDTH, Jump, is_steady, jumps
+from ...formula.roots import Function, spaced
 from ...formula.tree import Formula, is_call
 from ...formula.walk import walk
 from ...model.parts.targets import Efficiency, Reaction, WithFriction
@@ -81,7 +82,7 @@ def jumping(
     """
     size, range_ = along.function(result.formula, result), grid[-1] - grid[0]
     seen, places = jumps(size, grid), spaced(grid[0], grid[-1], PLACES)
-    near = 2 * BESIDE * range_
+    near = 2 * BESIDE_JUMP * range_
     others = [x for x in turns if all(abs(x - jump.x) > near for jump in seen)]
     for jump in (*seen, *_at_turns(size, others, range_)):
         higher = max(abs(jump.before), abs(jump.after))
@@ -94,7 +95,7 @@ def is_on_the_stroke(found: Singular, run: Run) -> bool:
 
     There it is on one side, and rounding alone makes it the other.
     """
-    near = 2 * BESIDE * run.range
+    near = 2 * BESIDE_JUMP * run.range
     return not found.sides or run.low + near < found.drive < run.high - near
 
 
@@ -110,8 +111,8 @@ def _jumping(name: str, jump: Jump, along: Sweep, range_: float) -> Singular:
 def _at_turns(size: Function, turns: Sequence[float], range_: float) -> Iterator[Jump]:
     """Yield the turns at which a function jumps by what shows in its figures."""
     for x in turns:
-        before, after = (size(x + side * BESIDE * range_) for side in (-1, 1))
-        jump = Jump(x, NARROW * range_, before, after)
+        before, after = (size(x + side * BESIDE_JUMP * range_) for side in (-1, 1))
+        jump = Jump(x, JUMP_WIDTH * range_, before, after)
         shows = abs(after - before) > SEEN * max(abs(before), abs(after))
         if shows and is_steady(size, jump, range_):
             yield jump

@@ -5,8 +5,13 @@ import random
 import pytest
 
 import mechc
+from mechc.formula.differences import (
+    factors_as_in,
+    positive_sines,
+    with_positive_sines,
+    zero_as_written,
+)
 from mechc.formula.evaluate import evaluate
-from mechc.formula.facing import ahead, condition, facing, factors_as_in
 from mechc.formula.layout import has_minus, in_degrees
 from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
@@ -50,7 +55,7 @@ def quarter(angle) -> int:
 def test_the_value_stays_and_nothing_grows(seed):
     rng = random.Random(seed)
     formula, values = some_formula(rng), {name: rng.uniform(-3, 3) for name in NAMES}
-    turned = facing(formula, lambda: values, quarter)
+    turned = with_positive_sines(formula, lambda: values, quarter)
     for _ in range(3):
         assert evaluate(turned, values) == pytest.approx(evaluate(formula, values), rel=1e-9)
         values = {name: rng.uniform(-3, 3) for name in NAMES}
@@ -59,7 +64,7 @@ def test_the_value_stays_and_nothing_grows(seed):
 
 def test_what_an_angle_is_of_stays_behind_its_constant():
     behind = Call("sin", (total([degrees(19), negative(Symbol("a"))]),))
-    turned = facing(behind, lambda: {"a": 0.1}, lambda angle: -90)
+    turned = with_positive_sines(behind, lambda: {"a": 0.1}, lambda angle: -90)
     assert text(turned) == "cos(a + 71*pi/180)"
 
 
@@ -67,7 +72,7 @@ def test_what_an_angle_is_of_stays_behind_its_constant():
 def test_a_condition_vanishes_where_the_factor_does(seed):
     rng = random.Random(seed)
     formula, values = some_formula(rng), {name: rng.uniform(-3, 3) for name in NAMES}
-    turned = condition(formula, lambda: values, quarter)
+    turned = zero_as_written(formula, lambda: values, quarter)
     size = abs(evaluate(formula, values))
     assert abs(evaluate(turned, values)) == pytest.approx(size, rel=1e-9)
     assert not has_minus(turned) or has_minus(formula)
@@ -113,7 +118,7 @@ def test_factors_as_in_another_formula_keep_the_value(seed):
     rng = random.Random(seed)
     values = {name: rng.uniform(-3, 3) for name in NAMES}
     formula, model = some_formula(rng), some_formula(rng)
-    turned = factors_as_in(formula, *ahead([model], lambda: values))
+    turned = factors_as_in(formula, *positive_sines([model], lambda: values))
     assert evaluate(turned, values) == pytest.approx(evaluate(formula, values), rel=1e-9)
 
 
@@ -123,9 +128,9 @@ def test_a_negative_sum_over_a_negative_sine_is_turned_round():
     above, below = (Call("sin", (total([c, negative(x)]),)) for x in (a, b))
     formula = product([(total([above, b]), 1), (below, -1)])
     values = {"a": 1.9, "b": 0.2, "c": 0.1}
-    assert text(facing(formula, lambda: values)) == "(sin(a - c) - b)/sin(b - c)"
+    assert text(with_positive_sines(formula, lambda: values)) == "(sin(a - c) - b)/sin(b - c)"
     upright = {"a": 0.1, "b": 0.2, "c": 0.9}
-    assert facing(formula, lambda: upright) == formula
+    assert with_positive_sines(formula, lambda: upright) == formula
     page = mechc.load("stephenson_six_bar").emit("latex")
     assert r"\chi-\varphi" not in page
     assert r"\sin(-" not in page
@@ -134,8 +139,8 @@ def test_a_negative_sum_over_a_negative_sine_is_turned_round():
 def test_a_size_is_that_of_the_positive_sine():
     """|sin(a − b)| is written the way round in which a person has sines elsewhere."""
     behind = Call("abs", (Call("sin", (total([Symbol("a"), negative(Symbol("b"))]),)),))
-    assert text(facing(behind, lambda: {"a": 0.1, "b": 0.5})) == "abs(sin(b - a))"
-    assert text(facing(behind, lambda: {"a": 0.5, "b": 0.1})) == "abs(sin(a - b))"
+    assert text(with_positive_sines(behind, lambda: {"a": 0.1, "b": 0.5})) == "abs(sin(b - a))"
+    assert text(with_positive_sines(behind, lambda: {"a": 0.5, "b": 0.1})) == "abs(sin(a - b))"
 
 
 @pytest.mark.parametrize("at", [{"a": 0.1, "b": 0.5}, {"a": 0.5, "b": 0.1}])
@@ -145,7 +150,7 @@ def test_a_size_stands_as_the_sines_beside_it(at):
     root = Call("sqrt", (total([Symbol("c"), power(sine, number(3)), power(sine, number(2))]),))
     opposite = Call("sin", (total([Symbol("b"), negative(Symbol("a"))]),))
     for one in (sine, opposite):
-        shown = text(facing(quotient(root, Call("abs", (one,))), lambda: at))
+        shown = text(with_positive_sines(quotient(root, Call("abs", (one,))), lambda: at))
         assert len({side for side in ("sin(a - b)", "sin(b - a)") if side in shown}) == 1
 
 
@@ -154,8 +159,8 @@ def test_a_difference_below_the_line_is_positive() -> None:
     a, b, c = map(Symbol, "abc")
     below = total([a, negative(b)])
     at = {"a": 1.0, "b": 3.0, "c": 2.0}
-    assert text(facing(quotient(c, below), lambda: at)) == "-c/(b - a)"
+    assert text(with_positive_sines(quotient(c, below), lambda: at)) == "-c/(b - a)"
     both = product([(total([a, negative(c)]), 1), (below, -1)])
-    assert text(facing(both, lambda: at)) == "(c - a)/(b - a)"
-    assert facing(quotient(c, below), lambda: {"a": 1.0}) == quotient(c, below)
-    assert facing(quotient(c, below), lambda: {**at, "a": 4.0}) == quotient(c, below)
+    assert text(with_positive_sines(both, lambda: at)) == "(c - a)/(b - a)"
+    assert with_positive_sines(quotient(c, below), lambda: {"a": 1.0}) == quotient(c, below)
+    assert with_positive_sines(quotient(c, below), lambda: {**at, "a": 4.0}) == quotient(c, below)

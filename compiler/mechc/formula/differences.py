@@ -41,7 +41,7 @@ Quarter = Callable[[Formula], int]
 """By how many degrees an angle is to be turned to be one that a person knows: 90, −90 or 0."""
 
 
-def facing(
+def with_positive_sines(
     formula: Formula, values: LazyValues, quarter: Quarter | None = None, longer: int = 0
 ) -> Formula:
     """Write sin(a − b)/sin(c − b) as sin(b − a)/sin(b − c) where both are negative at the values.
@@ -56,24 +56,25 @@ def facing(
     >>> from .to_text import text
     >>> a, b, c = map(Symbol, "abc")
     >>> sines = [Call("sin", (total([one, negative(b)]),)) for one in (a, c)]
-    >>> text(facing(quotient(*sines), lambda: {"a": 0.1, "b": 0.5, "c": 0.3}))
+    >>> text(with_positive_sines(quotient(*sines), lambda: {"a": 0.1, "b": 0.5, "c": 0.3}))
     'sin(b - a)/sin(b - c)'
-    >>> text(facing(negative(sines[0]), lambda: {"a": 0.1, "b": 0.5}))
+    >>> text(with_positive_sines(negative(sines[0]), lambda: {"a": 0.1, "b": 0.5}))
     'sin(b - a)'
-    >>> text(facing(negative(sines[0]), lambda: {"a": 0.5, "b": 0.1}))
+    >>> text(with_positive_sines(negative(sines[0]), lambda: {"a": 0.5, "b": 0.1}))
     'sin(b - a)'
     >>> angle = total([a, negative(b), degrees(23)])
-    >>> text(facing(Call("cos", (angle,)), lambda: {"a": 0.1, "b": 0.5}, lambda angle: -90))
+    >>> values = lambda: {"a": 0.1, "b": 0.5}
+    >>> text(with_positive_sines(Call("cos", (angle,)), values, lambda angle: -90))
     'sin(b - a + 67*pi/180)'
     """
     if count_operations(formula) > MOST_READ_OPERATIONS:
         return formula
-    faced = _positive(formula, values)
-    turned = _turned_by(formula, quarter) if quarter else formula
+    positive = _positive(formula, values)
+    turned = _with_cofunctions(formula, quarter) if quarter else formula
     if turned is formula or turned == formula:
-        return faced
+        return positive
     found = _positive(turned, values)
-    return found if _length(found) <= _length(faced) + longer else faced
+    return found if _length(found) <= _length(positive) + longer else positive
 
 
 def _length(formula: Formula) -> int:
@@ -88,8 +89,10 @@ def _positive(formula: Formula, values: LazyValues) -> Formula:
     if not differences and not divisors:
         return formula
     at = SharedEvaluation(values())
-    behind = any(_is_behind(d, at) for d in differences) or any(_is_below(d, at) for d in divisors)
-    return _sizes_as_beside(_without_minus(_faced(formula, at) if behind else formula))
+    behind = any(_is_negative_sine(d, at) for d in differences) or any(
+        _is_below(d, at) for d in divisors
+    )
+    return _sizes_as_beside(_without_minus(_sines_turned(formula, at) if behind else formula))
 
 
 def _sizes_as_beside(formula: Formula) -> Formula:
@@ -101,7 +104,7 @@ def _sizes_as_beside(formula: Formula) -> Formula:
 
     def turned(whole: Formula) -> Formula | None:
         match whole:
-            case Call("abs", (inner,)) if found := _turned_as(inner, known):
+            case Call("abs", (inner,)) if found := _difference_turned_as(inner, known):
                 return Call("abs", (without_sign(found),))
         return None
 
@@ -123,38 +126,40 @@ def _without_minus(formula: Formula) -> Formula:
     """
     if not isinstance(formula, Product) or not has_minus(formula):
         return formula
-    turned = {i: new for i, f in enumerate(formula.factors) if (new := _turned(f))}
+    turned = {i: new for i, f in enumerate(formula.factors) if (new := _sine_turned(f))}
     if len(turned) != 1 or any(isinstance(formula.factors[i], Power) for i in turned):
         return formula
     factors = (turned.get(i, factor) for i, factor in enumerate(formula.factors))
     return product([(number(-1), 1), *((factor, 1) for factor in factors)])
 
 
-def condition(factor: Formula, values: LazyValues, quarter: Quarter | None) -> Formula:
+def zero_as_written(factor: Formula, values: LazyValues, quarter: Quarter | None) -> Formula:
     """Return a formula that is zero where a factor is, written as that is; its sign is free."""
     if not isinstance(factor, Sum):
-        other = facing(negative(factor), values, quarter)
+        other = with_positive_sines(negative(factor), values, quarter)
         if not has_minus(other):
             return other
-    return facing(factor, values, quarter)
+    return with_positive_sines(factor, values, quarter)
 
 
-def led(formula: Formula) -> Formula:
+def plus_first(formula: Formula) -> Formula:
     """Return a formula in whose sums a term without a minus leads; what is squared has none.
 
     A component of which all terms have a minus has one before it.
 
     >>> from .tree import Symbol
     >>> from .to_text import text
-    >>> text(led(total([negative(Symbol("a")), Symbol("b")])))
+    >>> text(plus_first(total([negative(Symbol("a")), Symbol("b")])))
     'b - a'
-    >>> text(led(Power(negative(Symbol("a")), number(2))))
+    >>> text(plus_first(Power(negative(Symbol("a")), number(2))))
     'a^2'
     >>> both = Sum((negative(Symbol("a")), negative(Symbol("b"))))
-    >>> text(led(Call("hypot", (both, both)))), text(led(Call("atan2", (both, Symbol("c")))))
-    ('hypot(a + b, a + b)', 'atan2(-(a + b), c)')
+    >>> text(plus_first(Call("hypot", (both, both))))
+    'hypot(a + b, a + b)'
+    >>> text(plus_first(Call("atan2", (both, Symbol("c")))))
+    'atan2(-(a + b), c)'
     """
-    parts = tuple(map(led, children(formula)))
+    parts = tuple(map(plus_first, children(formula)))
     if isinstance(formula, Call) and formula.function in ("hypot", "atan2"):
         is_even = formula.function == "hypot"
         parts = tuple(_after_minus(part, is_even) for part in parts)
@@ -178,8 +183,8 @@ def _is_even(exponent: Formula) -> bool:
     return isinstance(exponent, Number) and exponent.value % 2 == 0
 
 
-def _turned_by(formula: Formula, quarter: Quarter) -> Formula:
-    return rewritten(formula, lambda whole: quarter_turned(whole, quarter))
+def _with_cofunctions(formula: Formula, quarter: Quarter) -> Formula:
+    return rewritten(formula, lambda whole: as_cofunction(whole, quarter))
 
 
 def rewritten(formula: Formula, turned: Callable[[Formula], Formula | None]) -> Formula:
@@ -194,7 +199,7 @@ def rewritten(formula: Formula, turned: Callable[[Formula], Formula | None]) -> 
     return turned(whole) or whole
 
 
-def as_in(formula: Formula, *models: Formula) -> Formula:
+def differences_as_in(formula: Formula, *models: Formula) -> Formula:
     """Write functions of differences the way round in which other formulas have them.
 
     >>> from .tree import Symbol
@@ -202,17 +207,17 @@ def as_in(formula: Formula, *models: Formula) -> Formula:
     >>> a, b = map(Symbol, "ab")
     >>> one, other = total([a, negative(b)]), total([b, negative(a)])
     >>> slope = product([(Call("sin", (one,)), -2), (Call("cot", (one,)), 1)])
-    >>> text(as_in(slope, Call("sin", (other,))))
+    >>> text(differences_as_in(slope, Call("sin", (other,))))
     '-cot(b - a)/sin(b - a)^2'
     """
     nodes = (node for model in models for node in walk(model))
     arguments = (node.arguments[0] for node in nodes if isinstance(node, Call))
     sums = (argument for argument in arguments if isinstance(argument, Sum))
     known = {frozenset(argument.terms): argument for argument in sums}
-    return rewritten(formula, lambda whole: _turned_as(whole, known))
+    return rewritten(formula, lambda whole: _difference_turned_as(whole, known))
 
 
-def ahead(formulas: Iterable[Formula], values: LazyValues) -> list[Formula]:
+def positive_sines(formulas: Iterable[Formula], values: LazyValues) -> list[Formula]:
     """Return the sines of differences in formulas that are positive at the values.
 
     There is none of what formulas have either way round.
@@ -220,7 +225,7 @@ def ahead(formulas: Iterable[Formula], values: LazyValues) -> list[Formula]:
     >>> from .tree import Symbol
     >>> a, b, c = map(Symbol, "abc")
     >>> one, two = (Call("sin", (total([x, negative(y)]),)) for x, y in ((a, b), (b, c)))
-    >>> [found] = ahead([one, two], lambda: {"a": 1.0, "b": 0.5, "c": 0.7})
+    >>> [found] = positive_sines([one, two], lambda: {"a": 1.0, "b": 0.5, "c": 0.7})
     >>> found == one
     True
     """
@@ -232,7 +237,7 @@ def ahead(formulas: Iterable[Formula], values: LazyValues) -> list[Formula]:
     return [
         sine
         for sine, inside in found
-        if frozenset(inside.terms) not in both and not _is_behind(inside, at)
+        if frozenset(inside.terms) not in both and not _is_negative_sine(inside, at)
     ]
 
 
@@ -244,7 +249,7 @@ def terms_as_in(formula: Formula, *models: Formula) -> Formula:
 
 
 def factors_as_in(formula: Formula, *models: Formula) -> Formula:
-    """Write the factors of a product as :func:`as_in` does, but for sums.
+    """Write the factors of a product as :func:`differences_as_in` does, but for sums.
 
     >>> from .tree import Symbol
     >>> from .to_text import text
@@ -257,7 +262,7 @@ def factors_as_in(formula: Formula, *models: Formula) -> Formula:
         case Product(factors):
             return product((factors_as_in(factor, *models), 1) for factor in factors)
         case Call() | Power(Call()):
-            return as_in(formula, *models)
+            return differences_as_in(formula, *models)
         case _:
             return formula
 
@@ -265,7 +270,9 @@ def factors_as_in(formula: Formula, *models: Formula) -> Formula:
 _ODD, _EVEN = frozenset({"sin", "tan", "cot", "csc"}), frozenset({"cos", "sec"})
 
 
-def _turned_as(formula: Formula, known: Mapping[frozenset[Formula], Sum]) -> Formula | None:
+def _difference_turned_as(
+    formula: Formula, known: Mapping[frozenset[Formula], Sum]
+) -> Formula | None:
     match formula:
         case Call(function, (Sum(terms),)) if function in _ODD | _EVEN:
             other = known.get(frozenset(map(negative, terms)))
@@ -292,13 +299,13 @@ def _without_sign(formula: Formula) -> tuple[int, Formula]:
     return 1, formula
 
 
-def quarter_turned(formula: Formula, quarter: Quarter) -> Formula | None:
+def as_cofunction(formula: Formula, quarter: Quarter) -> Formula | None:
     """Return a sine as a cosine, or the other way round, of its angle turned by a quarter.
 
     None where it is not to be turned, and for what is neither.
 
     >>> from .to_text import text
-    >>> text(quarter_turned(Call("cos", (degrees(35),)), lambda angle: -90))
+    >>> text(as_cofunction(Call("cos", (degrees(35),)), lambda angle: -90))
     'sin(11*pi/36)'
     """
     match formula:
@@ -322,7 +329,7 @@ def _is_opposite(angle: Formula, function: str) -> bool:
 
 def _negated(angle: Formula) -> Formula:
     if isinstance(angle, Sum):
-        return total(_led(map(negative, angle.terms)))
+        return total(_in_reading_order(map(negative, angle.terms)))
     return negative(angle)
 
 
@@ -334,17 +341,17 @@ def _plus(angle: Formula, turn: int) -> Formula:
     return total([*others, degrees(constant + turn)])
 
 
-def _faced(formula: Formula, at: SharedEvaluation) -> Formula:
-    parts = tuple(_faced(part, at) for part in children(formula))
+def _sines_turned(formula: Formula, at: SharedEvaluation) -> Formula:
+    parts = tuple(_sines_turned(part, at) for part in children(formula))
     whole = rebuild(formula, parts) if parts != children(formula) else formula
     match whole:
         case Product(factors):
             above = _over_positive(factors, at) or whole
             factors = above.factors if isinstance(above, Product) else factors
-            return _paired(factors, at) or above
+            return _turned_in_pairs(factors, at) or above
         case Power(base, Number(value) as exponent) if value.denominator == 1 and not value % 2:
             return Power(negative(base), exponent) if has_minus(base) else whole
-        case Call("abs", (inner,)) if turned := _turned(inner, at):
+        case Call("abs", (inner,)) if turned := _sine_turned(inner, at):
             return Call("abs", (turned,))
         case _:
             return whole
@@ -365,14 +372,14 @@ def _over_positive(factors: Sequence[Formula], at: SharedEvaluation) -> Formula 
     return product([(number((-1) ** len(turned)), 1), *parts])
 
 
-def upright(formula: Formula, values: Mapping[str, float]) -> Formula:
+def with_positive_divisors(formula: Formula, values: Mapping[str, float]) -> Formula:
     """Return −atan(a/(b − 1)) as atan(a/(1 − b)) where b − 1 is negative at the values.
 
     >>> from .tree import ONE, Symbol, quotient
     >>> from .to_text import text
     >>> a, b = map(Symbol, "ab")
     >>> bound = negative(Call("atan", (quotient(a, total([b, negative(ONE)])),)))
-    >>> text(upright(bound, {"a": 0.1, "b": 0.2}))
+    >>> text(with_positive_divisors(bound, {"a": 0.1, "b": 0.2}))
     'atan(a/(1 - b))'
     """
     at = SharedEvaluation(values)
@@ -405,7 +412,7 @@ def _opposite(factor: Formula) -> Formula:
     if isinstance(factor, Power):
         return Power(_opposite(factor.base), factor.exponent)
     assert isinstance(factor, Sum)
-    return total(_led(map(negative, factor.terms)))
+    return total(_in_reading_order(map(negative, factor.terms)))
 
 
 def _divisor(formula: Formula) -> Sum | None:
@@ -432,10 +439,10 @@ def _is_below(formula: Formula, at: SharedEvaluation) -> bool:
     return sum(sizes) < -NO_SIGN * max(map(abs, sizes))
 
 
-def _paired(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
+def _turned_in_pairs(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
     """Return a product with negative sines turned; None where an odd one would need a minus."""
     sign = -1 if has_minus(Product(tuple(factors))) else 1
-    turned = {i: new for i, f in enumerate(factors) if (new := _turned(f, at))}
+    turned = {i: new for i, f in enumerate(factors) if (new := _sine_turned(f, at))}
     if len(turned) % 2 and sign > 0:
         turned = dict(list(turned.items())[:-1])
     if not turned:
@@ -444,19 +451,19 @@ def _paired(factors: Sequence[Formula], at: SharedEvaluation) -> Formula | None:
     return product([(number((-1) ** len(turned)), 1), *parts])
 
 
-def _turned(factor: Formula, at: SharedEvaluation | None = None) -> Formula | None:
+def _sine_turned(factor: Formula, at: SharedEvaluation | None = None) -> Formula | None:
     """Return an odd power of a sine of a difference with that turned round.
 
     None for another factor, and where the sine is not negative at the values, if these are given.
     """
     match factor:
         case Power(base, Number(value) as exponent) if value.denominator == 1 and value % 2:
-            turned = _turned(base, at)
+            turned = _sine_turned(base, at)
             return Power(turned, exponent) if turned else None
         case Sum(terms):
             return None if at is None else _sum_turned(terms, at)
         case _ if difference := _difference(factor):
-            if at is None or _is_behind(difference, at):
+            if at is None or _is_negative_sine(difference, at):
                 return Call("sin", (_negated(difference),))
     return None
 
@@ -468,12 +475,16 @@ def _sum_turned(terms: Sequence[Formula], at: SharedEvaluation) -> Formula | Non
         not has_minus(new) and not has_minus(old) for new, old in zip(turned, terms, strict=True)
     )
     try:
-        return total(_led(turned)) if is_led and at.of(Sum(tuple(terms))) < -NO_SIGN else None
+        return (
+            total(_in_reading_order(turned))
+            if is_led and at.of(Sum(tuple(terms))) < -NO_SIGN
+            else None
+        )
     except KeyError:
         return None
 
 
-def _is_behind(difference: Sum, at: SharedEvaluation) -> bool:
+def _is_negative_sine(difference: Sum, at: SharedEvaluation) -> bool:
     """Return whether the sine of a difference is negative; False where it has no value."""
     try:
         return math.sin(at.of(difference)) < -NO_SIGN
@@ -481,7 +492,7 @@ def _is_behind(difference: Sum, at: SharedEvaluation) -> bool:
         return False
 
 
-def _led(terms: Iterable[Formula]) -> list[Formula]:
+def _in_reading_order(terms: Iterable[Formula]) -> list[Formula]:
     """Return terms as they are read: those without a minus first, a constant last.
 
     A constant is the first where all others have a minus.

@@ -4,16 +4,16 @@ from collections.abc import Iterable, Mapping, Sequence, Set
 from functools import cache, partial
 from typing import Literal
 
-from ...formula.facing import (
+from ...formula.differences import (
     MOST_READ_OPERATIONS,
-    ahead,
-    as_in,
-    condition,
-    facing,
+    differences_as_in,
     factors_as_in,
-    led,
+    plus_first,
+    positive_sines,
     terms_as_in,
+    with_positive_sines,
     without_sign,
+    zero_as_written,
 )
 from ...formula.layout import has_minus, over_line
 from ...formula.operations import count_operations
@@ -39,8 +39,8 @@ _OPPOSITE: Mapping[str, Literal["<", "<=", ">", ">="]] = {
 """The signs of conditions of which both sides are negative."""
 
 
-class Facing:
-    """Writes formulas as :func:`facing` does, at the default pose of a plan."""
+class ReadableFormulas:
+    """Writes formulas as :func:`with_positive_sines` does, at the default pose of a plan."""
 
     def __init__(self, plan: Plan, turns: Set[str] = frozenset()) -> None:
         """Take the angles by which friction ``turns`` forces: they stand behind others."""
@@ -55,11 +55,11 @@ class Facing:
         Its quotients have whole numbers, not decimals. For an angle that is given it may grow
         ``longer`` by so many operations.
         """
-        faced = over_line(facing(formula, self._values, self._quarter, longer))
-        if count_operations(faced) > MOST_READ_OPERATIONS:
-            return faced
+        written = over_line(with_positive_sines(formula, self._values, self._quarter, longer))
+        if count_operations(written) > MOST_READ_OPERATIONS:
+            return written
         is_turned = not self._turns.isdisjoint(symbols(formula))
-        return led(geometry_first(faced, self._turns) if is_turned else faced)
+        return plus_first(geometry_first(written, self._turns) if is_turned else written)
 
     def relation(self, equation: Equation) -> Equation:
         """Return an equation of such sides, with the fewer minuses at their heads.
@@ -74,7 +74,7 @@ class Facing:
 
     def sines(self, formulas: Iterable[Formula]) -> Sequence[Formula]:
         """Return the sines of differences that are written in formulas as a person has them."""
-        return ahead(formulas, self._values)
+        return positive_sines(formulas, self._values)
 
     def zero(self, limit: Vanishing, formula: Formula) -> Vanishing:
         """Return a condition under which a formula is zero or infinite as the formula has it."""
@@ -85,8 +85,8 @@ class Facing:
         """Return a factor that is zero as a formula has it, else as it would be written alone."""
         if factor in walk(formula):
             return factor
-        turned = condition(factor, self._values, self._quarter)
-        shown = (without_sign(as_in(one, formula)) for one in (factor, turned))
+        turned = zero_as_written(factor, self._values, self._quarter)
+        shown = (without_sign(differences_as_in(one, formula)) for one in (factor, turned))
         return next((one for one in shown if one in walk(formula)), turned)
 
     def equations(self, equations: Iterable[Equation]) -> tuple[Equation, ...]:
@@ -104,7 +104,7 @@ class Facing:
         """Return how a force follows, term by term with the sines that results have."""
 
         def side(formula: Formula) -> Formula:
-            return led(terms_as_in(self.of(formula, longer=1), *sines))
+            return plus_first(terms_as_in(self.of(formula, longer=1), *sines))
 
         def shown(paragraph: Paragraph) -> Paragraph:
             equations = (Equation(*map(side, equation)) for equation in paragraph.equations)
@@ -118,7 +118,9 @@ class Facing:
         zeros = tuple(self.zero(limit, formula) for limit in result.zeros)
         poles = tuple(self.zero(limit, formula) for limit in result.poles)
         slopes = result.derivatives
-        derivatives = slopes and {n: as_in(self.of(s), formula) for n, s in slopes.items()}
+        derivatives = slopes and {
+            n: differences_as_in(self.of(s), formula) for n, s in slopes.items()
+        }
         where = tuple(d._replace(formula=self._defined(d)) for d in result.where)
         holds = tuple(map(self._held, result.holds))
         result = replace(result, where=where, holds=holds, derivatives=derivatives)
