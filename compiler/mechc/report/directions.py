@@ -9,7 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 from ..algebra.angle import RADIAN, Angle
-from ..formula.facing import led, rewritten
+from ..formula.differences import MOST_READ_OPERATIONS, plus_first, rewritten
 from ..formula.layout import has_minus, in_degrees
 from ..formula.names import VECTOR_POINTS, direction_of
 from ..formula.operations import count_operations
@@ -25,9 +25,6 @@ if TYPE_CHECKING:
     from .steps import Derivation, PositionStep
 
 T = TypeVar("T")
-
-LONG = 400
-"""Formulas of more operations are read by machines alone."""
 
 OFTEN: Mapping[int, int] = {2: 3}
 """How often a sum of so many angles has to stand in results to be worth a name."""
@@ -49,14 +46,16 @@ class Direction(NamedTuple):
     def formula(self) -> Formula:
         """Return the sum that the name stands for."""
         turn = (degrees(self.degrees),) if self.degrees else ()
-        return led(total([*self.angles, *turn]))
+        return plus_first(total([*self.angles, *turn]))
 
 
 def directions(results: Sequence[Analysis], pose: Pose) -> tuple[Direction, ...]:
     """Return the directions that results have often, those of more angles first."""
     found = sorted(_candidates(pose), key=lambda each: -len(each.angles))
     taken = {*_names(pose), *(d.name for r in results for d in r.where)}
-    formulas = [f for f in dict.fromkeys(_formulas(results)) if count_operations(f) <= LONG]
+    formulas = [
+        f for f in dict.fromkeys(_formulas(results)) if count_operations(f) <= MOST_READ_OPERATIONS
+    ]
     chosen: list[Direction] = []
     for each in found:
         shown = [f for f in formulas if symbols(f) >= symbols(*each.angles)]
@@ -141,11 +140,11 @@ def named(value: T, chosen: Sequence[Direction]) -> T:
 
 
 def _in_formula(formula: Formula, chosen: Sequence[Direction]) -> Formula:
-    if count_operations(formula) > LONG:
+    if count_operations(formula) > MOST_READ_OPERATIONS:
         return formula
     for each in chosen:
         if symbols(formula) >= symbols(*each.angles):
-            formula = led(rewritten(formula, partial(_by_name, direction=each)))
+            formula = plus_first(rewritten(formula, partial(_by_name, direction=each)))
     return formula
 
 
