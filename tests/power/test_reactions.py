@@ -327,3 +327,20 @@ def test_a_force_of_one_component_is_the_size_of_that(text, name):
 
 def test_a_force_of_one_component_is_positive():
     assert mechc.loads(BEAM).evaluate(F=10.0, G=-50.0)["R_A"] == pytest.approx(3)
+
+
+def test_a_force_that_is_zero_has_no_direction_with_friction_or_without():
+    balanced = mechc.loads("""
+pivot O
+link OA
+OA = 1 m @ 0 deg
+torque M on OA
+torque T on OA
+friction pin O 0.1 diameter 10 mm
+find k = M/T
+find R_O
+""")
+    for name in ("R_O_direction", "R_O_direction_f"):
+        result = balanced.results[name]
+        assert result.undetermined
+        assert result.default is None

@@ -164,7 +164,7 @@ def _whole(part: ComponentPart, transmitted: Transmitted, mechanism: Mechanism) 
     x, y = (_kept(transmitted.along(axis)) for axis in (Angle(), QUARTER))
     loads = dict.fromkeys((*x, *y))
     if part == "direction":
-        formula: Formula = Call("atan2", (linear_form(y), linear_form(x))) if loads else ZERO
+        formula: Formula = Call("atan2", (linear_form(y), linear_form(x)))
     elif len(loads) > 1:
         formula = size_of_two(linear_form(x), linear_form(y))
     else:
