@@ -242,3 +242,45 @@ def test_angles_in_radians_are_printed_in_degrees() -> None:
     assert "sin(φ + 5.729578°)" in derived
     assert "sin 68.754935°" in derived
     assert " 1.2" not in derived.partition("Velocities")[2].partition("Numerical")[0]
+
+
+DOUBLE_PLANET = """
+mechanism planet
+param r1 = 40 mm
+param r2 = 30 mm
+param r3 = 25 mm
+param r4 = 45 mm
+pivot O at (0 mm, 0 mm)
+pivot Q at (0 mm, 0 mm)
+link OA
+link QX
+link AB
+OA = r1 + r2 @ 30 deg
+QX = r4 @ 100 deg
+AB = r3 @ 60 deg
+gear O r1 on ground, A r2 on AB
+gear A r3 on AB, Q r4 on QX
+{load}
+torque T on QX
+find k = {ratio}
+"""
+
+
+def planet_said(load: str, ratio: str) -> str:
+    found = compile_source(Source("planet.mech", DOUBLE_PLANET.format(load=load, ratio=ratio)))
+    return render(found.derivation, found.mechanism)
+
+
+def test_a_train_is_written_in_angular_velocities() -> None:
+    """Willis has ω_arm, not V_A/(r₁ + r₂): by hand r₁·ω = r₂·(ω₂ − ω)."""
+    said = planet_said("torque M on OA", "M/T")
+    assert "r₁ · ω_OA = r₂ · (ω_AB − ω_OA)" in said
+    assert "r₃ · (ω_AB − ω_OA) = r₄ · (ω_OA − ω_QX)" in said
+    assert "V_A" not in said
+
+
+def test_a_force_on_the_arm_is_known_by_the_speed_of_its_point_first() -> None:
+    said = planet_said("force F at A along perp OA", "F/T")
+    assert "ω_OA = V_A / (r₁ + r₂)" in said
+    assert "r₁ · ω_OA = r₂ · (ω_AB − ω_OA)" in said
+    assert "F/T = −ω_QX/V_A" in said

@@ -141,17 +141,24 @@ class SpeedSteps:
         if len(relations) == 1:
             yield from self._single(relations[0], block.unknowns[0])
         else:
+            for relation in relations:
+                if is_of_wheels(relation, self._graph):
+                    yield from self._angular(relation, block.unknowns)
             yield self._together(relations, block.unknowns)
 
     def _single(self, relation: Relation, unknown: int) -> Iterator[DerivationStep]:
         """Yield the lever steps that a relation needs first, then the relation itself."""
         local: dict[int, WrittenUnknown] = {}
-        for point in relation.points:
-            for u in relation.form:
-                if named := self._notation.of_point(u, point):
-                    local[u] = named
-                    if u != unknown:
-                        yield from self._lever(u, named)
+        if is_of_wheels(relation, self._graph):
+            yield from self._angular(relation, (unknown,))
+            local = {u: named for u, named in self._turning.items() if u in relation.form}
+        else:
+            for point in relation.points:
+                for u in relation.form:
+                    if named := self._notation.of_point(u, point):
+                        local[u] = named
+                        if u != unknown:
+                            yield from self._lever(u, named)
         self._names[unknown] = local.get(unknown) or self._notation.of_itself(unknown)
         names = {**self._names, **local}
         said, solved = self._written(relation.form, unknown, names)
@@ -167,6 +174,12 @@ class SpeedSteps:
         ends = relation.points if is_projection else ()
         reasons = tuple(r for point in ends for r in self._plane_motion(point, relation))
         yield DerivationStep(rule, subject, (said,), tuple(results), reasons)
+
+    def _angular(self, relation: Relation, unknowns: Sequence[int]) -> Iterator[DerivationStep]:
+        """Yield the angular velocities of wheels and arms that points' speeds are known of."""
+        for u in relation.form:
+            if u not in unknowns and self._names[u].point and u not in self._turning:
+                yield self._turn(u)
 
     def _plane_motion(self, point: str, relation: Relation) -> Iterator[Reason]:
         """Yield from which other points and rotations a velocity comes, each once."""
@@ -185,15 +198,18 @@ class SpeedSteps:
     def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> DerivationStep:
         for unknown in unknowns:
             self._names[unknown] = self._notation.of_itself(unknown)
-        equations = tuple(
-            seen_from_arm(r, self._graph, self._names)
-            or Equation(linear(r.form, self._names), ZERO)
-            for r in relations
-        )
+        equations = tuple(map(self._as_it_is, relations))
         results = tuple(e for u in unknowns for e in self._ratios.show(u) or (self._solved(u),))
         links = tuple(dict.fromkeys(n for r in relations for n in involved(r, self._graph)))
         reasons = tuple(dict.fromkeys(rule_of(r, self._graph) for r in relations))
         return DerivationStep(StepRule.TOGETHER, links, equations, results, reasons)
+
+    def _as_it_is(self, relation: Relation) -> Equation:
+        """Return a relation that is solved together with others: of wheels by what turns."""
+        turning = self._turning if is_of_wheels(relation, self._graph) else {}
+        names = {**self._names, **turning}
+        said = seen_from_arm(relation, self._graph, names)
+        return said or Equation(linear(relation.form, names), ZERO)
 
     def _solved(self, unknown: int) -> Equation:
         return Equation(self._names[unknown].symbol, self._by_drives(unknown))
@@ -290,9 +306,7 @@ def seen_from_arm(relation: Relation, graph: Graph, names: WrittenUnknowns) -> E
     Factors that both radii have, such as the module, are left out. None for other relations, and
     where a speed that is zero has no name.
     """
-    if not relation.joint:
-        return None
-    pair = graph.pose.mechanism.joint(relation.joint)
+    pair = graph.pose.mechanism.joint(relation.joint) if relation.joint else None
     if not isinstance(pair, WheelPair) or not pair.arm:
         return None
     own, other = (turning(graph, link, pair.arm) for link in pair.wheels)
@@ -307,6 +321,13 @@ def seen_from_arm(relation: Relation, graph: Graph, names: WrittenUnknowns) -> E
         product([(first.formula(), 1), (linear(own, names), 1)]),
         product([(second.formula(), 1), (linear(other, names), 1)]),
     )
+
+
+def is_of_wheels(relation: Relation, graph: Graph) -> bool:
+    """Return whether a relation is one of angular velocities, as wheels have it."""
+    if not relation.joint:
+        return False
+    return isinstance(graph.pose.mechanism.joint(relation.joint), WheelPair)
 
 
 def _without_common(first: Product, second: Product) -> tuple[Product, Product]:
