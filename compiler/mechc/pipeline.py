@@ -13,7 +13,7 @@ from .diagnostics import Report
 from .diagnostics import sheets as messages
 from .files import resolved
 from .friction.from_balance import solve
-from .friction.solution import Solution
+from .friction.solution import FrictionSolution
 from .frozen import replace
 from .kinematics.from_pose import plan_velocities
 from .kinematics.plan import Plan
@@ -187,7 +187,7 @@ class Pipeline:
 
     @Stage
     @of_linkages
-    def solution(self) -> Solution:
+    def solution(self) -> FrictionSolution:
         """All that was asked for, in the order of the text: with friction, and the user's lets."""
         return self._sound(solve(self.balance, self.report))
 

@@ -9,7 +9,7 @@ from mechc.report.derivation.rules import involved
 from mechc.report.languages.registry import locale
 from mechc.report.latex.notation import notation
 from mechc.report.latex.numbers import LONGEST_DERIVATIVE, numbers
-from mechc.study.analysis import Analysis, Slope
+from mechc.study.analysis import Analysis, NumericSlope
 from mechc.units import FORCE, NUMBER
 from small_poses import HERE, graph, lever
 
@@ -34,7 +34,9 @@ def test_the_value_of_a_slope_stands_for_a_long_derivative_alone():
     """Neither a derivative that is written down nor one that is zero needs its value as well."""
     long = product([(Call("sin", (Symbol(f"x_{i}"),)), 1) for i in range(LONGEST_DERIVATIVE)])
     derivatives = {"a": Symbol("b"), "b": ZERO, "c": long}
-    slopes = {name: Slope(size, NUMBER) for name, size in (("a", 2.5), ("b", 0.0), ("c", 7.5))}
+    slopes = {
+        name: NumericSlope(size, NUMBER) for name, size in (("a", 2.5), ("b", 0.0), ("c", 7.5))
+    }
     result = Analysis("p", None, FORCE, Symbol("a"), derivatives=derivatives, slopes=slopes)
     (shown,) = numbers([result], {Symbol("p")}, locale("en"), notation("en"))
     assert "7.5" in shown

@@ -9,7 +9,7 @@ from good_mechanisms import loaded
 from mechc.report.languages.registry import locale
 from mechc.report.text.stroke import ENDS, KINDS, to_table
 from mechc.study.analysis import NoCentre
-from mechc.study.intervals import State
+from mechc.study.intervals import DriveState
 from mechc.study.open_ranges import NO_POSE
 from mechc.study.pose_sweep import EXCLUDED
 from mechc.study.stroke.stretches import BEYOND, FLAT
@@ -23,7 +23,7 @@ VERBS = ("still", "moves")
 def test_all_that_a_stroke_can_meet_has_words(language):
     words = locale(language).along_stroke
     kinds = {KINDS.get(kind, kind) for kind in get_args(NoCentre) + get_args(OnTheWay)} - {""}
-    states = {f"{state} part" for state in get_args(State)}
+    states = {f"{state} part" for state in get_args(DriveState)}
     assert {*NO_POSE, EXCLUDED, BEYOND, FLAT, *kinds, *states} <= words.keys()
     assert {"dead centre", *(f"{v}{d}" for v in VERBS for d in ("", " distance"))} <= words.keys()
     assert set(ENDS.values()) - {""} <= words.keys()

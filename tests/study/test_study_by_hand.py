@@ -32,14 +32,14 @@ from mechc.study.forms import holding
 from mechc.study.ratios import sizes
 from mechc.study.sampling import _beside_ends, _jumps, _loose
 from mechc.study.sampling import looked_at as values_looked_at
-from mechc.study.states import AgainstFriction, Found, Moving, divisors_of_terms
+from mechc.study.states import AgainstFriction, Moving, StateFound, divisors_of_terms
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
 from mechc.study.stroke.rows import from_both_sides
 from mechc.study.stroke.run import ENOUGH, GRADED, graded, looked_at
 from mechc.study.stroke.stretches import with_reached
-from mechc.study.stroke.stroke import Column, Extremum, StrokeInterval
-from mechc.study.stroke.transmission import Transmission, named, transmissions
+from mechc.study.stroke.stroke import Extremum, StrokeColumn, StrokeInterval
+from mechc.study.stroke.transmission import TransmissionAngle, named, transmissions
 from mechc.study.trends import trend
 from mechc.study.zeros import _each_place_once, _joined, breaks, limits
 from mechc.units import LENGTH, NUMBER
@@ -389,7 +389,7 @@ def test_what_the_default_pose_is_not_on_cannot_be_reached():
 
 
 def test_columns_of_one_name_differ():
-    columns = [Filled(Column("k", LENGTH, c), abs) for c in ("result", "slope", "slope")]
+    columns = [Filled(StrokeColumn("k", LENGTH, c), abs) for c in ("result", "slope", "slope")]
     assert [f.column.name for f in named_apart(columns)] == ["k", "k (slope)", "k (slope)'"]
 
 
@@ -415,7 +415,9 @@ def test_a_transmission_angle_has_no_name_of_another_angle():
 @pytest.mark.parametrize("turn", [70, -70, 430])
 def test_a_transmission_angle_between_links_is_that_of_the_triangle(turn):
     values = {"psi": math.radians(turn)}
-    link = Transmission("B", Angle.of("psi") + Angle.constant(40 if turn > 0 else -40), "AB", "CB")
+    link = TransmissionAngle(
+        "B", Angle.of("psi") + Angle.constant(40 if turn > 0 else -40), "AB", "CB"
+    )
     assert math.degrees(link.at(values)) == pytest.approx(110)
     assert math.degrees(link._replace(onto="").at(values)) == pytest.approx(70)
 
@@ -460,8 +462,8 @@ class ByHand(Moving):
     def signs(self, x: float) -> tuple[float, ...]:
         return ()
 
-    def at(self, x: float) -> Found:
-        return Found("free", 0.5, False)
+    def at(self, x: float) -> StateFound:
+        return StateFound("free", 0.5, False)
 
 
 IDEAL = SimpleNamespace(sign=1, is_iterated=False, is_slow=False)
@@ -557,8 +559,8 @@ def test_beside_the_end_of_a_loop_something_may_move_between_two_jammed_values()
     """There is no pose up to 0, and it moves from 0.01 to 0.03 alone."""
 
     class Island(ByHand):
-        def at(self, x: float) -> Found:
-            return Found("free" if 0.01 < x < 0.03 else "jammed", 0.5, False)
+        def at(self, x: float) -> StateFound:
+            return StateFound("free" if 0.01 < x < 0.03 else "jammed", 0.5, False)
 
     moving = Island(lambda x: 1.0 if x > 0 else 0.0)
     grid = [-0.5, 0.0, 1e-6, 1.0, 2.0]

@@ -29,7 +29,7 @@ from .walk import substitute, symbols
 
 if TYPE_CHECKING:
     from .elimination import Matrix
-    from .newton import Bordered, Residuals, Status, Way
+    from .newton import Bordered, NewtonStatus, Residuals, Way
 
 SYSTEMS, SOLUTIONS = 256, 1024
 """Of so many systems the code is kept, of each so many solutions: several results share them."""
@@ -125,13 +125,13 @@ def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
     return solver(system)(outer)
 
 
-def status(formula: Implicit, values: Mapping[str, float]) -> "Status":
+def status(formula: Implicit, values: Mapping[str, float]) -> "NewtonStatus":
     """Return how a solution was found, or why it was not; the work was counted as it was found."""
     here = SharedEvaluation(values)
     return _followed(formula.system)(tuple(map(here.of, formula.arguments))).status
 
 
-def status_along(formula: Implicit) -> "Callable[[Mapping[str, float]], Status]":
+def status_along(formula: Implicit) -> "Callable[[Mapping[str, float]], NewtonStatus]":
     """Return how solutions are found as a function of the names' values, for many of them."""
     names = sorted(symbols(formula))
     code, given = straight_line(formula.arguments, names), in_order(names)
@@ -165,7 +165,7 @@ def solver(system: System) -> SystemSolver:
 class _Ended(NamedTuple):
     """Where a way ended, and the work that it took, which counts however often it is asked."""
 
-    status: "Status"
+    status: "NewtonStatus"
     unknowns: tuple[float, ...]
     work: int
 

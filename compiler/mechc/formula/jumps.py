@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from ..named import NamedTuple
-from .roots import LEFT_AT_ZERO, TOUCHING, Function
+from .roots import LEFT_AT_ZERO, TOUCHING, RealFunction
 
 JUMPING = 4.0
 """How much more than beside it a function that does not change its sign varies where it jumps."""
@@ -29,7 +29,7 @@ class Jump(NamedTuple):
     after: float
 
 
-def jumps(function: Function, grid: Sequence[float]) -> list[Jump]:
+def jumps(function: RealFunction, grid: Sequence[float]) -> list[Jump]:
     """Return where a function jumps from one finite value to another.
 
     >>> [round(j.x, 9) for j in jumps(lambda x: 1.0 if x < 0.3 else 2.0, [0.0, 0.25, 0.5])]
@@ -55,7 +55,7 @@ def jumps(function: Function, grid: Sequence[float]) -> list[Jump]:
     return found
 
 
-def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
+def _narrowed(function: RealFunction, a: float, b: float, range_: float) -> Jump:
     """Return a jump between two points: what is between is on the side that it is more like.
 
     Where the sign changes that is the side of its sign: beside a pole values fall from far above.
@@ -76,7 +76,7 @@ def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
     return Jump((a + b) / 2, b - a, function(a - beside), function(b + beside))
 
 
-def is_steady(function: Function, jump: Jump, range_: float) -> bool:
+def is_steady(function: RealFunction, jump: Jump, range_: float) -> bool:
     """Return whether this is a jump, no pole: ten times as far values are nearly the same."""
     away, most = 10 * BESIDE_JUMP * range_, STEADY * abs(jump.after - jump.before)
     before, after = (function(jump.x + side * away) for side in (-1, 1))

@@ -34,7 +34,7 @@ Bordered = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[l
 At values of the unknowns and of the outer symbols, and at what these change by on the whole way.
 """
 
-Status = Literal[0, 1, 2]
+NewtonStatus = Literal[0, 1, 2]
 """0: solved; 1: the branch ends on the way; 2: neither was found, corrections ran out."""
 
 CORRECTIONS = 192
@@ -117,7 +117,7 @@ class Way(NamedTuple):
 
     def follow(
         self, anchor: Sequence[float], start: Sequence[float], outer: Sequence[float]
-    ) -> tuple[Status, tuple[float, ...]]:
+    ) -> tuple[NewtonStatus, tuple[float, ...]]:
         """Return how it went from a solution that is known, and the unknowns where it ended.
 
         >>> circle = lambda x, p: ([x[0] * x[0] - p[0]], [[2 * x[0]]])
@@ -161,7 +161,7 @@ class Way(NamedTuple):
         anchor: Sequence[float],
         start: Sequence[float],
         outer: Sequence[float],
-    ) -> tuple[Status, tuple[float, ...]]:
+    ) -> tuple[NewtonStatus, tuple[float, ...]]:
         """Follow the branch by its arc length instead, from the start on, which is exact."""
         changes = [o - a for a, o in zip(anchor, outer, strict=True)]
         arcs = Arcs(

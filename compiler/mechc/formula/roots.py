@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from ..named import NamedTuple
 
-Function = Callable[[float], float]
+RealFunction = Callable[[float], float]
 
 TOUCHING = 1e-7
 """A minimum below this part of the greatest value is a zero that is touched.
@@ -71,7 +71,7 @@ class Root(NamedTuple):
     bracket: float
 
 
-def roots(function: Function, grid: Sequence[float]) -> list[Root]:
+def roots(function: RealFunction, grid: Sequence[float]) -> list[Root]:
     """Return the zeros of a function between the points of a grid.
 
     >>> [round(r.x, 12) for r in roots(lambda x: x * x - 2, [0.0, 1.0, 2.0])]
@@ -105,7 +105,7 @@ class _At(NamedTuple):
     y: float
 
 
-def narrowed(function: Function, a: float, b: float, enough: float = 0.0) -> Root:
+def narrowed(function: RealFunction, a: float, b: float, enough: float = 0.0) -> Root:
     """Narrow an interval over which the sign changes until it is no wider than ``enough``.
 
     At the most that is until nothing is left between its ends. It is divided where three values
@@ -145,7 +145,7 @@ def _cut(here: _At, far: _At, last: _At, cuts: int) -> float:
 
 
 def _touched(
-    function: Function, grid: Sequence[float], values: Sequence[float], size: float
+    function: RealFunction, grid: Sequence[float], values: Sequence[float], size: float
 ) -> Iterator[Root]:
     sizes = list(map(abs, values))
     for i in range(1, len(grid) - 1):
@@ -156,7 +156,7 @@ def _touched(
 
 
 def _lowest(
-    function: Function, within: tuple[float, float], beside: float, size: float
+    function: RealFunction, within: tuple[float, float], beside: float, size: float
 ) -> Iterator[Root]:
     """Yield the zeros about a point where a function comes nearest to zero: none, one or two.
 
@@ -175,7 +175,7 @@ def _lowest(
 
 
 def lowest(
-    function: Function, a: float, b: float, sections: int = ALL_SECTIONS, flat: float = math.inf
+    function: RealFunction, a: float, b: float, sections: int = ALL_SECTIONS, flat: float = math.inf
 ) -> float:
     """Return where a function with one minimum is least, by golden sections.
 

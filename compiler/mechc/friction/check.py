@@ -13,11 +13,11 @@ from ..model.result import Definition, FrictionResult, Result
 from ..model.values import Values, completed, holds, standing
 from ..power.check import undefined
 from ..power.numbers import default_values
-from .solution import Solution, SolvedWithFriction
+from .solution import FrictionSolution, SolvedWithFriction
 from .tolerances import SAME_RESULT
 
 
-def broken_promises(solution: Solution) -> list[str]:
+def broken_promises(solution: FrictionSolution) -> list[str]:
     """Return a sentence for each promise of this folder that a solution breaks."""
     mechanism, values = solution.plan.graph.pose.mechanism, _values(solution)
     ideal = {s.result.target: s.result for s in solution.balance.solved}
@@ -30,7 +30,7 @@ def broken_promises(solution: Solution) -> list[str]:
     return found
 
 
-def _values(solution: Solution) -> Values:
+def _values(solution: FrictionSolution) -> Values:
     """Return the numbers of the default pose; a load of open size has none.
 
     Of several loads the sizes decide the signs, so that a printed case has to be known by them.

@@ -30,13 +30,13 @@ from ..power.loose import warn_of_idle_loads
 from ..power.numbers import DefaultNumbers, with_default
 from . import at_rest, results
 from . import problem as problems
-from .solution import Solution, SolvedWithFriction
+from .solution import FrictionSolution, SolvedWithFriction
 
 if TYPE_CHECKING:
     from .problem import FrictionProblem
 
 
-def solve(balance: Balance, report: Report) -> Solution:
+def solve(balance: Balance, report: Report) -> FrictionSolution:
     """Return the results without friction, with it, and the user's own formulas of them.
 
     Reports what friction leaves undetermined (E510 … E514), a length that it needs (E506),
@@ -54,7 +54,7 @@ def solve(balance: Balance, report: Report) -> Solution:
     _refuse_undefined(results, balance, numbers, report)
     if balance.plan.graph.pose.mechanism.friction.joints:
         warn_of_idle_loads(balance, results, report)
-    return Solution(balance, tuple(solved))
+    return FrictionSolution(balance, tuple(solved))
 
 
 def _refuse_undefined(

@@ -63,7 +63,7 @@ class SolvedWithFriction:
 
 
 @frozen
-class Solution:
+class FrictionSolution:
     """The balance without friction, and all that was asked for, in the order of the text."""
 
     balance: Balance

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import assert_never
 
 from ..named import NamedTuple
-from ..study.stroke.stroke import AngleAt, Column, SpeedOf, Stroke
+from ..study.stroke.stroke import AngleAt, SpeedOf, Stroke, StrokeColumn
 
 SAME_ALONG_STROKE = 1e-9
 """Values along a stroke that differ by less than this part are one: rounding of operations."""
@@ -20,7 +20,7 @@ CHANCE_MEETINGS = 5
 class RepeatedColumn(NamedTuple):
     """The column of a result that another one repeats, and ``-`` where it is less it."""
 
-    column: Column
+    column: StrokeColumn
     sign: str
 
 
@@ -65,7 +65,7 @@ Spelled = Callable[[str], str]
 
 
 def legend(
-    columns: Iterable[Column],
+    columns: Iterable[StrokeColumn],
     words: Mapping[str, str],
     symbol: Callable[[SpeedOf | AngleAt], str],
     spell: Spelled,

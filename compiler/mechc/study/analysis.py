@@ -136,7 +136,7 @@ class Extent:
         return self.nil == (self.range,)
 
 
-class Slope(NamedTuple):
+class NumericSlope(NamedTuple):
     """A derivative in numbers, in SI, and the unit that a description gives lengths in."""
 
     value: float
@@ -157,7 +157,7 @@ Trend = Literal[
 ]
 """``between poles``: on each side of the values at which a result is infinite, not across them."""
 
-Scope = Literal["always", "ranges", "ranges, rest as given", "rest as given", "as given"]
+ClaimScope = Literal["always", "ranges", "ranges, rest as given", "rest as given", "as given"]
 """For which values a trend is proved.
 
 ``always``: for all positive values of what has neither value nor range; ``ranges``: over all
@@ -194,9 +194,9 @@ class Analysis(Result):
     independent: tuple[str, ...] = ()
     swaps: tuple[tuple[str, str], ...] = ()
     trends: Mapping[str, Trend] | None = None
-    scopes: Mapping[str, Scope] = MappingProxyType({})
+    scopes: Mapping[str, ClaimScope] = MappingProxyType({})
     derivatives: Mapping[str, Formula] | None = None
-    slopes: Mapping[str, Slope] = MappingProxyType({})
+    slopes: Mapping[str, NumericSlope] = MappingProxyType({})
     holds: tuple[Require, ...] = ()
     holds_as: str = ""
     same_as: str = ""

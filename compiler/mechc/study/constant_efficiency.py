@@ -14,7 +14,7 @@ from ..formula.roots import spaced
 from ..formula.walk import symbols
 from ..friction.problem import FrictionProblem
 from ..friction.results import by_coefficients
-from ..friction.solution import Solution
+from ..friction.solution import FrictionSolution
 from ..model.mechanism import Find, LoadForm, LoadRatio, WithFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
@@ -22,7 +22,7 @@ from .pose_sweep import PoseCode
 from .ranges import moved, shown, spans, turns
 from .ratios import sizes
 from .sampling import looked_at
-from .states import Ideal, Moving, Ratios
+from .states import FrictionRatios, Ideal, Moving
 from .sweep import Sweep
 from .tolerances import DIFFERENCE
 
@@ -37,7 +37,7 @@ RANGE_CELLS = 48
 """Cells of a range whose ends are looked at for steep ratios."""
 
 
-def remark_on_constant(solution: Solution, report: Report) -> None:
+def remark_on_constant(solution: FrictionSolution, report: Report) -> None:
     """Warn where an efficiency given as one number is far from the truth."""
     problem = FrictionProblem(solution.balance, Report(report.source))
     for find in problem.mechanism.finds:
@@ -66,11 +66,13 @@ def _by_coefficients(
 class _Comparison:
     """A constant efficiency against the one that friction makes."""
 
-    def __init__(self, solution: Solution, find: Find, ideal: Result, real: FrictionResult) -> None:
+    def __init__(
+        self, solution: FrictionSolution, find: Find, ideal: Result, real: FrictionResult
+    ) -> None:
         assert isinstance(find.target, WithFriction)
         self._solution, self._find = solution, find
         self._ideal, self._real = ideal, real
-        self._ratios = Ratios(Ideal(ideal), real, find.target.sense)
+        self._ratios = FrictionRatios(Ideal(ideal), real, find.target.sense)
         self._mechanism = solution.plan.graph.pose.mechanism
         self._loads = sizes(self._mechanism, real)
         self._code = PoseCode(solution.plan)
@@ -117,7 +119,7 @@ class _Comparison:
 # ------------------------------------------------------------------- near dead centres
 
 
-def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
+def _steep(solution: FrictionSolution, ideal: Result) -> Iterator[str]:
     """Yield where a ratio changes so fast that friction takes much."""
     mechanism = solution.plan.graph.pose.mechanism
     loads = sizes(mechanism, ideal)

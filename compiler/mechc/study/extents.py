@@ -5,8 +5,8 @@ from collections.abc import Collection, Iterator, Sequence
 from functools import partial
 
 from ..diagnostics import Report
-from ..formula.roots import Function, lowest, spaced
-from ..friction.solution import Solution
+from ..formula.roots import RealFunction, lowest, spaced
+from ..friction.solution import FrictionSolution
 from ..frozen import replace
 from ..model.mechanism import Drive, LoadRatio, Mechanism, SpeedRatio
 from ..model.values import range_of
@@ -22,7 +22,7 @@ EXTENT_CELLS = 192
 
 
 def with_extents(
-    solution: Solution, results: Sequence[Analysis], report: Report
+    solution: FrictionSolution, results: Sequence[Analysis], report: Report
 ) -> tuple[Analysis, ...]:
     """Return the results with the extents of ratios along the stroke, or over ranges.
 
@@ -44,7 +44,7 @@ def with_extents(
     )
 
 
-def _moving(solution: Solution, results: Sequence[Analysis]) -> dict[str, list[Analysis]]:
+def _moving(solution: FrictionSolution, results: Sequence[Analysis]) -> dict[str, list[Analysis]]:
     """Return the ratios that rest on a loop, by the angles and telescopes that move them."""
     pose = solution.plan.graph.pose
     closed = {definition.name for definition in pose.definitions}
@@ -60,7 +60,7 @@ def _moving(solution: Solution, results: Sequence[Analysis]) -> dict[str, list[A
     return found
 
 
-def _driven_by(name: str, solution: Solution) -> Solution:
+def _driven_by(name: str, solution: FrictionSolution) -> FrictionSolution:
     """Return the solution as if a drive stood in the description."""
     plan = solution.plan
     graph, mechanism = plan.graph, plan.graph.pose.mechanism
@@ -126,7 +126,7 @@ def _of_trends(
             )
 
 
-def _extremes(at: Function, grid: Sequence[float]) -> list[Extreme]:
+def _extremes(at: RealFunction, grid: Sequence[float]) -> list[Extreme]:
     """Return the values at the ends of a range and where they turn; none where some are missing."""
     values = [*map(at, grid)]
     if not all(map(math.isfinite, values)):
@@ -146,7 +146,9 @@ def _without_rounding(value: float, most: float) -> float:
     return 0.0 if abs(value) < SAME_FIGURE * most else value
 
 
-def _beside_ends(at: Function, grid: Sequence[float], values: Sequence[float]) -> Iterator[float]:
+def _beside_ends(
+    at: RealFunction, grid: Sequence[float], values: Sequence[float]
+) -> Iterator[float]:
     """Yield where a result turns within the first and the last cell, beyond both ends of it."""
     for i in (0, len(grid) - 2):
         for sense in (1, -1):
@@ -156,5 +158,5 @@ def _beside_ends(at: Function, grid: Sequence[float], values: Sequence[float]) -
                 yield x
 
 
-def _turning(at: Function, sense: int, low: float, high: float) -> float:
+def _turning(at: RealFunction, sense: int, low: float, high: float) -> float:
     return lowest(lambda x: sense * at(x), low, high)

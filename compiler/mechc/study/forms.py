@@ -6,7 +6,7 @@ from itertools import compress
 
 from ..formula.evaluate import straight_line
 from ..formula.straight_line import in_order
-from ..formula.tree import Formula
+from ..formula.tree import Definitions, Formula
 from ..formula.walk import reached, symbols
 from ..model.mechanism import Require
 from ..model.result import Result
@@ -15,17 +15,14 @@ from ..model.values import Values, compare
 SOON = 4
 """Code along a range is compiled when it has been used so often: most is used a hundred times."""
 
-Form = Callable[[Values], float]
+FormulaCode = Callable[[Values], float]
 """Returns a value where names have values; NaN where there is none."""
 
-Forms = Callable[[Values], Sequence[float]]
+FormulaCodes = Callable[[Values], Sequence[float]]
 """Returns several values at once."""
 
-Definitions = Sequence[tuple[str, Formula]]
-"""Formulas with their names, each after those it needs."""
 
-
-def form(formula: Formula, where: Result | None, names: Set[str]) -> Form:
+def form(formula: Formula, where: Result | None, names: Set[str]) -> FormulaCode:
     """Return a formula in names that have values, with the definitions of a result, as code.
 
     It has no value where a condition of the result is broken; where the result has a form for
@@ -52,7 +49,7 @@ def form(formula: Formula, where: Result | None, names: Set[str]) -> Form:
     return value
 
 
-def _elsewhere(formula: Formula, where: Result, names: Set[str]) -> Form | None:
+def _elsewhere(formula: Formula, where: Result, names: Set[str]) -> FormulaCode | None:
     """Return a formula of a result in its form for elsewhere, that one's value if it is its own."""
     if where.elsewhere is None:
         return None
@@ -60,13 +57,15 @@ def _elsewhere(formula: Formula, where: Result, names: Set[str]) -> Form | None:
     return form(beside, where.elsewhere, names)
 
 
-def alone(formula: Formula, names: Set[str], definitions: Definitions = ()) -> Form:
+def alone(formula: Formula, names: Set[str], definitions: Definitions = ()) -> FormulaCode:
     """Return one formula in names that have values, or definitions, as code."""
     found = together([formula], names, definitions)
     return lambda values: found(values)[0]
 
 
-def together(formulas: Sequence[Formula], names: Set[str], definitions: Definitions = ()) -> Forms:
+def together(
+    formulas: Sequence[Formula], names: Set[str], definitions: Definitions = ()
+) -> FormulaCodes:
     """Return formulas in names that have values, or definitions, as one code.
 
     One that rests on anything else is NaN; a name that has a value keeps it.

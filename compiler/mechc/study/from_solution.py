@@ -17,7 +17,7 @@ from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Call, Formula, Symbol, is_call
 from ..formula.walk import substitute, symbols
 from ..friction import at_rest
-from ..friction.solution import Solution, SolvedWithFriction
+from ..friction.solution import FrictionSolution, SolvedWithFriction
 from ..frozen import replace
 from ..model.boxes import range_box
 from ..model.dependence import in_geometry
@@ -31,7 +31,7 @@ from ..power.numbers import DefaultNumbers
 from ..units import LENGTH
 from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
-from .analysis import Analysis, Scope, Slope, Trend, as_printed
+from .analysis import Analysis, ClaimScope, NumericSlope, Trend, as_printed
 from .intervals import Locking
 from .ranges import with_range
 from .tolerances import SAME_RATIO
@@ -52,7 +52,7 @@ Each loop's rate rests on the one before, so that the formula of the slope nests
 """
 
 
-def analyse(solution: Solution, report: Report) -> tuple[Analysis, ...]:
+def analyse(solution: FrictionSolution, report: Report) -> tuple[Analysis, ...]:
     """Return the results with what follows from each.
 
     W261 names those of which it is not looked at where friction locks them: it takes too much.
@@ -73,13 +73,13 @@ def analyse(solution: Solution, report: Report) -> tuple[Analysis, ...]:
     return tuple(analyses)
 
 
-def _study(solution: Solution) -> "ratios.Study":
+def _study(solution: FrictionSolution) -> "ratios.Study":
     return ratios.Study(solution)
 
 
 def _concluded(
     item: AlgebraicResult | SolvedWithFriction,
-    solution: Solution,
+    solution: FrictionSolution,
     numbers: DefaultNumbers,
     study: "Callable[[], ratios.Study]",
     part: Allowance,
@@ -123,7 +123,7 @@ def _with_trends(result: Analysis, value: Product, pose: Pose, numbers: DefaultN
     return _sloping(result, partial_ones, mechanism, numbers)
 
 
-def _scopes(mechanism: Mechanism, result: Analysis, names: list[str]) -> dict[str, Scope]:
+def _scopes(mechanism: Mechanism, result: Analysis, names: list[str]) -> dict[str, ClaimScope]:
     """Return for which values each trend holds: a factor's own value has no part in the others."""
     ranged, given = with_range(mechanism), {p.name for p in mechanism.parameters if p.value}
     fixed = given - ranged
@@ -132,7 +132,7 @@ def _scopes(mechanism: Mechanism, result: Analysis, names: list[str]) -> dict[st
 
 def _scope(
     name: str, ranged: Set[str], fixed: Set[str], result: Analysis, names: list[str]
-) -> Scope:
+) -> ClaimScope:
     if name in fixed:
         return "as given"
     rest = {n for n in names if n != name and n not in (result.proportional or {})}
@@ -149,13 +149,13 @@ def _sloping(
     numbers: DefaultNumbers,
 ) -> Analysis:
     """Return a result with its derivatives and their values at the default pose."""
-    slopes: dict[str, Slope] = {}
+    slopes: dict[str, NumericSlope] = {}
     for name, formula in (derivatives or {}).items():
         size = numbers.of(replace(result, formula=formula)).number
         if size is not None and isfinite(size):
             dimension = result.dimension.over(mechanism.parameter(name).dimension)
             unit = usual_units(mechanism).length if dimension == LENGTH else ""
-            slopes[name] = Slope(size, dimension, unit)
+            slopes[name] = NumericSlope(size, dimension, unit)
     return replace(result, derivatives=derivatives, slopes=slopes)
 
 

@@ -9,7 +9,7 @@ from ..formula.tree import Formula
 from ..frozen import frozen
 from ..named import NamedTuple
 
-State = Literal["free", "locked", "jammed"]
+DriveState = Literal["free", "locked", "jammed"]
 """``locked``: the load alone does not move it; ``jammed``: no force of the drive does."""
 
 Range = tuple[float, float]
@@ -45,7 +45,7 @@ class LockingInterval(NamedTuple):
     its ends were narrowed down, not solved for.
     """
 
-    state: State
+    state: DriveState
     low: Bound | None
     high: Bound | None
     within: Range | None
@@ -73,7 +73,7 @@ class Locking:
     ``load`` are those of the ratio; no load stands for all of them.
     """
 
-    state: State | None
+    state: DriveState | None
     drive: str
     load: str
     reaches: tuple[LockingIntervals, ...] = ()

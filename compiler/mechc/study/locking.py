@@ -15,7 +15,7 @@ from ..frozen import frozen
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
-from .intervals import Bound, Locking, LockingInterval, LockingIntervals, Range, State
+from .intervals import Bound, DriveState, Locking, LockingInterval, LockingIntervals, Range
 from .ranges import last, turns, unit_of, varying
 from .ratios import Study
 from .sampling import DEAD_CENTRE_CELLS, before_dead_centre, dead_centre, looked_at, nearest
@@ -34,7 +34,7 @@ MOST_END_OPERATIONS = 12
 MOST_SOLVED_OPERATIONS = 200
 """A formula of more operations than this is not solved for anything."""
 
-Solve = Callable[[Formula, str], Iterator[AngleSolution]]
+SolveFor = Callable[[Formula, str], Iterator[AngleSolution]]
 
 
 def locking(study: Study, real: Result, printed: Result) -> Locking | None:
@@ -143,7 +143,7 @@ class _Intervals:
         begins, finishes = (end.x for end in ends if end)
         return finishes - begins < self.least * width
 
-    def _states(self, grid: Sequence[float]) -> list[State | None]:
+    def _states(self, grid: Sequence[float]) -> list[DriveState | None]:
         """Return the state at each value.
 
         A dead centre at which the window ends has that of the value next to it: so near to it
@@ -157,7 +157,7 @@ class _Intervals:
         return states
 
     def _interval(
-        self, grid: Sequence[float], first: int, last: int, state: State
+        self, grid: Sequence[float], first: int, last: int, state: DriveState
     ) -> LockingInterval:
         low, high = self._end(grid, first, -1), self._end(grid, last, 1)
         begins = grid[first] if low is None else low.x
@@ -187,7 +187,7 @@ class _Intervals:
             return Bound(b, left_out=True)
         return self._bound(x, self.printed, (zeros if state == "locked" else poles,))
 
-    def _last(self, state: State | None, good: float, bad: float) -> float:
+    def _last(self, state: DriveState | None, good: float, bad: float) -> float:
         """Return the last value of a state before one of another, or of which nothing is known."""
         width = NEARLY if self.moving.is_slow else EXACT
         return last(
@@ -210,7 +210,7 @@ class _Intervals:
         return (first, last) if first < last else None
 
     def _bound(
-        self, x: float, result: Result, ways: Sequence[Solve], is_dead_centre: bool = False
+        self, x: float, result: Result, ways: Sequence[SolveFor], is_dead_centre: bool = False
     ) -> Bound:
         """Return an end with its formula, if it has one of names that do not vary themselves."""
         if count_operations(result.formula) > MOST_SOLVED_OPERATIONS:

@@ -47,7 +47,7 @@ def remark(pose: Pose, report: Report) -> None:
     The drive's is left to its stroke.
     """
     mechanism, drive = pose.mechanism, pose.mechanism.drive
-    closing = _Closing(pose)
+    closing = _ClosedLoops(pose)
     if not closing.is_closed({}):
         return
     for parameter in mechanism.parameters:
@@ -61,7 +61,7 @@ def remark(pose: Pose, report: Report) -> None:
                 report.add(messages.range_not_assembled(place, name, below, above, why))
 
 
-class _Closing:
+class _ClosedLoops:
     """Whether the loops close at values of parameters, and the conditions of use hold."""
 
     def __init__(self, pose: Pose) -> None:
@@ -88,7 +88,7 @@ class _Closing:
         return max((why_open(self._definitions, v) for v in values), key=NO_POSE.index)
 
 
-def _last(parameter: Parameter, end: float, closing: _Closing) -> float | None:
+def _last(parameter: Parameter, end: float, closing: _ClosedLoops) -> float | None:
     """Return the value nearest to an end of a range at which the loops close; None at the end."""
     name, good, bad = parameter.name, closing.defaults[parameter.name], end
     if closing.is_closed({name: bad}):

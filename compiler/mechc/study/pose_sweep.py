@@ -17,10 +17,10 @@ from ..kinematics.plan import Plan
 from ..model.result import Result
 from ..model.values import Chain, Completion, Values, defaults, following, user_defined
 from . import open_ranges
-from .forms import SOON, Form, form, holding, together
+from .forms import SOON, FormulaCode, form, holding, together
 
 if TYPE_CHECKING:
-    from ..formula.roots import Function
+    from ..formula.roots import RealFunction
     from ..formula.rounded_columns import RoundedColumns
 
 EXCLUDED = "excluded by a condition of use"
@@ -46,7 +46,9 @@ class PoseCode:
         formulas = {**self.closing, **user_defined(pose.mechanism)}
         self.chain = following(pose.mechanism, formulas.items(), _continued)
         self._plan = plan
-        self._forms: dict[tuple[int, int, Set[str]], tuple[Formula, Result | None, Form]] = {}
+        self._forms: dict[
+            tuple[int, int, Set[str]], tuple[Formula, Result | None, FormulaCode]
+        ] = {}
         self._chains: dict[int, tuple[Result, Chain]] = {}
 
     @cached_property
@@ -55,7 +57,7 @@ class PoseCode:
         bound = {name: value.formula() for name, value in self._plan.bindings}
         return Chain({**dict(self._plan.graph.pose.closing), **bound})
 
-    def form(self, formula: Formula, where: Result | None, names: Set[str]) -> Form:
+    def form(self, formula: Formula, where: Result | None, names: Set[str]) -> FormulaCode:
         """Return a formula of a result in names that have values."""
         key = id(formula), id(where), names
         if key not in self._forms:
@@ -169,7 +171,7 @@ class PoseSweep:
         )
         return named.with_definitions(self.code.inner.definitions)
 
-    def inside_together(self, values: Sequence[Product]) -> list["Function"]:
+    def inside_together(self, values: Sequence[Product]) -> list["RealFunction"]:
         """Return intermediate results of the compiler as functions that are evaluated together.
 
         But for rounding they have the values of :meth:`inside`.

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from ..formula.walk import reached, symbols
-from ..friction.solution import Solution
+from ..friction.solution import FrictionSolution
 from ..frozen import replace
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, Sense, WithFriction
 from ..model.parts.friction import GuideFriction, PinFriction
@@ -14,7 +14,7 @@ from .intervals import USUAL, EfficiencyRange, Range
 from .pose_sweep import PoseCode
 from .ranges import moved, spans, unit_of, varying
 from .sampling import looked_at
-from .states import Ideal, IdealAlong, Moving, Ratios
+from .states import FrictionRatios, Ideal, IdealAlong, Moving
 from .sweep import Sweep
 from .tolerances import SAME_EFFICIENCY
 
@@ -22,13 +22,13 @@ from .tolerances import SAME_EFFICIENCY
 class Study:
     """What is looked at in a mechanism with friction: locking, jams and efficiencies alike."""
 
-    def __init__(self, solution: Solution) -> None:
+    def __init__(self, solution: FrictionSolution) -> None:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
         self._code = PoseCode(solution.plan)
         self._ideals: dict[str, Ideal] = {}
         self._ideals_along: dict[tuple[str, bool, str, frozenset[str]], IdealAlong] = {}
-        self._ratios: dict[tuple[str, Sense], Ratios] = {}
+        self._ratios: dict[tuple[str, Sense], FrictionRatios] = {}
         self._moving: dict[tuple[str, Sense, str], Moving] = {}
         self._sweep: dict[tuple[str, frozenset[str]], Sweep] = {}
 
@@ -53,14 +53,16 @@ class Study:
             self._moving[key] = ratios.along(self._ideal_along(ratios, parameter, loads))
         return self._moving[key]
 
-    def _both(self, key: tuple[str, Sense], ideal: Result, real: FrictionResult) -> Ratios:
+    def _both(self, key: tuple[str, Sense], ideal: Result, real: FrictionResult) -> FrictionRatios:
         """Return the ratio without friction and the one with it, the same for all parameters."""
         if key not in self._ratios:
             known = self._ideals.setdefault(ideal.name, Ideal(ideal))
-            self._ratios[key] = Ratios(known, real, key[1])
+            self._ratios[key] = FrictionRatios(known, real, key[1])
         return self._ratios[key]
 
-    def _ideal_along(self, of: Ratios, parameter: str, loads: dict[str, float]) -> IdealAlong:
+    def _ideal_along(
+        self, of: FrictionRatios, parameter: str, loads: dict[str, float]
+    ) -> IdealAlong:
         """Return the ratio without friction along a parameter, the same in both senses."""
         key = of.ideal.result.name, of.real.is_idle, parameter, frozenset(loads)
         if key not in self._ideals_along:

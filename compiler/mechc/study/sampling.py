@@ -50,7 +50,7 @@ SECTIONS, FEWER = 16, 13
 THREE_FIGURES = 1e-4
 """What an efficiency may still change by there; where it has a kink, it takes more sections."""
 
-Find = Callable[[Moving, float, float], Iterator[float]]
+FindChanges = Callable[[Moving, float, float], Iterator[float]]
 """Yields values between two others at which something happens."""
 
 
@@ -96,7 +96,7 @@ def _with(grid: Sequence[float], *more: Iterable[float]) -> list[float]:
     return sorted({*grid, *chain.from_iterable(more)})
 
 
-def _in_cells(find: Find, moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+def _in_cells(find: FindChanges, moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """Yield the values found between each two neighbours of a grid."""
     for a, b in pairwise(grid):
         yield from find(moving, a, b)

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 
 from ..formula.evaluate import status_along
-from ..formula.newton import Status
+from ..formula.newton import NewtonStatus
 from ..formula.tree import Formula, Implicit, Number, Power, Product, Symbol, is_call
 from ..formula.walk import symbols, walk
 from ..frozen import replace
@@ -23,13 +23,13 @@ from ..model.parts.targets import SIGNS, Sense
 from ..model.result import FrictionResult, Result
 from ..model.values import Values
 from ..named import NamedTuple
-from .intervals import Range, State
+from .intervals import DriveState, Range
 from .pose_sweep import Functions
 from .sweep import Sweep
 from .tolerances import BESIDE_REST, NEGLIGIBLE
 
 
-class Found(NamedTuple):
+class StateFound(NamedTuple):
     """The state in a pose: ``share`` is the ratio with friction over the one without.
 
     It is NaN where nothing balances. Of a ratio that is zero without friction it is the one with
@@ -37,15 +37,15 @@ class Found(NamedTuple):
     the drive, None at a dead centre. There is no state there, and where nothing was found.
     """
 
-    state: State | None
+    state: DriveState | None
     share: float
     driven: bool | None
 
 
-HowItEnds = tuple[Set[str], Callable[[Values], Status]]
+HowItEnds = tuple[Set[str], Callable[[Values], NewtonStatus]]
 """The names that a system rests on, and how the way to its solution ends at their values."""
 
-NOWHERE = Found(None, math.nan, None)
+NOWHERE = StateFound(None, math.nan, None)
 
 
 class Ideal:
@@ -130,7 +130,7 @@ class ZeroAlong(IdealAlong):
         return False
 
 
-class Ratios:
+class FrictionRatios:
     """A ratio with friction next to the one without, and what of it is looked at everywhere."""
 
     def __init__(self, ideal: Ideal, real: FrictionResult, sense: Sense) -> None:
@@ -179,14 +179,14 @@ class Ratios:
 class Moving:
     """A ratio with friction next to the one without, along one parameter."""
 
-    def __init__(self, along: IdealAlong, ratios: Ratios) -> None:
+    def __init__(self, along: IdealAlong, ratios: FrictionRatios) -> None:
         self.sweep, self.ideal, self.ideal_along = along.sweep, along.result, along
         self._ratios = ratios
         self.is_iterated, self.is_slow = ratios.is_iterated, ratios.is_slow
-        self._known: dict[float, Found] = {}
+        self._known: dict[float, StateFound] = {}
         self._driven: dict[float, bool | None] = {}
 
-    def at(self, x: float) -> Found:
+    def at(self, x: float) -> StateFound:
         """Return the state at a value of the parameter."""
         if x not in self._known:
             self._known[x] = self._look(x)
@@ -223,12 +223,12 @@ class Moving:
         """Return the divisors in terms of the ratio without friction: each is 0 at a pole."""
         return self.ideal_along.divisors(x)
 
-    def _look(self, x: float) -> Found:
+    def _look(self, x: float) -> StateFound:
         driven = self.driven(x)
         if driven is None:
             return NOWHERE
         real = self._real(x)
-        return Found(None, math.nan, driven) if real is None else self._state(real, x, driven)
+        return StateFound(None, math.nan, driven) if real is None else self._state(real, x, driven)
 
     def _beside_rest(self, x: float) -> float:
         """Return a value beside one at which alone a slip is 0, any other value as it is.
@@ -243,12 +243,12 @@ class Moving:
         sides = (side for side in (x - step, x + step) if not self.sweep.trouble(side))
         return next((side for side in sides if self.sweep.at_rest(where, side) < rest), x)
 
-    def _state(self, real: float, x: float, driven: bool) -> Found:
+    def _state(self, real: float, x: float, driven: bool) -> StateFound:
         """Return the state in a pose by the ratio with friction there."""
         share = real / self.without(x)
         if share > 0:
-            return Found("free", share, driven)
-        return Found("locked" if driven else "jammed", share, driven)
+            return StateFound("free", share, driven)
+        return StateFound("locked" if driven else "jammed", share, driven)
 
     def _real(self, x: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
@@ -294,15 +294,17 @@ class AgainstFriction(Moving):
         """Return False: no load drives the motion."""
         return False
 
-    def _state(self, real: float, x: float, driven: bool) -> Found:
+    def _state(self, real: float, x: float, driven: bool) -> StateFound:
         """Return the state in a pose: friction takes power in every motion.
 
         An effort below zero contradicts itself, and nothing is said of it.
         """
         effort = real * self._ratios.sign
         if math.isnan(effort) or (abs(effort) > HUGE and self._is_endless(x)):
-            return Found("jammed", math.nan, driven)
-        return Found("free" if effort >= 0 else None, effort if effort >= 0 else math.nan, driven)
+            return StateFound("jammed", math.nan, driven)
+        return StateFound(
+            "free" if effort >= 0 else None, effort if effort >= 0 else math.nan, driven
+        )
 
     def _is_endless(self, x: float) -> bool:
         """Return whether the ratio is infinite but for rounding: a brake begins to grip."""

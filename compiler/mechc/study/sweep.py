@@ -6,17 +6,17 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from ..formula.rounding import beyond_rounding
-from ..formula.tree import Formula, is_call
+from ..formula.tree import Definitions, Formula, is_call
 from ..formula.walk import symbols
 from ..friction import at_rest
 from ..model.result import Result
 from ..model.values import Looked, Values, of_sound_form, standing
-from .forms import Definitions, together
+from .forms import together
 from .pose_sweep import Functions, PoseCode, PoseSweep, keeping
 from .tolerances import SAME_SIDES, SIDE
 
 if TYPE_CHECKING:
-    from ..formula.roots import Function
+    from ..formula.roots import RealFunction
 
 
 class Sweep(PoseSweep):
@@ -32,7 +32,7 @@ class Sweep(PoseSweep):
         super().__init__(code, parameter, ends, loads)
         self._step = SIDE * (max(ends) - min(ends) if ends else 1.0)
         self._senses: dict[int, tuple[Definitions, Functions | None]] = {}
-        self._functions: dict[tuple[int, int], tuple[Formula, Result | None, Function]] = {}
+        self._functions: dict[tuple[int, int], tuple[Formula, Result | None, RealFunction]] = {}
 
     def of(self, formula: Formula, where: Result | None, x: float) -> float:
         """Return a formula's value, with the definitions of a result; NaN where it has none.
@@ -43,7 +43,7 @@ class Sweep(PoseSweep):
         """
         return self.function(formula, where)(x)
 
-    def function(self, formula: Formula, where: Result | None) -> "Function":
+    def function(self, formula: Formula, where: Result | None) -> "RealFunction":
         """Return a formula as a function of the parameter, which keeps its values."""
         key = id(formula), id(where)
         if key not in self._functions:
@@ -65,12 +65,12 @@ class Sweep(PoseSweep):
         """Return formulas as one function of the parameter, those that have a value along it."""
         return keeping(together(formulas, self.names, definitions), self.values)
 
-    def _on_sides(self, value: "Function", senses: Functions, x: float) -> float:
+    def _on_sides(self, value: "RealFunction", senses: Functions, x: float) -> float:
         """Return a value, the limit of it where a slip is 0 for once."""
         limits = [side for side in self._sides(value, senses, x) if math.isfinite(side)]
         return limits[0] if limits else value(x)
 
-    def sides(self, value: "Function", where: Definitions, x: float) -> Sequence[float]:
+    def sides(self, value: "RealFunction", where: Definitions, x: float) -> Sequence[float]:
         """Return the limits of a result where a slip is 0 for once, one where they are alike.
 
         Friction has no sense there, and what is without it is the limit of neither side; NaN
@@ -80,7 +80,7 @@ class Sweep(PoseSweep):
         senses = self._senses_of(where)
         return () if senses is None else self._sides(value, senses, x)
 
-    def _sides(self, value: "Function", senses: Functions, x: float) -> Sequence[float]:
+    def _sides(self, value: "RealFunction", senses: Functions, x: float) -> Sequence[float]:
         rest = senses(x).count(0)
         if not rest:
             return ()

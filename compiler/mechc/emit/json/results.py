@@ -16,7 +16,7 @@ from ...model.mechanism import (
     WithFriction,
 )
 from ...model.result import Result
-from ...study.analysis import Analysis, Break, DeadCentre, Scope, Trend, Vanishing
+from ...study.analysis import Analysis, Break, ClaimScope, DeadCentre, Trend, Vanishing
 from ...study.intervals import Bound, EfficiencyRange, Locking, LockingInterval, LockingIntervals
 from ...units import si_unit
 from ..describe import dimension_name
@@ -24,7 +24,7 @@ from .formula import DEFINITION, FORMULA
 from .kinds import FLOAT, TEXT, TRUTH, JsonKind, list_of, map_of, member, one_of, optional, record
 from .lets import MOST_INTERMEDIATES
 
-TRENDS, SCOPES = get_args(Trend), get_args(Scope)
+TRENDS, SCOPES = get_args(Trend), get_args(ClaimScope)
 CAUSES = ("dead centre", "perpendicular load", "other")
 KINDS: Mapping[type[ResultTarget] | type[None], str] = {
     LoadRatio: "load ratio",

@@ -11,7 +11,7 @@ from ...report.latex.notation import LatexNotation, name, of_result, points
 from ...report.latex.quantity import decimal, usual_unit
 from ...report.latex.results import LatexSpeller
 from ...report.latex.unit_symbols import unit_symbol
-from ...study.stroke.stroke import AngleAt, Column, SpeedOf, Stroke
+from ...study.stroke.stroke import AngleAt, SpeedOf, Stroke, StrokeColumn
 from ...units import size_of
 
 D = r"\mathrm{d}"
@@ -174,7 +174,7 @@ def _constant(index: int, stroke: Stroke, locale: Locale, style: LatexNotation) 
     return f"${_written(column, style)}={decimal(value, style)}{unit_symbol(unit, locale)}$"
 
 
-def _unit(column: Column) -> str:
+def _unit(column: StrokeColumn) -> str:
     return column.unit or usual_unit(column.dimension)
 
 
@@ -185,7 +185,7 @@ def _column(index: int, stroke: Stroke, locale: Locale, style: LatexNotation) ->
     return [head(_written(column, style), unit, locale), *numbers(values, style)]
 
 
-def _written(column: Column, style: LatexNotation) -> str:
+def _written(column: StrokeColumn, style: LatexNotation) -> str:
     """Return a column's name: a ratio of speeds, a slope, an angle, or a quantity."""
     if column.about:
         return "/".join(_tex(about, style) for about in column.about)

@@ -14,7 +14,7 @@ from ...equilibrium.equilibrium import (
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
 from ...formula.walk import symbols
-from ...friction.solution import Solution
+from ...friction.solution import FrictionSolution
 from ...frozen import replace
 from ...model.mechanism import ArcSlot, Mechanism, Reaction
 from ...model.parts.targets import whole
@@ -59,7 +59,7 @@ _ACROSS: Mapping[tuple[bool, bool], SentenceKind] = {
 
 
 def derive_by_equilibrium(
-    solution: Solution, loads: Iterable[Equilibrium], results: Sequence[Analysis]
+    solution: FrictionSolution, loads: Iterable[Equilibrium], results: Sequence[Analysis]
 ) -> Derivation:
     """Return the derivation of what was asked for, by the equilibrium of free bodies.
 
@@ -78,7 +78,9 @@ def derive_by_equilibrium(
     return replace(derivation, position=tuple(position))
 
 
-def explained_by_sums(solution: Solution, loads: Iterable[Equilibrium]) -> Iterator[Explanation]:
+def explained_by_sums(
+    solution: FrictionSolution, loads: Iterable[Equilibrium]
+) -> Iterator[Explanation]:
     """Yield how results follow from sums of forces and moments; forces without, by a release."""
     writer = _LoadWriter(solution.plan.graph.pose)
     groups = tuple(_together(solution, {each.result: each for each in loads}))
@@ -87,7 +89,7 @@ def explained_by_sums(solution: Solution, loads: Iterable[Equilibrium]) -> Itera
 
 
 def _together(
-    solution: Solution, loads: Mapping[str, Equilibrium]
+    solution: FrictionSolution, loads: Mapping[str, Equilibrium]
 ) -> Iterator[tuple[tuple[str, ...], tuple[Equilibrium, ...]]]:
     """Yield results that are explained together, with the steps to each of their components."""
     ideal = [one for one in solution.solved if isinstance(one, AlgebraicResult)]

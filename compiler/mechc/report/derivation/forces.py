@@ -8,7 +8,7 @@ from ...algebra.product import Product
 from ...algebra.sums import add, canonical
 from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import ZERO, Call, Formula, Symbol, product, quotient, total
-from ...friction.solution import Solution, SolvedWithFriction
+from ...friction.solution import FrictionSolution, SolvedWithFriction
 from ...frozen import replace
 from ...model.mechanism import Axial, Load, Normal, Reaction
 from ...model.result import Definition
@@ -30,7 +30,7 @@ _BONDS = {
 }
 
 
-def of_forces(solution: Solution, met: Set[str] = frozenset()) -> Iterator[Explanation]:
+def of_forces(solution: FrictionSolution, met: Set[str] = frozenset()) -> Iterator[Explanation]:
     """Yield an account of every force at a joint; its components are explained together.
 
     Nothing is said of results that were ``met`` elsewhere.

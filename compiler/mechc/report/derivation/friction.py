@@ -9,7 +9,7 @@ from ...algebra.sums import add
 from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Call, Formula, Product, Sum, Symbol, is_call, product, total
 from ...formula.walk import symbols, walk
-from ...friction.solution import FrictionStep, Solution, SolvedWithFriction, StepKind
+from ...friction.solution import FrictionSolution, FrictionStep, SolvedWithFriction, StepKind
 from ...frozen import replace
 from ...model.mechanism import (
     Axial,
@@ -66,7 +66,7 @@ _SPEED = Symbol("v")
 _STRAIGHT = {"force": Symbol("n"), "speed": _SPEED}
 
 
-def of_friction(solution: Solution, results: Sequence[Analysis]) -> Iterator[Explanation]:
+def of_friction(solution: FrictionSolution, results: Sequence[Analysis]) -> Iterator[Explanation]:
     """Yield an account of every result with friction that was found in steps.
 
     ``results`` are these in the form in which they are shown.

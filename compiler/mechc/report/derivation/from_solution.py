@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from ...formula.tree import ZERO, Formula, Symbol
 from ...formula.walk import substitute, symbols
-from ...friction.solution import Solution
+from ...friction.solution import FrictionSolution
 from ...frozen import replace
 from ...model.mechanism import SpeedRatio
 from ...study.analysis import Analysis
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 def derive(
-    solution: Solution, results: Sequence[Analysis], forces: "Sequence[Equilibrium]" = ()
+    solution: FrictionSolution, results: Sequence[Analysis], forces: "Sequence[Equilibrium]" = ()
 ) -> Derivation:
     """Return the derivation of all results, which are given as they were analysed.
 

@@ -10,7 +10,7 @@ from ...equilibrium.equilibrium import Equilibrium, LoadTerms
 from ...formula.names import another
 from ...formula.tree import Formula, Symbol, product, quotient, total
 from ...formula.walk import symbols
-from ...friction.solution import Solution
+from ...friction.solution import FrictionSolution
 from ...frozen import replace
 from ...model.mechanism import LoadRatio
 from ...model.result import Definition
@@ -22,7 +22,7 @@ from ..steps import Equation, Explanation, Paragraph
 
 
 def by_forces(
-    solution: Solution,
+    solution: FrictionSolution,
     loads: Iterable[Equilibrium],
     results: Sequence[Analysis],
     explanations: Iterable[Explanation],
@@ -55,7 +55,7 @@ def _with_ends(
 
 
 def _by_forces(
-    result: Analysis, equilibrium: Equilibrium, solution: Solution, taken: Set[str]
+    result: Analysis, equilibrium: Equilibrium, solution: FrictionSolution, taken: Set[str]
 ) -> tuple[Analysis, Paragraph] | None:
     """Return a ratio by forces, and what they are; None where they rest on more than one load."""
     target = result.target

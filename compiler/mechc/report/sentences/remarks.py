@@ -22,7 +22,7 @@ from ...model.mechanism import (
 from ...model.names.forms import form_of_pose
 from ...model.parts.targets import drives_from_below, drives_the_return
 from ...model.parts.written import WrittenSides
-from ...study.analysis import Analysis, Break, Multiple, Scope, Trend
+from ...study.analysis import Analysis, Break, ClaimScope, Multiple, Trend
 from ..languages.locale import Locale
 from . import extents
 from .limits import limits
@@ -344,7 +344,7 @@ def _symbols(names: Iterable[str], locale: Locale, spell: Speller) -> str:
 
 
 def _trends(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
-    groups: dict[tuple[Trend, Scope], list[str]] = {}
+    groups: dict[tuple[Trend, ClaimScope], list[str]] = {}
     for parameter, trend in (result.trends or {}).items():
         if locale.trends[trend] and _is_news([parameter], result):
             groups.setdefault((trend, result.scopes[parameter]), []).append(parameter)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from ...named import NamedTuple
-from ...study.stroke.stroke import Row, Stroke
+from ...study.stroke.stroke import Stroke, StrokeRow
 from ...units import size_of
 from .stroke import headed, held, unit_of, written
 
@@ -69,7 +69,7 @@ def _remarks(stroke: Stroke) -> Iterator[list[str]]:
             yield [heading, *cells]
 
 
-def _trouble(row: Row) -> str:
+def _trouble(row: StrokeRow) -> str:
     """Return the reason why a row lacks values, ``k undetermined`` too."""
     words = [row.trouble] if row.trouble else []
     return ", ".join((*words, *(f"{name} undetermined" for name in row.undetermined)))

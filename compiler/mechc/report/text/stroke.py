@@ -12,15 +12,15 @@ from ...named import NamedTuple
 from ...study.analysis import DeadCentre
 from ...study.intervals import USUAL, EfficiencyRange
 from ...study.stroke.stroke import (
-    Branch,
-    Column,
+    ChangePoint,
     Content,
     Extremum,
     JammedInterval,
-    Row,
     Singular,
     Stroke,
+    StrokeColumn,
     StrokeInterval,
+    StrokeRow,
     ZeroInterval,
 )
 from ...study.tolerances import EXACT, NEARLY
@@ -72,7 +72,7 @@ def written(stroke: Stroke, language: str) -> WrittenStroke:
     return WrittenStroke(stroke, known.along_stroke, letters(known))
 
 
-def held(row: Row, shown: WrittenStroke) -> str:
+def held(row: StrokeRow, shown: WrittenStroke) -> str:
     """Return which results stand still in a row: ``k_f jammed, k_hold locked``."""
     stroke = shown.stroke
     near = EXACT * (stroke.high - stroke.low)
@@ -165,7 +165,7 @@ def said(shown: WrittenStroke) -> Iterator[str]:
 
 def _cells(
     values: Sequence[float],
-    columns: Sequence[Column],
+    columns: Sequence[StrokeColumn],
     undetermined: Collection[str],
     shown: WrittenStroke,
 ) -> list[str]:
@@ -175,7 +175,7 @@ def _cells(
     ]
 
 
-def _cell(value: float, column: Column, shown: WrittenStroke) -> str:
+def _cell(value: float, column: StrokeColumn, shown: WrittenStroke) -> str:
     if not math.isfinite(value):
         return "" if math.isnan(value) else shown.says("infinite")
     return shown.number(_in(value, unit_of(column.dimension, column.unit), 9))
@@ -232,7 +232,7 @@ def _without(name: str, loads: Sequence[str], shown: WrittenStroke) -> str:
     return shown.says("without", name=name, loads=", ".join(loads), values=values)
 
 
-def _branch(found: Branch, shown: WrittenStroke) -> str:
+def _branch(found: ChangePoint, shown: WrittenStroke) -> str:
     return shown.says("two ways", at=_at(found.drive, shown), loop=found.loop)
 
 

@@ -10,18 +10,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...algebra.derivative import depends_openly, derivative
 from ...algebra.product import Product
 from ...algebra.sums import add
-from ...formula.roots import Function, Root, lowest, roots
+from ...formula.roots import RealFunction, Root, lowest, roots
 from ...formula.walk import symbols
 from ...pose.pose import Pose
 from ..pose_sweep import PoseSweep
 from ..tolerances import SAME_VALUE, TOUCHING_WIDTH, VANISHED_MARGIN
-from .stroke import Branch
+from .stroke import ChangePoint
 
 TOUCHING = 0.25
 """What is left of a margin beside where it is touched, at most: a ninth of a parabola's."""
 
 
-def branch_points(pose: Pose, along: PoseSweep, grid: Sequence[float]) -> tuple[Branch, ...]:
+def branch_points(pose: Pose, along: PoseSweep, grid: Sequence[float]) -> tuple[ChangePoint, ...]:
     """Return the branch points between the first and the last point of a grid, in their order."""
     margins = [(limit.loop, margin) for limit in pose.limits for margin in limit.margins]
     slopes = {
@@ -30,11 +30,11 @@ def branch_points(pose: Pose, along: PoseSweep, grid: Sequence[float]) -> tuple[
     curves = along.inside_together([*(margin for _, margin in margins), *slopes.values()])
     sloping = dict(zip(slopes, curves[len(margins) :], strict=True))
     found = [
-        Branch(loop, *root)
+        ChangePoint(loop, *root)
         for i, (loop, _) in enumerate(margins)
         for root in _touched(curves[i], sloping.get(i), grid)
     ]
-    kept: list[Branch] = []
+    kept: list[ChangePoint] = []
     for branch in sorted(found, key=lambda b: (b.loop, b.drive)):
         last = kept[-1] if kept else None
         width = SAME_VALUE * (grid[-1] - grid[0])
@@ -43,14 +43,18 @@ def branch_points(pose: Pose, along: PoseSweep, grid: Sequence[float]) -> tuple[
     return tuple(sorted(kept, key=lambda b: b.drive))
 
 
-def _touched(margin: Function, slope: Function | None, grid: Sequence[float]) -> Iterator[Root]:
+def _touched(
+    margin: RealFunction, slope: RealFunction | None, grid: Sequence[float]
+) -> Iterator[Root]:
     size = max((abs(v) for v in map(margin, grid) if v == v), default=0.0)
     for root in _turning(margin, slope, grid):
         if abs(margin(root.x)) <= VANISHED_MARGIN * size:
             yield root
 
 
-def _turning(margin: Function, slope: Function | None, grid: Sequence[float]) -> Iterator[Root]:
+def _turning(
+    margin: RealFunction, slope: RealFunction | None, grid: Sequence[float]
+) -> Iterator[Root]:
     """Yield where a margin may be least; one that only changes its sign is the end of a loop."""
     if slope is not None:
         yield from roots(slope, grid)

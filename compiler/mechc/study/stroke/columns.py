@@ -17,7 +17,7 @@ from ...named import NamedTuple
 from ...pose.motion import Motion, MotionQuantity
 from ...units import Dimension
 from ..sweep import Sweep
-from .stroke import Column
+from .stroke import StrokeColumn
 
 ALL = "all"
 """Stands for every point and link."""
@@ -26,7 +26,7 @@ ALL = "all"
 class Filled(NamedTuple):
     """A column, its value along the drive, and the formula of that with its definitions."""
 
-    column: Column
+    column: StrokeColumn
     at: Callable[[float], float]
     formula: Formula | None = None
     where: tuple[Definition, ...] = ()
@@ -77,7 +77,7 @@ def path_columns(
     moving = _Moving(asked.definitions, along)
     for quantity in asked.quantities:
         dimension = quantity.dimension
-        column = Column(quantity.shown, dimension, "path", unit(dimension))
+        column = StrokeColumn(quantity.shown, dimension, "path", unit(dimension))
         yield Filled(
             column,
             partial(moving.at, quantity.formula),

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from ...diagnostics import Report
 from ...formula.roots import spaced
 from ...formula.tree import Formula
-from ...friction.solution import Solution
+from ...friction.solution import FrictionSolution
 from ...model.mechanism import LoadRatio, SpeedRatio, WithFriction
 from ...model.values import range_of
 from ...units import ANGLE
@@ -22,7 +22,7 @@ from .stroke import Stroke, StrokeInterval, ZeroInterval
 
 
 def along_the_stroke(
-    solution: Solution, results: Sequence[Analysis], report: Report
+    solution: FrictionSolution, results: Sequence[Analysis], report: Report
 ) -> dict[str, Extent]:
     """Return the extents of ratios on the part of the stroke around the default pose, by name.
 
@@ -47,7 +47,7 @@ def _is_ratio(result: Analysis) -> bool:
 
 
 def _extents(
-    stroke: Stroke, results: Sequence[Analysis], solution: Solution
+    stroke: Stroke, results: Sequence[Analysis], solution: FrictionSolution
 ) -> Iterator[tuple[str, Extent]]:
     part = _home(stroke)
     ends = range_of(stroke.drive, solution.plan.graph.pose.mechanism) or ()

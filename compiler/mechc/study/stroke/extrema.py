@@ -14,9 +14,9 @@ from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT, SAME_RATIO, SAME_VALUE
 from .friction import is_shown
 from .jumps import has_turns, is_on_the_stroke
 from .rounded import is_nil, is_turning, rounded
-from .run import SAMPLES, Run
+from .run import SAMPLES, StrokeRun
 from .singular import order_of, roots_at
-from .stroke import Branch, Extremum, Singular, StrokeInterval
+from .stroke import ChangePoint, Extremum, Singular, StrokeInterval
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
 
@@ -28,10 +28,10 @@ CLOSE = 0.01
 
 
 def extrema_along(
-    run: Run,
+    run: StrokeRun,
     stretches: Sequence[StrokeInterval],
     singular: Sequence[Singular],
-    branches: Sequence[Branch],
+    branches: Sequence[ChangePoint],
     turns: Sequence[float] = (),
 ) -> tuple[Extremum, ...]:
     """Return the extrema along a stroke; beside a branch point what looks like one is rounding.
@@ -48,11 +48,11 @@ def extrema_along(
 
 
 def _on_stretch(
-    run: Run,
+    run: StrokeRun,
     result: Analysis,
     stretch: StrokeInterval,
     singular: Sequence[Singular],
-    branches: Sequence[Branch],
+    branches: Sequence[ChangePoint],
     turns: Sequence[float],
 ) -> Iterator[Extremum]:
     """Yield the extrema of a result on a stretch: between its breaks, and beside its jumps."""
@@ -76,7 +76,7 @@ def _with(grid: Sequence[float], turns: Sequence[float]) -> list[float]:
     return sorted({*grid, *new})
 
 
-def _shared(run: Run, result: Analysis) -> set[str]:
+def _shared(run: StrokeRun, result: Analysis) -> set[str]:
     """Return the names of results at whose breaks a result has its own: ratios, and itself.
 
     A direction has them where the components of its force have theirs.
@@ -129,7 +129,7 @@ def beside_jump(
 
 
 def _on_part(
-    run: Run,
+    run: StrokeRun,
     result: Analysis,
     stretch: StrokeInterval,
     singular: Sequence[Singular],
@@ -151,14 +151,14 @@ def _on_part(
             yield from rounded(one, result, along, run.grid)
 
 
-def _poles(run: Run, result: Analysis, singular: Sequence[Singular]) -> list[float]:
+def _poles(run: StrokeRun, result: Analysis, singular: Sequence[Singular]) -> list[float]:
     """Return where a result is infinite, or what it is with friction."""
     ideal = getattr(result.target, "of", result.target)
     names = {ratio.name for ratio in run.quotients if ratio.target == ideal}
     return [s.drive for s in singular if s.result in names and s.value == "infinite"]
 
 
-def _own_poles(run: Run, result: Analysis, stretch: StrokeInterval) -> list[float]:
+def _own_poles(run: StrokeRun, result: Analysis, stretch: StrokeInterval) -> list[float]:
     """Return where a result that is no ratio of loads is infinite on a stretch."""
     if isinstance(result.target, LoadRatio | SpeedRatio):
         return []

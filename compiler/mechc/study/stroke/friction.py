@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from itertools import chain
 
-from ...friction.solution import Solution
+from ...friction.solution import FrictionSolution
 from ...frozen import replace
 from ...model.parts.targets import Efficiency, drives_from_below
 from ..analysis import Analysis
@@ -11,7 +11,7 @@ from ..intervals import EfficiencyRange, LockingInterval
 from .stroke import Extremum, JammedInterval
 
 
-def in_code(result: Analysis, solution: Solution) -> Analysis:
+def in_code(result: Analysis, solution: FrictionSolution) -> Analysis:
     """Return a result as code takes it, with signs that follow from the pose."""
     whole = next(r for r in solution.results if r.name == result.name)
     return replace(result, formula=whole.formula, where=whole.where, guards=whole.guards)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Sequence
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
-from ...friction.solution import Solution
+from ...friction.solution import FrictionSolution
 from ...model.values import range_of
 from ...pose.motion import Motion
 from ...pose.pose import Pose
@@ -18,7 +18,7 @@ from .friction import efficiency_ranges, standstills
 from .jumps import is_on_the_stroke, turns_along
 from .rounded import is_apart, zero_parts
 from .rows import columns, rows
-from .run import Run, run_of
+from .run import StrokeRun, run_of
 from .singular import singular_along
 from .stretches import stretches_of, with_reached
 from .stroke import Stroke, StrokeInterval
@@ -27,7 +27,7 @@ Watch = Callable[[Sequence[float]], Iterable[float]]
 
 
 def run(
-    solution: Solution,
+    solution: FrictionSolution,
     results: Sequence[Analysis],
     points: int,
     report: Report,
@@ -62,7 +62,7 @@ def _drivable(pose: Pose) -> tuple[list[str], str]:
     return [], "deg"
 
 
-def _stroke(run: Run, paths: ShownQuantities, points: int, watch: Watch) -> Stroke:
+def _stroke(run: StrokeRun, paths: ShownQuantities, points: int, watch: Watch) -> Stroke:
     along, drive = run.along, run.drive
     filled = named_apart(columns(run, paths))
     found, crossings = stretches_of(run)
@@ -98,6 +98,6 @@ def _stroke(run: Run, paths: ShownQuantities, points: int, watch: Watch) -> Stro
     )
 
 
-def _looked(run: Run, stretches: Sequence[StrokeInterval]) -> int:
+def _looked(run: StrokeRun, stretches: Sequence[StrokeInterval]) -> int:
     """Return at how many values of the drive the results were looked at."""
     return sum(len(run.within(stretch)) for stretch in stretches)

@@ -19,7 +19,7 @@ from ...pose.pose import Pose, Vector, evaluate_vector
 from ..pose_sweep import PoseCode, PoseSweep
 from ..tolerances import DIFFERENCE, SAME_RATE
 
-Rates = Mapping[str, float]
+LinkRates = Mapping[str, float]
 """How fast each link turns."""
 
 
@@ -170,7 +170,7 @@ def _turn(arm: Vector, before: Mapping[str, float], after: Mapping[str, float]) 
     return math.atan2(a * d - b * c, a * c + b * d)
 
 
-def _demanded(plan: Plan, known: Mapping[str, float], size: float) -> Rates:
+def _demanded(plan: Plan, known: Mapping[str, float], size: float) -> LinkRates:
     """Return how fast the links turn by the joints, lengths that are not given being ``size``."""
     values = {**known, **dict.fromkeys(plan.graph.pose.placeholders, size)}
     try:
@@ -181,7 +181,7 @@ def _demanded(plan: Plan, known: Mapping[str, float], size: float) -> Rates:
         return {}
 
 
-def _leader(pose: Pose, drawn: Rates) -> str:
+def _leader(pose: Pose, drawn: LinkRates) -> str:
     """Return the link that the drive turns: the crank, else the one that turns fastest.
 
     The crank's direction is the drive itself. Where no link's is, one counts whose formula has the

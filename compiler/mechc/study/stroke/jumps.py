@@ -9,7 +9,7 @@ from functools import partial
 from itertools import pairwise, product
 
 from ...formula.jumps import BESIDE_JUMP, JUMP_WIDTH, Jump, is_steady, jumps
-from ...formula.roots import Function, spaced
+from ...formula.roots import RealFunction, spaced
 from ...formula.tree import Formula, is_call
 from ...formula.walk import walk
 from ...model.parts.targets import Efficiency, Reaction, WithFriction
@@ -18,8 +18,8 @@ from ..ranges import last
 from ..sweep import Sweep
 from ..tolerances import JUMP_SIDES
 from .rounded import is_nothing
-from .run import Run
-from .stroke import Kind, Singular, StrokeInterval
+from .run import StrokeRun
+from .stroke import Singular, StrokeEvent, StrokeInterval
 
 PLACES = 60
 """In how many parts a stroke is looked at for the usual size of a result."""
@@ -37,7 +37,7 @@ OFTEN = 48
 """A sign that changes in so many cells is that of what is zero but for rounding."""
 
 
-def turns_along(run: Run, stretches: Sequence[StrokeInterval]) -> tuple[float, ...]:
+def turns_along(run: StrokeRun, stretches: Sequence[StrokeInterval]) -> tuple[float, ...]:
     """Return where friction turns round along a stroke: there results jump, or have a kink."""
     results = [result for result in run.results if has_turns(result)]
     found = (
@@ -50,7 +50,7 @@ def turns_along(run: Run, stretches: Sequence[StrokeInterval]) -> tuple[float, .
 
 
 def jumps_along(
-    run: Run, stretches: Sequence[StrokeInterval], turns: Sequence[float]
+    run: StrokeRun, stretches: Sequence[StrokeInterval], turns: Sequence[float]
 ) -> Iterator[Singular]:
     """Yield where results with friction jump; a direction does where the components do.
 
@@ -90,7 +90,7 @@ def jumping(
             yield _jumping(result.name, jump, along, range_)
 
 
-def is_on_the_stroke(found: Singular, run: Run) -> bool:
+def is_on_the_stroke(found: Singular, run: StrokeRun) -> bool:
     """Return whether a result jumps on its way, if it jumps, not where the stroke has its ends.
 
     There it is on one side, and rounding alone makes it the other.
@@ -104,11 +104,11 @@ def _jumping(name: str, jump: Jump, along: Sweep, range_: float) -> Singular:
     near, away = (along.values(jump.x + part * range_) for part in JUMP_SIDES)
     is_far = any(abs(near[n]) > GROWS * abs(away[n]) > 0 for n in along.closing if n in near)
     sides = (jump.before, jump.after)
-    kind: Kind = "far" if is_far else "jump"
+    kind: StrokeEvent = "far" if is_far else "jump"
     return Singular(name, "undetermined", kind, jump.x, jump.bracket, None, sides)
 
 
-def _at_turns(size: Function, turns: Sequence[float], range_: float) -> Iterator[Jump]:
+def _at_turns(size: RealFunction, turns: Sequence[float], range_: float) -> Iterator[Jump]:
     """Yield the turns at which a function jumps by what shows in its figures."""
     for x in turns:
         before, after = (size(x + side * BESIDE_JUMP * range_) for side in (-1, 1))
@@ -118,11 +118,11 @@ def _at_turns(size: Function, turns: Sequence[float], range_: float) -> Iterator
             yield jump
 
 
-Signs = Callable[[float], Sequence[float]]
+SignsAt = Callable[[float], Sequence[float]]
 """Returns the signs of slips and forces at a value of the drive."""
 
 
-def _signs(results: Sequence[Analysis], along: Sweep) -> Iterator[Signs]:
+def _signs(results: Sequence[Analysis], along: Sweep) -> Iterator[SignsAt]:
     """Yield the signs in results, those in forms for elsewhere among them, a few functions for all.
 
     Results that call different things by one name do not share a function.
@@ -142,7 +142,7 @@ def _signs(results: Sequence[Analysis], along: Sweep) -> Iterator[Signs]:
             yield along.together([*parts], [*group.items()])
 
 
-def changes_of_sign(signs: Signs, grid: Sequence[float]) -> Iterator[float]:
+def changes_of_sign(signs: SignsAt, grid: Sequence[float]) -> Iterator[float]:
     """Yield where each of some signs changes between two values of a grid.
 
     >>> [round(x, 9) for x in changes_of_sign(lambda x: (x - 0.3, 1.0), [0.0, 0.25, 0.5])]
@@ -161,5 +161,5 @@ def _senses(signs: Sequence[float]) -> list[int]:
     return [(sign > 0) - (sign < 0) for sign in signs]
 
 
-def _is(signs: Signs, i: int, sense: int, x: float) -> bool:
+def _is(signs: SignsAt, i: int, sense: int, x: float) -> bool:
     return _senses(signs(x))[i] == sense

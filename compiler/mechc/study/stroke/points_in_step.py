@@ -13,7 +13,7 @@ from ..pose_sweep import PoseSweep
 from ..tolerances import DIFFERENCE, SAME_RATE, STILL
 from .in_step import at_default, links_lagging
 
-Velocities = Mapping[str, complex]
+PointVelocities = Mapping[str, complex]
 """How fast points move, x and y as a complex number."""
 
 
@@ -55,7 +55,7 @@ def _rate(vector: Vector, before: Values, after: Values) -> complex:
     return (end - start) / (2 * DIFFERENCE)
 
 
-def _demanded(plan: Plan, known: Values) -> Velocities:
+def _demanded(plan: Plan, known: Values) -> PointVelocities:
     values = dict(known)
     found: dict[str, complex] = {}
     try:

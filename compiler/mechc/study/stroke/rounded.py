@@ -13,8 +13,8 @@ from ...formula.rounding import with_error
 from ...model.result import Result
 from ..sweep import Sweep
 from ..tolerances import BRANCH_POINT, LOST, NEARBY, NEGLIGIBLE
-from .run import Run
-from .stroke import Branch, Extremum, Singular, StrokeInterval, ZeroInterval
+from .run import StrokeRun
+from .stroke import ChangePoint, Extremum, Singular, StrokeInterval, ZeroInterval
 
 ASIDE = (1, 2, 4)
 """So many values away an extremum is compared with what is beside it, if nearer ones are equal."""
@@ -90,7 +90,7 @@ def is_nothing(
     return not usual or max(map(abs, sides.values())) < NEGLIGIBLE * usual
 
 
-def each_zero_once(found: Iterable[Singular], run: Run) -> Iterator[Singular]:
+def each_zero_once(found: Iterable[Singular], run: StrokeRun) -> Iterator[Singular]:
     """Yield singular poses; zeros between which nothing but rounding is left are one.
 
     A zero of a high order is flat: Watt's point runs straight in the fourth order, and a sign
@@ -116,7 +116,7 @@ FLAT = 1e-7
 """The part of a stroke by which a simple zero is left, at the least."""
 
 
-def _flat_part(x: float, result: Result, run: Run) -> tuple[float, float]:
+def _flat_part(x: float, result: Result, run: StrokeRun) -> tuple[float, float]:
     """Return the ends of the part around a zero on which values are nothing but rounding.
 
     Of most zeros there is no such part: both ends are the zero.
@@ -143,7 +143,7 @@ def _usual(result: Result, along: Sweep, grid: Sequence[float]) -> float:
 
 
 def zero_parts(
-    run: Run, stretches: Sequence[StrokeInterval], branches: Sequence[Branch]
+    run: StrokeRun, stretches: Sequence[StrokeInterval], branches: Sequence[ChangePoint]
 ) -> Iterator[ZeroInterval]:
     """Yield the parts between ends of stretches and branch points on which results are zero."""
     for stretch in stretches:

@@ -23,53 +23,53 @@ from ..states import is_sign
 from ..sweep import Sweep
 from ..tolerances import SAME_SIDES, SIDE, STRAIGHT, VANISHING
 from .columns import Filled, ShownQuantities, path_columns
-from .run import Run
+from .run import StrokeRun
 from .stretches import beyond, trouble
-from .stroke import AngleAt, Column, Row, StrokeInterval
-from .transmission import Transmission, angles_at_pins, named, transmissions
+from .stroke import AngleAt, StrokeColumn, StrokeInterval, StrokeRow
+from .transmission import TransmissionAngle, angles_at_pins, named, transmissions
 from .velocities import velocities
 
 AT_ONCE = 64
 """Rows whose rounding is found at once."""
 
 
-def columns(run: Run, asked: ShownQuantities) -> Iterator[Filled]:
+def columns(run: StrokeRun, asked: ShownQuantities) -> Iterator[Filled]:
     """Yield results, slopes, velocity ratios, transmission angles, then the paths asked for."""
     unit_of = partial(_unit, run.pose.mechanism)
     yield from _results(run, unit_of)
     yield from _slopes(run, unit_of)
     for velocity in velocities(run.solution.balance):
         unit = unit_of(velocity.dimension)
-        column = Column(velocity.name, velocity.dimension, "velocity", unit, velocity.about)
+        column = StrokeColumn(velocity.name, velocity.dimension, "velocity", unit, velocity.about)
         yield Filled(column, partial(run.along.inside, velocity.value), velocity.value.formula())
     for name, angle in named(transmissions(run.pose), angles_at_pins(run.pose)):
         about = AngleAt(name, angle.pin, angle.rod, angle.onto)
-        column = Column(name, ANGLE, "angle", about=(about,))
+        column = StrokeColumn(name, ANGLE, "angle", about=(about,))
         yield Filled(column, partial(_angle, run.along, angle))
     if asked.quantities:
         yield from path_columns(asked, run.along, unit_of)
 
 
-def _results(run: Run, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
+def _results(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
     for result in run.results:
         unit = own_unit(result.name, run.pose.mechanism) or unit_of(result.dimension)
-        column = Column(result.name, result.dimension, unit=unit)
+        column = StrokeColumn(result.name, result.dimension, unit=unit)
         at = run.values(result.formula, result)
         has_friction = isinstance(result.target, WithFriction | Efficiency)
         yield Filled(column, at, result.formula, result.where, has_friction)
 
 
-def _slopes(run: Run, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
+def _slopes(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
     for result in run.ratios:
         slope = (result.derivatives or {}).get(run.drive.name)
         if slope is not None:
             name = f"d{result.name}/d{run.drive.name}"
             dimension = result.dimension.over(run.drive.dimension)
-            column = Column(name, dimension, "slope", unit_of(dimension))
+            column = StrokeColumn(name, dimension, "slope", unit_of(dimension))
             yield Filled(column, run.values(slope, result), slope, result.where)
 
 
-def _angle(along: Sweep, angle: Transmission, x: float) -> float:
+def _angle(along: Sweep, angle: TransmissionAngle, x: float) -> float:
     size = angle.at(along.values(x))
     return 0.0 if abs(size) < STRAIGHT else size
 
@@ -82,10 +82,10 @@ def _unit(mechanism: Mechanism, dimension: Dimension) -> str:
     return next((p.unit for p in listed if p.dimension == LENGTH and p.unit), "")
 
 
-class Sizes:
+class StrokeSizes:
     """Finds sizes at poses; how exact they are is found for all poses at once where it can be."""
 
-    def __init__(self, run: Run, drives: Sequence[float], filled: Sequence[Filled]) -> None:
+    def __init__(self, run: StrokeRun, drives: Sequence[float], filled: Sequence[Filled]) -> None:
         self._run, self._filled = run, filled
         self._rows = {x: i for i, x in enumerate(drives)}
         columns = run.along.rounded(drives)
@@ -132,17 +132,20 @@ def _rounded(filled: Filled, columns: RoundedColumns) -> RoundedColumn | None:
     return known.of(filled.formula) if symbols(filled.formula) <= known.names else None
 
 
-def _is_pose(run: Run, x: float) -> bool:
+def _is_pose(run: StrokeRun, x: float) -> bool:
     return not run.along.trouble(x)
 
 
 def rows(
-    run: Run, drives: Sequence[float], filled: Sequence[Filled], stretches: Sequence[StrokeInterval]
-) -> Iterator[Row]:
+    run: StrokeRun,
+    drives: Sequence[float],
+    filled: Sequence[Filled],
+    stretches: Sequence[StrokeInterval],
+) -> Iterator[StrokeRow]:
     """Yield the rows at values of the drive: values, or why there are none."""
     for start in range(0, len(drives), AT_ONCE):
         some = drives[start : start + AT_ONCE]
-        sizes = Sizes(run, [x for x in some if not run.along.trouble(x)], filled)
+        sizes = StrokeSizes(run, [x for x in some if not run.along.trouble(x)], filled)
         for x in some:
             if run.along.trouble(x):
                 yield _gap(run, x, len(filled), stretches)
@@ -150,17 +153,19 @@ def rows(
                 yield _row(run, x, filled, sizes.at(x))
 
 
-def _gap(run: Run, x: float, width: int, stretches: Sequence[StrokeInterval]) -> Row:
+def _gap(run: StrokeRun, x: float, width: int, stretches: Sequence[StrokeInterval]) -> StrokeRow:
     """Return a row without values, and why there are none."""
     why = trouble(run, x)
     why = (beyond(x, stretches) if why in NO_POSE else "") or why
-    return Row(x, (math.nan,) * width, why)
+    return StrokeRow(x, (math.nan,) * width, why)
 
 
-def _row(run: Run, x: float, filled: Sequence[Filled], sizes: Sequence[PrintedNumber]) -> Row:
+def _row(
+    run: StrokeRun, x: float, filled: Sequence[Filled], sizes: Sequence[PrintedNumber]
+) -> StrokeRow:
     values = tuple(math.nan if s.number is None else s.number for s in sizes)
     open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
-    return Row(x, values, trouble(run, x), tuple(open_))
+    return StrokeRow(x, values, trouble(run, x), tuple(open_))
 
 
 # ------------------------------------------------------------------------------------- dead centres

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from ...formula.roots import spaced
 from ...formula.tree import Formula
 from ...formula.walk import symbols
-from ...friction.solution import Solution
+from ...friction.solution import FrictionSolution
 from ...frozen import frozen
 from ...model.mechanism import (
     Axial,
@@ -29,7 +29,7 @@ from ..pose_sweep import PoseCode
 from ..sweep import Sweep
 from .branches import branch_points
 from .friction import in_code
-from .stroke import Branch, StrokeInterval
+from .stroke import ChangePoint, StrokeInterval
 
 SAMPLES = 720
 """Cells in which the stroke is looked at for singular poses and extrema."""
@@ -59,14 +59,14 @@ def graded(root: float, far: float) -> Iterator[float]:
 
 
 @frozen
-class Run:
+class StrokeRun:
     """A stroke from ``low`` to ``high`` of the drive, and the ``results`` that have values on it.
 
     ``open`` names the others, with the loads whose size nobody gives. ``grid`` lies evenly
     along it; at the ``branches`` a loop lies flat.
     """
 
-    solution: Solution
+    solution: FrictionSolution
     drive: Parameter
     low: float
     high: float
@@ -74,7 +74,7 @@ class Run:
     results: tuple[Analysis, ...]
     open: tuple[tuple[str, tuple[str, ...]], ...]
     grid: tuple[float, ...]
-    branches: tuple[Branch, ...]
+    branches: tuple[ChangePoint, ...]
 
     @property
     def pose(self) -> Pose:
@@ -129,8 +129,12 @@ def has_sign(target: ResultTarget | None) -> bool:
 
 
 def run_of(
-    solution: Solution, results: Sequence[Analysis], drive: Parameter, low: float, high: float
-) -> Run:
+    solution: FrictionSolution,
+    results: Sequence[Analysis],
+    drive: Parameter,
+    low: float,
+    high: float,
+) -> StrokeRun:
     """Return the run of the drive between two ends."""
     pose = solution.plan.graph.pose
     along = Sweep(PoseCode(solution.plan), drive.name, (low, high))
@@ -141,7 +145,7 @@ def run_of(
     open_ = tuple((r.name, without[r.name]) for r in shown if without[r.name])
     grid = tuple(spaced(low, high, SAMPLES))
     branches = tuple(branch_points(pose, along, grid))
-    return Run(
+    return StrokeRun(
         solution=solution,
         drive=drive,
         low=low,

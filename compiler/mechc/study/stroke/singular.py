@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Literal
 
 from ...formula.evaluate import evaluate
-from ...formula.roots import Function, Root, roots, spaced
+from ...formula.roots import RealFunction, Root, roots, spaced
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import symbols
 from ..analysis import Analysis, Break, Vanishing
@@ -23,10 +23,10 @@ from ..tolerances import (
 )
 from .jumps import PLACES, jumping, jumps_along
 from .rounded import each_zero_once, is_nil, is_nothing
-from .run import Run
-from .stroke import Branch, Singular, StrokeInterval
+from .run import StrokeRun
+from .stroke import ChangePoint, Singular, StrokeInterval
 
-Value = Literal["0", "infinite"]
+LimitValue = Literal["0", "infinite"]
 
 Order = Literal["0", "infinite", "finite", "jump"]
 """What a result does at a value; ``jump``: it is finite on either side, but not the same."""
@@ -42,9 +42,9 @@ NO_PART = 1e-3
 
 
 def singular_along(
-    run: Run,
+    run: StrokeRun,
     stretches: Sequence[StrokeInterval],
-    branches: Sequence[Branch],
+    branches: Sequence[ChangePoint],
     turns: Sequence[float] = (),
 ) -> tuple[Singular, ...]:
     """Return the singular poses of ratios of loads and speeds, zeros of forces, jumps by friction.
@@ -73,14 +73,16 @@ def singular_along(
     return distinguished(each_zero_once(found, run), branches, run.range, orders)
 
 
-def _zeros_of(force: Analysis, run: Run, stretch: StrokeInterval) -> Iterator[Singular]:
+def _zeros_of(force: Analysis, run: StrokeRun, stretch: StrokeInterval) -> Iterator[Singular]:
     """Yield where the other forces balance without one."""
     size = run.along.function(force.formula, force)
     for root in _other_zeros(size, run.within(stretch), []):
         yield Singular(force.name, "0", "other", *root, None)
 
 
-def order_of(run: Run, result: Analysis, x: float, parts: Sequence[float] = NEARBY) -> Order | None:
+def order_of(
+    run: StrokeRun, result: Analysis, x: float, parts: Sequence[float] = NEARBY
+) -> Order | None:
     """Return the order of a result at a value of the drive: zero, infinite, finite or a jump."""
     size = run.values(result.formula, result)
     found, step = order_at(size, x, run.range, parts), SIDE * run.range
@@ -95,7 +97,7 @@ def singular_poses(
     result: Analysis, drive: str, along: Sweep, stretch: StrokeInterval, grid: Sequence[float]
 ) -> Iterator[Singular]:
     """Yield the singular poses of a ratio of loads on a stretch, by zeros, then by poles."""
-    conditions: list[tuple[Vanishing, Value]] = [(v, "0") for v in result.zeros]
+    conditions: list[tuple[Vanishing, LimitValue]] = [(v, "0") for v in result.zeros]
     conditions += [(v, "infinite") for v in result.poles]
     known = list[float]()
     for vanishing, value in conditions:
@@ -123,7 +125,9 @@ def _is_met(
     return any(order_at(other, x, stretch.high - stretch.low) == "0" for other in others)
 
 
-def _other_zeros(size: Function, grid: Sequence[float], known: Sequence[float]) -> Iterator[Root]:
+def _other_zeros(
+    size: RealFunction, grid: Sequence[float], known: Sequence[float]
+) -> Iterator[Root]:
     """Yield the zeros of a result that none of its factors has: of a sum too long to be split."""
     near = BRANCH_POINT * (grid[-1] - grid[0])
     for root in roots(size, grid):
@@ -145,7 +149,7 @@ def roots_at(
     yield from _at_the_ends(factor, stretch)
 
 
-def _at_the_ends(factor: Function, stretch: StrokeInterval) -> Iterator[Root]:
+def _at_the_ends(factor: RealFunction, stretch: StrokeInterval) -> Iterator[Root]:
     """Yield the ends beyond which nothing can be assembled, where the factor goes to zero.
 
     It does so as a square root: it halves where the distance from the end is quartered. The drive
@@ -173,7 +177,7 @@ def _exact(vanishing: Vanishing, drive: str, along: Sweep, root: Root) -> Formul
 
 
 def order_at(
-    function: Function, x: float, range_: float, parts: Sequence[float] = NEARBY
+    function: RealFunction, x: float, range_: float, parts: Sequence[float] = NEARBY
 ) -> Order | None:
     """Return the order of a function at ``x``; None where it is no power of the distance.
 
@@ -196,7 +200,7 @@ def order_at(
     return None
 
 
-def _exponent(function: Function, x: float, distance: float) -> float | None:
+def _exponent(function: RealFunction, x: float, distance: float) -> float | None:
     """Return the power of the distance by which a function varies, None where it is none."""
     sizes = [abs(function(x + distance * part)) for part in (1, 1 / 4, 1 / 16)]
     if not all(0 < size < math.inf for size in sizes):
@@ -207,7 +211,7 @@ def _exponent(function: Function, x: float, distance: float) -> float | None:
 
 def distinguished(
     found: Iterable[Singular],
-    branches: Sequence[Branch],
+    branches: Sequence[ChangePoint],
     range_: float,
     orders: Mapping[str, OrderAt],
 ) -> tuple[Singular, ...]:
@@ -222,7 +226,7 @@ def distinguished(
     """
     beside = BRANCH_POINT * range_
     kept: list[Singular] = []
-    on_a_branch: dict[tuple[str, Branch], list[Singular]] = {}
+    on_a_branch: dict[tuple[str, ChangePoint], list[Singular]] = {}
     for one in sorted(found, key=lambda s: s.drive):
         branch = next((b for b in branches if abs(one.drive - b.drive) <= beside), None)
         if branch is None:

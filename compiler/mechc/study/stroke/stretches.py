@@ -13,8 +13,8 @@ from ...named import NamedTuple
 from ..open_ranges import NO_POSE
 from ..tolerances import AT_BRANCH_POINT, BRANCH_POINT, CROSSING, SAME_VALUE
 from .ends import end_of_branch
-from .run import Run
-from .stroke import Branch, StrokeInterval
+from .run import StrokeRun
+from .stroke import ChangePoint, StrokeInterval
 
 BEYOND = "not followed beyond the branch point"
 
@@ -22,18 +22,18 @@ FLAT = "branch point"
 """Stands in a row at which a loop lies flat."""
 
 
-class End(NamedTuple):
+class StretchEnd(NamedTuple):
     """Where a stretch ends, why, and the branch point that it ends at, if it does."""
 
     x: float
     why: str
-    crossing: Branch | None = None
+    crossing: ChangePoint | None = None
 
 
-def stretches_of(run: Run) -> tuple[list[StrokeInterval], list[Branch]]:
+def stretches_of(run: StrokeRun) -> tuple[list[StrokeInterval], list[ChangePoint]]:
     """Return the stretches in order, and the branch points at which some of them end."""
-    found, crossings = list[StrokeInterval](), list[Branch]()
-    start = End(run.grid[0], "") if stands(run, run.grid[0]) else None
+    found, crossings = list[StrokeInterval](), list[ChangePoint]()
+    start = StretchEnd(run.grid[0], "") if stands(run, run.grid[0]) else None
     standing = [stands(run, x) for x in run.grid]
     for (a, b), (before, after) in zip(pairwise(run.grid), pairwise(standing), strict=True):
         if after == before:
@@ -48,12 +48,12 @@ def stretches_of(run: Run) -> tuple[list[StrokeInterval], list[Branch]]:
     return found, crossings
 
 
-def stands(run: Run, x: float) -> bool:
+def stands(run: StrokeRun, x: float) -> bool:
     """Return whether there is a pose, be it one in which a loop lies flat."""
     return trouble(run, x) in ("", FLAT)
 
 
-def trouble(run: Run, x: float) -> str:
+def trouble(run: StrokeRun, x: float) -> str:
     """Return why there is no pose, or that a loop lies flat.
 
     Rounding decides whether a loop that is all but flat closes.
@@ -65,18 +65,18 @@ def trouble(run: Run, x: float) -> str:
     return why or (FLAT if any(gap <= AT_BRANCH_POINT * run.range for gap in gaps) else "")
 
 
-def _end(run: Run, bad: float, good: float) -> End:
+def _end(run: StrokeRun, bad: float, good: float) -> StretchEnd:
     """Return the last value before a bad one, and what ends there."""
     edge, why = _edge(run, bad, good), trouble(run, bad)
     if why not in NO_POSE:
-        return End(edge, why)
+        return StretchEnd(edge, why)
     end = end_of_branch(run.pose, run.along, edge, math.copysign(run.range, bad - good))
     if not end.crossed:
-        return End(end.x, why)
-    return End(end.x, BEYOND, Branch(end.crossed, end.x, CROSSING))
+        return StretchEnd(end.x, why)
+    return StretchEnd(end.x, BEYOND, ChangePoint(end.crossed, end.x, CROSSING))
 
 
-def _edge(run: Run, bad: float, good: float) -> float:
+def _edge(run: StrokeRun, bad: float, good: float) -> float:
     while (middle := (bad + good) / 2) not in (bad, good):
         if stands(run, middle):
             good = middle

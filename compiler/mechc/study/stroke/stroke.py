@@ -8,16 +8,16 @@ from ...frozen import frozen
 from ...named import NamedTuple
 from ...units import Dimension
 from ..analysis import Cause
-from ..intervals import EfficiencyRange, State
+from ..intervals import DriveState, EfficiencyRange
 
 OnTheWay = Literal["branch point", "jump", "far"]
 """What only a stroke meets."""
 
-Kind = Cause | OnTheWay
+StrokeEvent = Cause | OnTheWay
 Content = Literal["result", "slope", "velocity", "angle", "path"]
 
 
-class Row(NamedTuple):
+class StrokeRow(NamedTuple):
     """One pose: the drive, each column's value (NaN where it has none), and what is wrong.
 
     ``trouble`` is '' at a pose that stands. Columns that are 0/0 there are ``undetermined``;
@@ -52,7 +52,7 @@ class AngleAt(NamedTuple):
     link: str
 
 
-class Column(NamedTuple):
+class StrokeColumn(NamedTuple):
     """A result, its slope along the drive, a velocity ratio, a transmission angle, or a path.
 
     ``about`` has what the names of ratios and angles mean.
@@ -89,14 +89,14 @@ class Singular(NamedTuple):
 
     result: str
     value: Literal["0", "infinite", "undetermined"]
-    kind: Kind
+    kind: StrokeEvent
     drive: float
     bracket: float
     exact: Formula | None
     sides: tuple[float, float] | None = None
 
 
-class Branch(NamedTuple):
+class ChangePoint(NamedTuple):
     """A pose in which two closures of a loop are one and it can go on in two ways: a change point.
 
     Results may well be finite there. The drive lies within ``bracket``.
@@ -135,7 +135,7 @@ class JammedInterval(NamedTuple):
     """
 
     result: str
-    state: State
+    state: DriveState
     low: float
     high: float
     left_out: tuple[bool, bool] = (False, False)
@@ -157,11 +157,11 @@ class Stroke:
     unit: str
     low: float
     high: float
-    columns: tuple[Column, ...]
-    rows: tuple[Row, ...]
+    columns: tuple[StrokeColumn, ...]
+    rows: tuple[StrokeRow, ...]
     stretches: tuple[StrokeInterval, ...]
     singular: tuple[Singular, ...]
-    branches: tuple[Branch, ...]
+    branches: tuple[ChangePoint, ...]
     extrema: tuple[Extremum, ...]
     standstills: tuple[JammedInterval, ...]
     efficiency_ranges: tuple[tuple[str, EfficiencyRange], ...]

@@ -14,7 +14,7 @@ from ...named import NamedTuple
 from ...pose.pose import Pose
 
 
-class Transmission(NamedTuple):
+class TransmissionAngle(NamedTuple):
     """A pin, the angle that its transmission angle is but for sign, the rod and what it drives.
 
     ``between`` runs from the link to the rod, at a slider from the normal of the guide.
@@ -34,7 +34,7 @@ class Transmission(NamedTuple):
         return size if self.onto else min(size, math.pi - size)
 
 
-def transmissions(pose: Pose) -> Iterator[Transmission]:
+def transmissions(pose: Pose) -> Iterator[TransmissionAngle]:
     """Yield the transmission angle at every pin between a rod and a pivoted link or a guide."""
     for rod in pose.mechanism.links:
         if len(rod.points) != 2 or not pose.mechanism.fixed.isdisjoint(rod.points):
@@ -46,10 +46,12 @@ def transmissions(pose: Pose) -> Iterator[Transmission]:
             yield from _to_links(pose, rod, pin, far, along)
             if pin in pose.guides:
                 across = pose.guides[pin] + Angle.constant(90)
-                yield Transmission(pin, along - across, rod.name, "")
+                yield TransmissionAngle(pin, along - across, rod.name, "")
 
 
-def _to_links(pose: Pose, rod: Link, pin: str, far: str, along: Angle) -> Iterator[Transmission]:
+def _to_links(
+    pose: Pose, rod: Link, pin: str, far: str, along: Angle
+) -> Iterator[TransmissionAngle]:
     """Yield the angles between a rod and the links on pivots that it drives at a pin."""
     pivots = pose.mechanism.fixed
     for link in pose.mechanism.links:
@@ -58,7 +60,7 @@ def _to_links(pose: Pose, rod: Link, pin: str, far: str, along: Angle) -> Iterat
             continue
         arm = _direction(pose, link, centre, pin)
         if arm is not None and not _drives(pose, arm):
-            yield Transmission(pin, along - arm, rod.name, link.name, frozenset((far, centre)))
+            yield TransmissionAngle(pin, along - arm, rod.name, link.name, frozenset((far, centre)))
 
 
 def _direction(pose: Pose, link: Link, tail: str, head: str) -> Angle | None:
@@ -73,8 +75,8 @@ def _drives(pose: Pose, arm: Angle) -> bool:
 
 
 def named(
-    found: Iterable[Transmission], others: Mapping[str, Collection[str]]
-) -> Iterator[tuple[str, Transmission]]:
+    found: Iterable[TransmissionAngle], others: Mapping[str, Collection[str]]
+) -> Iterator[tuple[str, TransmissionAngle]]:
     """Yield transmission angles by their pins, by rod and link too where that is ambiguous.
 
     It is where a pin has several, and where ``others`` has another angle of the name: one

@@ -21,7 +21,7 @@ from .branches import rates_of
 from .stroke import SpeedOf
 
 
-class Velocity(NamedTuple):
+class StrokeVelocity(NamedTuple):
     """A speed, or a ratio of two, and what it is ``about``."""
 
     about: tuple[SpeedOf, ...]
@@ -34,7 +34,7 @@ class Velocity(NamedTuple):
         return "/".join(speed.name for speed in self.about)
 
 
-def velocities(balance: Balance) -> Iterator[Velocity]:
+def velocities(balance: Balance) -> Iterator[StrokeVelocity]:
     """Yield the speed of each load's point along the load, or of its link, by the drive's."""
     plan = balance.plan
     drive = _drive(balance) if plan.mobility == 1 else None
@@ -45,12 +45,12 @@ def velocities(balance: Balance) -> Iterator[Velocity]:
         ratio = canonical(speed.value / drive.value)
         if speed.name != drive.name and open_lengths.isdisjoint(symbols(ratio.formula())):
             dimension = speed.dimension.over(drive.dimension)
-            yield Velocity((*speed.about, *drive.about), dimension, ratio)
+            yield StrokeVelocity((*speed.about, *drive.about), dimension, ratio)
 
 
-def _distinct(terms: Iterable[Term]) -> Iterator[Velocity]:
+def _distinct(terms: Iterable[Term]) -> Iterator[StrokeVelocity]:
     """Yield the speeds, named with the load too where loads act on a point in several ways."""
-    speeds: dict[str, dict[str, Velocity]] = {}
+    speeds: dict[str, dict[str, StrokeVelocity]] = {}
     for term in terms:
         speed = _of_load(term)
         alike = speeds.setdefault(speed.name, {})
@@ -61,32 +61,32 @@ def _distinct(terms: Iterable[Term]) -> Iterator[Velocity]:
             yield speed if len(alike) == 1 else _with_load(speed, load)
 
 
-def _with_load(speed: Velocity, load: str) -> Velocity:
+def _with_load(speed: StrokeVelocity, load: str) -> StrokeVelocity:
     """Return a speed under a name that has the load, too."""
     (about,) = speed.about
     return speed._replace(about=(about._replace(name=f"{about.name}({load})"),))
 
 
-def _of_load(term: Term) -> Velocity:
+def _of_load(term: Term) -> StrokeVelocity:
     """Return the speed against which a load works."""
     load, speed = term.load, term.load.against
     about = SpeedOf(speed.name, speed.kind, speed.of, load.name if speed.kind == "load" else "")
     # Across the mirror the term has the first point's half of the rate.
     halves = 2 if isinstance(load, ForcePair) and load.joins_twins else 1
     dimension = FREQUENCY if speed.kind == "spin" else VELOCITY
-    return Velocity((about,), dimension, term.speed[0].scaled(halves))
+    return StrokeVelocity((about,), dimension, term.speed[0].scaled(halves))
 
 
-def _spin(link: str, spin: Product) -> Velocity:
-    return Velocity((SpeedOf(f"omega_{link}", "spin", link),), FREQUENCY, spin)
+def _spin(link: str, spin: Product) -> StrokeVelocity:
+    return StrokeVelocity((SpeedOf(f"omega_{link}", "spin", link),), FREQUENCY, spin)
 
 
-def _drive(balance: Balance) -> Velocity | None:
+def _drive(balance: Balance) -> StrokeVelocity | None:
     candidates = (_crank(balance.plan), _shifted(balance), _own_rate(balance.plan))
     return next((found for found in candidates if found is not None), None)
 
 
-def _crank(plan: Plan) -> Velocity | None:
+def _crank(plan: Plan) -> StrokeVelocity | None:
     """Return the spin of a link on a pivot that turns as fast as the drive."""
     pose = plan.graph.pose
     assert pose.mechanism.drive is not None
@@ -100,7 +100,7 @@ def _crank(plan: Plan) -> Velocity | None:
     return None
 
 
-def _shifted(balance: Balance) -> Velocity | None:
+def _shifted(balance: Balance) -> StrokeVelocity | None:
     """Return the speed of what a drive shifts that is a length of the description."""
     pose = balance.plan.graph.pose
     assert pose.mechanism.drive is not None
@@ -110,7 +110,7 @@ def _shifted(balance: Balance) -> Velocity | None:
     return next(filter(None, found), None)
 
 
-def _along_arrow(arrow: Arrow, balance: Balance) -> Velocity | None:
+def _along_arrow(arrow: Arrow, balance: Balance) -> StrokeVelocity | None:
     """Return the speed at which a vector grows: of a pair of forces, or of a point in its guide."""
     for term in balance.terms:
         if set(term.load.points) == {arrow.tail, arrow.head}:
@@ -120,10 +120,10 @@ def _along_arrow(arrow: Arrow, balance: Balance) -> Velocity | None:
     if guide is None or arrow.tail not in pose.mechanism.fixed:
         return None
     speed = balance.plan.component(arrow.head, guide)[0]
-    return Velocity((SpeedOf(f"V_{arrow.head}", "guide", arrow.head),), VELOCITY, speed)
+    return StrokeVelocity((SpeedOf(f"V_{arrow.head}", "guide", arrow.head),), VELOCITY, speed)
 
 
-def _own_rate(plan: Plan) -> Velocity | None:
+def _own_rate(plan: Plan) -> StrokeVelocity | None:
     """Return the drive's rate, from a link whose direction is known to move with it."""
     pose = plan.graph.pose
     assert pose.mechanism.drive is not None
@@ -137,5 +137,7 @@ def _own_rate(plan: Plan) -> Velocity | None:
             pace = add(rates[n].scaled(rational(c)) for n, c in terms if n in rates)
             spin = plan.spin(link.name)[0]
             if pace and spin:
-                return Velocity((SpeedOf(primed(drive), "rate", drive),), per_second, spin / pace)
+                return StrokeVelocity(
+                    (SpeedOf(primed(drive), "rate", drive),), per_second, spin / pace
+                )
     return None
