@@ -9,7 +9,7 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
 from ..kinematics.forms import speed_of_load
 from ..kinematics.plan import Plan
-from ..model.mechanism import Force, Load, Mechanism, Torque
+from ..model.mechanism import Force, ForcePair, Link, Load, Mechanism, Slide, Torque
 from .balance import Term
 
 
@@ -82,8 +82,16 @@ def at_rest(load: Load, mechanism: Mechanism) -> str:
             return f"link {link} does not turn"
         case Force(point=point) if point in mechanism.fixed:
             return f"{point} stands still"
+        case ForcePair(points=(first, second)) if common := _body_of(first, second, mechanism):
+            return f"{first} and {second} are points of one body, {common}"
         case _:
             return ""
+
+
+def _body_of(first: str, second: str, mechanism: Mechanism) -> str:
+    """Return the link or slide that two points belong to, '' where there is none."""
+    bodies: tuple[Link | Slide, ...] = (*mechanism.links, *mechanism.slides)
+    return next((body.name for body in bodies if {first, second} <= {*body.points}), "")
 
 
 def held_drives(mechanism: Mechanism) -> str:

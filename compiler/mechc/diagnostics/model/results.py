@@ -88,6 +88,7 @@ _FORCES: Final = {
     r"R([A-Z][\d']*)": "a force at a joint is asked for by 'find R_{at}'",
     r"F_?((?:[A-Z][\d']*){2})": "a force at a joint is asked for by 'find N_{at}'",
     r"S_((?:[A-Z][\d']*){2})": "S_{at} is the force of a spring; along a rod it is 'find N_{at}'",
+    r"M_?([A-Z][\d']*)": "a pin takes no moment; the force there is asked for by 'find R_{at}'",
     r"R_?([A-Z][\d']*)_?[xy]": "write 'find R_{at}', which gives R_{at}_x and R_{at}_y, too",
 }
 """By how forces at joints are often called, how they are asked for."""

@@ -268,6 +268,8 @@ def meant_by_assignment(line: Sequence[Token]) -> str:
         return f"a load has its value by a let: let {word} = …; a parameter is declared by param"
     if word[:2].isupper():
         return "points are capital letters with digits, as in OB1 = …; for a parameter write param"
+    if "@" in line and len(points_of(word.upper())) == len(word) > 1:
+        return f"points have capital letters: {word.upper()} = …"
     return f"a parameter is declared: param {word} = …"
 
 

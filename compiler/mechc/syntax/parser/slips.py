@@ -86,6 +86,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or _of_picking(line, position)
         or CHOICES.get(line[0].type, "")
         or _of_two_units(line, position)
+        or _of_sense(line, position)
         or _of_neighbours(line, position, allowed)
         or (whole_example(line) if token.isalpha() and token in words_behind(line) else "")
         or _of_sign(token, before, allowed)
@@ -187,6 +188,15 @@ def _of_friction(line: Sequence[Token], position: int) -> str:
     meant = FRICTION_OF.get(str(line[position]), "")
     is_kind = line[0].type == "FRICTION" and position == 1 and meant
     return f"it is written: {WRITTEN[f'friction {meant}']}" if is_kind else ""
+
+
+def _of_sense(line: Sequence[Token], position: int) -> str:
+    """Return a hint where an angle is said to be clockwise, or the other way."""
+    token, before = str(line[position]).lower(), line[position - 1] if position else None
+    if token not in ("cw", "ccw", "clockwise", "counterclockwise", "anticlockwise"):
+        return ""
+    is_behind = before is not None and before.type == "NUMBER"
+    return "angles count counter-clockwise, clockwise ones are negative: @ -30 deg" * is_behind
 
 
 def _of_two_units(line: Sequence[Token], position: int) -> str:

@@ -85,6 +85,10 @@ def meaning(line: Sequence[Token], position: int) -> str:
         return TEXTS[line[0].type]
     if character.isdecimal():
         return f"digits are 0 to 9: write {int(character)}"
+    if character == ";" and line[position + 1 :] in ([], ["\n"]):
+        return LOOKALIKES[";"]
+    if character == "%" and "+-" in line[:position]:
+        return "a tolerance is an amount, no share: for one per cent of 3 kN write 3 kN +- 0.03 kN"
     is_place = "at" in map(str, line[:position]) and ")" not in line[:position]
     if character in "[;" and is_place and line[0].type != "LET":
         return "a place is written (20 mm, 35 mm)"

@@ -41,6 +41,7 @@ MEANT: Final[Mapping[str, Collection[str]]] = {
     **dict.fromkeys(("vectors", "lengths", "angles"), ("geometry",)),
     **dict.fromkeys(("direction", "angle", "dir"), ("along", "angle", "normal")),
     **dict.fromkeys(("on", "point"), ("at", "link")),
+    "link": ("in",),
     "along": ("angle",),
     **dict.fromkeys(("min", "max", "limits"), ("range",)),
     **dict.fromkeys(("author", "reference", "book"), ("source",)),
@@ -217,5 +218,7 @@ def of_key(key: str, allowed: Iterable[str]) -> str:
     ("did you mean 'links'?", "did you mean 'at'?")
     """
     known = set(allowed)
+    if "rows" in known and key[:1].isdigit():
+        return "the rows of a table are a list: {rows: [[1, 0.388], [0.5, 0.541]]}"
     meant = next((name for name in MEANT.get(key.lower(), ()) if name in known), "")
     return f"did you mean '{meant}'?" if meant else SAID.get(key, "")
