@@ -41,7 +41,9 @@ def results_in_latex(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
 
 def _displays(compiled: Compiled, wanted: tuple[Analysis, ...]) -> Iterator[str]:
     locale, style = registry.locale(_LANGUAGE), _style(compiled)
-    for section in outline(calculated(wanted), compiled.mechanism).results:
+    shown = {result.name: result for result in compiled.reported.results}
+    found = tuple(shown[result.name] for result in wanted)
+    for section in outline(calculated(found), compiled.mechanism).results:
         yield from section_block(section, locale, style).displays
 
 
