@@ -1,5 +1,6 @@
 """Loads as terms of the power equations."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from ..algebra.angle import rational
@@ -9,7 +10,7 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
 from ..kinematics.forms import speed_of_load
 from ..kinematics.plan import Plan
-from ..model.mechanism import Force, ForcePair, Link, Load, Mechanism, Slide, Torque
+from ..model.mechanism import Force, Link, Load, Mechanism, Slide, Torque
 from .balance import Term
 
 
@@ -82,16 +83,16 @@ def at_rest(load: Load, mechanism: Mechanism) -> str:
             return f"link {link} does not turn"
         case Force(point=point) if point in mechanism.fixed:
             return f"{point} stands still"
-        case ForcePair(points=(first, second)) if common := _body_of(first, second, mechanism):
-            return f"{first} and {second} are points of one body, {common}"
         case _:
-            return ""
+            return _within_a_body(load.points, mechanism)
 
 
-def _body_of(first: str, second: str, mechanism: Mechanism) -> str:
-    """Return the link or slide that two points belong to, '' where there is none."""
+def _within_a_body(points: Sequence[str], mechanism: Mechanism) -> str:
+    """Return that the ends of a pair of forces are points of one body, '' where they are not."""
     bodies: tuple[Link | Slide, ...] = (*mechanism.links, *mechanism.slides)
-    return next((body.name for body in bodies if {first, second} <= {*body.points}), "")
+    name = next((body.name for body in bodies if {*points} <= {*body.points}), "")
+    is_within = len(points) == 2 and name
+    return f"{' and '.join(points)} are points of one body, {name}" if is_within else ""
 
 
 def held_drives(mechanism: Mechanism) -> str:
