@@ -185,7 +185,7 @@ find k = M/F
 def test_an_angle_of_a_drawn_link_is_in_degrees_once() -> None:
     r"""It was turned into degrees twice: ``-3527.546446^\circ^\circ``."""
     shown = mechc.loads(SIX_BAR).results["k"]._repr_markdown_()
-    assert r"\delta_{BQC}&=-61.56727^\circ" in shown
+    assert r"\delta_{BQC}&=-61.5673^\circ" in shown
     assert r"^\circ^\circ" not in shown
 
 

@@ -161,8 +161,7 @@ def constant_units(mechanism: Mechanism) -> dict[str, str]:
     """Return the loads and the named constants that are numbers, with their units."""
     given = user_defined(mechanism)
     units = {load.name: literal_unit(load, given.get(load.name)) for load in mechanism.loads}
-    constants = [p for p in mechanism.parameters if is_constant(p) and p.dimension != ANGLE]
-    units |= {p.name: p.unit or "m" for p in constants}
+    units |= {p.name: p.unit or "m" for p in mechanism.parameters if is_constant(p)}
     return {name: unit for name, unit in units.items() if unit}
 
 

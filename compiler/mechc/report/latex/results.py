@@ -210,9 +210,8 @@ def _line(
     assert isinstance(definition, Definition)
     own = definition.name
     unit = units.get(own, "")
-    return DisplayLine(
-        plain(name(own, style)), definition.formula, is_angle(Symbol(own), style.angles), unit
-    )
+    in_radians = not unit and is_angle(Symbol(own), style.angles)
+    return DisplayLine(plain(name(own, style)), definition.formula, in_radians, unit)
 
 
 def _solved(
