@@ -2,12 +2,13 @@
 
 import pytest
 
+from mechc.drawing.describe_plot import shown
 from mechc.drawing.drawing import Polyline
 from mechc.drawing.from_plot import LEGEND_ROW, picture
 from mechc.plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis
 from mechc.pose.places import Plane
 from mechc.report.languages.en.pictured import WORDS as EN
-from mechc.units import ANGLE, LENGTH, NUMBER
+from mechc.units import ANGLE, FORCE, LENGTH, NUMBER
 
 X, Y = PlotAxis("alpha", ANGLE, "deg"), PlotAxis("k", NUMBER)
 ROOF = tuple(Plane(x / 10, 1.0 - abs(x / 10 - 0.5)) for x in range(11))
@@ -41,3 +42,11 @@ def test_a_legend_has_a_sample_of_each_line_and_its_name_row_by_row_downwards():
     samples = [s for s in drawing.shapes if isinstance(s, Polyline) and len(s.points) == 2]
     found = {p.y for s in samples for p in s.points if s.points[0].y == s.points[1].y}
     assert {*heights} <= found
+
+
+def test_a_force_of_many_newtons_has_its_figures() -> None:
+    """1.711e+04 N stood beside the mark."""
+    axis = PlotAxis("R", FORCE, "N")
+    assert shown(17110.2, axis) == "17110 N"
+    assert shown(2.5e9, axis) == "2.5·10⁹ N"
+    assert shown(2.5e-7, axis) == "2.5·10⁻⁷ N"

@@ -14,10 +14,29 @@ def shown(value: float, axis: PlotAxis, digits: int = 4) -> str:
     >>> from mechc.units import ANGLE
     >>> shown(-0.5, PlotAxis("alpha", ANGLE, "deg"))
     '−28.65°'
+    >>> from mechc.units import FORCE
+    >>> shown(17110.2, PlotAxis("R", FORCE, "N")), shown(-2.5e9, PlotAxis("R", FORCE, "N"))
+    ('17110 N', '−2.5·10⁹ N')
     """
-    number = f"{value / axis.size:.{digits}g}".replace("-", "−")
+    number = _figures(value / axis.size, digits).replace("-", "−")
     unit = "°" if axis.unit == "deg" else axis.unit.replace("*", "·")
     return f"{number}{behind(unit.replace('^2', '²').replace('^3', '³'))}"
+
+
+WHOLE = 1e6
+"""Numbers below this that have no decimals stand without powers of ten."""
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def _figures(value: float, digits: int) -> str:
+    """Return a number of so many figures, a power of ten as people write it."""
+    number, _, power = f"{value:.{digits}g}".partition("e")
+    if not power:
+        return number
+    if 1 <= abs(value) < WHOLE:
+        return f"{float(f'{value:.{digits}g}'):.0f}"
+    return f"{number}·10{str(int(power)).translate(_RAISED)}"
 
 
 def describe(plot: Plot, words: Words) -> str:
