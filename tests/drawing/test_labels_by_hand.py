@@ -7,12 +7,12 @@ import pytest
 
 from mechc.drawing.drawing import AXIS, BODY, SYMBOL, Arc, Polyline, TextRun
 from mechc.drawing.labels import LABEL_DISTANCES, AlongArc, AroundPoint, BesideLine, next_to, write
-from mechc.drawing.lettering import SIZE, box
+from mechc.drawing.lettering import SIZE, text_size
 from mechc.drawing.occupied import Occupied, Rectangle
 from mechc.pose.places import Plane
 
 NAME = (TextRun("A", italic=True),)
-WIDTH, HEIGHT = box(NAME, SIZE)
+WIDTH, HEIGHT = text_size(NAME, SIZE)
 ORIGIN, EAST, NORTH = Plane(0.0, 0.0), Plane(40.0, 0.0), Plane(0.0, 40.0)
 
 

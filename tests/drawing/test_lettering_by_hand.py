@@ -3,7 +3,7 @@
 import pytest
 
 from mechc.drawing.from_figure import scheme
-from mechc.drawing.lettering import box, figures, formula, measured, name, times
+from mechc.drawing.lettering import figures, formula, measured, name, text_size, times
 from mechc.figure.from_pose import draw
 from mechc.frozen import replace
 from mechc.report.languages.en.pictured import WORDS as EN
@@ -82,7 +82,7 @@ def test_a_load_is_named_after_how_often_it_acts(count, text):
 
 
 def test_indices_take_less_room_and_make_a_line_higher():
-    plain, lowered = box(name("P"), 4.0), box(name("P_1"), 4.0)
+    plain, lowered = text_size(name("P"), 4.0), text_size(name("P_1"), 4.0)
     assert plain == pytest.approx((4 * 0.85, 4 * 0.95))
     assert lowered == pytest.approx((4 * (0.85 + 0.7 * 0.56), 4 * 1.15))
 

@@ -31,7 +31,7 @@ from mechc.friction.normal_forces import (
 from mechc.friction.pairs import Component, FrictionPair, LoadedPair
 from mechc.friction.sequential import SequentialSolver
 from mechc.friction.signs import AtAnyPose, bare, is_root
-from mechc.friction.signs_at_a_pose import AtOnePose
+from mechc.friction.signs_at_a_pose import SignsAtOnePose
 from mechc.frozen import replace
 from mechc.kinematics.joint_refs import JointRef
 from mechc.model.mechanism import LoadRatio, Mirror, Rope
@@ -81,7 +81,9 @@ def any_pose():
 
 
 def one_pose(own=(), **values):
-    return AtOnePose(set(), Meanings(), (), {**VALUES, "rho": RHO, **values}, {}, OwnNames(own))
+    return SignsAtOnePose(
+        set(), Meanings(), (), {**VALUES, "rho": RHO, **values}, {}, OwnNames(own)
+    )
 
 
 def value(size, signs):

@@ -109,9 +109,9 @@ def test_twins_part_at_the_speed_of_one_away_from_the_line():
 def test_a_pin_leaves_a_slot_with_its_own_speed_less_that_of_the_slot_under_it():
     found = graph(lever())
     touch = PointContact("slot", "B", "OAB", "O", arm("a", at(alpha=1)), at(90, alpha=1), HERE)
-    left = forms.leaving(found, touch, at(90, alpha=1))
+    left = forms.relative_speed(found, touch, at(90, alpha=1))
     assert form(left) == {0: pytest.approx(-A)}
-    assert forms.leaving(found, touch._replace(reach=()), at(90, alpha=1)) == {}
+    assert forms.relative_speed(found, touch._replace(reach=()), at(90, alpha=1)) == {}
 
 
 def test_a_couple_works_against_its_links_spin_and_a_force_against_its_points_speed_along_it():

@@ -7,7 +7,7 @@ from typing import Literal, assert_never
 from ..frozen import replace
 from ..pose.places import Plane
 from .drawing import SYMBOL, Arc, Drawing, Label, Polyline, Shape, TextRun
-from .lettering import SIZE, box
+from .lettering import SIZE, text_size
 
 WIDE = 180.0
 """How wide a row may become, in millimetres."""
@@ -30,7 +30,7 @@ def in_rows(drawings: Sequence[Drawing], level: LabelLevel = "middle") -> Drawin
 
 def line_of_text(runs: tuple[TextRun, ...]) -> Drawing:
     """Return a line of text by itself."""
-    width, height = box(runs, SIZE)
+    width, height = text_size(runs, SIZE)
     label = Label(Plane(width / 2, 0.0), runs, SYMBOL, SIZE, width, height)
     return Drawing("", "", (), (label,), Plane(0.0, -height), Plane(width, height))
 

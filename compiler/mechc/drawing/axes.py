@@ -6,7 +6,7 @@ from ..frozen import frozen
 from ..plot.plot import PlotAxis
 from ..pose.places import Plane
 from .drawing import SYMBOL, Fill, Label, Pen, Polyline, Shape, TextRun
-from .lettering import SIZE, box, name
+from .lettering import SIZE, name, text_size
 from .ticks import Scale
 
 GRID = Pen("grid", 0.12, "#c9c9c9")
@@ -94,14 +94,14 @@ def numbers_beside(frame: PanelFrame, up: Scale) -> Iterator[Label]:
 def _number(text: str, at: Plane, away: Plane) -> Label:
     """Return a number whose box has its middle so many widths and heights away from a place."""
     runs = (TextRun(text),)
-    width, height = box(runs, _SMALL)
+    width, height = text_size(runs, _SMALL)
     middle = at.plus(Plane(away.x * width, away.y * height))
     return Label(middle, runs, SYMBOL, _SMALL, width, height)
 
 
 def label(at: Plane, runs: tuple[TextRun, ...], pen: Pen = SYMBOL) -> Label:
     """Return a label whose box begins at a place, in the middle of its height."""
-    width, height = box(runs, SIZE)
+    width, height = text_size(runs, SIZE)
     return Label(Plane(at.x + width / 2, at.y), runs, pen, SIZE, width, height)
 
 

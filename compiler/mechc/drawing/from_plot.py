@@ -10,7 +10,7 @@ from .arrange import below_each_other
 from .axes import grid, heading, label, numbers_below, numbers_beside, outline, rectangle
 from .describe_plot import describe
 from .drawing import Drawing, Polyline, Shape
-from .lettering import SIZE, box
+from .lettering import SIZE, text_size
 from .marks import curves, dots, poles, values_beside
 from .panels import PanelLayout, common_entry, entry, laid_out
 from .sheet import Layer, Sheet
@@ -52,7 +52,7 @@ def _write_axes(sheet: Sheet, layout: PanelLayout) -> None:
     for number in chain(*numbers):
         sheet.write(number)
     below = heading((layout.plot.x,), layout.across)
-    width, _ = box(below, SIZE)
+    width, _ = text_size(below, SIZE)
     middle = (frame.low.x + frame.high.x - width) / 2
     sheet.write(label(Plane(middle, frame.low.y - BELOW), below))
     beside = heading(layout.headed, layout.up)

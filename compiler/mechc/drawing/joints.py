@@ -114,6 +114,7 @@ def _arc_slot(paper: Paper, part: ArcSlot) -> Layered:
 
 
 def _gears(paper: Paper, part: Gears) -> Iterator[Shape]:
+    """Yield pitch circles; a sector of what is on a link, the ground at what is not."""
     touch = paper.place(part.touch)
     largest = max(part.first_radius, part.second_radius)
     for point, link, radius in _wheels(part):

@@ -8,7 +8,7 @@ from ..frozen import frozen
 from ..named import NamedTuple
 from ..pose.places import Plane, direction
 from .drawing import HATCH, Arc, Label, Pen, Polyline, TextRun
-from .lettering import SIZE, box
+from .lettering import SIZE, text_size
 from .occupied import Occupied, Rectangle, stretches
 from .tolerances import HORIZONTAL
 
@@ -108,7 +108,7 @@ PlacedName = AroundPoint | BesideLine | AlongArc
 
 def write(name: PlacedName, occupied: Occupied) -> PlacedLabel:
     """Return a label in the first free place, which is then taken."""
-    width, height = box(name.runs, SIZE)
+    width, height = text_size(name.runs, SIZE)
     for tried, (place, far) in enumerate(name.candidates(width, height)):
         if not occupied.free(place, width, height):
             continue
@@ -124,7 +124,7 @@ def write(name: PlacedName, occupied: Occupied) -> PlacedLabel:
 
 def next_to(name: BesideLine, occupied: Occupied) -> Label | None:
     """Return a label next to its line, which is then taken; None where there is no room."""
-    width, height = box(name.runs, SIZE)
+    width, height = text_size(name.runs, SIZE)
     for place, _ in _sides(name.start, name.end, width, height):
         if occupied.free(place, width, height):
             occupied.write(Rectangle(place, width, height))

@@ -217,7 +217,7 @@ def _joined(runs: Iterable[TextRun]) -> Iterator[TextRun]:
         yield first._replace(text="".join(run.text for run in (first, *others)))
 
 
-def box(runs: tuple[TextRun, ...], size: float) -> tuple[float, float]:
+def text_size(runs: tuple[TextRun, ...], size: float) -> tuple[float, float]:
     """Return the width and the height of text, on the safe side in every usual type."""
     width = sum(_width(c) * (INDEX_SIZE if r.level else 1.0) for r in runs for c in r.text)
     height = 0.95 + 0.2 * any(r.level for r in runs)

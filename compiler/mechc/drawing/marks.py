@@ -10,7 +10,7 @@ from ..pose.places import Plane
 from .axes import at_zero, outline
 from .drawing import AXIS, SYMBOL, Arc, Fill, Label, Pen, Polyline, TextRun
 from .labels import AroundPoint
-from .lettering import SIZE, box
+from .lettering import SIZE, text_size
 from .occupied import Occupied, Rectangle
 from .panels import PanelLayout, place_of, steps, values_at, ways
 
@@ -104,7 +104,7 @@ def _beside(lettered: _Lettered, layout: PanelLayout, occupied: Occupied) -> Lab
     """Return a text at a place in the first free room near it, which is then taken."""
     for text in lettered.texts:
         name = AroundPoint(lettered.at, (TextRun(text),), lettered.pen, lettered.towards, DOT)
-        width, height = box(name.runs, SIZE)
+        width, height = text_size(name.runs, SIZE)
         half = Plane(width / 2 + 0.5, height / 2 + 0.3)
         for place, _ in takewhile(lambda c: not c.far, name.candidates(width, height)):
             inside = layout.frame.holds(place.minus(half)) and layout.frame.holds(place.plus(half))

@@ -38,6 +38,10 @@ class Paper:
         return self.place(segment.start), self.place(segment.end)
 
 
+LARGE_WHEEL = 1.5
+"""How many usual lengths the radius of a wheel may have whose outside counts."""
+
+
 def on_paper(figure: Figure) -> Paper:
     """Return the figure at the scale at which it is read best."""
     places = list(_extent(figure))
@@ -60,7 +64,7 @@ def _extent(figure: Figure) -> Iterator[Plane]:
             case _:
                 continue
         for point, radius in wheels:
-            if radius < 1.5 * figure.size:
+            if radius < LARGE_WHEEL * figure.size:
                 yield from _round(figure.points[point], radius)
 
 

@@ -31,6 +31,9 @@ CLOSED = 1e-12
 DIFFERENCE = 1e-6
 """By how much the drive is moved to see how equations change with it."""
 
+NEAR_CORRECTIONS = 40
+"""Corrections after which no point of the curve is looked for any more."""
+
 CurvePoint = list[float]
 """The unknowns, then the drive, each in its scale."""
 
@@ -57,7 +60,7 @@ class SolutionCurve:
     def near(self, unknowns: Sequence[float], x: float) -> tuple[list[float], float] | None:
         """Return a point of the curve that Newton's method leads to, by the shortest steps."""
         point = self._scaled([*unknowns, x])
-        for _ in range(40):
+        for _ in range(NEAR_CORRECTIONS):
             gaps, matrix = self._at(point)
             step = _shortest(matrix, gaps)
             if step is None:

@@ -31,7 +31,7 @@ from .normal_forces import load_of
 from .pairs import LoadedPair
 from .sequential import SequentialSolver
 from .signs import SignSymbols
-from .signs_at_a_pose import AtOnePose
+from .signs_at_a_pose import SignsAtOnePose
 from .solution import FrictionStep, StepKind
 
 X, Y = (Arm(ONE, Angle()),), (Arm(ONE, QUARTER),)
@@ -84,7 +84,7 @@ MakeSolver = Callable[[SignSymbols], SequentialSolver | LinearSolver]
 
 
 def closed_force(
-    asked: AskedForce, transmitted: Transmitted, way: MakeSolver, signs: AtOnePose
+    asked: AskedForce, transmitted: Transmitted, way: MakeSolver, signs: SignsAtOnePose
 ) -> PrintedFormula:
     """Return a force at a joint as one way of solving gives it, for the signs of one pose.
 

@@ -28,7 +28,7 @@ from ..power.numbers import default_values, values_beside
 from .free_bodies import EquationsCoupled
 from .naming import Meanings, OwnNames, renamed
 from .signs import AtAnyPose, SignSymbols, bare, exact_sign, is_root
-from .signs_at_a_pose import AtOnePose
+from .signs_at_a_pose import SignsAtOnePose
 from .solution import FrictionStep
 
 BESIDE_DEFAULT = 1e-3
@@ -108,7 +108,7 @@ def closed_form(
 
 
 def printed_form(
-    way: Callable[[SignSymbols], ClosedFormSolver], factor: Product, signs: AtOnePose
+    way: Callable[[SignSymbols], ClosedFormSolver], factor: Product, signs: SignsAtOnePose
 ) -> PrintedFormula:
     """Return the driving load times a factor, for the signs of one pose."""
     solver = way(signs)
@@ -132,7 +132,7 @@ def signed_part(formula: Formula, box: IntervalBox) -> tuple[Formula, Operator] 
     return (left.formula(), ">" if side > 0 else "<") if left.factors else None
 
 
-def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
+def conditions(signs: SignsAtOnePose) -> tuple[tuple[Formula, Operator], ...]:
     """Return the conditions under which signs stay what they are, the short ones first.
 
     They are met in an order that the lines of a description may have a part in.
@@ -210,7 +210,7 @@ class DefaultPose:
         self.meanings = Meanings()
 
     def printed(
-        self, way: Callable[[AtOnePose], PrintedFormula], endings: Sequence[str]
+        self, way: Callable[[SignsAtOnePose], PrintedFormula], endings: Sequence[str]
     ) -> PrintedFormula | None:
         """Return the printed result at the pose; None where a value or a sign is missing."""
         values = self.values()
@@ -218,7 +218,7 @@ class DefaultPose:
         taken = values.keys() | self._taken
         try:
             found = way(
-                AtOnePose(taken, self.meanings, endings, values, box, OwnNames(self._own()))
+                SignsAtOnePose(taken, self.meanings, endings, values, box, OwnNames(self._own()))
             )
         except (KeyError, EquationsCoupled):
             return None

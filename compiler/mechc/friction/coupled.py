@@ -93,7 +93,11 @@ class SystemNames:
     """What the parts of the system are called: those of each pair, in their order, then the rest.
 
     Of each pair that is its true size, the unknown that it is found by, the power that its
-    friction takes, and its size without friction.
+    friction takes, and its size without friction (``sizes``, ``unknowns``, ``added``, ``alone``).
+    ``scale`` is the size of all forces without friction, ``length`` how long the way is, ``turn``
+    the g above and ``common`` the sum that it is a quotient of, ``load`` φ at the end, ``without``
+    q. ``step`` and ``left`` are what frictions and loads are multiplied by on the way, ``rounded``
+    is how much of them rounds corners off.
     """
 
     sizes: tuple[str, ...]

@@ -24,7 +24,7 @@ from .closed_form import DefinedFormula, PrintedFormula, conditions, power, read
 from .naming import ForceSizes
 from .pairs import FrictionPair, LoadedPair, radii, reduced
 from .signs import is_root
-from .signs_at_a_pose import AtOnePose
+from .signs_at_a_pose import SignsAtOnePose
 from .solution import FrictionStep
 
 
@@ -40,7 +40,7 @@ def first_order(
 
 
 def first_order_case(
-    name: str, ideal: Result, loaded: Sequence[LoadedPair], sense: int, signs: AtOnePose
+    name: str, ideal: Result, loaded: Sequence[LoadedPair], sense: int, signs: SignsAtOnePose
 ) -> PrintedFormula:
     """Return the load of first order for the signs of a pose, with the forces and slips summed up.
 
@@ -70,7 +70,7 @@ def first_order_case(
 
 
 def _in_names(
-    ideal: Result, parts: Sequence["FrictionPower"], sense: int, signs: AtOnePose
+    ideal: Result, parts: Sequence["FrictionPower"], sense: int, signs: SignsAtOnePose
 ) -> PrintedFormula:
     """Return the load in the names of forces and slips, those that are alike under one."""
     labels = radii(part.pair for part in parts)
@@ -104,14 +104,16 @@ def _called_so(ideal: Result) -> Definition:
     return Definition(ideal.name, ideal.formula)
 
 
-def _called(name: str, size: Product, named: dict[Formula, Formula], signs: AtOnePose) -> Formula:
+def _called(
+    name: str, size: Product, named: dict[Formula, Formula], signs: SignsAtOnePose
+) -> Formula:
     """Return the name of a size, and note what it is: another of its kind where that is alike."""
     own, formula = Symbol(signs.fresh(name)), size.formula()
     named[own] = next((known for known, found in named.items() if found == formula), formula)
     return own
 
 
-def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
+def positive_at(signs: SignsAtOnePose) -> Callable[[Product], Product]:
     """Return the function that gives absolute values, by the signs of a pose."""
     return lambda value: value * signs.note_sign("", value)
 
@@ -126,7 +128,7 @@ def _slip_called(pair: FrictionPair, size: Product, called: Naming) -> Formula:
     return ONE if size == UNIT else called(f"{letter}_{pair.name}", size)
 
 
-def named_factor(pair: FrictionPair, labels: Mapping[str, str], signs: AtOnePose) -> Product:
+def named_factor(pair: FrictionPair, labels: Mapping[str, str], signs: SignsAtOnePose) -> Product:
     """Return the factor of friction, the radius of a friction circle by its name."""
     if pair.name in labels:
         return signs.name_radius(labels[pair.name], pair.factor)
@@ -233,7 +235,7 @@ def step_of(loaded: Sequence[LoadedPair]) -> FrictionStep:
 
 
 def exact_case(
-    ideal: Result, loaded: Sequence[LoadedPair], sizes: ForceSizes, signs: AtOnePose
+    ideal: Result, loaded: Sequence[LoadedPair], sizes: ForceSizes, signs: SignsAtOnePose
 ) -> PrintedFormula:
     """Return the exact load with a name for each slip, its sign that of a pose.
 

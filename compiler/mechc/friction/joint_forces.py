@@ -21,7 +21,7 @@ from .naming import ForceSizes
 from .normal_forces import load_of, term_of
 from .pairs import FrictionPair, LoadedPair, radii
 from .senses import sense_of
-from .signs_at_a_pose import AtOnePose
+from .signs_at_a_pose import SignsAtOnePose
 
 
 class ForceWithFriction:
@@ -48,7 +48,7 @@ class ForceWithFriction:
         sizes = self._sizes
         return DefinedFormula(formula, sizes.definitions, sizes.positive, inside=sizes.inside)
 
-    def at_one_pose(self, signs: AtOnePose) -> PrintedFormula:
+    def at_one_pose(self, signs: SignsAtOnePose) -> PrintedFormula:
         """Return the force as it is printed, for the signs of one pose."""
         labels = radii(p.pair for p in self._loaded)
         formula = self._formula(

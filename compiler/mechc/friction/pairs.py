@@ -12,7 +12,7 @@ from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
 from ..frozen import field, frozen
 from ..kinematics import contacts
-from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
+from ..kinematics.forms import QUARTER, combined, projection, relative_speed, scaled, spin, subtract
 from ..kinematics.graph import Graph, LinearForm
 from ..kinematics.joint_refs import JointRef, contact_at, members
 from ..kinematics.plan import Plan, SpeedFactors
@@ -192,7 +192,7 @@ def _sliding(contact: PointContact) -> SpeedReading:
 
     def slip(graph: Graph) -> LinearForm:
         at_graph = (t for t in graph.pose.contacts if t.point == contact.point)
-        return leaving(graph, next(at_graph, contact), contact.normal + QUARTER)
+        return relative_speed(graph, next(at_graph, contact), contact.normal + QUARTER)
 
     return slip
 

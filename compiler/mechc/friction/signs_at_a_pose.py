@@ -23,7 +23,7 @@ ACUTE = NumberInterval(ACUTE_MARGIN, math.pi / 2 - ACUTE_MARGIN)
 """What a turned line turns by: the arc of a positive sine or tangent."""
 
 
-class AtOnePose(SignNames):
+class SignsAtOnePose(SignNames):
     """Signs as numbers, and turns as positive angles, as they are at one pose.
 
     ``box`` are ranges that parameters keep to, so that what has one sign in it needs no

@@ -68,7 +68,7 @@ def speed_of_load(graph: Graph, load: Load) -> LinearForm:
             assert_never(load)
 
 
-def leaving(graph: Graph, contact: PointContact, along: Angle) -> LinearForm:
+def relative_speed(graph: Graph, contact: PointContact, along: Angle) -> LinearForm:
     """Return the component of a pin's velocity relative to the body that it touches."""
     own, under = (projection(graph.velocities[p], along) for p in (contact.point, contact.tail))
     form = subtract(own, under)

@@ -32,7 +32,7 @@ from ..pose.pose import Pose
 from ..source import Source, Span
 from .carriers import graph_of
 from .contacts import slipping
-from .forms import QUARTER, combined, leaving, projection, speed_of_load, spin, subtract
+from .forms import QUARTER, combined, projection, relative_speed, speed_of_load, spin, subtract
 from .graph import Graph, LinearForm, Relation, Rule
 from .joint_refs import JointRef, contact_at
 from .plan import Plan, SpeedFactors
@@ -255,5 +255,5 @@ def _without_contact(pose: Pose, point: str) -> Released:
     left = tuple(t for t in pose.contacts if t is not contact)
     return Released(
         replace(pose, contacts=left),
-        lambda graph: leaving(graph, contact, contact.normal),
+        lambda graph: relative_speed(graph, contact, contact.normal),
     )

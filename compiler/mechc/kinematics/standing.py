@@ -37,7 +37,7 @@ class StandingPlan(Plan):
 
 def standing(plan: Plan) -> StandingPlan:
     """Return the plan with speeds as they follow from those before."""
-    return _like(plan, _followed(plan, lambda unknown, found: found), {})
+    return _plan_with(plan, _followed(plan, lambda unknown, found: found), {})
 
 
 def in_ratios(
@@ -49,14 +49,15 @@ def in_ratios(
     drive's speed; its sense is such that it is positive at ``values``. Of names that are
     ``taken`` it has none.
     """
-    ratios = _Ratios(plan, values, taken)
+    ratios = _NamedRatios(plan, values, taken)
     speeds = _followed(plan, ratios.name)
-    return _like(plan, speeds, ratios.found)
+    return _plan_with(plan, speeds, ratios.found)
 
 
-def _like(
+def _plan_with(
     plan: Plan, speeds: Mapping[int, SpeedFactors], ratios: Mapping[int, Binding]
 ) -> StandingPlan:
+    """Return a plan with other speeds, by ``ratios`` if there are any."""
     kept = {field.name: getattr(plan, field.name) for field in fields(plan)}
     if ratios:
         kept |= {"bindings": tuple(ratios.values()), "ratios": ratios}
@@ -68,21 +69,21 @@ def _followed(plan: Plan, shortened: Shortened) -> Mapping[int, SpeedFactors]:
     speeds: dict[int, SpeedFactors] = {drive: plan.speeds[drive] for drive in plan.drives}
     for block in plan.blocks:
         relations = [plan.relations[r] for r in block.relations]
-        found = _of_block(plan, block, relations, speeds)
+        found = _block_speeds(plan, block, relations, speeds)
         speeds |= {u: shortened(u, s) for u, s in zip(block.unknowns, found, strict=True)}
     return speeds
 
 
-def _of_block(
+def _block_speeds(
     plan: Plan, block: Block, relations: Sequence[Relation], speeds: Mapping[int, SpeedFactors]
 ) -> list[SpeedFactors]:
+    """Return the unknowns of a block by the speeds before it, as multiplied out where short."""
     if len(relations) == 1:
         (unknown,) = block.unknowns
         return [_single(relations[0].form, unknown, speeds, plan.speeds[unknown])]
     whole = [plan.speeds[unknown] for unknown in block.unknowns]
-    if len(relations) > MOST_ORDERED_UNKNOWNS or not all(
-        len(s) == 1 and is_long(s[0]) for s in whole
-    ):
+    are_long = all(len(speed) == 1 and is_long(speed[0]) for speed in whole)
+    if not are_long or len(relations) > MOST_ORDERED_UNKNOWNS:
         return whole
     return _together([r.form for r in relations], block.unknowns, speeds)
 
@@ -120,7 +121,7 @@ def _together(
     return [(shortest_determinant(rows) / whole,) for rows in replaced]
 
 
-class _Ratios:
+class _NamedRatios:
     """Names the speeds of links, and of points on their guides, for a unit of the drive's."""
 
     def __init__(self, plan: Plan, values: Mapping[str, float], taken: frozenset[str]) -> None:

@@ -24,13 +24,17 @@ def unused(mechanism: Mechanism, results: Sequence[Result]) -> tuple[str, ...]:
     rests = rests_on(mechanism, results)
     quantities = [*(p.name for p in mechanism.parameters), *lets]
     given = mechanism.follow | {known.name for known in mechanism.taken}
-    conditions = (r for r in mechanism.requires if not r.subject)
-    checked = {name for r in conditions for side in (r.left, r.right) for name in symbols(side)}
-    expected = {expect.subject for expect in mechanism.expects}
     own = set(quantities) - mechanism.brought
-    shown = below((_above(own, rests) - given) | checked | expected, rests)
+    shown = below((_above(own, rests) - given) | _checked(mechanism), rests)
     names = (*quantities, *(k.name for k in mechanism.taken), *(t.name for t in mechanism.tables))
     return tuple(name for name in names if name in mechanism.brought - shown)
+
+
+def _checked(mechanism: Mechanism) -> NameSet:
+    """Return the names that conditions are on, and of which a value is expected."""
+    conditions = (r for r in mechanism.requires if not r.subject)
+    names = {name for r in conditions for side in (r.left, r.right) for name in symbols(side)}
+    return names | {expect.subject for expect in mechanism.expects}
 
 
 def rests_on(mechanism: Mechanism, results: Iterable[Result]) -> Mapping[str, NameSet]:

@@ -192,17 +192,18 @@ class _Products:
     def share(self) -> None:
         """Put a factor in place of each pair that occurs twice, the most frequent one first."""
         for row in range(len(self.rows)):
-            self._count(row)
+            self._count_pairs(row)
         while self._most:
             times, pair = heappop(self._most)
             if -times == self._times(pair):
                 self._replace(pair)
 
     def _times(self, pair: FactorPair) -> int:
+        """Return how often a pair is in all rows."""
         return sum(self._rows_of.get(pair, {}).values())
 
-    def _count(self, row: int) -> None:
-        """Note the pairs of a row, each as often as it is there without sharing a factor."""
+    def _count_pairs(self, row: int) -> None:
+        """Count the pairs of a row, each as often as it is there without sharing a factor."""
         number = Counter(self.rows[row])
         found = {
             pair: min(map(number.__getitem__, pair)) for pair in combinations(sorted(number), 2)
@@ -210,29 +211,30 @@ class _Products:
         found |= {(f, f): n // 2 for f, n in number.items() if n > 1}
         for pair, times in found.items():
             self._rows_of.setdefault(pair, {})[row] = times
-            self._note(pair)
+            self._rank(pair)
 
-    def _forget(self, row: int) -> None:
+    def _uncount_pairs(self, row: int) -> None:
         """Leave the pairs of a row out of the count."""
         for pair in combinations_with_replacement(sorted({*self.rows[row]}), 2):
             rows = self._rows_of.get(pair, {})
             if rows.pop(row, 0):
-                self._note(pair)
+                self._rank(pair)
 
-    def _note(self, pair: FactorPair) -> None:
+    def _rank(self, pair: FactorPair) -> None:
         """Note how often a pair is there, where it is there twice: most are not."""
         times = self._times(pair)
         if times > 1:
             heappush(self._most, (-times, pair))
 
     def _replace(self, pair: FactorPair) -> None:
+        """Put one factor in place of a pair in all rows that have it."""
         factor = self._first + len(self._pairs)
         self._pairs.append(pair)
         for row, times in sorted(self._rows_of[pair].items()):
-            self._forget(row)
+            self._uncount_pairs(row)
             for _ in range(times):
                 self._put(self.rows[row], pair, factor)
-            self._count(row)
+            self._count_pairs(row)
 
     @staticmethod
     def _put(row: list[int], pair: FactorPair, factor: int) -> None:

@@ -31,7 +31,11 @@ SolutionVector = Sequence[float]
 
 
 class DrivingSystem(NamedTuple):
-    """Equations with the driving load as their last unknown, in a unit of its own."""
+    """Equations with the driving load as their last unknown, in a ``unit`` of its own.
+
+    ``drive`` is its column; ``columns`` are what a unit of each load puts on the right-hand side,
+    ``factors`` the equations ready for any of that.
+    """
 
     system: EquilibriumSystem
     columns: Mapping[str, Mapping[int, float]]

@@ -136,12 +136,18 @@ def _without_shared(
     is left where one cannot be split off, or is shared for the lengths given only: then it is not
     known what is.
     """
-    rest = without(factor, [r.factor for r in shared]) if isinstance(factor, Sum) else None
-    left = [f for f, e in rest.factors.items() if e > 0] if shared and rest else [factor]
-    sums = [f for f in left if isinstance(f, Sum)] if shared else left
-    known = all(order(Product.of(f), r.name, r.value) == 0 for f in sums for r in shared)
-    by_chance = any(is_nil(f, r, near) for f in left if isinstance(f, Sum) for r in across)
-    return left if known and not by_chance else []
+    left = [factor]
+    if shared and isinstance(factor, Sum):
+        rest = without(factor, [root.factor for root in shared])
+        left = [f for f, exponent in rest.factors.items() if exponent > 0] if rest else left
+    sums = [f for f in left if isinstance(f, Sum)]
+    are_split_off = all(
+        order(Product.of(f), root.name, root.value) == 0
+        for f in (sums if shared else left)
+        for root in shared
+    )
+    by_chance = any(is_nil(f, root, near) for f in sums for root in across)
+    return left if are_split_off and not by_chance else []
 
 
 def _at_roots(trig: Trig, of: Sought) -> Iterator[Vanishing]:

@@ -146,11 +146,11 @@ def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     found: list[Geometry] = []
     for points in (*(body.points for body in mechanism.bodies), *_aims(mechanism)):
         for hub, point in sketch.arms(points):
-            found.append(_vector(hub, point, sketch))
+            found.append(_drawn_vector(hub, point, sketch))
     for tail, point in _touching(mechanism):
         vectors = (*mechanism.geometry, *found)
         if sketch.has_all((tail, point)) and point not in joined_to(tail, vectors):
-            found.append(_vector(tail, point, sketch))
+            found.append(_drawn_vector(tail, point, sketch))
     joints = tuple(
         replace(joint, through=None)
         if isinstance(joint, Slider) and joint.point in sketch.places
@@ -160,7 +160,7 @@ def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     return replace(mechanism, joints=joints, geometry=(*mechanism.geometry, *found))
 
 
-def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
+def _drawn_vector(tail: str, head: str, sketch: Sketch) -> Geometry:
     """Return a vector by length and direction; by components where these are formulas."""
     x, y = sketch.offset(tail, head)
     if sketch.polar(tail, head):

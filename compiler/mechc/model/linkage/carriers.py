@@ -138,10 +138,10 @@ class Carriers:
 
     def _edges(self) -> Iterator[Adjacency]:
         """Yield the edges between points, joints and bodies."""
-        m = self._mechanism
-        for body in (*self._bodies, *m.slides):
+        mechanism = self._mechanism
+        for body in (*self._bodies, *mechanism.slides):
             yield from ((("point", p), ("body", body.name), "on") for p in body.points)
-        for joint in m.joints:
+        for joint in mechanism.joints:
             match joint:
                 case Pivot() | Slider():
                     pass
@@ -157,7 +157,7 @@ class Carriers:
                     yield from ((("point", a), ("point", b), "rope") for a, b in pairwise(route))
                 case _:
                     assert_never(joint)
-        for load in m.loads:
+        for load in mechanism.loads:
             if isinstance(load, ForcePair) and not load.joins_twins:
                 yield ("point", load.first), ("point", load.second), self._role(load)
 

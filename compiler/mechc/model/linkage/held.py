@@ -67,13 +67,14 @@ def with_held(mechanism: Mechanism, report: Report) -> Mechanism:
 
 
 def _held(mechanism: Mechanism, hold: Hold | None, drive: Drive, report: Report) -> Mechanism:
+    """Return a mechanism with a drive held; as it is, and reported, where nothing can hold it."""
     if hold is None:
         report.add(messages.cannot_hold(drive.span, drive.parameter, _as_angle(drive, mechanism)))
         return mechanism
     inside = [f for f in mechanism.finds if not isinstance(f.target, OUTSIDE)]
     if inside and not _is_itself(hold, mechanism):
         report.add(messages.held_by_what(inside[0].span, drive.parameter, drive.span))
-    return _fastened(mechanism, hold, drive)
+    return _with_hold(mechanism, hold, drive)
 
 
 def _as_angle(drive: Drive, mechanism: Mechanism) -> tuple[str, float] | None:
@@ -109,7 +110,8 @@ def _is_itself(hold: Hold, mechanism: Mechanism) -> bool:
     return any(set(t.points) == set(hold) for t in mechanism.telescopes)
 
 
-def _fastened(mechanism: Mechanism, hold: Hold, drive: Drive) -> Mechanism:
+def _with_hold(mechanism: Mechanism, hold: Hold, drive: Drive) -> Mechanism:
+    """Return a mechanism with a pivot where a point is held, or a rod in a telescope's place."""
     if isinstance(hold, Pinned):
         return replace(mechanism, joints=(*mechanism.joints, Pivot(hold.point, drive.span)))
     rod = Link("".join(hold), hold, drive.span)

@@ -26,11 +26,12 @@ def read_wheels(file: ast.File, scope: NameScope) -> Iterator[WheelPair]:
         if not isinstance(statement, ast.Gear | ast.Belt):
             continue
         if not (is_mirrored and _joins_halves(statement, scope)):
-            pair = _pair(statement, scope)
+            pair = _wheel_pair(statement, scope)
             yield from (pair,) if pair else ()
 
 
-def _pair(statement: ast.Gear | ast.Belt, scope: NameScope) -> WheelPair | None:
+def _wheel_pair(statement: ast.Gear | ast.Belt, scope: NameScope) -> WheelPair | None:
+    """Return a pair of gears or a belt; None where what is wrong with it is reported."""
     centres = [scope.points.acting(name) for name in (statement.first, statement.second)]
     radii = [radius_of(r, scope) for r in (statement.first_radius, statement.second_radius)]
     if not all(centres) or radii[0] is None or radii[1] is None:
@@ -48,11 +49,14 @@ def _pair(statement: ast.Gear | ast.Belt, scope: NameScope) -> WheelPair | None:
     links = _links(statement, arm, scope) if arm is not None else None
     if arm is None or links is None:
         return None
-    is_gear = isinstance(statement, ast.Gear)
-    same = statement.inner if isinstance(statement, ast.Gear) else not statement.crossed
-    ends = (first, links[0], radii[0]), (second, links[1], radii[1])
-    kind: Literal["gear", "belt"] = "gear" if is_gear else "belt"
-    return WheelPair(kind, *ends[0], *ends[1], same, statement.span, arm)
+    wheels = (first, links[0], radii[0]), (second, links[1], radii[1])
+    kind: Literal["gear", "belt"] = "gear" if isinstance(statement, ast.Gear) else "belt"
+    return WheelPair(kind, *wheels[0], *wheels[1], _same_sense(statement), statement.span, arm)
+
+
+def _same_sense(statement: ast.Gear | ast.Belt) -> bool:
+    """Return whether both wheels turn one way: an inner gear does that, and an open belt."""
+    return statement.inner if isinstance(statement, ast.Gear) else not statement.crossed
 
 
 def _alike(radii: Iterable[Formula | None], scope: NameScope) -> bool:

@@ -94,13 +94,13 @@ def without_given(used: Used, use: ast.Use) -> UsedSolution:
     if not given:
         return used.solved
     results = (r for r in used.solved.results if r.name not in given)
-    return replace(used.solved, results=tuple(_leaving(r, given) for r in results))
+    return replace(used.solved, results=tuple(_without_given(r, given) for r in results))
 
 
-def _leaving(result: Result, names: set[str]) -> Result:
+def _without_given(result: Result, names: set[str]) -> Result:
     """Return a result in which some names are left open."""
     where = tuple(d for d in result.where if d.name not in names)
-    other = on_demand(lambda: _leaving(result.elsewhere, names) if result.elsewhere else None)
+    other = on_demand(lambda: _without_given(result.elsewhere, names) if result.elsewhere else None)
     return replace(result, where=where, elsewhere=other)
 
 

@@ -170,15 +170,15 @@ def _equal_speeds(step: DerivationStep) -> list[Equation]:
 
 def _at_rest(step: DerivationStep, still: Set[Formula], links: Set[str]) -> DerivationStep:
     """Return a step without the angular velocities that are zero."""
-    nothing = {speed.name: ZERO for speed in still if isinstance(speed, Symbol)}
+    zeros = {speed.name: ZERO for speed in still if isinstance(speed, Symbol)}
+    if not zeros:
+        return step
 
     def without(equations: tuple[Equation, ...]) -> tuple[Equation, ...]:
-        return tuple(Equation(e.left, substitute(e.right, nothing)) for e in equations)
+        return tuple(Equation(e.left, substitute(e.right, zeros)) for e in equations)
 
     rule = step.rule
     if rule is StepRule.COMPONENT_OF_BODY and step.subject[0] in links:
         rule = StepRule.COMPONENT_OF_TRANSLATION
-    if not nothing:
-        return step
     relations, results = without(step.relations), without(step.results)
     return replace(step, rule=rule, relations=relations, results=results)

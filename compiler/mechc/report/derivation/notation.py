@@ -121,7 +121,7 @@ def times(factor: Product, named: WrittenUnknown) -> Formula:
     return product([(read.formula(), 1), (named.symbol, 1)])
 
 
-def linear(form: LinearForm, names: WrittenUnknowns) -> Formula:
+def in_written_unknowns(form: LinearForm, names: WrittenUnknowns) -> Formula:
     """Return a linear form written with the names of its unknowns."""
     parts: dict[WrittenUnknown, list[Product]] = {}
     for u, p in form.items():

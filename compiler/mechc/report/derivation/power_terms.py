@@ -12,7 +12,7 @@ from ...power.balance import Term
 from ..kinds import StepRule
 from ..sentences.order import positive_first
 from ..steps import DerivationStep, Equation, PowerTerm
-from .notation import linear, times
+from .notation import in_written_unknowns, times
 from .rules import rule_of_component
 from .speed_steps import SpeedSteps, acting_on
 
@@ -44,12 +44,12 @@ def _speed_along(term: Term, speeds: SpeedSteps) -> AlongLoad | None:
             if len(graph.velocities[point]) < 2:
                 return None
             rule, subject = rule_of_component(point, name, graph)
-            said = linear(form, speeds.names_at(form, *subject))
+            said = in_written_unknowns(form, speeds.names_at(form, *subject))
             symbol = Symbol(f"V_{point}_{name}")
         case ForcePair(_, first, second):
             if len(form) < 2:
                 return None
-            said = linear(_moving(form, speeds), speeds.names_at(form, first, second))
+            said = in_written_unknowns(_moving(form, speeds), speeds.names_at(form, first, second))
             subject = acting_on(term.load, graph)
             symbol, rule = Symbol(f"V_{first}{second}"), StepRule.PARTING
         case _:
@@ -71,7 +71,7 @@ def _power_term(term: Term, speeds: SpeedSteps, along: Mapping[str, AlongLoad]) 
     if load.name in along:
         return PowerTerm(load.name, at[0], term.count.formula(), along[load.name].symbol)
     moving = _moving(speed_of_load(speeds.plan.graph, load), speeds)
-    speed = linear(moving, speeds.names_at(moving, *at))
+    speed = in_written_unknowns(moving, speeds.names_at(moving, *at))
     return PowerTerm(load.name, at[0], term.count.formula(), speed)
 
 

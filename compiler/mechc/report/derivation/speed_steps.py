@@ -16,7 +16,7 @@ from ...power.balance import Balance
 from ...units import FREQUENCY, VELOCITY, Dimension
 from ..kinds import StepRule
 from ..steps import DerivationStep, Equation, NamedRatio, Reason
-from .notation import SpeedNotation, WrittenUnknown, WrittenUnknowns, linear, times
+from .notation import SpeedNotation, WrittenUnknown, WrittenUnknowns, in_written_unknowns, times
 from .rules import involved, pole_of, rule_of
 
 
@@ -209,7 +209,7 @@ class SpeedSteps:
         turning = self._turning if is_of_wheels(relation, self._graph) else {}
         names = {**self._names, **turning}
         said = seen_from_arm(relation, self._graph, names)
-        return said or Equation(linear(relation.form, names), ZERO)
+        return said or Equation(in_written_unknowns(relation.form, names), ZERO)
 
     def _solved(self, unknown: int) -> Equation:
         return Equation(self._names[unknown].symbol, self._by_drives(unknown))
@@ -232,8 +232,8 @@ class SpeedSteps:
         rest = {u: -p for u, p in form.items() if u != unknown}
         if self._notation.sign(lead) < 0:
             lead, rest = -lead, {u: -p for u, p in rest.items()}
-        right = linear(rest, names)
-        apart = linear({u: p / lead for u, p in rest.items()}, names)
+        right = in_written_unknowns(rest, names)
+        apart = in_written_unknowns({u: p / lead for u, p in rest.items()}, names)
         whole = product([(right, 1), (lead.formula(), -1)])
         return (
             Equation(times(lead, names[unknown]), right),
@@ -314,12 +314,12 @@ def seen_from_arm(relation: Relation, graph: Graph, names: WrittenUnknowns) -> E
         return None
     if not pair.same:
         other = scaled(other, -ONE)
-    if has_minus(linear(own, names)):
+    if has_minus(in_written_unknowns(own, names)):
         own, other = scaled(own, -ONE), scaled(other, -ONE)
     first, second = _without_common(to_product(pair.first_radius), to_product(pair.second_radius))
     return Equation(
-        product([(first.formula(), 1), (linear(own, names), 1)]),
-        product([(second.formula(), 1), (linear(other, names), 1)]),
+        product([(first.formula(), 1), (in_written_unknowns(own, names), 1)]),
+        product([(second.formula(), 1), (in_written_unknowns(other, names), 1)]),
     )
 
 

@@ -1,6 +1,6 @@
 """The remarks on a result, in sentences, whatever the language and whoever prints."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, assert_never
 
 from ...formula.layout import is_angle
@@ -230,9 +230,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
     said += _proportions(result, locale, spell)
     said += _independent(result, symbol, locale, spell)
-    for first, second in filter(lambda pair: _is_news(pair, result), result.swaps):
-        one, other = (spelled(Symbol(n), spell) for n in (first, second))
-        said.append(locale.swaps.format(result=symbol, first=one, second=other))
+    said += _swaps(result, symbol, locale, spell)
     said += _trends(result, symbol, locale, spell)
     said += extents.extent_remarks(result, symbol, locale, spell)
     return (*said, *friction_remarks(result, locale, spell))
@@ -332,7 +330,16 @@ def _proportions(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     return [template.format(result=shown, factor=factor)]
 
 
+def _swaps(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
+    """Yield which two parameters may change places, where no other remark says it."""
+    for pair in result.swaps:
+        if _is_news(pair, result):
+            first, second = (spelled(Symbol(name), spell) for name in pair)
+            yield locale.swaps.format(result=symbol, first=first, second=second)
+
+
 def _independent(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
+    """Return on which parameters a result does not depend, as a sentence, if there are any."""
     if not result.independent:
         return []
     names = joined((spelled(Symbol(n), spell) for n in result.independent), locale.negation)

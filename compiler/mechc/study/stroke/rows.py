@@ -60,6 +60,7 @@ def _results(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Fi
 
 
 def _slopes(run: StrokeRun, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
+    """Yield the columns of slopes of ratios along the drive."""
     for result in run.ratios:
         slope = (result.derivatives or {}).get(run.drive.name)
         if slope is not None:
