@@ -710,3 +710,47 @@ def test_no_condition_begins_with_a_minus() -> None:
     conditions = re.findall(r"This holds while ([^.]*)\.", said)
     assert any("sin(μ_B − δ_AB) > 0" in each for each in conditions)
     assert not any(part.startswith("−") for each in conditions for part in each.split(", "))
+
+
+def test_what_friction_divides_by_is_positive() -> None:
+    """k_hold had μ·sin(β + δ) − cos(β + δ) below the line, an arm −sin(φ_AB − δ_AB − φ_CB)."""
+    crank = """
+    mechanism crank
+    param r = 60 mm
+    param l = 200 mm
+    param mu = 0.1
+    param phi = 60 deg in 0 deg .. 360 deg
+    pivot O
+    slider B along x through O
+    link OA
+    link AB
+    OA = r @ phi
+    AB = l
+    drive phi from 10 deg to 170 deg
+    assembly B forward
+    torque M on OA
+    force F at B along -x
+    friction pins 0.12 diameter 30 mm
+    friction slider B mu
+    find k = M/F
+    """
+    found = compile_source(Source("crank.mech", crank))
+    said = " ".join(render(found.derivation, found.mechanism).split())
+    assert "k_hold = −(r · sin(β_AB + δ_AB + φ) + 2ρ) / (cos(β_AB + δ_AB) − μ ·" in said
+    cutter = """
+    mechanism cutter
+    pivot C at (0 mm, 0 mm)
+    slider A along y
+    link AB
+    link CBE
+    A at (-75 mm, 0 mm)
+    B at (-60 mm, 20 mm)
+    E at (300 mm, 60 mm)
+    force N at A along -y
+    force P at E along -y
+    friction pins 0.12 diameter 10 mm
+    find k = P/N
+    """
+    found = compile_source(Source("cutter.mech", cutter))
+    said = render(found.derivation, found.mechanism)
+    assert "b_P = CB · sin(δ_AB + φ_CB − φ_AB) / sin(φ_AB − δ_AB)" in said

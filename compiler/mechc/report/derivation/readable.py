@@ -6,6 +6,7 @@ from typing import Literal
 
 from ...formula.differences import (
     MOST_READ_OPERATIONS,
+    LazyValues,
     differences_as_in,
     factors_as_in,
     plus_first,
@@ -23,6 +24,7 @@ from ...frozen import replace
 from ...kinematics.plan import Plan
 from ...model.mechanism import Require, WithFriction
 from ...model.result import Definition
+from ...model.values import completed
 from ...pose.given_angles import given_lines
 from ...pose.pose import Pose
 from ...power.numbers import default_values
@@ -46,7 +48,7 @@ class ReadableFormulas:
         """Take the angles by which friction ``turns`` forces: they stand behind others."""
         self._turns = turns
         self._found = {definition.name for definition in plan.graph.pose.definitions}
-        self._values = cache(partial(default_values, plan))
+        self._values: LazyValues = cache(partial(default_values, plan))
         self._quarter = given_lines(plan.graph.pose)
 
     def of(self, formula: Formula, longer: int = 0) -> Formula:
@@ -154,6 +156,7 @@ class ReadableFormulas:
 
     def derivation(self, derivation: Derivation) -> Derivation:
         """Return the steps with sines of differences turned as those of the results are."""
+        self._values = cache(partial(_with_definitions, self._values, derivation.results))
         results = tuple(map(self.result, derivation.results))
         sines = self.sines(result.formula for result in results)
         return replace(
@@ -164,6 +167,14 @@ class ReadableFormulas:
             explanations=tuple(self.explanation(e, sines) for e in derivation.explanations),
             ratios=tuple(r._replace(formula=self.of(r.formula)) for r in derivation.ratios),
         )
+
+
+def _with_definitions(values: LazyValues, results: Iterable[Analysis]) -> Mapping[str, float]:
+    """Return values with those of the angles and forces that results with friction rest on."""
+    known = dict(values())
+    for result in results:
+        known |= completed(known, (d for d in result.stated if d.name not in known))
+    return known
 
 
 def turns_of_friction(results: Sequence[Analysis], pose: Pose) -> Set[str]:
