@@ -84,11 +84,13 @@ def at_rest(load: Load, mechanism: Mechanism) -> str:
         case Force(point=point) if point in mechanism.fixed:
             return f"{point} stands still"
         case _:
-            return _within_a_body(load.points, mechanism)
+            return _between(load.points, mechanism)
 
 
-def _within_a_body(points: Sequence[str], mechanism: Mechanism) -> str:
+def _between(points: Sequence[str], mechanism: Mechanism) -> str:
     """Return that the ends of a pair of forces are points of one body, '' where they are not."""
+    if len(points) == 2 and mechanism.fixed >= {*points}:
+        return f"{' and '.join(points)} stand still"
     bodies: tuple[Link | Slide, ...] = (*mechanism.links, *mechanism.slides)
     name = next((body.name for body in bodies if {*points} <= {*body.points}), "")
     is_within = len(points) == 2 and name

@@ -338,7 +338,11 @@ def list_of_values(span: Span, name: str, kind: str) -> Message:
         P: {at: A, along: x}                         # right
     """
     message = f"{kind} '{name}' has a list of values, expected one"
-    return Message(span, message, f"write {name}: … without brackets, or two names")
+    hint = f"write {name}: … without brackets, or two names"
+    if kind == "let":
+        choice = 'a choice is one text in quotes, "1.1 when v < 1 m/s else 1.3"'
+        hint = f"write {name}: … without brackets; {choice}"
+    return Message(span, message, hint)
 
 
 def asked_for_a_value(kind: str, name: str) -> str:

@@ -42,6 +42,8 @@ MEANT: Final[Mapping[str, Collection[str]]] = {
     **dict.fromkeys(("direction", "angle", "dir"), ("along", "angle", "normal")),
     **dict.fromkeys(("on", "point"), ("at", "link")),
     "link": ("in",),
+    "slider": ("guide",),
+    "m": ("mass",),
     "along": ("angle",),
     **dict.fromkeys(("min", "max", "limits"), ("range",)),
     **dict.fromkeys(("author", "reference", "book"), ("source",)),
