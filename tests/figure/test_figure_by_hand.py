@@ -15,7 +15,7 @@ from mechc.figure.lengths import choose
 from mechc.figure.linear_vectors import DrawnVector, Linear, LinearVectors, open_way
 from mechc.figure.velocities import MotionVelocities, rates
 from mechc.figure.wheels import Circle, pitch_point, rope_runs
-from mechc.formula.tree import Constant, Symbol, degrees, negative, number, product, total
+from mechc.formula.tree import ZERO, Constant, Symbol, degrees, negative, number, product, total
 from mechc.frozen import replace
 from mechc.model.mechanism import (
     Absolute,
@@ -394,3 +394,12 @@ def test_the_driving_load_does_work_unless_it_is_released(sense, power):
     )
     plan.graph.pose, made.balance.terms[0].power = pose, [Product(Fraction(5, 2))]
     assert made._work() == power
+
+
+@pytest.mark.parametrize(("shared", "ground"), [("O", (-1, 0)), ("", (0, -1))])
+def test_the_ground_of_a_shared_pivot_is_where_no_bar_of_either_half_is(shared, ground):
+    """OB goes up at 60°; its image across the x-axis comes as near to straight down."""
+    mirror = Mirror(Absolute(ZERO, HERE), tuple(shared), HERE)
+    figure = draw(two_bars(mirror=mirror, axis=at(0)), {"alpha": math.radians(-30)})
+    pivot = next(part for part in figure.parts if isinstance(part, Pivot) and part.point == "O")
+    assert pivot.ground == pytest.approx(ground)

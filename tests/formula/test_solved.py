@@ -34,3 +34,12 @@ def test_a_bound_is_of_powers_and_its_first_term_is_positive():
         [product([(number(-1), 1), (mu, 1), (inner, 1)]), product([(number(3), 1), (cosine, 1)])]
     )
     assert [text(solution.value) for solution in zeros(whole, "a")] == ["atan((3 - mu^2)/(4*mu))"]
+
+
+@pytest.mark.parametrize(("times", "found"), [(2, ("b/2", 90)), (-4, ("b/4", 45)), (1, ("b", 180))])
+def test_a_multiple_of_an_angle_vanishes_at_its_part_and_as_often(times, found):
+    angle = total([product([(number(times), 1), (A, 1)]), negative(Symbol("b"))])
+    if times < 0:
+        angle = total([Symbol("b"), product([(number(times), 1), (A, 1)])])
+    (solution,) = zeros(Call("sin", (angle,)), "a")
+    assert (text(solution.value), solution.period) == found

@@ -10,7 +10,7 @@ import pytest
 from mechc.formula.continuation import _Continuation, continued
 from mechc.formula.derivative import derivative
 from mechc.formula.elimination import eliminate, quick
-from mechc.formula.evaluate import evaluate, solution, status, status_along
+from mechc.formula.evaluate import evaluate, solution, solver, status, status_along
 from mechc.formula.newton import Way
 from mechc.formula.to_sympy import to_sympy
 from mechc.formula.to_text import text
@@ -31,6 +31,7 @@ from mechc.formula.tree import (
 )
 from mechc.formula.walk import Substitution, substitute, symbols
 from mechc.model.values import completed
+from mechc.work import MOST_WORK, Allowance, at_most
 from systems import Triad, s, triad
 
 ROOT = System(
@@ -280,3 +281,15 @@ def test_what_is_known_but_for_turns_comes_the_shortest_way(p: float) -> None:
     assert [following(values)[0] for values in [(p,)] * 3] == [expected] * 3
     whole = System(LOOP.unknowns, LOOP.equations, LOOP.anchor, LOOP.start)
     assert (status(implicit(whole, 0), {"p": p}) == 0) == (p == 0.2)
+
+
+def test_a_system_costs_its_work_whenever_it_is_asked():
+    """What is kept counts, too: the allowance of a compilation does not rest on those before."""
+    find = solver(System(("x",), ROOT.equations, (("p", 1.0),), (-1.0,)))
+    costs = []
+    for value in (4.0, 4.0, 5.0):
+        with at_most(Allowance()) as allowance:
+            assert find((value,)) == (pytest.approx(-math.sqrt(value)),)
+        costs.append(MOST_WORK - allowance.left)
+    assert costs[0] == costs[1] > 0
+    assert 0 < costs[2] < 1000

@@ -256,3 +256,34 @@ def test_a_drive_of_no_speed_is_doubted(speed: str, doubted: bool) -> None:
     assert compilation.mechanism
     said = [d.message for d in compilation.report.diagnostics if "the speed of phi" in d.message]
     assert len(said) == doubted
+
+
+DRAWN = """
+pivot O at (0 mm, 0 mm)
+pivot C at (100 mm, 0 mm)
+link OA
+link AB
+link CB
+A at (20 mm, 35 mm)
+B at {place}
+drive OA
+torque M on OA
+torque T on CB
+find k = M/T
+"""
+
+
+@pytest.mark.parametrize(
+    ("place", "codes"),
+    [
+        ("(80 m, 60 mm)", {"W295"}),
+        ("(80 m, 60 m)", {"W266"}),
+        ("(80 mm, 60 mm)", set()),
+    ],
+)
+def test_a_size_is_not_doubted_where_the_units_of_its_place_are(place, codes):
+    compilation = Compilation(Source("bar.mech", DRAWN.format(place=place)))
+    with suppress(MechcError):
+        _ = compilation.mechanism
+    found = {d.code for d in compilation.report.diagnostics}
+    assert found & {"W295", "W266"} == codes

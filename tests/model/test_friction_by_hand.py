@@ -4,6 +4,7 @@ import pytest
 
 from mechc.driver import Compilation
 from mechc.formula.evaluate import evaluate
+from mechc.formula.to_text import text
 from mechc.formula.tree import Symbol
 from mechc.model.mechanism import (
     CollarFriction,
@@ -70,3 +71,10 @@ def test_a_collar_has_friction_at_its_mean_radius(size, radius):
     source = Source("collar.mech", COLLAR.format(size=size))
     (collar,) = Compilation(source).mechanism.friction.joints
     assert evaluate(collar.radius, {}) == pytest.approx(radius)
+
+
+def test_the_radius_of_a_new_collar_has_its_outer_diameter_first():
+    source = Source("collar.mech", COLLAR.format(size="outer D inner d pressure"))
+    given = f"param D = 40 mm\nparam d = 20 mm{source.text}"
+    (collar,) = Compilation(Source("collar.mech", given)).mechanism.friction.joints
+    assert text(collar.radius) == "(D^2 + D*d + d^2)/(3*(D + d))"

@@ -1,6 +1,15 @@
 """Missing vectors: one that would follow from others that are missing is not reported as well."""
 
+import pytest
+
+from mechc.formula.tree import ZERO
+from mechc.model.mechanism import Drawn, Link, Mechanism, Parameter, Pivot, Slot
+from mechc.pose.drawn import given_by_hand
+from mechc.pose.missing_directions import _without_input
+from mechc.pose.pose import OpenUnknowns
 from mechc.pose.vectors import Missing
+from mechc.source import Span
+from mechc.units import LENGTH
 
 
 class Given:
@@ -39,3 +48,28 @@ def test_any_are_missing_once_one_was_reported() -> None:
     assert not missing.are_any
     assert missing.add("A", "B")
     assert missing.are_any
+
+
+HERE = Span(0, 0)
+
+
+@pytest.mark.parametrize(
+    ("guided", "hint"), [("BD", "`angle OBD = 90 deg`"), ("", "`BD = … @ psi`")]
+)
+def test_a_link_that_a_block_guides_misses_its_angle_to_the_slot(guided, hint):
+    links = (Link("OC", ("O", "C"), HERE), Link("BD", ("B", "D"), HERE))
+    slot = Slot("B", "OC", "O", "C", HERE, guided)
+    mechanism = Mechanism("m", "", "", HERE, links=links, joints=(slot,))
+    sought, left = {"phi_BD": ("B", "D", HERE)}, OpenUnknowns(frozenset({"phi_BD"}), 1)
+    (found,) = _without_input(mechanism, {"phi_BD": links[1]}, sought, left)
+    assert hint in found.hint
+
+
+def test_what_lies_in_the_place_of_a_drawn_point_or_a_pivot_is_not_given_by_hand():
+    """Places are from 10 to 20 and from 40 to 50."""
+    spans = {"a": (2, 4), "b": (12, 14), "c": (10, 20), "d": (18, 22), "e": (41, 50), "f": (60, 61)}
+    parameters = tuple(Parameter(name, LENGTH, Span(*at)) for name, at in spans.items())
+    drawn = (Drawn("A", ZERO, ZERO, 0.0, "", Span(10, 20)),)
+    joints = (Pivot("O", Span(40, 50)),)
+    mechanism = Mechanism("m", "", "", HERE, parameters, drawn=drawn, joints=joints)
+    assert given_by_hand(mechanism) == {"a", "d", "f"}

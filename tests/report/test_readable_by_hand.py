@@ -1,0 +1,34 @@
+"""Formulas as a person writes their angles: what an explanation may grow by."""
+
+from mechc.formula.to_text import text
+from mechc.formula.tree import Call, Symbol, product
+from mechc.report.derivation.readable import ReadableFormulas
+from mechc.report.kinds import SentenceKind
+from mechc.report.steps import Equation, Explanation, Paragraph
+
+A, B, N = (Symbol(name) for name in ("alpha", "beta", "N"))
+
+
+def readable() -> ReadableFormulas:
+    """Return what knows that angles are to be turned by 90°, each of them."""
+    found = object.__new__(ReadableFormulas)
+    found._turns, found._found = frozenset(), set()
+    found._values = lambda: {"alpha": 0.1, "beta": 0.2}  # type: ignore[assignment]
+    found._quarter = lambda angle: 90  # type: ignore[assignment]
+    return found
+
+
+def explained(*factors) -> str:
+    """Return the right-hand side of an equation, once it is explained."""
+    side = product([(Call("cos", (factor,)), 1) for factor in factors])
+    paragraph = Paragraph(SentenceKind.ALONG, (Equation(N, side),))
+    (shown,) = readable().explanation(Explanation(("N",), (paragraph,)), ()).paragraphs
+    return text(shown.equations[0].right)
+
+
+def test_a_term_is_turned_that_grows_by_one_operation() -> None:
+    assert explained(A) == "sin(alpha + pi/2)"
+
+
+def test_a_term_is_left_that_would_grow_by_two() -> None:
+    assert explained(A, B) == "cos(alpha)*cos(beta)"
