@@ -10,7 +10,7 @@ A, B, N = (Symbol(name) for name in ("alpha", "beta", "N"))
 
 
 def readable() -> ReadableFormulas:
-    """Return what knows that angles are to be turned by 90°, each of them."""
+    """Return formulas of a plan in which every angle is to be turned by 90°."""
     found = object.__new__(ReadableFormulas)
     found._turns, found._found = frozenset(), set()
     found._values = lambda: {"alpha": 0.1, "beta": 0.2}  # type: ignore[assignment]

@@ -118,3 +118,12 @@ find k = P/F"""
     (place,) = (d.span for d in said if d.code == code)
     assert place is not None
     assert place.start > len(text)
+
+
+@pytest.mark.parametrize("behind", ["+- 1 mm", '"the arm"'])
+def test_what_stands_behind_a_value_is_quoted(behind):
+    with pytest.raises(MechcError) as caught:
+        parse(f"a=30mm {behind}")
+    (found,) = caught.value.diagnostics
+    assert f"'{behind}'" in found.message
+    assert found.span.end - found.span.start == len(f" {behind}")
