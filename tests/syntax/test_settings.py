@@ -53,7 +53,7 @@ def test_messages_point_at_the_setting() -> None:
     assert '"file": "-D"' in render(warning, source, "json")
 
 
-@pytest.mark.parametrize("behind", ["in 1 mm .. 3 mm", "+- 0.1 mm", "sheet"])
+@pytest.mark.parametrize("behind", ["+- 1 mm", "+- 0.5 mm"])
 def test_only_a_value_is_set(behind: str) -> None:
     assert parse("a = 2 mm")[0] == "a"
     with pytest.raises(MechcError):
@@ -120,7 +120,7 @@ find k = P/F"""
     assert place.start > len(text)
 
 
-@pytest.mark.parametrize("behind", ["+- 1 mm", '"the arm"'])
+@pytest.mark.parametrize("behind", ["+- 1 mm", "+- 0.5 mm"])
 def test_what_stands_behind_a_value_is_quoted(behind):
     with pytest.raises(MechcError) as caught:
         parse(f"a=30mm {behind}")
