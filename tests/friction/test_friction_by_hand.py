@@ -5,6 +5,7 @@ from fractions import Fraction
 
 import pytest
 
+import mechc
 from mechc.algebra.angle import Angle
 from mechc.algebra.product import ONE, ZERO, Product
 from mechc.algebra.sums import add
@@ -578,3 +579,57 @@ ROOT = Call("sqrt", (Symbol("a"),))
 )
 def test_a_ratio_is_a_root_where_one_is_in_it_or_in_what_it_rests_on(formula, where, has_roots):
     assert _has_roots(SignCase(formula, where, ())) is has_roots
+
+
+TRAIN = """
+mechanism train
+param r1 = 20 mm
+param r2 = 40 mm
+param r3 = 15 mm
+param r4 = 60 mm
+param l = 80 mm
+param c = 0.03
+pivot O1
+pivot O2
+pivot O3
+link O1A
+link O2B
+link O3D
+O1A = l @ 0 deg
+O2B = r2 @ 0 deg
+O3D = 50 mm @ 0 deg
+gear O1 r1, O2 r2
+gear O2 r3, O3 r4
+friction gear O1 c
+friction gear O2 c
+force P at A along y
+torque T on O3D
+find k = T/P
+"""
+
+
+def test_what_two_pairs_of_wheels_lose_is_a_square() -> None:
+    """By hand η = (1 − c)², no c·(c − 2) + 1."""
+    results = mechc.loads(TRAIN).results
+    assert text(results["k_hold"].formula).count("(1 - c)^2") == 1
+    assert text(results["k_f"].formula).count("(1 + c)^2") == 1
+
+
+def test_a_loss_in_teeth_is_a_factor_to_first_order() -> None:
+    """r·(1 + c)/l, no r/l + c·r/l."""
+    rack = """
+    mechanism rack
+    param l = 400 mm
+    param r = 30 mm
+    param c = 0.05
+    pivot O
+    slider A along -y
+    link OB
+    OB = l @ 50 deg
+    rack A on O r
+    force P at B along perp OB
+    force F at A along y
+    friction rack A c
+    find k = P/F
+    """
+    assert text(mechc.loads(rack).results["k_f1"].formula) == "r*(1 + c)/l"

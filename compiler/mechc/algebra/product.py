@@ -190,7 +190,7 @@ class Sum:
     def formula(self) -> Formula:
         """Return the sum as a formula."""
         if self._formula is None:
-            self._formula = total(_gathered(self.terms))
+            self._formula = _square(self.terms) or total(_gathered(self.terms))
         return self._formula
 
     @property
@@ -279,6 +279,27 @@ def _divided_through(value: Product) -> Iterator[Product]:
                     yield value * shared * Product(1, {factor: -1, through: 1})
 
 
+def _square(terms: Sequence[Product]) -> Formula | None:
+    """Return the square of a sum that three terms make, as it is written; None where they do not.
+
+    >>> from ..formula.to_text import text
+    >>> c = Product.symbol("c")
+    >>> text(_square([c * c, c.scaled(-2), Product()])), _square([c * c, c, Product()])
+    ('(1 - c)^2', None)
+    """
+    for middle in terms if len(terms) == _FEW else ():
+        roots = [term.root() for term in terms if term is not middle]
+        found = sorted(filter(None, roots), key=lambda root: bool(root.factors))
+        if len(found) < len(roots):
+            continue
+        one, other = found
+        twice = (one * other).scaled(2)
+        if middle in (twice, -twice):
+            inner = total([one.formula(), (other if middle == twice else -other).formula()])
+            return product([(inner, 2)])
+    return None
+
+
 def _gathered(terms: Sequence[Product]) -> Iterator[Formula]:
     """Yield a sum's terms, the factor that most of them have taken out of these, and so on."""
     counts = Counter(f for t in terms for f, e in t.factors.items() if e > 0)
@@ -322,7 +343,7 @@ def _turned(factor: Factor) -> Factor | None:
     match factor:
         case Trig("sin", angle) if any(c < 0 for _, c in angle.terms):
             return Trig("sin", -angle)
-        case Sum(terms=terms) if any(t.coefficient < 0 for t in terms):
+        case Sum(terms=terms) if any(t.coefficient < 0 for t in terms) and not _square(terms):
             return Sum(tuple(sorted((-t for t in terms), key=lambda t: t.coefficient < 0)))
     return None
 

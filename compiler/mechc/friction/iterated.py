@@ -182,7 +182,8 @@ def _at_once(ideal: Formula, sizes: Sequence[Product], sense: int) -> Iterator[F
     if count_operations(ideal) <= SHORT:
         load = to_product(ideal)
         whole = add((load, *(size.scaled(sense) for size in sizes)))
-        if load and all(isinstance(factor, Sum) for factor in (whole / load).factors):
+        times = (whole / load).factors.items() if load else ()
+        if load and all(isinstance(f, Sum) and exponent > 0 for f, exponent in times):
             yield readable(canonical(whole))
 
 
