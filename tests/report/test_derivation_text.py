@@ -284,3 +284,26 @@ def test_a_force_on_the_arm_is_known_by_the_speed_of_its_point_first() -> None:
     assert "ω_OA = V_A / (r₁ + r₂)" in said
     assert "r₁ · ω_OA = r₂ · (ω_AB − ω_OA)" in said
     assert "F/T = −ω_QX/V_A" in said
+
+
+WEDGE = """
+param phi = 0 deg
+pivot O
+slide KW along y
+link AOJ
+OA = 35 mm @ 180 deg + phi
+OJ = 90 mm @ 280 deg + phi
+contact A on KW normal 168 deg
+force P at K along y
+force F at J along x
+friction contact A 0.12
+friction pin O 0.1 diameter 12 mm
+find k = P/F
+"""
+
+
+def test_a_result_that_jumps_at_the_default_pose_has_both_values_among_the_numbers() -> None:
+    compilation = compile_source(Source("wedge.mech", WEDGE))
+    shown = render(compilation.derivation, compilation.mechanism)
+    low, high = next(r.sides for r in compilation.results if r.name == "k_f")
+    assert f"k_f: jumps from {low:.6g} to {high:.6g}" in shown

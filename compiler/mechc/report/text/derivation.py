@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Sized
 from itertools import chain
+from math import isnan
 
 from ...formula.layout import is_angle
 from ...formula.tree import Formula, Implicit, Symbol
@@ -9,6 +10,7 @@ from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.statements import is_sheet
 from ...study.analysis import Analysis
+from ...study.ranges import scale_of
 from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..by_parts import by_parts
@@ -29,7 +31,7 @@ from ..sentences.wording import (
 from ..steps import Derivation, LastStep, names_met
 from . import note
 from .given import given
-from .speller import DEEP, LINE_COLUMNS, LINES, TextSpeller, speller
+from .speller import DEEP, LINE_COLUMNS, LINES, VALUE_DIGITS, TextSpeller, speller
 
 
 def render(
@@ -68,6 +70,7 @@ def render(
     lines += [*_velocities(derivation, spell), *_power(derivation, mechanism, spell)]
     lines += _results(whole.results, spell)
     lines += _numbers(found, spell) if numbers else []
+    lines += _jumps(derivation.results, mechanism, spell) if numbers else []
     if derivation.requires:
         demand = f"{spell.locale.requirements} {conditions(derivation.requires, spell)}."
         lines += ["", *spell.wrapped(demand, "")]
@@ -145,6 +148,16 @@ def _numbers(values: Iterable[Evaluated], spell: TextSpeller) -> Iterator[str]:
         sides.append(spell.quantity(value))
         whole = " = ".join(sides).replace("-", spell.signs.minus)
         yield from spell.broken(spell.units(whole))
+
+
+def _jumps(results: Iterable[Analysis], mechanism: Mechanism, spell: TextSpeller) -> Iterator[str]:
+    """Yield between what values results jump at the default pose."""
+    for result in results:
+        if len(result.sides) == 2 and not any(map(isnan, result.sides)):
+            unit, name = scale_of(result, mechanism), spell.relation((asked(result),), (), False)
+            low, high = (spell.measured(side, unit, VALUE_DIGITS) for side in result.sides)
+            said = spell.locale.checked["jumps"].format(low=low, high=high)
+            yield from spell.broken(f"{name}: {said}".replace("-", spell.signs.minus))
 
 
 def _fits(item: Evaluated, spell: TextSpeller) -> bool:
