@@ -307,3 +307,12 @@ def test_a_result_that_jumps_at_the_default_pose_has_both_values_among_the_numbe
     shown = render(compilation.derivation, compilation.mechanism)
     low, high = next(r.sides for r in compilation.results if r.name == "k_f")
     assert f"k_f: jumps from {low:.6g} to {high:.6g}" in shown
+
+
+def test_a_term_of_which_rounding_alone_is_left_is_zero_among_the_numbers() -> None:
+    """|sin φ| at half a turn was 1.2e-16, and the term 8.60915·10⁻¹⁶."""
+    turned = WEDGE.replace("phi = 0 deg", "phi = 180 deg").replace("180 deg + phi", "phi")
+    turned = turned.replace("90 mm @ 280 deg + phi", "90 mm @ 280 deg")
+    compilation = compile_source(Source("wedge.mech", turned))
+    shown = render(compilation.derivation, compilation.mechanism)
+    assert "k_f₁ = 0 + 2.53236 + 0.192065 = 2.72443\n" in shown

@@ -6,6 +6,7 @@ from math import isclose, isfinite
 
 from ..formula.evaluate import evaluate
 from ..formula.layout import in_degrees, over_line
+from ..formula.rounding import Rounding
 from ..formula.tree import (
     Constant,
     Formula,
@@ -186,5 +187,6 @@ def _value(part: Formula, known: KnownQuantities) -> GivenQuantity | None:
     if not names_in(part) <= known.quantities.keys():
         return None
     unit = found_unit(Definition("_", part), known.usual, angles, values, units)
-    value = evaluate(part, values)
+    size = Rounding(values).of(part)
+    value = 0.0 if size.is_zero else size.value
     return GivenQuantity(value, unit) if unit is not None and isfinite(value) else None
