@@ -1,6 +1,9 @@
 """What long functions have in common, in C and in Python: computed once, taken by each."""
 
+from types import SimpleNamespace
+
 import mechc
+from mechc.emit.c import functions
 from mechc.emit.c import pose as in_c
 from mechc.emit.c.reserved import RESERVED as C_WORDS
 from mechc.emit.names import TargetNames
@@ -60,3 +63,16 @@ def test_numbers_of_a_description_have_their_units_in_comments():
         text = drawn.emit(target)
         assert "where len_OA = 0.0180277564 m\n" in text
         assert "where phi_KA = -0.896055385 rad\n" in text
+
+
+def test_the_body_of_a_function_takes_what_is_common_before_its_own_steps():
+    function = SimpleNamespace(own=(SQUARE,), guards=(), output=V, status=None)
+    scope = SimpleNamespace(commons=CALLED, solvers={})
+    space = TargetNames(C_WORDS, {*ARGUMENTS.values()})
+    found = functions._taken(function, FIRST, ARGUMENTS, scope, space)
+    assert found.body == [
+        "double taken[1];",
+        "common(a, b_, taken);",
+        "const double v = taken[0]*taken[0];",
+    ]
+    assert found.output == "v"

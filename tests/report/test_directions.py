@@ -7,7 +7,7 @@ from mechc.formula.evaluate import evaluate
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Symbol, degrees, negative, total
 from mechc.model.values import completed, defaults
-from mechc.report.directions import Direction, directions, in_results, named
+from mechc.report.directions import NamedDirection, directions, in_results, named
 from mechc.report.text.derivation import render
 from mechc.source import Source
 
@@ -78,7 +78,7 @@ def test_results_keep_their_values() -> None:
     ],
 )
 def test_the_sum_stands_by_its_name(turn: int, angle: Symbol, shown: str) -> None:
-    direction = Direction("d", (A, B), turn)
+    direction = NamedDirection("d", (A, B), turn)
     formula = Call("sin", (angle,))
     turned = named(formula, [direction])
     assert text(turned) == shown
@@ -89,4 +89,4 @@ def test_the_sum_stands_by_its_name(turn: int, angle: Symbol, shown: str) -> Non
 
 def test_a_constant_keeps_its_place() -> None:
     formula = Call("cos", (total([C, A, B, degrees(30)]),))
-    assert text(named(formula, [Direction("d", (A, B))])) == "cos(c + d + pi/6)"
+    assert text(named(formula, [NamedDirection("d", (A, B))])) == "cos(c + d + pi/6)"

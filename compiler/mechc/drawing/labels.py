@@ -18,7 +18,7 @@ TURNS, TURNS_FAR = 16, 64
 LABEL_DISTANCES = (0.5, 1.2, 2.0, 3.2)
 """The distances from a point at which a label is tried first, in millimetres."""
 
-FARTHER = 2.0
+LABEL_STEP = 2.0
 """By how much farther it is tried each time where all those are taken."""
 
 ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85)
@@ -144,7 +144,7 @@ def _rings(
     for number in count():
         late = number - len(LABEL_DISTANCES) + 1
         distance = gap + (
-            LABEL_DISTANCES[number] if late <= 0 else LABEL_DISTANCES[-1] + FARTHER * late
+            LABEL_DISTANCES[number] if late <= 0 else LABEL_DISTANCES[-1] + LABEL_STEP * late
         )
         turns = TURNS_FAR if late > 0 else TURNS
         for unit in (direction(towards + math.tau / turns * _alternating(i)) for i in range(turns)):
@@ -197,7 +197,7 @@ def _leaders(name: PlacedName, label: Label) -> tuple[Polyline, ...]:
     nearest = min(name.arc.way(), key=lambda at: math.dist(at, label.at))
     way = nearest.minus(label.at)
     gap = math.hypot(*way) - _support(way.unit() or way, label.width, label.height)
-    return (_leader(nearest, label),) if gap > LABEL_DISTANCES[-1] + FARTHER else ()
+    return (_leader(nearest, label),) if gap > LABEL_DISTANCES[-1] + LABEL_STEP else ()
 
 
 def _leader(named: Plane, label: Label) -> Polyline:

@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from ..named import NamedTuple
-from .roots import LEFT_AT_ZERO, TOUCHING, RealFunction
+from .roots import LEFT_AT_ZERO, TOUCHED_ZERO, RealFunction
 
 JUMPING = 4.0
 """How much more than beside it a function that does not change its sign varies where it jumps."""
 
-STEADY = 0.1
+STEADY_BESIDE_JUMP = 0.1
 """What it varies by near a jump, at most, as a part of that."""
 
 JUMP_WIDTH, BESIDE_JUMP = 1e-11, 1e-8
@@ -41,7 +41,7 @@ def jumps(function: RealFunction, grid: Sequence[float]) -> list[Jump]:
     values = [function(x) for x in grid]
     steps = [abs(v - u) for u, v in pairwise(values)]
     sizes = sorted(abs(y) for y in values if math.isfinite(y))
-    least = TOUCHING * sizes[len(sizes) // 2] if sizes else 0.0
+    least = TOUCHED_ZERO * sizes[len(sizes) // 2] if sizes else 0.0
     range_ = abs(grid[-1] - grid[0])
     found: list[Jump] = []
     for i, step in enumerate(steps):
@@ -78,6 +78,6 @@ def _narrowed(function: RealFunction, a: float, b: float, range_: float) -> Jump
 
 def is_steady(function: RealFunction, jump: Jump, range_: float) -> bool:
     """Return whether this is a jump, no pole: ten times as far values are nearly the same."""
-    away, most = 10 * BESIDE_JUMP * range_, STEADY * abs(jump.after - jump.before)
+    away, most = 10 * BESIDE_JUMP * range_, STEADY_BESIDE_JUMP * abs(jump.after - jump.before)
     before, after = (function(jump.x + side * away) for side in (-1, 1))
     return abs(before - jump.before) <= most and abs(after - jump.after) <= most

@@ -12,7 +12,7 @@ from ..named import NamedTuple
 
 RealFunction = Callable[[float], float]
 
-TOUCHING = 1e-7
+TOUCHED_ZERO = 1e-7
 """A minimum below this part of the greatest value is a zero that is touched.
 
 Half the digits: nothing nearer separates a double zero from one that is just missed.
@@ -170,7 +170,7 @@ def _lowest(
     least = sense * function(x)
     if least < -NOISE * size:
         yield from (narrowed(function, *sorted((end, x))) for end in within)
-    elif least < TOUCHING * size:
+    elif least < TOUCHED_ZERO * size:
         yield Root(x, HALF_DIGITS * max(abs(x), EXACT_AS_AT_ZERO))
 
 

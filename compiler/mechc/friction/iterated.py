@@ -96,7 +96,7 @@ MOST_MULTIPLIED_OUT = 60
 """Operations of a formula that is multiplied out: more are several lines, and names are read."""
 
 
-SHORT = 12
+SHORT_OPERATIONS = 12
 """Operations of a load without friction that may stand as a factor."""
 
 
@@ -179,7 +179,7 @@ def _with(ideal: Formula, parts: Sequence[FrictionPower], sense: int) -> Formula
 
 def _at_once(ideal: Formula, sizes: Sequence[Product], sense: int) -> Iterator[Formula]:
     """Yield a load without friction times a sum, if it is that: r(1 + c)/l, where teeth lose c."""
-    if count_operations(ideal) <= SHORT:
+    if count_operations(ideal) <= SHORT_OPERATIONS:
         load = to_product(ideal)
         whole = add((load, *(size.scaled(sense) for size in sizes)))
         times = (whole / load).factors.items() if load else ()

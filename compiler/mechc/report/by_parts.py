@@ -26,7 +26,7 @@ from .evaluated import Evaluated, KnownQuantities, found_unit
 from .made_names import NamedSums
 from .put_in import PUT_IN_DIGITS, GivenQuantity, in_numbers, values_of
 
-PRINTED_ROUNDING = 5e-6
+ROUNDED_SUMS = 5e-6
 """The part of a value that rounding of printed numbers may make."""
 
 
@@ -140,7 +140,7 @@ def _in_values(formula: Formula, value: GivenQuantity, known: KnownQuantities) -
     as_printed |= {n: float(f"{q.value:.{PUT_IN_DIGITS}g}") for n, q in values.named.items()}
     if not values.named or not names_in(shorter) <= as_printed.keys():
         return None
-    if not isclose(evaluate(shorter, as_printed), value.value, rel_tol=PRINTED_ROUNDING):
+    if not isclose(evaluate(shorter, as_printed), value.value, rel_tol=ROUNDED_SUMS):
         return None
     numbers = _numbers(shorter, value, {**known.quantities, **values.named})
     return None if numbers is not None and _is_a_value(numbers) else numbers

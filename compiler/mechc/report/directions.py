@@ -35,7 +35,7 @@ AT_LEAST = 2
 HALF_TURN = 180
 
 
-class Direction(NamedTuple):
+class NamedDirection(NamedTuple):
     """The direction of a vector by its name: the sum of angles, and 0° or 180° more."""
 
     name: str
@@ -49,14 +49,14 @@ class Direction(NamedTuple):
         return plus_first(total([*self.angles, *turn]))
 
 
-def directions(results: Sequence[Analysis], pose: Pose) -> tuple[Direction, ...]:
+def directions(results: Sequence[Analysis], pose: Pose) -> tuple[NamedDirection, ...]:
     """Return the directions that results have often, those of more angles first."""
     found = sorted(_candidates(pose), key=lambda each: -len(each.angles))
     taken = {*_names(pose), *(d.name for r in results for d in r.where)}
     formulas = [
         f for f in dict.fromkeys(_formulas(results)) if count_operations(f) <= MOST_READ_OPERATIONS
     ]
-    chosen: list[Direction] = []
+    chosen: list[NamedDirection] = []
     for each in found:
         shown = [f for f in formulas if symbols(f) >= symbols(*each.angles)]
         times = sum(_without(node, each) is not None for f in shown for node in walk(f))
@@ -82,7 +82,7 @@ def _names(pose: Pose) -> Iterator[str]:
     yield from (definition.name for definition in (*pose.definitions, *pose.closing))
 
 
-def _candidates(pose: Pose) -> Iterator[Direction]:
+def _candidates(pose: Pose) -> Iterator[NamedDirection]:
     """Yield the directions of vectors from first points of links that are sums loops give."""
     of_loops = {definition.name for definition in pose.definitions}
     met: set[tuple[Formula, ...]] = set()
@@ -94,7 +94,7 @@ def _candidates(pose: Pose) -> Iterator[Direction]:
                 if not is_found or angles in met or rest not in (0, HALF_TURN):
                     continue
                 met.add(angles)
-                yield Direction(f"phi_{link.points[0]}{point}", angles, int(rest))
+                yield NamedDirection(f"phi_{link.points[0]}{point}", angles, int(rest))
 
 
 def _added(angle: Angle) -> tuple[Formula, ...]:
@@ -113,7 +113,7 @@ def _is_given(name: str) -> bool:
     return name.startswith("delta_")
 
 
-def _without(node: Formula, direction: Direction) -> tuple[list[Formula], int] | None:
+def _without(node: Formula, direction: NamedDirection) -> tuple[list[Formula], int] | None:
     """Return a sum without the angles of a direction, and the sign that they have there."""
     if isinstance(node, Sum):
         for sign, wanted in ((1, direction.angles), (-1, tuple(map(negative, direction.angles)))):
@@ -125,7 +125,7 @@ def _without(node: Formula, direction: Direction) -> tuple[list[Formula], int] |
 # ---------------------------------------------------------------------------------- in formulas
 
 
-def named(value: T, chosen: Sequence[Direction]) -> T:
+def named(value: T, chosen: Sequence[NamedDirection]) -> T:
     """Return a value of a report with the names of directions in all its formulas."""
     if not chosen:
         return value
@@ -139,7 +139,7 @@ def named(value: T, chosen: Sequence[Direction]) -> T:
     return _mapped(value, of)  # type: ignore[no-any-return]
 
 
-def _in_formula(formula: Formula, chosen: Sequence[Direction]) -> Formula:
+def _in_formula(formula: Formula, chosen: Sequence[NamedDirection]) -> Formula:
     if count_operations(formula) > MOST_READ_OPERATIONS:
         return formula
     for each in chosen:
@@ -148,7 +148,7 @@ def _in_formula(formula: Formula, chosen: Sequence[Direction]) -> Formula:
     return formula
 
 
-def _by_name(formula: Formula, direction: Direction) -> Formula | None:
+def _by_name(formula: Formula, direction: NamedDirection) -> Formula | None:
     """Return a sum with the name of a direction, or a function of one that has half a turn."""
     match formula:
         case Sum() if found := _without(formula, direction):
@@ -192,7 +192,9 @@ def _mapped(value: Any, of: Callable[[Formula], Formula]) -> Any:
 # -------------------------------------------------------------------------------- what they are
 
 
-def in_results(results: Sequence[Analysis], chosen: Sequence[Direction]) -> tuple[Analysis, ...]:
+def in_results(
+    results: Sequence[Analysis], chosen: Sequence[NamedDirection]
+) -> tuple[Analysis, ...]:
     """Return results by the names of directions, each with what these stand for."""
     return tuple(
         replace(r, where=_with_directions(r.where, r, chosen))
@@ -210,14 +212,14 @@ def in_derivation(derivation: "Derivation", pose: Pose) -> "Derivation":
     return replace(found, results=in_results(derivation.results, chosen), position=position)
 
 
-def _definition(direction: Direction, chosen: Sequence[Direction]) -> Definition:
+def _definition(direction: NamedDirection, chosen: Sequence[NamedDirection]) -> Definition:
     """Return the definition of a direction, by that of another one that is a part of it."""
     parts = [each for each in chosen if len(each.angles) < len(direction.angles)]
     return Definition(direction.name, _in_formula(direction.formula, parts))
 
 
 def _with_directions(
-    where: Sequence[Definition], result: Analysis, chosen: Sequence[Direction]
+    where: Sequence[Definition], result: Analysis, chosen: Sequence[NamedDirection]
 ) -> tuple[Definition, ...]:
     """Return definitions with those of directions, each after what it is the sum of."""
     own = {d.name: d for d in (_definition(each, chosen) for each in chosen)}
@@ -254,7 +256,7 @@ def _in_order(where: Sequence[Definition], added: Sequence[Definition]) -> Itera
 
 
 def _defining(
-    position: Sequence["PositionStep"], chosen: Sequence[Direction]
+    position: Sequence["PositionStep"], chosen: Sequence[NamedDirection]
 ) -> Iterator["PositionStep"]:
     """Yield the steps of the position, with directions where all is found that they rest on."""
     every = [d for step in position for d in step.definitions]

@@ -23,7 +23,7 @@ Outer = Callable[[float], Sequence[float]]
 BACK = 1e-3
 """The part of the stroke by which one goes back before the curve is followed."""
 
-SHORT = 1e-3
+LEAST_LENGTH = 1e-3
 """A length counts as this long at least, in metres, when steps are measured by it."""
 
 
@@ -77,7 +77,10 @@ def _scales(system: System, start: Sequence[float], pose: Pose) -> list[float]:
     """Return a radian for each unknown angle, and for each unknown length what it is."""
     named = {p.name for p in pose.mechanism.parameters if p.dimension == LENGTH}
     lengths = [name in named or name.startswith("len_") for name in system.unknowns]
-    return [max(abs(s), SHORT) if length else 1.0 for s, length in zip(start, lengths, strict=True)]
+    return [
+        max(abs(s), LEAST_LENGTH) if length else 1.0
+        for s, length in zip(start, lengths, strict=True)
+    ]
 
 
 def _turns(pose: Pose) -> bool:

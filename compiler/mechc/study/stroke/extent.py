@@ -133,7 +133,7 @@ def _extent(result: Analysis, stroke: Stroke, part: StrokeInterval, along: Sweep
     )
 
 
-SAMPLES = 16
+EXTENT_PLACES = 16
 """Places on a stroke at which it is looked at how large a factor is."""
 
 
@@ -159,7 +159,7 @@ def vanishing(
 
 def _size(factor: Formula, result: Analysis, part: StrokeInterval, along: Sweep) -> float:
     """Return the largest value of a factor at places on an interval, NaN where it has none."""
-    grid = spaced(part.low, part.high, SAMPLES)
+    grid = spaced(part.low, part.high, EXTENT_PLACES)
     return max(abs(along.of(factor, result, x)) for x in grid)
 
 

@@ -24,7 +24,7 @@ from .stroke import Singular, StrokeEvent, StrokeInterval
 PLACES = 60
 """In how many parts a stroke is looked at for the usual size of a result."""
 
-GROWS = 5.0
+GROWS_TEN_TIMES_NEARER = 5.0
 """How much larger what is infinite somewhere is ten times nearer to it, at least."""
 
 SEEN = 1e-6
@@ -33,7 +33,7 @@ SEEN = 1e-6
 SIGNS = ("sign", "sense")
 """The functions that change with a slip or a force that turns round."""
 
-OFTEN = 48
+ROUNDING_CHANGES = 48
 """A sign that changes in so many cells is that of what is zero but for rounding."""
 
 
@@ -102,7 +102,9 @@ def is_on_the_stroke(found: Singular, run: StrokeRun) -> bool:
 def _jumping(name: str, jump: Jump, along: Sweep, range_: float) -> Singular:
     """Return a jump as a singular pose: what grows without end towards it is far."""
     near, away = (along.values(jump.x + part * range_) for part in JUMP_SIDES)
-    is_far = any(abs(near[n]) > GROWS * abs(away[n]) > 0 for n in along.closing if n in near)
+    is_far = any(
+        abs(near[n]) > GROWS_TEN_TIMES_NEARER * abs(away[n]) > 0 for n in along.closing if n in near
+    )
     sides = (jump.before, jump.after)
     kind: StrokeEvent = "far" if is_far else "jump"
     return Singular(name, "undetermined", kind, jump.x, jump.bracket, None, sides)
@@ -152,7 +154,7 @@ def changes_of_sign(signs: SignsAt, grid: Sequence[float]) -> Iterator[float]:
     for i, column in enumerate(zip(*rows, strict=True)):
         sides = zip(pairwise(grid), pairwise(column), strict=True)
         cells = [(*cell, before) for cell, (before, after) in sides if before != after]
-        for a, b, before in cells if len(cells) < OFTEN else ():
+        for a, b, before in cells if len(cells) < ROUNDING_CHANGES else ():
             yield last(partial(_is, signs, i, before), a, b)
 
 

@@ -172,7 +172,7 @@ def _row(
 # ------------------------------------------------------------------------------------- dead centres
 
 
-GROWS = 1.5
+GROWS_TWICE_AS_NEAR = 1.5
 """How much larger what is infinite somewhere is at half the distance, at least."""
 
 
@@ -210,7 +210,7 @@ def from_both_sides(
 def _limit(at: Callable[[float], float], x: float, step: float) -> float:
     """Return the limit of a result, on the line through its values one and two steps away."""
     near, far = at(x + step), at(x + 2 * step)
-    if abs(near) > GROWS * abs(far):
+    if abs(near) > GROWS_TWICE_AS_NEAR * abs(far):
         return math.copysign(math.inf, near)
     limit = 2 * near - far
     return 0.0 if abs(limit) <= VANISHING * abs(near) else limit
