@@ -6,6 +6,7 @@ this vanish, are these relations independent?) is decided by the number. Each ha
 own: of two links that are as long as each other a formula names the one that is meant.
 """
 
+import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
@@ -170,7 +171,24 @@ def with_numbers(length: Formula, put: Callable[[Formula], Formula], measures: M
             return Call(function, tuple(with_numbers(each, put, measures) for each in arguments))
         case Product(factors):
             return Product(tuple(_factors_with_numbers(factors, put, measures)))
+        case Call("sqrt", (Sum(terms),)):
+            return Call("sqrt", (Sum(tuple(_square_with_number(term, put) for term in terms)),))
     return length
+
+
+def _square_with_number(area: Formula, put: Callable[[Formula], Formula]) -> Formula:
+    """Return a number that is the square of a length in its place; another area as it is.
+
+    >>> _square_with_number(number(Fraction(1, 2500)), lambda n: Symbol("b"))
+    Power(base=Symbol(name='b'), exponent=Number(value=Fraction(2, 1)))
+    """
+    match area:
+        case Number(value) if value:
+            size = abs(value)
+            root = Fraction(math.isqrt(size.numerator), math.isqrt(size.denominator))
+            square = Power(put(number(root)), number(2)) if root * root == size else area
+            return negative(square) if value < 0 and square is not area else square
+    return area
 
 
 def _factors_with_numbers(
