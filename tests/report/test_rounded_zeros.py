@@ -260,3 +260,13 @@ def test_forces_of_a_load_that_works_against_nothing_are_zero_in_a_report():
     compilation = compile_source(Source("idle.mech", AGAINST_NOTHING))
     (document,) = emit(compilation, registry.load("latex"), Options("idle"))
     assert "10^{-60}" not in document.text
+
+
+def test_a_load_with_friction_that_is_rounding_as_that_without_it_is_zero():
+    """Through O the force F bears no load of P, and so none of the friction in A and B."""
+    pins = "".join(f"friction pin {point} 0.131 diameter 9.5 mm\n" for point in "AB")
+    text = ROUND_ANGLES.replace("friction pin O 0.131 diameter 9.5 mm\n", pins)
+    results = {r.name: r for r in compile_source(Source("line.mech", text)).results}
+    for name in ("k_f", "k_hold"):
+        assert results[name].default == 0
+        assert not results[name].fails_here

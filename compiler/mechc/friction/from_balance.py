@@ -27,13 +27,17 @@ from ..model.results.conditions import refuse_failing
 from ..power.balance import AlgebraicResult, Balance
 from ..power.definitions import let_results, open_lengths
 from ..power.loose import warn_of_idle_loads
-from ..power.numbers import DefaultNumbers, with_default
+from ..power.numbers import DefaultNumbers, value_of, with_default
 from . import at_rest, results
 from . import problem as problems
 from .solution import FrictionSolution, SolvedWithFriction
 
 if TYPE_CHECKING:
     from .problem import FrictionProblem
+
+
+LARGEST_MULTIPLE = 100.0
+"""How often friction may multiply the load without it, where that is nothing but rounding."""
 
 
 def solve(balance: Balance, report: Report) -> FrictionSolution:
@@ -123,7 +127,9 @@ def _with_default(
     if sides := at_rest.sides(result, numbers.pose, size.number):
         default = sides[0] if len(sides) == 1 else None
         return replace(result, default=default, sides=sides)
-    if size.undetermined and _is_all_lost(find, result, ideal, numbers):
+    if isinstance(find.target, Efficiency) and ideal.default == 0:
+        size = _of_nothing(size, result, ideal, numbers)
+    elif isinstance(find.target, WithFriction) and _is_rounding(size.number, ideal, numbers):
         size = PrintedNumber(0.0)
     if _jams(find, size.number, ideal.default) and numbers.has_given(result):
         idle = _below(find) if ideal.formula == ZERO else ""
@@ -132,11 +138,24 @@ def _with_default(
     return with_default(result, size)
 
 
-def _is_all_lost(find: Find, result: Result, ideal: Result, numbers: DefaultNumbers) -> bool:
-    """Return whether an efficiency is that of a zero, of which rounding makes the sign."""
-    if not isinstance(find.target, Efficiency) or ideal.default != 0:
+def _of_nothing(
+    size: PrintedNumber, result: Result, ideal: Result, numbers: DefaultNumbers
+) -> PrintedNumber:
+    """Return the efficiency where the load without friction is 0, of which rounding makes the sign.
+
+    It is 0 where friction alone asks for a load, and undetermined where that is 0, too.
+    """
+    real = numbers.of(replace(result, formula=Symbol(f"{ideal.name}_f"))).number
+    if real and not _is_rounding(real, ideal, numbers):
+        return PrintedNumber(0.0) if size.undetermined else size
+    return size if real is None else PrintedNumber(None, undetermined=True)
+
+
+def _is_rounding(number: float | None, ideal: Result, numbers: DefaultNumbers) -> bool:
+    """Return whether a load with friction is a multiple of one without it that is rounding."""
+    if number is None or ideal.default != 0:
         return False
-    return bool(numbers.of(replace(result, formula=Symbol(f"{ideal.name}_f"))).number)
+    return abs(number) <= LARGEST_MULTIPLE * abs(value_of(ideal, numbers.values) or 0.0)
 
 
 def _jams(find: Find, number: float | None, ideal: float | None) -> bool:

@@ -291,7 +291,7 @@ def fails_here(result: Analysis, values: Values) -> bool:
             rounding.values[name] = _on_paper(formula, rounding)
     known = {name: found.value for name, found in rounding.values.items()}
     if not all(holds(guard, known) for guard in result.guards):
-        return True
+        return result.default != 0 or not rounding.of(result.formula).is_zero
     if not symbols(result.formula) <= known.keys():
         return False
     value = evaluate(result.formula, known)
