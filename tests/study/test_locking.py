@@ -850,13 +850,17 @@ def assert_stuck(mechanism: SolvedMechanism, result: Analysis, reach: LockingInt
         assert stated == (not value > 0), (result.name, reach.parameter, place)
 
 
+TOLD = 1e-5
+"""Efficiencies are told in three figures, and narrowed down to somewhat more."""
+
+
 def assert_run(mechanism: SolvedMechanism, result: Analysis, efficiency: EfficiencyRange) -> None:
     """An efficiency stays within what is stated, and is usual just where that is stated."""
     places = along(efficiency.range)
     found = mechanism.evaluate(**{efficiency.parameter: places})[result.name]
     share = np.broadcast_to(np.fmax(found, 0), len(places))
     for place, eta in zip(places, share, strict=True):
-        assert efficiency.least - 1e-9 <= eta <= efficiency.greatest + 1e-9
+        assert efficiency.least - TOLD <= eta <= efficiency.greatest + TOLD
         assert is_within(place, efficiency.usual) == (0.9 <= eta <= 0.95), (
             efficiency.parameter,
             place,

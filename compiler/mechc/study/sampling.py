@@ -62,7 +62,8 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     even = spaced(low, high, DEAD_CENTRE_CELLS)
     centres = _centres(moving, even)
     step = even[1] - low
-    beside = [c + away for c in (low, high, *centres) for away in _near(moving, step)]
+    ends = (x for x, out in ((low, -step), (high, step)) if _is_end(moving, x, out))
+    beside = [c + away for c in (*ends, *centres) for away in _near(moving, step)]
     solved = chain.from_iterable(_solved_beside(moving, c, step) for c in centres)
     chosen = even[::SELDOM] if moving.is_slow else even
     grid = sorted({x for x in (*chosen, *beside, *solved, *also) if low <= x <= high})
@@ -112,6 +113,12 @@ def _near(moving: Moving, step: float) -> Iterator[float]:
     halvings = 1 if moving.is_slow else NEARER_VALUES
     for part in (*(0.5**i for i in range(1, halvings + 1)), NEAREST):
         yield from (-step * part, step * part)
+
+
+def _is_end(moving: Moving, x: float, outwards: float) -> bool:
+    """Return whether a dead centre, or the end of a loop, is at an end of what is looked at."""
+    driven = moving.driven(x)
+    return driven is None or moving.driven(x + outwards * NEAREST) != driven
 
 
 def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float]:
@@ -313,9 +320,14 @@ def _loose(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
 def _bulging(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """Yield the middles of cells in which an efficiency turns: they are above or below both ends.
 
-    Beside a jump the cell itself may hold its lowest or highest.
+    Beside a jump the cell itself may hold its lowest or highest. Where it rises, or falls, from
+    the value before a cell to the one after it, that is not looked for.
     """
-    for a, b in pairwise(grid):
+    values = [moving.efficiency(x) for x in grid]
+    steady = [a < b < c < d or a > b > c > d for a, b, c, d in zip(*(values[i:] for i in range(4)))]
+    for i, (a, b) in enumerate(pairwise(grid)):
+        if 0 < i <= len(steady) and steady[i - 1] and moving.signs(a) == moving.signs(b):
+            continue
         middle = (a + b) / 2
         first, here, final = (moving.efficiency(x) for x in (a, middle, b))
         if here > max(first, final) or here < min(first, final):
