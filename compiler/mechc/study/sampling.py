@@ -324,14 +324,20 @@ def _bulging(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     the value before a cell to the one after it, that is not looked for.
     """
     values = [moving.efficiency(x) for x in grid]
-    steady = [a < b < c < d or a > b > c > d for a, b, c, d in zip(*(values[i:] for i in range(4)))]
     for i, (a, b) in enumerate(pairwise(grid)):
-        if 0 < i <= len(steady) and steady[i - 1] and moving.signs(a) == moving.signs(b):
+        if _is_steady(values[max(i - 1, 0) : i + 3]) and moving.signs(a) == moving.signs(b):
             continue
         middle = (a + b) / 2
         first, here, final = (moving.efficiency(x) for x in (a, middle, b))
         if here > max(first, final) or here < min(first, final):
             yield middle
+
+
+def _is_steady(values: Sequence[float]) -> bool:
+    """Return whether these are four values that rise, or fall."""
+    rises = [a < b for a, b in pairwise(values)]
+    falls = [a > b for a, b in pairwise(values)]
+    return len(values) == 4 and (all(rises) or all(falls))
 
 
 def _turning_beside_jumps(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
