@@ -850,8 +850,8 @@ def assert_stuck(mechanism: SolvedMechanism, result: Analysis, reach: LockingInt
         assert stated == (not value > 0), (result.name, reach.parameter, place)
 
 
-TOLD = 1e-5
-"""Efficiencies are told in three figures, and narrowed down to somewhat more."""
+SHOWN = 1e-5
+"""Efficiencies are shown in three figures, and narrowed down to somewhat more."""
 
 
 def assert_run(mechanism: SolvedMechanism, result: Analysis, efficiency: EfficiencyRange) -> None:
@@ -860,7 +860,7 @@ def assert_run(mechanism: SolvedMechanism, result: Analysis, efficiency: Efficie
     found = mechanism.evaluate(**{efficiency.parameter: places})[result.name]
     share = np.broadcast_to(np.fmax(found, 0), len(places))
     for place, eta in zip(places, share, strict=True):
-        assert efficiency.least - TOLD <= eta <= efficiency.greatest + TOLD
+        assert efficiency.least - SHOWN <= eta <= efficiency.greatest + SHOWN
         assert is_within(place, efficiency.usual) == (0.9 <= eta <= 0.95), (
             efficiency.parameter,
             place,
