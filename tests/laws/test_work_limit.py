@@ -107,7 +107,7 @@ def test_what_is_made_for_what_is_emitted_is_counted(monkeypatch):
     """A form for elsewhere is made when the document asks for it."""
     text = ROD.replace("find", "friction pins 0.1 diameter 20 mm\nfind")
     compilation = Compilation(Source("rod.mech", text))
-    monkeypatch.setattr(driver, "Allowance", lambda: Allowance(100))
+    monkeypatch.setattr(driver, "Allowance", lambda: Allowance(20))
     with pytest.raises(MechcError) as error:
         emit(compilation, registry.load("json"), Options("rod"))
     assert [d.code for d in error.value.diagnostics] == ["E817"]

@@ -64,12 +64,13 @@ class PoseCode:
             self._forms[key] = formula, where, form(formula, where, names)
         return self._forms[key][2]
 
-    def named(self, result: Result, names: frozenset[str]) -> Completion:
-        """Return the definitions of a result as code in names that have values."""
+    def whole(self, result: Result, names: frozenset[str]) -> tuple[Completion, FormulaCode]:
+        """Return the definitions of a result in names that have values, and its value in both."""
         key = id(result)
         if key not in self._chains:
             self._chains[key] = result, Chain(dict(result.where))
-        return self._chains[key][1].completion(names, SOON)
+        following = self._chains[key][1].completion(names, SOON)
+        return following, self.form(result.formula, result, names.union(following.names))
 
 
 class PoseSweep:

@@ -258,10 +258,12 @@ class Moving:
 
     def _value(self, result: Result, x: float) -> float | None:
         """Return a result's value, NaN where its system says that there is none."""
-        found = self.sweep.standing(result, x)
+        if not self._ratios.ways(result):
+            found = self.sweep.standing(result, x)
+            return found if math.isfinite(found) else None
+        found, values = self.sweep.whole(result, x)
         if math.isfinite(found):
             return found
-        values = self.sweep.named(result, x)
         ways = {way(values) for needed, way in self._ratios.ways(result) if needed <= values.keys()}
         return math.nan if ways and 2 not in ways else None
 

@@ -59,7 +59,14 @@ class Sweep(PoseSweep):
 
     def named(self, result: Result, x: float) -> Values:
         """Return the values at ``x``, those of the names in a result among them."""
-        return self.code.named(result, self.names).complete(self.values(x))
+        following, _ = self.code.whole(result, self.names)
+        return following.complete(self.values(x))
+
+    def whole(self, result: Result, x: float) -> tuple[float, Values]:
+        """Return a result's value with those of :meth:`named`, each system solved once."""
+        following, value = self.code.whole(result, self.names)
+        values = following.complete(self.values(x))
+        return math.nan if self.trouble(x) else value(values), values
 
     def together(self, formulas: Sequence[Formula], definitions: Definitions) -> Functions:
         """Return formulas as one function of the parameter, those that have a value along it."""
