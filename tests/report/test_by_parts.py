@@ -1,12 +1,13 @@
 """Numbers put into a formula too long for a line: the sums named on the page have theirs."""
 
+import math
 import re
 import sys
 from fractions import Fraction
 
 import mechc
 from mechc.formula.evaluate import evaluate
-from mechc.formula.tree import Symbol, number, product, total
+from mechc.formula.tree import Call, Symbol, negative, number, product, total
 from mechc.model.values import UsualUnits
 from mechc.report.by_parts import by_parts
 from mechc.report.evaluated import Evaluated, KnownQuantities
@@ -116,3 +117,23 @@ def test_a_sum_of_which_one_term_is_left_is_not_its_value_twice():
     page = mechc.load("hoeken").emit("latex", brief=True)
     assert r"$\varphi_{AB}=53.1301^\circ$" in page
     assert r"53.1301^\circ=53.1301^\circ" not in page
+
+
+def test_the_unit_of_a_sum_that_is_zero_by_its_values_is_that_of_its_terms():
+    """a (b cos x + 0.75 a − b), x a quarter turn: rounding alone has no unit."""
+    cosine = Call("cos", (Symbol("x"),))
+    nil = total(
+        [
+            product([(B, 1), (cosine, 1)]),
+            product([(number(Fraction(3, 4)), 1), (A, 1)]),
+            negative(B),
+        ]
+    )
+    quantities = {**KNOWN.quantities, "x": GivenQuantity(math.pi / 2, "deg")}
+    known = KNOWN._replace(quantities=quantities)
+    for factor, printed in ((A, "40 mm · 0 mm"), (product([(A, 2)]), "(40 mm)² · 0 mm")):
+        formula = product([(factor, 1), (nil, 1)])
+        left = item("R")._replace(formula=formula, value=GivenQuantity(0.0, "mm^2"), known=known)
+        (found,) = by_parts([left], {}, numbers_fit)
+        assert found.numbers is not None
+        assert print_formula(found.numbers, UNICODE) == printed

@@ -179,14 +179,29 @@ def _is_sum(part: Formula) -> bool:
     return isinstance(part, Sum) or is_call(part, "sqrt", "hypot")
 
 
+SHIFT = 0.01
+"""By what part of themselves values differ from those at which a part is zero."""
+
+
 def _value(part: Formula, known: KnownQuantities) -> GivenQuantity | None:
-    """Return the value of a part in a unit that suits it, None where it has none."""
+    """Return the value of a part in a unit that suits it, None where it has none.
+
+    Rounding alone has no unit: that of what is zero is known from what it is beside there.
+    """
+    if not names_in(part) <= known.quantities.keys():
+        return None
     values = values_of(known.quantities)
     units = {name: quantity.unit for name, quantity in known.quantities.items()}
     angles = [name for name, unit in units.items() if unit == "deg"]
-    if not names_in(part) <= known.quantities.keys():
-        return None
-    unit = found_unit(Definition("_", part), known.usual, angles, values, units)
     size = Rounding(values).of(part)
+    near = _beside(values) if size.is_zero else values
+    if size.is_zero and Rounding(near).of(part).is_zero:
+        return None
+    unit = found_unit(Definition("_", part), known.usual, angles, near, units)
     value = 0.0 if size.is_zero else size.value
     return GivenQuantity(value, unit) if unit is not None and isfinite(value) else None
+
+
+def _beside(values: Mapping[str, float]) -> dict[str, float]:
+    """Return values that are each a little larger, none by the same part as another."""
+    return {name: v * (1 + SHIFT * i) for i, (name, v) in enumerate(sorted(values.items()), 1)}
