@@ -8,7 +8,7 @@ from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..diagnostics import power as power_messages
 from ..formula.rounding import PrintedNumber
-from ..formula.tree import ZERO, Symbol
+from ..formula.tree import ZERO, Formula, Symbol
 from ..frozen import replace
 from ..model.mechanism import (
     Axial,
@@ -145,10 +145,16 @@ def _of_nothing(
 
     It is 0 where friction alone asks for a load, and undetermined where that is 0, too.
     """
-    real = numbers.of(replace(result, formula=Symbol(f"{ideal.name}_f"))).number
+    real = numbers.of(_of_formula(result, Symbol(f"{ideal.name}_f"))).number
     if real and not _is_rounding(real, ideal, numbers):
         return PrintedNumber(0.0) if size.undetermined else size
     return size if real is None else PrintedNumber(None, undetermined=True)
+
+
+def _of_formula(result: Result, formula: Formula) -> Result:
+    """Return a result that has another formula, in its form for elsewhere, too."""
+    elsewhere = result.elsewhere and _of_formula(result.elsewhere, formula)
+    return replace(result, formula=formula, elsewhere=elsewhere)
 
 
 def _is_rounding(number: float | None, ideal: Result, numbers: DefaultNumbers) -> bool:
