@@ -1,11 +1,11 @@
 """Directions and places."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...diagnostics.model import quantities
 from ...formula.evaluate import evaluate
-from ...formula.tree import Formula, Symbol, degrees
+from ...formula.tree import Formula, degrees
 from ...formula.walk import symbols
 from ...source import Span
 from ...syntax import ast
@@ -94,11 +94,20 @@ def check_sign(formula: Formula | None, span: Span, what: str, scope: NameScope)
     cause = None
     if formula and value is not None and value < 0:
         cause = scope.cause(formula, span)
-    elif isinstance(formula, Symbol) and scope.ranges.get(formula.name, (0.0,))[0] < 0:
-        cause = scope.lower_ends.get(formula.name)
+    elif formula:
+        cause = next(_ends_below_zero(formula, scope), None)
     if cause is not None:
         written = scope.report.source.written(cause)
         scope.report.add(quantities.negative_quantity(span, what, written, cause))
+
+
+def _ends_below_zero(formula: Formula, scope: NameScope) -> Iterator[Span]:
+    """Yield the lower ends of ranges, below zero, at which a formula is negative, too."""
+    for name in sorted(symbols(formula) & scope.lower_ends.keys()):
+        low, _ = scope.ranges[name]
+        values = {**scope.values, name: low}
+        if low < 0 and symbols(formula) <= values.keys() and evaluate(formula, values) < 0:
+            yield scope.lower_ends[name]
 
 
 def check_reach(
