@@ -34,6 +34,24 @@ def test_units_that_cancel_are_left_out():
     assert text(k.numbers) == "100*sin(19*pi/180)/(2*250*cos(pi/15)*cos(7*pi/180))"
 
 
+def test_a_force_with_a_minus_is_its_own_value():
+    """R_O_x = −F stood as −2 kN = −2 kN."""
+    lever = """
+pivot O
+link OA
+OA = 100 mm @ 30 deg
+force P at A along y
+force F at A along x
+let F = 2 kN
+find R_O
+"""
+    said = compile_source(Source("lever.mech", lever))
+    values = evaluated(outline(said.derivation, said.mechanism), said.mechanism)
+    (item,) = (item for item in values if text(item.left) == "R_O_x")
+    assert item.numbers is None
+    assert item.value.text(6) == "-2 kN"
+
+
 def test_units_that_do_not_cancel_stand():
     items = shown("crank_rocker")
     assert text(items["k"].numbers).startswith("40 mm*sin(")

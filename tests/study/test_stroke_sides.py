@@ -171,7 +171,7 @@ def test_an_efficiency_at_a_single_pose_is_no_stretch(tmp_path, capsys):
 
 def test_of_the_drawn_pose_the_limit_is_stated_or_that_it_jumps(tmp_path, capsys):
     one = stated(SLOT, tmp_path, capsys, "check")
-    assert one.count("the value is the limit beside it") == 3
+    assert one.count("the value is the limit as these values are approached") == 3
     two = stated(WEDGE, tmp_path, capsys, "check")
     assert two.count("    jumps from ") == two.count("the result jumps") == 3
 
@@ -206,4 +206,4 @@ def test_without_a_drive_nothing_is_said_over_ranges_that_leave_the_slip_zero(tm
     sentences = stated(ranged, tmp_path, capsys, "check")
     assert "<= phi <=" in sentences
     assert "<= alpha <=" not in sentences
-    assert "the value is the limit beside it" in sentences
+    assert "the value is the limit as these values are approached" in sentences

@@ -288,12 +288,15 @@ def in_numbers(formula: Formula, given: Mapping[str, GivenQuantity], bare: bool)
 
 
 def _is_value(formula: Formula, given: Mapping[str, GivenQuantity]) -> bool:
-    """Return whether the numbers put in would be the value: of a symbol, a multiple of an angle."""
+    """Return whether the numbers put in would be the value: of a symbol, a minus before one too.
+
+    So they would of a multiple of an angle.
+    """
     match formula:
         case Symbol():
             return True
-        case Product((Number(), Symbol(name))):
-            return given[name].unit == "deg"
+        case Product((Number(times), Symbol(name))):
+            return times == -1 or given[name].unit == "deg"
         case _:
             return False
 

@@ -383,7 +383,7 @@ LOCALE = Locale(
     "sense there than it assumes. The value follows from the equilibrium of all links together.",
     at_rest={
         "limit": "At the values given a joint does not slide for an instant, and its friction has "
-        "no sense there: the value is the limit beside it.",
+        "no sense there: the value is the limit as these values are approached.",
         "jump": "At the values given a joint does not slide for an instant, and its friction has "
         "no sense there: the result jumps.",
     },
