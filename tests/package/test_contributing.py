@@ -1,8 +1,9 @@
-"""CONTRIBUTING names places that are there: its tables and lists are the map of the tree."""
+"""CONTRIBUTING and the heads of folders name places that are there: a map of the tree."""
 
 import ast
 import re
 from collections.abc import Collection
+from pathlib import Path
 from types import UnionType
 from typing import get_args
 
@@ -24,6 +25,19 @@ def test_places_exist(place: str) -> None:
     near = (ROOT.glob(place), PACKAGE.glob(place))
     anywhere = () if "/" in place.rstrip("/") else (PACKAGE.rglob(place), TESTS.rglob(place))
     assert any(path for paths in (*near, *anywhere) for path in paths)
+
+
+FOLDERS = sorted(path.parent for path in PACKAGE.rglob("__init__.py"))
+MODULE = re.compile(r"``(\.*)((?:\w+\.)*\w+)``")
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_modules_at_the_head_of_a_folder_exist(folder: Path) -> None:
+    """A name between two backquotes is a module beside it, or as many folders up as it has dots."""
+    head = (ast.get_docstring(tree_of(folder / "__init__.py")) or "").split("Promises")[0]
+    named = [(dots, name.replace(".", "/")) for dots, name in MODULE.findall(head)]
+    places = [(folder, *folder.parents)[max(len(dots) - 1, 0)] / name for dots, name in named]
+    assert [p for p in places if not (p.is_dir() or p.with_suffix(".py").is_file())] == []
 
 
 def section(title: str) -> str:

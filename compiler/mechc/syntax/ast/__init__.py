@@ -5,7 +5,7 @@ an order of statements is the order of the file. Both parsers build it and both
 printers write it, so ``to_dsl(from_yaml(to_yaml(tree)))`` and ``to_dsl(tree)`` are
 the same text (spans aside).
 
-Its modules are the parts of the language; ``ast`` has the names of all.
+Its modules are the parts of the language; the folder has the names of all.
 
 Sums and products are flat (a sum of 2,000 terms is one node), so that a tree is
 never deeper than the nesting its author wrote, which the parsers limit to 64.
