@@ -2,8 +2,11 @@
 
 ``angle``: rational combinations of symbols plus a constant. ``factors``, ``product``,
 ``trigonometry``: factored products of lengths, sines, cosines and sums. ``sums``: their
-canonical sums, by way of ``laurent``, ``factoring`` and ``reduction``. ``modular``,
-``equality``, ``rank``: exact answers at random points of a finite field.
+canonical sums. In powers of exp(iα), ``laurent``, all but two terms of sin a cos b + cos a sin b
+cancel, and ``factoring`` makes one sine of them; ``pairing`` is the way back, to products again.
+``cancelling`` takes out what is on both sides of a line, by ``common_divisors`` and ``halving``.
+``modular``, ``equality``, ``rank``: exact answers at random points of a finite field. ``blocks``:
+the order in which relations are solved, for loops and for velocities.
 """
 
 from typing import TYPE_CHECKING
@@ -11,5 +14,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ..later import waiting
 
-    SELDOM = {"factoring", "halving", "laurent", "pairing", "reduction"}
+    SELDOM = {"factoring", "halving", "laurent", "pairing", "common_divisors"}
     __getattr__ = waiting(__name__, SELDOM)

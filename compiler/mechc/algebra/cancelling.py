@@ -14,7 +14,7 @@ from fractions import Fraction
 
 from ..named import NamedTuple
 from ..work import kept, spend
-from . import factoring, halving, laurent, reduction
+from . import common_divisors, factoring, halving, laurent
 from .angle import Angle, rational
 from .constants import is_constant, without_relations
 from .factors import Trig
@@ -79,7 +79,7 @@ def _quotient(upper: Sum, lower: Sum) -> Product | None:
         or sum(map(laurent.size, lower.terms)) > MOST_MULTIPLIED_TERMS
     ):
         return None
-    if reduction.is_searchable(laurent.Ring([*upper.terms, *lower.terms])):
+    if common_divisors.is_searchable(laurent.Ring([*upper.terms, *lower.terms])):
         return _reduced(list(upper.terms), list(lower.terms))
     quotient = _reduced([*map(named, upper.terms)], [*map(named, lower.terms)])
     if quotient is None or not _width(quotient) < _width(Product(1, {upper: 1, lower: -1})):
@@ -89,7 +89,7 @@ def _quotient(upper: Sum, lower: Sum) -> Product | None:
 
 def _reduced(upper: list[Product], lower: list[Product]) -> Product | None:
     ring = laurent.Ring([*upper, *lower])
-    cofactors = reduction.reduced(ring, ring.expand(upper), ring.expand(lower))
+    cofactors = common_divisors.reduced(ring, ring.expand(upper), ring.expand(lower))
     if cofactors is None:
         return None
     above, below = (factoring.factored([valued(factoring.factor(ring, c))]) for c in cofactors)
