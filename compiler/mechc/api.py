@@ -155,7 +155,7 @@ class SolvedMechanism(Plotting):
         >>> [round(float(k), 4) for k in clamp.evaluate(alpha=[0.1, 0.2])["k"]]
         [0.0446, 0.0651]
         """
-        from .emit.machine import on_arrays
+        from .emit.loaded_code import on_arrays
 
         return SolvedMechanism(self._compilation, on_arrays(self._compilation))
 
@@ -187,7 +187,7 @@ class SolvedMechanism(Plotting):
         ``language`` is that of its title and of its text alternative: en, uk or ru. In a notebook
         it shows itself; ``save("clamp.svg")`` writes it, also .tex, .pdf and .png.
         """
-        from .drawing.letters import in_letters
+        from .drawing.language_letters import in_letters
         from .emit.picture import Picture
         from .formula.letters import letters
         from .report.languages.registry import locale

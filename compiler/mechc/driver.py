@@ -174,7 +174,7 @@ class Compilation(Pipeline):
         self, values: Mapping[str, float], loads: Mapping[str, float]
     ) -> "tuple[Diagram, ...]":
         """Return the free bodies at given values and loads; none where there is no figure."""
-        from .statics.diagrams import diagrams
+        from .statics.to_diagrams import diagrams
 
         figure = self.drawn(values) if values else self.figure
         if figure is None:

@@ -7,7 +7,7 @@ from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
 from . import witness, written
-from .data import data
+from .data_folders import data
 from .diagnostics import MechcError, near_miss, syntax_limits
 from .diagnostics import files as messages
 from .frozen import replace

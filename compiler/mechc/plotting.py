@@ -76,7 +76,7 @@ class Plotting:
         >>> mechc.load("crank_rocker").plans().drawing.description
         'velocities: VA ∠ 150°; VB = 0.915\u2009VA ∠ 155°. k, without friction, ...'
         """
-        from .drawing.letters import in_letters
+        from .drawing.language_letters import in_letters
         from .emit.picture import Picture
         from .formula.letters import letters
         from .report.languages.registry import locale

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from mechc.cli import answers, main
+from mechc.cli import find_answers, main
 from mechc.cli.exit_status import INTERNAL
 from paths import COMPILER, EXAMPLES
 
@@ -111,7 +111,7 @@ def test_what_hangs_on_more_is_not_kept(ask, tmp_path, line):
 
 
 def test_answers_go_when_they_are_too_many(ask, tmp_path, monkeypatch):
-    monkeypatch.setattr("mechc.cli.keeping.ROOM_FOR_ANSWERS", 2000)
+    monkeypatch.setattr("mechc.cli.store_answers.ROOM_FOR_ANSWERS", 2000)
     for alpha in range(5, 10):
         ask("check", "clamp.mech", "-D", f"alpha={alpha}deg")
         assert sum(path.stat().st_size for path in kept(tmp_path)) <= 2 * 2000
@@ -128,7 +128,7 @@ def test_no_folder_no_answers(ask, tmp_path, monkeypatch):
 def test_the_folder_is_the_systems(monkeypatch):
     monkeypatch.delenv("MECHC_CACHE")
     monkeypatch.setenv("XDG_CACHE_HOME", "/caches")
-    assert answers.folder() == "/caches/mechc"
+    assert find_answers.folder() == "/caches/mechc"
 
 
 def test_a_program_that_runs_commands_gets_none(ask, tmp_path):
@@ -144,7 +144,7 @@ def test_runs_at_once_do_not_harm_one_another(ask, tmp_path):
     ]
     said = {run.communicate()[0] for run in runs}
     assert len(said) == 1
-    assert [path.suffix for path in kept(tmp_path)] == [answers.SUFFIX]
+    assert [path.suffix for path in kept(tmp_path)] == [find_answers.SUFFIX]
 
 
 def _environment(tmp_path):
@@ -155,18 +155,18 @@ def test_the_code_of_a_checkout_is_looked_through(ask, tmp_path, monkeypatch):
     package = tmp_path / "compiler" / "mechc"
     package.mkdir(parents=True)
     (package / "code.py").write_text("one = 1\n")
-    monkeypatch.setattr(answers, "PACKAGE", str(package))
-    before = answers.question(["check"])
-    assert answers.question(["check"]) == before
+    monkeypatch.setattr(find_answers, "PACKAGE", str(package))
+    before = find_answers.question(["check"])
+    assert find_answers.question(["check"]) == before
     (package / "code.py").write_text("one = 12\n")
-    assert answers.question(["check"]) != before
+    assert find_answers.question(["check"]) != before
 
 
 def test_what_is_installed_is_known_by_its_folder(ask, tmp_path, monkeypatch):
     package = tmp_path / "site-packages" / "mechc"
     package.mkdir(parents=True)
-    monkeypatch.setattr(answers, "PACKAGE", str(package))
-    before = answers.question(["check"])
-    assert answers.question(["check"]) == before
+    monkeypatch.setattr(find_answers, "PACKAGE", str(package))
+    before = find_answers.question(["check"])
+    assert find_answers.question(["check"]) == before
     (tmp_path / "site-packages" / "mechc-0.2.dist-info").mkdir()
-    assert answers.question(["check"]) != before
+    assert find_answers.question(["check"]) != before

@@ -19,7 +19,7 @@ from mechc.cli import main
 from mechc.cli.by_click import mechc
 from mechc.cli.commands import COMMANDS
 from mechc.cli.list import NOTED, noted
-from mechc.data import data
+from mechc.data_folders import data
 from mechc.files import library
 from paths import EXAMPLES
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from jsonschema_rs import Draft202012Validator, meta
 
-from mechc.data import data
+from mechc.data_folders import data
 from mechc.emit.json.to_json import TARGET, schema_text
 from mechc.emit.target import Options
 from mechc.formula.tree import (

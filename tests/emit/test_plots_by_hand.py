@@ -8,7 +8,7 @@ import pytest
 from mechc.drawing.from_plot import picture
 from mechc.emit.pgfplots.to_pgfplots import to_pgfplots
 from mechc.emit.picture import Picture, PlotPicture
-from mechc.emit.tables import head, to_csv, values
+from mechc.emit.plot_tables import head, to_csv, values
 from mechc.plot.plot import Curve, FamilyValue, Mark, Panel, Plot, PlotAxis, PlotColumn
 from mechc.pose.places import Plane
 from mechc.report.languages.en.pictured import WORDS as EN

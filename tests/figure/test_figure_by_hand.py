@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from mechc.algebra.product import Product
-from mechc.figure import from_balance, layout, marks
+from mechc.figure import dimensions, from_balance, layout
 from mechc.figure.figure import AngleMark, DimensionLine, MirrorLine, Pivot, Rack
 from mechc.figure.from_balance import _MotionMaker
 from mechc.figure.from_pose import draw
@@ -361,10 +361,10 @@ def test_numbers_of_a_length_are_in_the_unit_that_they_were_written_in():
     inch = Parameter("len_OA", LENGTH, HERE, number(1), unit="in")
     mass = Parameter("m", MASS, HERE, number(1), unit="kg")
     mechanism = replace(lever().mechanism, parameters=(), literals=(mass, inch))
-    assert marks._unit(Constant("len_OA", number(1)), mechanism) == "in"
-    assert marks._unit(Constant("m", number(1)), mechanism) != "kg"
+    assert dimensions._unit(Constant("len_OA", number(1)), mechanism) == "in"
+    assert dimensions._unit(Constant("m", number(1)), mechanism) != "kg"
     other = replace(mechanism, literals=(inch, replace(inch, name="len_OB", unit="cm")))
-    assert marks._unit(Constant("len_OB", number(1)), other) == "cm"
+    assert dimensions._unit(Constant("len_OB", number(1)), other) == "cm"
 
 
 @pytest.mark.parametrize(

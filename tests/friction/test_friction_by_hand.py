@@ -19,7 +19,7 @@ from mechc.friction.coupled import coupled, true_sizes
 from mechc.friction.efficiency import Drives, _has_roots
 from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task, cut_free
 from mechc.friction.iterated import exact, first_order
-from mechc.friction.lever import LeverPivot, on_lever
+from mechc.friction.lever_quadratic import LeverPivot, on_lever
 from mechc.friction.linear import LinearSolver
 from mechc.friction.naming import Endings, Meanings, OwnNames, renamed
 from mechc.friction.normal_forces import (

@@ -6,7 +6,7 @@ import pytest
 
 from mechc.driver import Compilation
 from mechc.formula.tree import ONE
-from mechc.model.linkage.carriers import Adjacency, CarrierNode, Carriers, is_held, refined
+from mechc.model.linkage.fast_pins import Adjacency, CarrierNode, Carriers, is_held, refined
 from mechc.model.mechanism import WheelPair
 from mechc.source import Source
 from small_poses import HERE

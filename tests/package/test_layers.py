@@ -21,7 +21,7 @@ BASE = [
     "units",
     "work",
     "diagnostics",
-    "data",
+    "data_folders",
     "files",
     "formula",
     "algebra",

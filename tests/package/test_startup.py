@@ -101,7 +101,7 @@ def test_what_was_answered_before_needs_no_compiler(
     again = {name for name in imports(*command) if name.startswith(("mechc", "click", "json"))}
     assert again == {
         *("mechc", "mechc.version", "mechc.kept", "mechc.later", "mechc.written"),
-        *("mechc.cli", "mechc.cli.main", "mechc.cli.answers"),
+        *("mechc.cli", "mechc.cli.main", "mechc.cli.find_answers"),
     }
 
 

@@ -312,7 +312,7 @@ def test_a_library_that_is_missing(suffix, tmp_path, monkeypatch, capsys):
             raise ImportError(f"no module {name}")
         return import_module(name)
 
-    for module in ("mechc.emit.svg.picture", "mechc.emit.tables"):
+    for module in ("mechc.emit.svg.picture", "mechc.emit.plot_tables"):
         monkeypatch.setattr(f"{module}.import_module", missing)
     target = tmp_path / f"k.{suffix}"
     assert main(["plot", CLAMP, "--x", "alpha", "-o", str(target)]) == 3

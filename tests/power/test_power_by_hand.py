@@ -17,10 +17,10 @@ from mechc.pose.pose import Arm
 from mechc.power.balance import equations_of
 from mechc.power.joint_forces import called, find_force, holding, joint_of, line_of, size_of
 from mechc.power.loads import given_size, occurrences, shares, terms
-from mechc.power.loose import looseness
 from mechc.power.magnitudes import even, length, magnitude, root
 from mechc.power.numbers import is_nil_everywhere
 from mechc.power.reactions import ForceTerm, Reactions, directions
+from mechc.power.remarks import looseness
 from mechc.power.speed_results import speed
 from small_poses import (
     ALONG,

@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 from good_mechanisms import CLOSED, compiled, loaded
-from mechc.data import data
+from mechc.data_folders import data
 from mechc.driver import compile_source
 from mechc.formula.evaluate import evaluate
 from mechc.formula.layout import TRIGONOMETRIC

@@ -7,7 +7,7 @@ import pytest
 
 import good_mechanisms
 import mechc
-from mechc.data import data
+from mechc.data_folders import data
 from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options

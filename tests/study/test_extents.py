@@ -15,7 +15,7 @@ from mechc.frozen import replace
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.study.analysis import Vanishing
-from mechc.study.stroke.extent import vanishing
+from mechc.study.stroke.ratio_extent import vanishing
 from mechc.study.stroke.stroke import StrokeInterval
 from mechc.work import Allowance
 from paths import LIBRARY

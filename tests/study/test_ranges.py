@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
-from mechc.study.ranges import last, spans
 from mechc.study.tolerances import EXACT, NEARLY
+from mechc.study.variables import last, spans
 
 SignedMeasure = Callable[[float], float]
 

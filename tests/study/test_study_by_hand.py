@@ -25,7 +25,7 @@ from mechc.model.result import Definition, Result
 from mechc.model.values import complete, default_pose
 from mechc.power.from_plan import balance
 from mechc.source import Source
-from mechc.study import ranges
+from mechc.study import variables
 from mechc.study.analysis import Acted, Break, DeadCentre, Vanishing
 from mechc.study.expectations import random_poses
 from mechc.study.forms import holding
@@ -84,17 +84,17 @@ def test_a_cosine_moves_one_way_over_a_range_at_whose_end_its_derivative_is_zero
     low, high, expected
 ):
     angle = Angle.of("x")
-    ranges = box(math.radians(low), math.radians(high))
-    assert trend(cosine(angle), -sine(angle), "x", ranges) == expected
+    variables = box(math.radians(low), math.radians(high))
+    assert trend(cosine(angle), -sine(angle), "x", variables) == expected
 
 
 def test_a_derivative_that_is_zero_for_one_value_of_another_parameter_says_nothing():
     """x sin a does not move with x where a is zero; cos(a + x) does, but at one end."""
-    ranges = {"x": NumberInterval(0.0, 1.0), "a": NumberInterval(0.0, 1.0)}
+    variables = {"x": NumberInterval(0.0, 1.0), "a": NumberInterval(0.0, 1.0)}
     both = Angle.of("a") + Angle.of("x")
     still = sine(Angle.of("a"))
-    assert trend(x * still, still, "x", ranges) == "unknown"
-    assert trend(cosine(both), -sine(both), "x", ranges) == "falls"
+    assert trend(x * still, still, "x", variables) == "unknown"
+    assert trend(cosine(both), -sine(both), "x", variables) == "falls"
     given = {"x": NumberInterval(0.0, 0.0), "a": NumberInterval(0.0, 1.0)}
     assert trend(cosine(both), -sine(both), "x", given) == "unknown"
 
@@ -113,14 +113,14 @@ def test_a_result_falls_from_a_pole_at_the_end_of_a_range():
 
 
 def test_a_boundary_is_narrowed_down_to_where_it_lies():
-    assert ranges.last(lambda v: v < math.pi, 3.0, 4.0) == pytest.approx(math.pi, rel=1e-12)
+    assert variables.last(lambda v: v < math.pi, 3.0, 4.0) == pytest.approx(math.pi, rel=1e-12)
 
 
 def test_spans_are_the_parts_on_which_something_holds():
     places = [0.0, 1.0, 2.0, 3.0, 4.0]
-    found = list(ranges.spans(places, lambda v: v < 0.5 or v > 2.5))
+    found = list(variables.spans(places, lambda v: v < 0.5 or v > 2.5))
     assert found == [(0.0, pytest.approx(0.5)), (pytest.approx(2.5), 4.0)]
-    near = list(ranges.spans([0.5, 1.5, 2.0], lambda v: v < 1.4 or v > 1.6))
+    near = list(variables.spans([0.5, 1.5, 2.0], lambda v: v < 1.4 or v > 1.6))
     assert near == [(0.5, pytest.approx(1.4)), (pytest.approx(1.6), 2.0)]
 
 
@@ -131,11 +131,12 @@ def result(formula, *where):
 def test_results_are_followed_along_the_angles_and_the_drive_they_rest_on():
     pose = lever(drive=Drive("a", None, None, HERE))
     of = [result(Symbol("u"), Definition("u", total([Symbol("a"), Symbol("b"), Symbol("phi")])))]
-    assert list(ranges.varying(pose.mechanism, of)) == ["a", "phi"]
-    assert list(ranges.moved(pose.mechanism, of)) == ["a", "phi"]
-    assert ranges.turns("phi", pose.mechanism)
-    assert not ranges.turns("a", pose.mechanism)
-    assert (ranges.unit_of("a", pose.mechanism), ranges.unit_of("phi", pose.mechanism)) == ("m", "")
+    assert list(variables.varying(pose.mechanism, of)) == ["a", "phi"]
+    assert list(variables.moved(pose.mechanism, of)) == ["a", "phi"]
+    assert variables.turns("phi", pose.mechanism)
+    assert not variables.turns("a", pose.mechanism)
+    assert variables.unit_of("a", pose.mechanism) == "m"
+    assert variables.unit_of("phi", pose.mechanism) == ""
 
 
 def test_one_load_without_a_size_may_have_any_and_two_none():

@@ -6,7 +6,7 @@ from typing import Literal
 
 import good_mechanisms
 from known import Known
-from mechc.data import data
+from mechc.data_folders import data
 from mechc.emit.target import Compiled
 from mechc.formula.tree import (
     PI,

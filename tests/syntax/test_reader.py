@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from lark import Lark, Transformer
 from lark import Token as LarkToken
 
-from mechc.data import data
+from mechc.data_folders import data
 from mechc.syntax.parser import grammar, make_tables
 from mechc.syntax.parser.lalr import END, Parser, ParserState, Token
 from mechc.syntax.parser.lines import lines

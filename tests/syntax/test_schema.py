@@ -6,7 +6,7 @@ import pytest
 import yaml
 from jsonschema_rs import Draft202012Validator, meta
 
-from mechc.data import data
+from mechc.data_folders import data
 from mechc.diagnostics import Report
 from mechc.source import Source
 from mechc.syntax import from_yaml

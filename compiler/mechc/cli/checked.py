@@ -44,7 +44,7 @@ from ..source import Source
 from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
 from ..study.expectations import Finding
-from ..study.ranges import scale_of
+from ..study.variables import scale_of
 
 if TYPE_CHECKING:
     from ..calculation.calculation import Calculation

@@ -2,7 +2,7 @@
 
 from click.shell_completion import BashComplete, ShellComplete, get_completion_class
 
-from ..data import data
+from ..data_folders import data
 from . import usage
 from .by_click import mechc
 from .terminal import give

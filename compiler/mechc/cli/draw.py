@@ -6,7 +6,7 @@ from pathlib import Path
 from ..diagnostics import MechcError
 from ..diagnostics.drawing import no_free_bodies, no_plans, nothing_to_draw
 from ..drawing.drawing import Drawing
-from ..drawing.letters import in_letters
+from ..drawing.language_letters import in_letters
 from ..drawing.moving import Marks
 from ..driver import Compilation, checked, warnings
 from ..emit.picture import FORMATS, in_format_of

@@ -8,7 +8,7 @@ from textwrap import wrap
 from typing import Any
 from zlib import crc32
 
-from ..data import data
+from ..data_folders import data
 from ..diagnostics import MechcError
 from ..files import library, read
 from ..named import NamedTuple

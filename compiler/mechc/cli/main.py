@@ -8,7 +8,7 @@ import os
 import sys
 from importlib import import_module
 
-from .answers import find, give, question
+from .find_answers import find, give, question
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from ..data import data
+from ..data_folders import data
 from ..driver import Compilation
 from ..files import library, mechanisms, read, write_all
 from ..named import NamedTuple

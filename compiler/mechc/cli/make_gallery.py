@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from html import escape
 from pathlib import Path
 
-from ..data import data
+from ..data_folders import data
 from ..driver import Compilation
 from ..emit.svg.picture import to_svg
 from ..files import make_folder, mechanisms, read, write_all

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 from typing import Literal
 
-from ..data import data
+from ..data_folders import data
 from ..diagnostics import MechcError
 from ..diagnostics.files import file_exists
 from ..files import SUFFIXES, write_all

@@ -8,10 +8,10 @@ from contextlib import suppress
 from ..files import reason
 from ..version import VERSION
 from ..witness import listening
-from . import by_click, keeping, terminal
-from .answers import Event
+from . import by_click, store_answers, terminal
 from .commands import COMMANDS, found
 from .exit_status import ENVIRONMENT, INTERNAL
+from .find_answers import Event
 from .plain import read
 from .session import perform
 from .usage import UsageError
@@ -63,7 +63,7 @@ def _answered(arguments: Sequence[str] | None, asked: bytes) -> int:
     events: list[Event] = []
     with listening(lambda *event: events.append(event)):
         status = _status(arguments)
-    keeping.keep(asked, status, events)
+    store_answers.keep(asked, status, events)
     return status
 
 

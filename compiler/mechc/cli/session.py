@@ -9,8 +9,8 @@ from .. import witness
 from ..diagnostics import Diagnostic, MechcError, render
 from ..frozen import frozen, replace
 from ..source import Source
-from .answers import OFF
 from .exit_status import WRONG, status
+from .find_answers import OFF
 from .terminal import give_message, on_terminal, warn
 from .usage import Command, Exit, Option, Word, adding
 

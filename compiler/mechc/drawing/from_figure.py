@@ -9,12 +9,12 @@ from ..pose.places import NOWHERE, Plane
 from . import symbols
 from .bodies import bars_at, link, slide
 from .describe import describe
+from .dimensions import draw_measures
 from .drawing import AXIS, COPY, SYMBOL, Drawing, Polyline, Shape
 from .joints import draw_slide_guides, joint, pins
 from .labels import AroundPoint
 from .lettering import name
 from .loads import draw_forces, draw_pairs, meets
-from .measures import draw_measures
 from .moving import NO_MARKS, Marks, draw_marks, say_marks
 from .occupied import Occupied
 from .paper import Paper, on_paper

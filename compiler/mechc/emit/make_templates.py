@@ -9,7 +9,7 @@ from functools import cache
 
 from jinja2 import Environment, FileSystemLoader, nodes
 
-from ..data import PACKAGE
+from ..data_folders import PACKAGE
 
 EMIT = PACKAGE / "emit"
 TARGETS = tuple(sorted({path.parent.name for path in EMIT.glob("*/*.jinja")}))

@@ -4,14 +4,14 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ..drawing.drawing import Drawing
-from ..drawing.letters import in_letters
+from ..drawing.language_letters import in_letters
 from ..files import write_all
 from ..formula.letters import LATIN, Letters
 from ..frozen import frozen
 from ..plot.plot import Plot
 from .pgfplots.to_pgfplots import to_pgfplots
+from .plot_tables import to_csv, to_xlsx
 from .svg.picture import to_pdf, to_png, to_svg
-from .tables import to_csv, to_xlsx
 from .tikz.picture import to_tikz
 
 FORMATS: Mapping[str, Callable[[Drawing], str | bytes]] = {

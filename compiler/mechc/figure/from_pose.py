@@ -14,12 +14,12 @@ from ..model.values import bounds, completed, defaults, following, independent, 
 from ..pose.places import NOWHERE, Plane
 from ..pose.pose import Pose
 from . import figure as drawn
+from .dimensions import dimensions
 from .figure import Figure, MirrorLine, Part
 from .half import Half
 from .joints import drawn_joint, joints_shown
 from .layout import FigureLayout, lay_out, points_of
 from .linear_vectors import LinearVectors
-from .marks import marks
 from .outline import outline, rods
 from .tolerances import SAME_PLACE
 
@@ -122,7 +122,7 @@ def _parts(
     images = {**{twin: name for name, twin in twins.items()}, **twins}
     half = Half(ways, points, layout.size, shared, images, layout.mirror)
     yield from parts(half)
-    yield from marks(half)
+    yield from dimensions(half)
     if mirror is not None:
         both = zip(parts(half), parts(replace(half, sense=-1)), strict=True)
         yield from (image for part, image in both if _names(image) != _names(part))

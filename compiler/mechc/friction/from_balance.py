@@ -26,8 +26,8 @@ from ..model.result import Result
 from ..model.results.conditions import refuse_failing
 from ..power.balance import AlgebraicResult, Balance
 from ..power.definitions import let_results, open_lengths
-from ..power.loose import warn_of_idle_loads
 from ..power.numbers import DefaultNumbers, value_of, with_default
+from ..power.remarks import warn_of_idle_loads
 from . import at_rest, results
 from . import problem as problems
 from .solution import FrictionSolution, SolvedWithFriction

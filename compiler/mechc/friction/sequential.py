@@ -26,7 +26,7 @@ from . import surfaces
 from .closed_form import SignCondition
 from .force_lines import ForceLines
 from .free_bodies import Bodies, BodyForce, BodyKind, EquationsCoupled
-from .lever import LeverPivot, LeverSides, on_lever
+from .lever_quadratic import LeverPivot, LeverSides, on_lever
 from .notes import Notes
 from .signs import SignSymbols
 from .solution import FrictionStep

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import count
 
 from ..diagnostics.model import joints as messages
-from ..diagnostics.model import lowering as words
+from ..diagnostics.model import slots_and_spread_loads as words
 from ..formula.tree import negative, product, total
 from ..frozen import replace
 from .entries import drawn_places, ray_through, unit_of_drawing, vector_between

@@ -19,9 +19,9 @@ from ..model.mechanism import (
 from . import force_results, speed_results
 from .balance import AlgebraicResult, Balance
 from .load_results import load_form, load_ratio
-from .loose import warn_of_idle_loads, warn_of_idle_motions
 from .numbers import checked
 from .problem import PowerProblem, problem_of
+from .remarks import warn_of_idle_loads, warn_of_idle_motions
 
 
 def balance(plan: Plan, report: Report) -> Balance:

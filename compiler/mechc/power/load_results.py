@@ -14,8 +14,8 @@ from .balance import AlgebraicResult
 from .definitions import intermediates
 from .linear_forms import linear_form
 from .loads import at_rest, held_drives
-from .loose import looseness
 from .problem import PowerProblem
+from .remarks import looseness
 
 
 def load_ratio(problem: PowerProblem, find: Find, asked: LoadRatio) -> AlgebraicResult | None:

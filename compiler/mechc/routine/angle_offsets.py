@@ -11,7 +11,7 @@ from ..algebra.angle import Angle, Rational
 from ..algebra.from_formula import to_angle
 from ..formula.tree import Call, Formula, is_call
 from ..formula.walk import children, rebuild, walk
-from .unit import plain
+from .direction_vectors import plain
 
 Offsets = defaultdict[Angle, set[Rational]]
 """The constants that go with an angle."""

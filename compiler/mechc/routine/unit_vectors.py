@@ -26,8 +26,8 @@ from ..formula.tree import (
     total,
 )
 from ..formula.walk import Once, children, rebuild, symbols
+from .direction_vectors import WANTED, DirectionVector, factors, plain, whole
 from .lengths import fresh, signed, size, sizes, unsigned, with_roots
-from .unit import WANTED, DirectionVector, factors, plain, whole
 
 MULTIPLES = (-2, -1, 1, 2)
 """Multiples of an angle that are written out."""

@@ -4,7 +4,7 @@ It shares the mechanism and its pose with virtual power and nothing else. ``unfo
 the whole mechanism into numbers, ``free_bodies`` cuts it into links and pins and writes
 their sums of forces and moments, ``solve`` eliminates, ``answers`` and ``speeds`` ask for
 one ratio, and the ``referee`` compares at several ``poses``, after ``closure`` has measured
-whether the mechanism stands there as described. ``diagrams`` hands out what acts on every
+whether the mechanism stands there as described. ``to_diagrams`` hands out what acts on every
 body, for reports.
 """
 

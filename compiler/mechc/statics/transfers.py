@@ -9,7 +9,7 @@ from ..formula.evaluate import evaluate
 from ..model.mechanism import Contact, Mechanism, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..model.parts.linkage import primed
 from .assembly import GROUND, Action, Couple, PointForce, Transfer, Wrench, direction
-from .halves import Halves
+from .pose_in_numbers import Halves
 
 PinOnLink = tuple[str, str]
 """A pin or slide, and what holds it there against teeth, a belt or a thread."""

@@ -33,7 +33,7 @@ from .assembly import (
     Wrench,
     direction,
 )
-from .halves import Halves
+from .pose_in_numbers import Halves
 from .transfers import transfers
 
 

@@ -19,12 +19,12 @@ from ..model.mechanism import Find, LoadForm, LoadRatio, WithFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
 from .pose_sweep import PoseCode
-from .ranges import moved, shown, spans, turns
 from .ratios import sizes
 from .sampling import looked_at
 from .states import FrictionRatios, Ideal, Moving
 from .sweep import Sweep
 from .tolerances import DIFFERENCE
+from .variables import moved, shown, spans, turns
 
 SAME_CONSTANT = 0.05
 """By so much a constant may miss the efficiency that friction makes."""

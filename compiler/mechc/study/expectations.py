@@ -42,8 +42,8 @@ from ..model.values import (
 from ..named import NamedTuple
 from ..units import in_unit, si_unit
 from .analysis import as_printed
-from .ranges import scale_of
 from .tolerances import SAME_FIGURE, SAME_RATIO
+from .variables import scale_of
 
 RANDOM_POSES = 12
 """Random poses in addition to the default one."""

@@ -12,10 +12,10 @@ from ..model.mechanism import Drive, LoadRatio, Mechanism, SpeedRatio
 from ..model.values import range_of
 from .analysis import Analysis, Extent, Extreme, Trend, least_and_greatest
 from .pose_sweep import PoseCode
-from .ranges import extends, scale_of, turns, unit_of, varying
-from .stroke import extent
+from .stroke import ratio_extent
 from .sweep import Sweep
 from .tolerances import SAME_FIGURE
+from .variables import extends, scale_of, turns, unit_of, varying
 
 EXTENT_CELLS = 192
 """Cells of a range in which a result is looked at."""
@@ -34,7 +34,7 @@ def with_extents(
     found: dict[str, list[Extent]] = {}
     for name in moving:
         along = solution if mechanism.drive else _driven_by(name, solution)
-        for result, one in extent.along_the_stroke(along, moving[name], report).items():
+        for result, one in ratio_extent.along_the_stroke(along, moving[name], report).items():
             found.setdefault(result, []).append(one)
     code = PoseCode(solution.plan)
     return tuple(

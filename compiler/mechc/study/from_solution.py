@@ -33,9 +33,9 @@ from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
 from .analysis import Analysis, ClaimScope, NumericSlope, Trend, as_printed
 from .intervals import Locking
-from .ranges import with_range
 from .tolerances import SAME_RATIO
 from .trends import trend
+from .variables import with_range
 from .zeros import breaks, limits
 
 MOST_PARAMETERS = 16

@@ -16,11 +16,11 @@ from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
 from .intervals import Bound, DriveState, Locking, LockingInterval, LockingIntervals, Range
-from .ranges import last, turns, unit_of, varying
 from .ratios import Study
 from .sampling import DEAD_CENTRE_CELLS, before_dead_centre, dead_centre, looked_at, nearest
 from .states import Moving
 from .tolerances import EXACT, HALF_THE_DIGITS, NEARLY
+from .variables import last, turns, unit_of, varying
 
 BEYOND = math.pi / 2
 """How far beyond its range an angle is followed, to the next dead centre at most."""

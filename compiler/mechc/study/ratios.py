@@ -12,11 +12,11 @@ from ..model.result import FrictionResult, Result
 from ..model.values import range_of
 from .intervals import USUAL, EfficiencyRange, Range
 from .pose_sweep import PoseCode
-from .ranges import moved, spans, unit_of, varying
 from .sampling import looked_at
 from .states import FrictionRatios, Ideal, IdealAlong, Moving
 from .sweep import Sweep
 from .tolerances import SAME_EFFICIENCY
+from .variables import moved, spans, unit_of, varying
 
 
 class Study:

@@ -13,9 +13,9 @@ from functools import partial
 from itertools import chain, pairwise
 
 from ..formula.roots import lowest, spaced
-from .ranges import SignedMeasure, last
 from .states import Moving
 from .tolerances import JUMP_WIDTH, NEARLY, SAME_EFFICIENCY, SAME_VALUE, TOUCHED
+from .variables import SignedMeasure, last
 
 DEAD_CENTRE_CELLS = 36
 """Cells between which dead centres are looked for."""

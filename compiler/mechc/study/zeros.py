@@ -15,9 +15,7 @@ from ..model.result import Definition
 from ..power.balance import AlgebraicResult, Balance
 from ..power.definitions import resting_on
 from .analysis import Break, Cause, Vanishing
-from .causes import across_of
-from .meeting import Meetings, is_between_sides, is_fold
-from .sought import (
+from .candidate_roots import (
     Sought,
     across_the_line,
     dividing_factors,
@@ -28,6 +26,8 @@ from .sought import (
     may_vanish,
     roots_across,
 )
+from .causes import across_of
+from .common_zeros import Meetings, is_between_sides, is_fold
 
 
 def limits(

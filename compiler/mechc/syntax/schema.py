@@ -7,7 +7,7 @@ writes ``grammar/mechanism.schema.json``.
 import json
 from typing import Any
 
-from ..data import data
+from ..data_folders import data
 from ..units import DIMENSIONS
 from .yaml.layout import BESIDE, SECTIONS
 from .yaml.sections import EntryKey, EntryShape, SectionEntry, ValueKind, YamlSection

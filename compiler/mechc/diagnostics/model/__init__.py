@@ -7,7 +7,7 @@ if not TYPE_CHECKING:
 
     WORDS = {
         *("collars", "doubtful_sizes", "doubts", "friction", "held", "joints", "loads"),
-        *("lowering", "names", "quantities", "reactions", "results", "sheets"),
+        *("names", "quantities", "reactions", "results", "sheets", "slots_and_spread_loads"),
         *("translations", "wheels"),
     }
     __getattr__ = waiting(__name__, WORDS)

@@ -6,7 +6,7 @@ A fragment needs what a report does, graphicx and tikz, and the lines of :func:`
 from collections.abc import Iterable, Iterator, Sequence
 
 from ...drawing.drawing import Drawing
-from ...drawing.letters import in_letters
+from ...drawing.language_letters import in_letters
 from ...formula.letters import letters
 from ...frozen import frozen
 from ...report.languages import registry

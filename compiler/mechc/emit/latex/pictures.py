@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from ...diagnostics import MechcError
 from ...drawing.arrange import parted
 from ...drawing.drawing import Drawing
-from ...drawing.letters import in_letters
+from ...drawing.language_letters import in_letters
 from ...formula.letters import Letters, letters
 from ...model.mechanism import Reported
 from ...plot.plot import Plot, PlotColumn

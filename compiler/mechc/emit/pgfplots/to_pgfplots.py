@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from ...drawing.axes import heading
 from ...drawing.describe_plot import describe
 from ...drawing.drawing import Pen, TextRun
-from ...drawing.letters import spelled
+from ...drawing.language_letters import spelled
 from ...drawing.marks import DOT, THIN, dots, values_beside
 from ...drawing.panels import PanelLayout, common_entry, entry, laid_out, steps, ways
 from ...drawing.ticks import Scale

@@ -12,7 +12,7 @@ from ...source import Span
 from ...syntax import ast
 from ...units import LENGTH
 from ..formulas.expressions import Reader
-from ..linkage.carriers import Carriers, is_held
+from ..linkage.fast_pins import Carriers, is_held
 from ..mechanism import Arrow, Link, Mechanism, Offset, Telescope
 from ..names.scope import DESCRIPTION, NameScope
 from ..parts.friction import PinFriction, coulomb

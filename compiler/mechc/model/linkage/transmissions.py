@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import TypeVar
 
 from ...diagnostics.model import joints as messages
-from ...diagnostics.model import lowering as lowering_messages
+from ...diagnostics.model import slots_and_spread_loads as lowering_messages
 from ...diagnostics.model import wheels
 from ...frozen import replace
 from ...syntax import ast

@@ -2,8 +2,8 @@
 
 from collections.abc import Collection, Iterator
 
-from ...diagnostics.model import lowering as lowering_messages
 from ...diagnostics.model import reactions as messages
+from ...diagnostics.model import slots_and_spread_loads as lowering_messages
 from ...syntax import ast
 from ...units import ANGLE, FORCE, Dimension
 from ..mechanism import (

@@ -22,7 +22,7 @@ from ...source import Span
 from ...syntax import ast, moved
 from ...units import ANGLE, DIMENSIONS, UNITS, Dimension
 from ..forces.force_pairs import spring_name
-from ..linkage.carriers import is_held
+from ..linkage.fast_pins import is_held
 from ..mechanism import Interval, Parameter
 from ..names.forms import COORDINATES, form_of, form_of_pose
 from ..statements import declared

@@ -10,7 +10,7 @@ from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.statements import is_sheet
 from ...study.analysis import Analysis
-from ...study.ranges import scale_of
+from ...study.variables import scale_of
 from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..by_parts import by_parts

@@ -6,8 +6,8 @@ what code takes.
 ``stretches`` are the parts that have a pose and ``ends`` what limits them, ``gaps`` those that
 have none, ``branches`` where closures meet; ``in_step`` and ``points_in_step`` ask whether what
 is given follows the drive. ``singular`` finds zeros and poles, ``jumps`` jumps, ``extrema`` the
-least and the greatest, ``extent`` all of a ratio, and ``rounded`` says what of these is rounding.
-``rows`` and ``columns`` make the table, with ``transmission`` angles and ``velocities``.
+least and the greatest, ``ratio_extent`` all of a ratio, and ``rounded`` says what of these is
+rounding. ``rows`` and ``columns`` make the table, with ``transmission`` angles and ``velocities``.
 
 Promises: every row is a pose that can be assembled and that the conditions of use allow, or says
 why it is not; singular poses and extrema lie on the stroke, in its order.
@@ -18,5 +18,5 @@ from typing import TYPE_CHECKING
 if not TYPE_CHECKING:
     from ...later import waiting
 
-    SELDOM = {"extent"}
+    SELDOM = {"ratio_extent"}
     __getattr__ = waiting(__name__, SELDOM)

@@ -14,9 +14,9 @@ from ...formula.tree import Formula, is_call
 from ...formula.walk import walk
 from ...model.parts.targets import Efficiency, Reaction, WithFriction
 from ..analysis import Analysis
-from ..ranges import last
 from ..sweep import Sweep
 from ..tolerances import JUMP_SIDES
+from ..variables import last
 from .rounded import is_nothing
 from .run import StrokeRun
 from .stroke import Singular, StrokeEvent, StrokeInterval

@@ -12,7 +12,7 @@ from importlib import import_module
 from typing import Literal, cast, get_args
 from zlib import crc32
 
-from ...data import data
+from ...data_folders import data
 from ..vocabulary import LANGUAGES
 from .lalr import Parser, ParserState, ParserTables, Token, span_of
 from .tree import rules

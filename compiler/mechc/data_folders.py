@@ -1,4 +1,4 @@
-"""Where the files that are not Python lie."""
+"""The folders of files that are not Python: the grammar, the library, and packages' own."""
 
 import atexit
 from functools import cache

@@ -7,7 +7,7 @@ from hunted import Hunted, Made, made
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
 from mechc.source import Source
-from mechc.study.meeting import may_lie_flat
+from mechc.study.common_zeros import may_lie_flat
 
 FLAT = """
 param phi = -30 deg in -35 deg .. 30 deg

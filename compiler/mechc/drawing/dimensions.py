@@ -1,4 +1,4 @@
-"""Measures on paper: dimension lines in levels, lengths beside bars, arcs of angles."""
+"""Dimensions on paper: their lines in levels, lengths beside bars, arcs of angles."""
 
 import math
 from collections.abc import Iterable, Iterator

@@ -7,7 +7,7 @@ import pytest
 from mechc.algebra.angle import Angle
 from mechc.formula.evaluate import evaluate
 from mechc.formula.tree import Symbol
-from mechc.routine.unit import WANTED, DirectionVector, plain, whole
+from mechc.routine.direction_vectors import WANTED, DirectionVector, plain, whole
 
 VALUES = {"alpha": 0.4, "beta": 1.1, "x": 3.0, "y": 4.0, "d": 5.0}
 EXACT = {

@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from ..written import temporary
-from .answers import SUFFIX, Event, checksum, folder, place
+from .find_answers import SUFFIX, Event, checksum, folder, place
 
 LARGEST_ANSWER = 4 << 20
 """Bytes of the largest answer that is kept."""

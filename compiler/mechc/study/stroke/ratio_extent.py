@@ -12,9 +12,9 @@ from ...units import ANGLE
 from ..analysis import Analysis, Extent, Extreme, Vanishing, least_and_greatest
 from ..intervals import Range
 from ..pose_sweep import PoseCode
-from ..ranges import scale_of
 from ..sweep import Sweep
 from ..tolerances import SAME_ZERO
+from ..variables import scale_of
 from .from_balance import run
 from .rounded import is_nil
 from .run import has_sign

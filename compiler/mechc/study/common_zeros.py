@@ -20,8 +20,8 @@ from ..model.values import Chain, Values, range_of
 from ..pose.pose import Arm, Limit, Pose, evaluate_vector
 from ..pose.tolerances import SAME_PLACE
 from ..pose.vector_graph import mentioned
-from .ranges import last, moving_first, turns
 from .tolerances import SAME_RATIO
+from .variables import last, moving_first, turns
 
 SIGN_CELLS = 37
 """Cells in which changes of sign are looked for."""

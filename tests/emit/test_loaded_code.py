@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import mechc
-from mechc.emit import machine
+from mechc.emit import loaded_code
 from mechc.emit.c import library
 from mechc.routine.evaluate import evaluate
 from routine_samples import solved
@@ -22,7 +22,7 @@ def folder(tmp_path, monkeypatch):
 
 
 def agrees(name):
-    made = machine.on_arrays(solved(name))
+    made = loaded_code.on_arrays(solved(name))
     for function in solved(name).routine.functions:
         values = poses(function)
         own, wanted = made[function.name](*values.values()), evaluate(function, values)

@@ -21,10 +21,10 @@ from ..model.values import Chain
 from ..power.balance import AlgebraicResult, Balance
 from .analysis import Cause
 from .causes import cause
-from .meeting import VANISHES_TOO, Meetings, flat_sides
-from .ranges import moving_first, with_range
+from .common_zeros import VANISHES_TOO, Meetings, flat_sides
 from .tolerances import VANISHED_SUM
 from .trends import is_free_of_zeros
+from .variables import moving_first, with_range
 
 BESIDE_ROOT = (1e-4, 1e-6)
 """How far from a root the values are compared that refute it, in radians.

@@ -1,4 +1,4 @@
-"""What measures the figure: the parameters that are lengths, and those that are angles."""
+"""The dimensions of a figure: the parameters that are lengths, and those that are angles."""
 
 import math
 from collections.abc import Iterator
@@ -37,7 +37,7 @@ MEASURED = 4
 ALONG_X, ALONG_Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
 
 
-def marks(half: Half) -> Iterator[Measure]:
+def dimensions(half: Half) -> Iterator[Measure]:
     """Yield a mark for every length that is given, and every angle given by parameters."""
     found: list[Measure] = []
     for mark in _all(half):
