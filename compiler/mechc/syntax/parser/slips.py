@@ -195,7 +195,8 @@ def _of_sense(line: Sequence[Token], position: int) -> str:
     token, before = str(line[position]).lower(), line[position - 1] if position else None
     if token not in ("cw", "ccw", "clockwise", "counterclockwise", "anticlockwise"):
         return ""
-    is_behind = before is not None and before.type == "NUMBER"
+    is_angle = "@" in map(str, line[:position])
+    is_behind = before is not None and (before.type == "NUMBER" or is_angle)
     return "angles count counter-clockwise, clockwise ones are negative: @ -30 deg" * is_behind
 
 

@@ -40,8 +40,12 @@ DIRECTIONS = "a direction is an angle, x, -x, y, -y, or that of a vector, AB"
 LINKED = "a link is named by its points, written together: OA"
 
 
+_COUNTED = "couples count counter-clockwise, a clockwise one is negative: let M = -2 N*m"
+
+
 STATED = {
     ("TORQUE", "at"): "a couple acts on a link: torque M on OA",
+    **dict.fromkeys((("TORQUE", sense) for sense in ("cw", "ccw", "clockwise")), _COUNTED),
     ("FORCE", "="): "the size of a load stands behind its name: force T = 0.2*N at A along x",
     ("TORQUE", "="): "the size of a load stands behind its name: torque T = 0.2*M on OA",
     ("FORCE", "on"): "a force acts at a point: force F at A along x",
