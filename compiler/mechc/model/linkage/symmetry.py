@@ -185,11 +185,11 @@ def _check_guided_twice(
     start = next((places[point] for point in mirror.sharing if point in places), None)
     for slider in guides if start else ():
         point, place = slider.point, places.get(slider.point)
-        acting = [load for load in mechanism.loads if point in load.points]
+        acting = [k for k in mechanism.loads if point in k.points and k.times == 1]
         if point in mechanism.shared or not (start and place and acting):
             continue
         is_along = parallel(slider.along, mirror.across, scope)
-        if is_along and acting[0].times == 1 and _is_along(start, place, angle, 0.0):
+        if is_along and _is_along(start, place, angle, 0.0):
             names, load = ", ".join((*mirror.sharing, point)), acting[0]
             scope.report.add(load_words.on_the_line_twice(load.span, load.name, point, names))
 
