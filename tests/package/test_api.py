@@ -128,7 +128,7 @@ def test_values_go_before_the_loads_of_the_description() -> None:
     [
         ("b", r"'b' follows from the description: b = 2\*a; give a instead"),
         ("q", r"'q' follows from the description: q = P/a; give a instead"),
-        ("P", r"'P' follows from the description: P = F/2 \+ W/2; give F, W instead"),
+        ("P", r"'P' follows from the description: P = \(F \+ W\)/2; give F, W instead"),
         ("f", r"no result depends on 'f'"),
     ],
 )

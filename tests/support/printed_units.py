@@ -381,7 +381,7 @@ PLACE = re.compile(r"\$([^$=]*)=([^$]*)\$")
 FLAT, STEEP = 1e-3, 2e-2
 """Places are told in four figures: what a result is off there, near an extremum or a zero."""
 
-ROUNDED = (1.0, 1 - 5e-4, 1 + 5e-4)
+ROUNDED = (1.0, *(1 + 5e-4 * part / 4 for part in (-4, -3, -2, -1, 1, 2, 3, 4)))
 """A place in four figures, and what it may have been before it was rounded."""
 
 
