@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 import small_mechanisms
-from mechc.diagnostics.pose import AssemblyRange, cannot_assemble
+from mechc.diagnostics.open_loops import AssemblyRange, cannot_assemble
 from mechc.formula.evaluate import evaluate
 from mechc.source import Span
 from mechc.units import ANGLE
@@ -76,7 +76,7 @@ def refused(monkeypatch):
             seen.extend(stretches)
             return words(at, loop, drive, stretches, *more)
 
-        monkeypatch.setattr("mechc.diagnostics.pose.cannot_assemble", spy)
+        monkeypatch.setattr("mechc.diagnostics.open_loops.cannot_assemble", spy)
         with pytest.raises(mechc.MechcError) as caught:
             mechc.loads(text, "test.mech")
         (stated,) = [d for d in caught.value.diagnostics if d.code == "E309"]

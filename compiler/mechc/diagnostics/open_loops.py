@@ -1,8 +1,11 @@
-"""Words of the pose stage for what keeps a loop from closing: what it has too little of."""
+"""Words of the pose stage for what keeps a loop from closing: too little given, or out of reach."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 
+from ..named import NamedTuple
 from ..source import Span
+from ..units import ANGLE, Dimension
 from .diagnostic import Message, coded
 
 
@@ -169,3 +172,105 @@ def angle_not_found(at: Span, name: str, drive: str) -> Message:
         f"{name} has no value, and no loop that {drive} drives finds it",
         f"give it a value, as in `param {name} = 40 deg`, or give the lengths of its loop",
     )
+
+
+# ------------------------------------------------------------------------- out of reach
+
+
+class AssemblyRange(NamedTuple):
+    """A part of the drive's stroke, in SI, its dimension, and its ends as formulas if known."""
+
+    low: float
+    high: float
+    dimension: Dimension
+    low_exact: str = ""
+    high_exact: str = ""
+
+
+@coded("E309")
+def cannot_assemble(
+    at: Span, loop: str, drive: str, stretches: Iterable[AssemblyRange], is_searched: bool = False
+) -> Message:
+    """With the lengths given, a loop cannot be closed at the default pose.
+
+    A triangle needs each side to be shorter than the other two together, a rod to reach
+    its guide::
+
+        AC = 100 mm @ 0 deg
+        AB = 30 mm
+        CB = 40 mm           # wrong: 30 mm + 40 mm do not reach over 100 mm
+
+    With a ``drive`` the message says over which part of its stroke the loop closes; where
+    one side of a triangle turns with it, the ends are arc cosines of lengths, which the
+    hint gives. A loop that closes at one value alone has a condition too many. Groups of class III
+    and higher are closed by iteration from many starts: where it finds nothing there may still be
+    a closure.
+    """
+    known = list(stretches)
+    where = f"; it closes for {drive} {' and '.join(map(_stretch, known))}"
+    never = f", nor anywhere along {drive}" if drive else ""
+    move = f"move the default of {drive} there{_limits(drive, known)}"
+    if known and not any(map(_is_long, known)):
+        move = f"{drive} cannot move the loop: leave a length or an angle of it open"
+    what = "is not closed by iteration" if is_searched else "cannot be assembled"
+    return Message(
+        at,
+        f"the loop {loop} {what} at the default pose{where if known else never}",
+        move if known else "change the lengths so that they reach",
+    )
+
+
+@coded("E340")
+def out_of_reach(at: Span, loop: str, drive: str, is_followed: bool) -> Message:
+    """The drive of a drawn mechanism is set to where a loop does not close.
+
+    ``-D phi_OA=30deg`` moves a mechanism from where it is drawn; ``mechc stroke`` shows
+    how far it can go. Where a loop is closed by iteration, its closure is followed from the
+    drawing: others may lie beyond its end.
+
+        drive OA from 10 deg to 80 deg
+    """
+    what = "is closed by no pose reached from the drawing" if is_followed else "cannot be assembled"
+    message = f"the loop {loop} {what} with {drive} as it is set"
+    return Message(at, message, "set it nearer to where it is drawn")
+
+
+@coded("E348")
+def loop_holds_fast(at: Span, loop: str) -> Message:
+    """Links by the places of their pins hold one another, so that the drive cannot move them.
+
+    The loop closes where it is drawn, and nowhere else: it has a link more than its pins leave
+    room for, as a rod across two links that others have joined already::
+
+        link CBD
+        link EFG
+        link DF
+        link BF                     # wrong: F is held by E and D already
+    """
+    message = f"the links of the loop {loop} hold one another where they are drawn: nothing moves"
+    return Message(
+        at, message, "leave out a link or a guide of the loop; links in parallel need exact places"
+    )
+
+
+ONE_POSE = 1e-7
+"""Ends of a stretch that differ by less than this part are one pose: a root has half the digits."""
+
+
+def _is_long(stretch: AssemblyRange) -> bool:
+    """Return whether a stretch is more than one pose, by more than rounding."""
+    return stretch.high - stretch.low > ONE_POSE * max(abs(stretch.low), abs(stretch.high))
+
+
+def _stretch(stretch: AssemblyRange) -> str:
+    unit, size = ("deg", math.pi / 180) if stretch.dimension == ANGLE else ("mm", 1e-3)
+    if not _is_long(stretch):
+        return f"at {stretch.low / size:.6g} {unit} alone"
+    return f"from {stretch.low / size:.10g} to {stretch.high / size:.10g} {unit}"
+
+
+def _limits(drive: str, stretches: Iterable[AssemblyRange]) -> str:
+    """Return the shortest formulas of ends, two at most, behind a semicolon."""
+    found = {f for s in stretches for f in (s.low_exact, s.high_exact) if f}
+    shown = sorted(sorted(found, key=lambda f: (len(f), f))[:2])
+    return f"; {drive} ends at " + " and ".join(shown) if shown else ""

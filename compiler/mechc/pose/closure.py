@@ -15,6 +15,7 @@ from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..diagnostics import Diagnostic
+from ..diagnostics import open_loops as open_messages
 from ..diagnostics import pose as messages
 from ..formula.evaluate import evaluate
 from ..formula.to_text import text
@@ -125,7 +126,7 @@ class ClosingEquations:
             return messages.loop_does_not_close(condition.span, condition.name, shown, brought)
         names = sorted(_symbols(condition.arms) - self._open)
         if self._given is not None and self._given.isdisjoint(names):
-            return messages.loop_holds_fast(condition.span, condition.name)
+            return open_messages.loop_holds_fast(condition.span, condition.name)
         relation = ""
         if not self._mentions_open(condition.arms):
             left = add(a.length * cosine(a.angle - direction) for a in condition.arms)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ..algebra.product import Product
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import drawn as messages
-from ..diagnostics import pose as pose_messages
+from ..diagnostics import open_loops as open_messages
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols
 from ..frozen import replace
@@ -95,7 +95,7 @@ def moved_from_drawing(pose: Pose, report: Report) -> Pose:
         drive = mechanism.drive
         at = drive.span if drive and drive.parameter == first.name else first.given
         is_followed = any(each.group == "system" for each in pose.limits)
-        report.add(pose_messages.out_of_reach(at, limit.loop, first.name, is_followed))
+        report.add(open_messages.out_of_reach(at, limit.loop, first.name, is_followed))
     return moved
 
 

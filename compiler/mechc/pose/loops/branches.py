@@ -7,7 +7,7 @@ nearby that close; from there each branch is followed to where it turns back.
 from collections.abc import Iterator
 from random import Random
 
-from ...diagnostics import pose as messages
+from ...diagnostics import open_loops as messages
 from ...formula.evaluate import numeric
 from ...formula.folds import SolutionCurve
 from ...model.values import following

@@ -13,8 +13,7 @@ from ...algebra.from_formula import is_transparent, to_product
 from ...algebra.product import Product, Sum
 from ...algebra.sums import put
 from ...diagnostics import Report
-from ...diagnostics import open_loops as open_words
-from ...diagnostics import pose as messages
+from ...diagnostics import open_loops as messages
 from ...formula.tree import ONE, Call, Formula, Implicit, Symbol, negative, total
 from ...formula.walk import symbols, walk
 from ...frozen import replace
@@ -83,7 +82,7 @@ def _with_solved(mechanism: Mechanism, state: LoopState, report: Report) -> Mech
     }
     for parameter in mechanism.parameters:
         if parameter.name in solved and parameter.range:
-            report.add(open_words.range_of_found(parameter.span, parameter.name))
+            report.add(messages.range_of_found(parameter.span, parameter.name))
     parameters = tuple(
         replace(p, value=solved[p.name], range=None, dependent=True) if p.name in solved else p
         for p in mechanism.parameters
@@ -184,7 +183,7 @@ class _GroupClosing:
         used |= following(mechanism, self._state.definitions).needed_by(used)
         missing = [p for p in open_ if p.name in used]
         for parameter in missing:
-            fault = open_words.length_without_value(parameter.span, parameter.name)
+            fault = messages.length_without_value(parameter.span, parameter.name)
             self._report.add(fault)
         if missing:
             self._report.stop_on_errors()

@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from ...diagnostics import MechcError, Report
 from ...diagnostics import closures as closure_messages
-from ...diagnostics import pose as messages
+from ...diagnostics import open_loops as messages
 from ...formula.walk import symbols
 from ...model.mechanism import Assembly
 from ...named import NamedTuple

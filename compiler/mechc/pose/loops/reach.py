@@ -13,7 +13,7 @@ from ...algebra.angle import Angle
 from ...algebra.factors import Factor, Trig
 from ...algebra.product import Product, Sum
 from ...algebra.sums import add
-from ...diagnostics import pose as messages
+from ...diagnostics import open_loops as messages
 from ...formula.evaluate import evaluate
 from ...formula.roots import roots
 from ...formula.to_text import text
