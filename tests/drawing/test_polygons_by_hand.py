@@ -8,7 +8,7 @@ import pytest
 from mechc.drawing.drawing import RELATIVE, VELOCITY
 from mechc.drawing.force_polygon import PARALLEL_GAP, _sides, visible
 from mechc.drawing.vectors import ForceVectors, VelocityVectors
-from mechc.drawing.velocity_polygon import LARGE, _behind, _points, _PolygonMaker, scale_of
+from mechc.drawing.velocity_polygon import LARGE, _behind, _points, _PolygonMaker, velocity_scale
 from mechc.figure.figure import Link, Slide, Slot
 from mechc.figure.velocities import MotionVelocities, Sliding
 from mechc.pose.places import NOWHERE, Plane
@@ -29,7 +29,7 @@ def velocities(slidings=(), **points):
     ],
 )
 def test_a_polygon_is_as_large_as_the_paper_takes_with_its_pole(points, extent):
-    assert scale_of(velocities(**points)) == pytest.approx(LARGE / extent)
+    assert velocity_scale(velocities(**points)) == pytest.approx(LARGE / extent)
 
 
 BAR = Link("AB", ("A", "B"), ("A", "B"), (("A", "B"),), "")

@@ -1,14 +1,14 @@
-"""Bodies on paper: bars with rigid corners, plates, and what is closed behind its faces."""
+"""Bodies on paper: bars with rigid corners, plates, telescopes, what is closed behind its faces."""
 
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from ..figure.figure import Contact, Figure, Link, Slide
+from ..figure.figure import Contact, Figure, Link, Slide, Telescope
 from ..figure.outline import outline
 from ..pose.places import Plane
 from .drawing import BODY, Polyline, Shape
 from .paper import Paper
-from .symbols import corner, line
+from .symbols import corner, cylinder, line
 from .tolerances import ON_EDGE
 
 ROLLER = 1.9
@@ -42,6 +42,11 @@ def slide(paper: Paper, body: Slide) -> Iterator[Shape]:
         yield Polyline(tuple(map(paper.at, body.outline)), BODY, closed=True, fill="light")
     for start, end in zip(body.points, body.points[1:], strict=False):
         yield line(paper.at(start), paper.at(end), BODY)
+
+
+def telescope(paper: Paper, body: Telescope) -> Iterator[Shape]:
+    """Yield a telescope: a cylinder with its rod."""
+    return cylinder(*map(paper.at, body.points))
 
 
 def is_plate(body: Link) -> bool:

@@ -12,6 +12,9 @@ from .sheet import Layer, Sheet
 from .symbols import arrow, line
 from .vectors import ForceVectors
 
+LARGEST_SIDE = 34.0
+"""The length of the largest force in millimetres."""
+
 DRAWN_PARALLEL = 1e-3
 """Forces are drawn as parallel where none has more than this part of the largest across it."""
 
@@ -40,9 +43,14 @@ def is_known(body: FreeBody) -> bool:
     return all(acting.force is not None for acting in body.forces)
 
 
-def force_polygon(forces: ForceVectors, body: FreeBody, scale: float) -> Drawing:
-    """Return the polygon of the forces on a body, in millimetres to a newton."""
-    sheet, acting = Sheet(), visible(forces, body)
+def force_scale(forces: ForceVectors) -> float:
+    """Return how many millimetres a newton is, for all bodies of a diagram."""
+    return LARGEST_SIDE / forces.largest
+
+
+def force_polygon(forces: ForceVectors, body: FreeBody) -> Drawing:
+    """Return the polygon of the forces on a body."""
+    sheet, acting, scale = Sheet(), visible(forces, body), force_scale(forces)
     sides = _sides([(one.force or NOWHERE).times(scale) for one in acting])
     for one, (tail, tip) in zip(acting, sides, strict=True):
         sheet.draw(Layer.LOADS, arrow(tail, tip))

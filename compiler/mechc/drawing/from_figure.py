@@ -7,7 +7,7 @@ from ..figure.figure import Figure, Link, Pivot, Slide, Slider, Telescope
 from ..formula.names import split_points
 from ..pose.places import NOWHERE, Plane
 from . import symbols
-from .bodies import bars_at, link, slide
+from .bodies import bars_at, link, slide, telescope
 from .describe import describe
 from .dimensions import draw_measures
 from .drawing import AXIS, COPY, SYMBOL, Drawing, Polyline, Shape
@@ -60,6 +60,8 @@ def _draw_bodies(sheet: Sheet, paper: Paper) -> None:
                 _draw_body(sheet, link(paper, part))
             case Slide():
                 _draw_body(sheet, slide(paper, part))
+            case Telescope():
+                _draw_body(sheet, telescope(paper, part))
             case _:
                 for layer, shape in joint(paper, part):
                     sheet.draw(layer, [shape])

@@ -11,7 +11,7 @@ from ..statics.diagram import Diagram, FreeBody
 from .arrange import below_each_other, in_rows, joined, line_of_text
 from .describe import say_forces, say_velocities
 from .drawing import SYMBOL, Drawing, TextRun
-from .force_polygon import force_polygon, is_known, visible
+from .force_polygon import force_polygon, force_scale, is_known, visible
 from .labels import AroundPoint
 from .lettering import name
 from .sheet import Layer, Sheet
@@ -19,10 +19,7 @@ from .symbols import line
 from .ticks import TICK_STEPS
 from .tolerances import SAME_WHOLE_NUMBER
 from .vectors import ForceVectors, VelocityVectors, heading
-from .velocity_polygon import scale_of, velocity_polygon
-
-LARGEST_ARROW = 34.0
-"""The length of the largest force in millimetres."""
+from .velocity_polygon import velocity_polygon, velocity_scale
 
 VELOCITIES_IN_A_ROW = 5
 """How many velocities stand in a line below the polygon."""
@@ -66,7 +63,7 @@ def _of_velocities(
         [
             line_of_text((TextRun(head),)),
             polygon.drawing,
-            scale_bar(scale_of(velocities), unit),
+            scale_bar(velocity_scale(velocities), unit),
             *_rows(polygon.left),
             *_rows(list(spins)),
         ]
@@ -84,9 +81,8 @@ def _rows(parts: Sequence[tuple[TextRun, ...]]) -> Iterator[Drawing]:
 
 def _of_forces(forces: ForceVectors) -> Drawing:
     """Return the polygons of all bodies under one set of loads, to one scale."""
-    scale = LARGEST_ARROW / forces.largest
-    found = [_polygon(forces, body, scale) for body in _drawn(forces)]
-    bar = scale_bar(scale * forces.measure, forces.unit)
+    found = [_polygon(forces, body) for body in _drawn(forces)]
+    bar = scale_bar(force_scale(forces) * forces.measure, forces.unit)
     polygons = [in_rows(found, "top"), bar] if found else []
     open_ = ", ".join(forces.called(b.name) for b in forces.described if not is_known(b))
     left_out = (
@@ -103,9 +99,9 @@ def _drawn(forces: ForceVectors) -> Iterator[FreeBody]:
             yield body
 
 
-def _polygon(forces: ForceVectors, body: FreeBody, scale: float) -> Drawing:
+def _polygon(forces: ForceVectors, body: FreeBody) -> Drawing:
     title = line_of_text(name(forces.called(body.name)))
-    return joined([title, force_polygon(forces, body, scale)])
+    return joined([title, force_polygon(forces, body)])
 
 
 LONGEST_SCALE_BAR = 30.0

@@ -48,13 +48,11 @@ DIRECTIONS = 12
 
 
 def draw_pairs(sheet: Sheet, paper: Paper) -> None:
-    """Draw cylinders and springs; a telescope between the same points is its cylinder."""
+    """Draw actuators and springs; a telescope between the same points is the cylinder already."""
     parts = paper.figure.parts
     drawn = {frozenset(part.points) for part in parts if isinstance(part, Telescope)}
     for part in parts:
-        if isinstance(part, Telescope):
-            sheet.draw(Layer.BODIES, cylinder(*map(paper.at, part.points)))
-        elif isinstance(part, Actuator) and frozenset((part.first, part.second)) not in drawn:
+        if isinstance(part, Actuator) and frozenset((part.first, part.second)) not in drawn:
             sheet.draw(Layer.BODIES, cylinder(paper.at(part.first), paper.at(part.second)))
         elif isinstance(part, Spring):
             sheet.draw(Layer.BODIES, spring(paper.at(part.first), paper.at(part.second)))

@@ -49,7 +49,7 @@ class Side(NamedTuple):
     points: tuple[str, str]
 
 
-def scale_of(velocities: MotionVelocities) -> float:
+def velocity_scale(velocities: MotionVelocities) -> float:
     """Return how many millimetres a unit of speed is."""
     ends = [NOWHERE, *velocities.points.values()]
     xs, ys = [end.x for end in ends], [end.y for end in ends]
@@ -74,7 +74,9 @@ class Polygon(NamedTuple):
 
 def velocity_polygon(figure: Figure, velocities: MotionVelocities) -> Polygon:
     """Return the polygon of the velocities of one motion."""
-    maker = _PolygonMaker(figure, velocities, VelocityVectors(velocities), scale_of(velocities))
+    maker = _PolygonMaker(
+        figure, velocities, VelocityVectors(velocities), velocity_scale(velocities)
+    )
     return maker.polygon()
 
 
