@@ -11,6 +11,7 @@ from ..frozen import replace
 from ..version import VERSION
 from . import session
 from .commands import COMMANDS, found
+from .exit_status import MISUSED
 from .usage import Argument, BadParameter, Command, Complete, Option, UsageError, WholeNumber, Word
 
 if TYPE_CHECKING:
@@ -29,10 +30,10 @@ def run(arguments: Sequence[str] | None) -> int:
         status = mechc.main(arguments, prog_name="mechc", standalone_mode=False)
     except click.NoSuchOption as error:
         _with_hint(error).show()
-        return error.exit_code
+        return MISUSED
     except click.ClickException as error:
         error.show()
-        return error.exit_code
+        return MISUSED
     except click.Abort:
         raise KeyboardInterrupt from None
     return status if isinstance(status, int) else 0
@@ -43,7 +44,7 @@ def refuse(command: Command, error: UsageError) -> int:
     root = click.Context(mechc, info_name="mechc")
     shown = _in_click(error, click.Context(_built(command), root, info_name=command.name))
     shown.show()
-    return shown.exit_code
+    return MISUSED
 
 
 def _in_click(error: UsageError, ctx: click.Context | None = None) -> click.UsageError:

@@ -4,11 +4,9 @@ from collections.abc import Iterable
 
 from ..diagnostics import Diagnostic, Severity, drawing, statics
 
-WRONG, ENVIRONMENT, LIMIT, INTERNAL = 1, 3, 4, 70
-"""The description is wrong, a file or program is, a limit was met, mechc itself is wrong.
-
-2 is for a command line that is wrong (:class:`.usage.UsageError`).
-"""
+WRONG, MISUSED, ENVIRONMENT, LIMIT, INTERNAL = 1, 2, 3, 4, 70
+"""The description is wrong, the command line is (:class:`.usage.UsageError`), a file or program is,
+a limit was met, mechc itself is wrong."""
 
 
 def status(diagnostics: Iterable[Diagnostic]) -> int:
