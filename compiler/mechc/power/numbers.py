@@ -341,7 +341,7 @@ class Arrows:
         a load is driven back where it is said to move along its arrow.
         """
         asked = [self._loads[n] for n in (target.below, target.above) if n in self._loads]
-        if self._reported & {k.name for k in asked} or self._turns(result):
+        if self._reported & {k.name for k in asked} or self._is_positive_somewhere(result):
             return
         self._reported |= {k.name for k in asked}
         friction = self._pose.mechanism.friction
@@ -354,7 +354,7 @@ class Arrows:
             turned = [k.name for k in asked if isinstance(k, Force) and not k.weight]
             self._report.add(messages.drive_is_back_driven(find.span, find.name, drive, turned))
 
-    def _turns(self, result: Result) -> bool:
+    def _is_positive_somewhere(self, result: Result) -> bool:
         """Return whether a result that is negative by default is positive along the stroke."""
         drive = self._pose.mechanism.drive
         if drive is None or not (ends := range_of(drive.parameter, self._pose.mechanism)):

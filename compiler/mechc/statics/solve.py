@@ -90,8 +90,8 @@ class EliminatedSystem:
         """Return the weight with which each row's right-hand side enters an unknown."""
         wanted = {column: 1.0}
         weights = [0.0] * len(self.rows)
-        for row, column, pivot, others in self.pivots:
-            weights[row] = share = wanted.get(column, 0.0) / pivot
+        for row, pivoted, pivot, others in self.pivots:
+            weights[row] = share = wanted.get(pivoted, 0.0) / pivot
             if share:
                 for j, entry in others:
                     wanted[j] = wanted.get(j, 0.0) - share * entry

@@ -87,7 +87,11 @@ def sizes(mechanism: Mechanism, real: Result) -> dict[str, float] | None:
 
 
 def efficiency_ranges(study: Study, efficiency: Result) -> Iterator[EfficiencyRange]:
-    """Yield through what an efficiency runs over each range that it depends on."""
+    """Yield through what an efficiency runs over each range that it depends on.
+
+    One that is constant over a range is left out, as nobody asks for it; not so where the range is
+    one of motion and the formula that is printed has its parameter, as if that mattered.
+    """
     assert isinstance(efficiency.target, Efficiency)
     of, sense = efficiency.target.of, efficiency.target.sense
     both, mechanism = (study.ideal(of), study.real(of, sense)), study.mechanism

@@ -38,7 +38,7 @@ def measured_twice(value: ast.Product, found: Dimension) -> ast.Number | None:
     A length by a number of millimetres is an area, and an area with a name by a number of square
     millimetres the second moment of one; that of other quantities is hardly ever meant.
     """
-    named = all(_has_a_name(f) for _, f in value.factors)
+    named = all(_is_quantity(f) for _, f in value.factors)
     for sign, factor in value.factors:
         if sign > 0 and isinstance(factor, ast.Number) and factor.unit:
             own = UNITS[factor.unit].dimension
@@ -62,7 +62,7 @@ def _note_divisor(name: str, value: ast.Product, has_unit: bool, scope: NameScop
                 )
 
 
-def _has_a_name(factor: ast.Expr) -> bool:
+def _is_quantity(factor: ast.Expr) -> bool:
     """Return whether a factor is a quantity by its name, or a number with its unit."""
     match factor:
         case ast.Symbol(name=name):
