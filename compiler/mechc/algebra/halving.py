@@ -14,10 +14,8 @@ from . import factoring, laurent
 from .angle import Angle
 from .factors import Trig
 from .product import Product, Sum
+from .tolerances import ROUNDED_SUM
 from .trigonometry import cosine, sine
-
-ROUNDED_SUM = 1e-9
-"""A sum below this part of its terms is zero: each of them was rounded a few times."""
 
 FINEST_PART = 64
 """Angles are halved down to this part of a symbol, and no further."""

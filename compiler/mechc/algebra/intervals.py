@@ -14,15 +14,13 @@ from .angle import RADIAN, Angle
 from .factors import CIRCLE, ConstantSymbol, Factor, Length, Opaque, Trig
 from .from_formula import to_product
 from .product import Product, Sum
+from .tolerances import SAME_ANGLE
 
 SLACK = 4e-16
 """Relative outward rounding of one operation, some two units in the last place."""
 
 LEAST = math.ulp(0.0)
 """The least positive number: what lies above 0 lies no nearer."""
-
-SAME_ANGLE = 1e-12
-"""An angle beyond a bound by less than this, in radians, was rounded, and lies within it."""
 
 
 class NumberInterval(NamedTuple):

@@ -25,20 +25,15 @@ from .halving import Anything
 from .modular import PARTS, PRIME, ModularPoint
 from .product import Product, Sum
 from .sums import BoundSum
+from .tolerances import PLAINLY_NOT_ZERO, POLE
 from .trigonometry import sine
 
 TERMS = (2, 8)
 """Terms of a series, first few: what is zero to the last order is not looked into any further."""
 
 
-PLAINLY_NOT_ZERO = 1e-5
-"""What is not below this part of a sum's terms is not zero, without looking closer."""
-
 MOST_SINE_ROOTS = 64
 """Roots of one sine: those of 1.234·a and a are not distinguished."""
-
-POLE = 1e-5
-"""Terms that grow by more than its inverse may have a pole."""
 
 
 class AngleRoot(NamedTuple):

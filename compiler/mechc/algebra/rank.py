@@ -7,11 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from .modular import PRIME, ModularPoint
 from .product import Product
+from .tolerances import DEPENDENT
 
 Residues = dict[int, int]
-
-DEPENDENT = 1e-9
-"""A pivot below this part of a row is rounding: the row follows from the others."""
 
 
 def residues(row: Mapping[int, Product], point: ModularPoint) -> Residues:
@@ -72,8 +70,8 @@ def independent_of(rows: Sequence[Mapping[int, Product]]) -> list[bool]:
 def numeric_rank(rows: Sequence[Mapping[int, float]], scaled: bool = True) -> int:
     """Return the rank of a numeric matrix by elimination with complete pivoting.
 
-    A pivot below :data:`DEPENDENT` counts as zero. Rows are scaled to a largest entry of 1
-    first, unless they are ``scaled`` otherwise already (then say False).
+    A pivot below :data:`~.tolerances.DEPENDENT` counts as zero. Rows are scaled to a largest
+    entry of 1 first, unless they are ``scaled`` otherwise already (then say False).
     """
     rest = [_normalised(row) for row in rows] if scaled else [dict(row) for row in rows]
     rank = 0

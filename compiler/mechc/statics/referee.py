@@ -24,7 +24,7 @@ from .closure import worst_gap
 from .contacts import pulling, slack
 from .poses import Replay, Values, broken_at_default, candidates, free_values, varies
 from .questions import Question, questions
-from .tolerances import SMALLEST
+from .tolerances import SINGULAR_CONDITION, SMALLEST
 from .verdict import (
     NEAR_SINGULAR,
     NO_MORE,
@@ -42,9 +42,6 @@ CHECKED_POSES = 4
 
 POSE_DRAWS = 40
 """How many poses are drawn, at most, to find them."""
-
-SINGULAR = 1e9
-"""A pose whose condition is worse is within a hair of singular: another one is drawn."""
 
 
 class RefereeDisagrees(MechcError):
@@ -166,7 +163,7 @@ def _compared(question: Question, at: Balanced, power: float, answer: Answer) ->
     """Return both answers, or why they do not do."""
     if answer.trouble:
         return answer.trouble
-    if power and answer.condition > SINGULAR:
+    if power and answer.condition > SINGULAR_CONDITION:
         if not _is_rounding(question, at):
             return NEAR_SINGULAR
         power = 0.0

@@ -46,5 +46,11 @@ CONDITION_SLACK = 1e4
 It covers the number of equations and what the directions themselves have lost.
 """
 
+SINGULAR_CONDITION = 1e9
+"""A pose whose condition is worse is within a hair of singular: another one is drawn.
+
+Of the sixteen digits of a number seven are left there.
+"""
+
 SMALLEST = 1e-300
 """What an error is relative to where both answers are zero."""

@@ -33,7 +33,7 @@ from ..work import Allowance, WorkLimitError, most_of_what_is_left, within_part
 from . import locking, ratios
 from .analysis import Analysis, ClaimScope, NumericSlope, Trend, as_printed
 from .intervals import Locking
-from .tolerances import SAME_RATIO
+from .tolerances import PRINTED_ROUNDING, SAME_RATIO
 from .trends import trend
 from .variables import with_range
 from .zeros import breaks, limits
@@ -267,10 +267,6 @@ def _agree_at_a_pose(formula: Formula, a: str, b: str) -> bool:
 
 
 # --------------------------------------------------------------------------------- printed formulas
-
-
-PRINTED_ROUNDING = 1e-6
-"""What a printed formula may be off its value by rounding, as a part of it."""
 
 
 def fails_here(result: Analysis, values: Values) -> bool:

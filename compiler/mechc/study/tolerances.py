@@ -24,6 +24,9 @@ SAME_TURN = 1e-6
 SAME_RATIO = 1e-9
 """Relative difference below which two formulas agree at a pose."""
 
+PRINTED_ROUNDING = 1e-6
+"""What a printed formula may be off its value, as a part: iteration finds half the digits."""
+
 SAME_FIGURE = 1e-12
 """What reading a figure may round off, as a part of it: a tolerance holds at its very end."""
 
@@ -100,6 +103,18 @@ SIDE = 1e-9
 JUMP_SIDES = (1e-9, 1e-8)
 """The parts of the stroke from a jump at which is seen what grows without end towards it."""
 
+BESIDE_END = 0.01
+"""The part of a cell from an end of a part at which a turn before that end shows."""
+
+BESIDE_ZERO = 1e-7
+"""The part of a stroke by which a simple zero is left, at the least: values are beyond rounding."""
+
+NOTHING_AT_END = 1e-3
+"""What a factor is at an end where it is nothing, at most, as a part of what it is beside it.
+
+It goes to zero there as a root: 1e-3 is left at :data:`DIFFERENCE`, 1e-8 of rounding at the end.
+"""
+
 BESIDE_REST = 1e-9
 """How far, against its size or 1, a value is from one at which a slip is 0: it has a sense then."""
 
@@ -117,6 +132,12 @@ Farther away another zero or pole, so near as 1e-6 of the stroke, hides it; near
 
 BEYOND_BRANCH_POINT = (2e-5, 1e-4)
 """The same at a branch point: a sixteenth of each is still farther than what lies on that."""
+
+SAME_EXPONENT, VARYING_EXPONENT = 0.1, 0.3
+"""What two exponents of one power may differ by, and which is none of a constant.
+
+Exponents are whole, or halves where a loop folds: 0.3 is nearer to 1/2 than to 0.
+"""
 
 STEADY = 1e-3
 """What a function that is finite changes by from one side of a value to the other, at most."""

@@ -5,12 +5,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from typing import Literal
 
+from ...formula.jumps import BESIDE_JUMP
 from ...formula.roots import lowest, roots
 from ...frozen import replace
 from ...model.mechanism import LoadRatio, Reaction, SpeedRatio, WithFriction
 from ..analysis import Analysis
 from ..sweep import Sweep
-from ..tolerances import BESIDE_BRANCH_POINT, CONSTANT, SAME_RATIO, SAME_VALUE
+from ..tolerances import BESIDE_BRANCH_POINT, BESIDE_END, CONSTANT, SAME_RATIO, SAME_VALUE
 from .friction import is_shown
 from .jumps import has_turns, is_on_the_stroke
 from .rounded import is_nil, is_turning, rounded
@@ -19,12 +20,6 @@ from .singular import order_of, roots_at
 from .stroke import ChangePoint, Extremum, Singular, StrokeInterval
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
-
-BESIDE_JUMP = 1e-8
-"""The part of the stroke from a jump at which its sides are seen."""
-
-CLOSE = 0.01
-"""The part of a cell from an end of a part at which a turn before that end shows."""
 
 
 def extrema_along(
@@ -112,7 +107,7 @@ def parted(grid: Sequence[float], breaks: Mapping[float, float]) -> Iterator[lis
 def _part(inner: Sequence[float], first: float, last: float) -> list[float]:
     """Return places between two ends, with some close to the ends."""
     after, before = (inner[0], inner[-1]) if inner else (last, first)
-    close = (first + (after - first) * CLOSE, last + (before - last) * CLOSE)
+    close = (first + (after - first) * BESIDE_END, last + (before - last) * BESIDE_END)
     return sorted({first, *close, *inner, last})
 
 

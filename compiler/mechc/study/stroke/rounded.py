@@ -12,7 +12,7 @@ from ...formula.roots import spaced
 from ...formula.rounding import with_error
 from ...model.result import Result
 from ..sweep import Sweep
-from ..tolerances import BRANCH_POINT, LOST, NEARBY, NEGLIGIBLE
+from ..tolerances import BESIDE_ZERO, BRANCH_POINT, LOST, NEARBY, NEGLIGIBLE
 from .run import StrokeRun
 from .stroke import ChangePoint, Extremum, Singular, StrokeInterval, ZeroInterval
 
@@ -112,16 +112,12 @@ def each_zero_once(found: Iterable[Singular], run: StrokeRun) -> Iterator[Singul
         yield one._replace(drive=drive)
 
 
-FLAT = 1e-7
-"""The part of a stroke by which a simple zero is left, at the least."""
-
-
 def _flat_part(x: float, result: Result, run: StrokeRun) -> tuple[float, float]:
     """Return the ends of the part around a zero on which values are nothing but rounding.
 
     Of most zeros there is no such part: both ends are the zero.
     """
-    along, least = run.along, FLAT * run.range
+    along, least = run.along, BESIDE_ZERO * run.range
 
     def is_flat(at: float) -> bool:
         return along.beyond_rounding(result, at) == 0

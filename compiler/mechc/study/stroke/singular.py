@@ -17,9 +17,12 @@ from ..tolerances import (
     BRANCH_POINT,
     DIFFERENCE,
     NEARBY,
+    NOTHING_AT_END,
+    SAME_EXPONENT,
     SAME_VALUE,
     SIDE,
     STEADY,
+    VARYING_EXPONENT,
 )
 from .jumps import PLACES, jumping, jumps_along
 from .rounded import each_zero_once, is_nil, is_nothing
@@ -33,12 +36,6 @@ Order = Literal["0", "infinite", "finite", "jump"]
 
 OrderAt = Callable[[float, Sequence[float]], Order | None]
 """Returns what a result does at a value, as it is seen at some parts of the stroke from there."""
-
-ALIKE, VARIES = 0.1, 0.3
-"""What two exponents of one power may differ by, and which is none of a constant."""
-
-NO_PART = 1e-3
-"""What a factor is at an end where it is nothing, at most, as a part of what it is beside it."""
 
 
 def singular_along(
@@ -159,7 +156,7 @@ def _at_the_ends(factor: RealFunction, stretch: StrokeInterval) -> Iterator[Root
     ends = ((stretch.low, stretch.before, step), (stretch.high, stretch.after, -step))
     for end, why, inwards in ends:
         there, near, away = (abs(factor(end + part * inwards)) for part in (0, 1, 4))
-        if near < 0.7 * away and (why or there < NO_PART * near):
+        if near < 0.7 * away and (why or there < NOTHING_AT_END * near):
             yield Root(end, math.ulp(end))
 
 
@@ -189,11 +186,11 @@ def order_at(
     for part in parts:
         sides = (_exponent(function, x, side * part * range_) for side in (-1, 1))
         if exponents := [e for e in sides if e is not None]:
-            if max(exponents) < -VARIES:
+            if max(exponents) < -VARYING_EXPONENT:
                 return "infinite"
-            if min(exponents) > VARIES:
+            if min(exponents) > VARYING_EXPONENT:
                 return "0"
-            if max(map(abs, exponents)) > VARIES:
+            if max(map(abs, exponents)) > VARYING_EXPONENT:
                 return None
             before, after = (function(x + side * part / 16 * range_) for side in (-1, 1))
             return "jump" if abs(before - after) > STEADY * abs(after) else "finite"
@@ -206,7 +203,7 @@ def _exponent(function: RealFunction, x: float, distance: float) -> float | None
     if not all(0 < size < math.inf for size in sizes):
         return None
     first, second = (math.log(far / near, 4) for far, near in pairwise(sizes))
-    return second if abs(first - second) < ALIKE else None
+    return second if abs(first - second) < SAME_EXPONENT else None
 
 
 def distinguished(
