@@ -555,3 +555,40 @@ def test_what_the_report_of_a_mechanism_leaves_out_is_not_said_to_be_derived(
         others = page.partition("Results of the mechanism:")[2].partition(r"\par")[0]
         assert "k_C=" in below
         assert ("R_{O,C}=" in others, "R_{O,C}=" in below) == (bool(said), not said)
+
+
+SLOTTED = """
+mechanism slotted
+param phi = 90 deg
+param a = 50 mm
+pivot C at (0 mm, 100 mm)
+pivot O at (0 mm, 0 mm)
+link CA
+link OE
+slot A in OE
+CA = a @ phi
+OE = 300 mm
+torque M on CA
+force F at E along x
+friction contact A 0.3
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "line", "is_said"),
+    [
+        ("", "let y = S_k_f", True),
+        ("", "require S_eta_k < 2", True),
+        ("", "let y = S_k", False),
+        (" (phi = 89.9 deg)", "let y = S_k_f", False),
+    ],
+)
+def test_a_joint_that_does_not_slide_at_the_pose_of_a_sheet_is_said(tmp_path, given, line, is_said):
+    """The sheet had k_f without friction, beside the mechanism's own limit from both sides."""
+    (tmp_path / "slotted.mech").write_text(SLOTTED, encoding="utf-8")
+    path = tmp_path / "sheet.mech"
+    path.write_text(f'sheet s\nuse "slotted.mech" as S{given}\n{line}\n', encoding="utf-8")
+    said = [d.message for d in mechc.load(path).warnings if d.code == "W518"]
+    assert len(said) == is_said
+    assert all("without the friction of a joint that does not slide" in one for one in said)

@@ -34,6 +34,7 @@ ELSEWHERE = {
     "E603": "statics/test_closure.py",
     "E555": "calculation/test_uses.py",
     "E562": "calculation/test_uses.py",
+    "W518": "calculation/test_used_mechanisms.py",
     "E574": "model/test_joined.py",
     "E910": "model/test_joined.py",
     "E704": "calculation/test_sheets.py",

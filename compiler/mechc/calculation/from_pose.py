@@ -1,6 +1,7 @@
 """The results of a calculation sheet, whose formulas are given: nothing is derived."""
 
 import math
+from collections.abc import Sequence
 
 from ..diagnostics import Report
 from ..diagnostics import sheets as messages
@@ -18,7 +19,7 @@ from ..pose.pose import Pose, PoseDefinition
 from ..power.definitions import let_results
 from .calculation import Calculation, Check
 from .signs import doubtful, negative_sizes
-from .taken import taken, with_values
+from .taken import is_at_rest, taken, with_values
 
 
 def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
@@ -26,7 +27,7 @@ def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
 
     E550 where a condition fails at the values of the sheet, E551 where a formula has no value
     there, E564 where a result of a mechanism has none; W265 where a sign makes a condition hold,
-    W290 where a size is negative.
+    W290 where a size is negative, W518 where a joint of a mechanism does not slide.
     """
     pose = _with(pose, solved)
     mechanism = pose.mechanism
@@ -42,6 +43,7 @@ def calculate(pose: Pose, solved: UsedSolution, report: Report) -> Calculation:
         report.add(doubt)
     for doubt in negative_sizes(mechanism, values, len(report.source.text)):
         report.add(doubt)
+    _remark_on_rest(mechanism, brought, given, report)
     failed |= _refuse_without(pose, given, values, report)
     _refuse_undefined(mechanism, values, failed, report)
     nothing = _rounded_zeros(mechanism, given)
@@ -73,6 +75,17 @@ def _refuse_without(pose: Pose, given: Values, values: Values, report: Report) -
         loop = _open_loop(result.name, pose.loops, values)
         report.add(uses_messages.result_without_value(span, result.name, result.asked, loop))
     return {result.name for result in missing}
+
+
+def _remark_on_rest(
+    mechanism: Mechanism, brought: Sequence[Result], given: Values, report: Report
+) -> None:
+    """Warn of the first result of each mechanism, of those used, that lacks a joint's friction."""
+    conditions = (side for r in mechanism.requires for side in (r.left, r.right))
+    used = symbols(*user_defined(mechanism).values(), *conditions)
+    still = {r.name for r in brought if r.name in used and is_at_rest(r, given)}
+    for one in {t.span: t for t in reversed(mechanism.taken) if t.name in still}.values():
+        report.add(uses_messages.result_at_rest(one.span, one.name, one.asked))
 
 
 def _open_loop(result: str, loops: tuple[ClosedLoop, ...], values: Values) -> str:

@@ -6,7 +6,7 @@
 from collections.abc import Iterator, Mapping
 
 from ..formula.evaluate import evaluate
-from ..formula.tree import Formula
+from ..formula.tree import Formula, is_call
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Parameter, Require, Subject
@@ -150,6 +150,15 @@ def _value(result: Result, values: Values) -> float | None:
         return None
     known = completed(values, form.where)
     return evaluate(form.formula, known) if symbols(form.formula) <= known.keys() else None
+
+
+def is_at_rest(result: Result, values: Values) -> bool:
+    """Return whether a slip is 0 at the values of a sheet, so that its friction has no sense."""
+    form = standing(result, values)
+    if form is None:
+        return False
+    known = completed(values, form.where)
+    return any(is_call(d.formula, "sense") and known.get(d.name) == 0 for d in form.where)
 
 
 def _is_in_its_case(result: Result, values: Values) -> bool:

@@ -1,4 +1,4 @@
-"""Messages about sheets and mechanisms that are used (E555 to E568)."""
+"""Messages about sheets and mechanisms that are used (E555 to E568, W518)."""
 
 from collections.abc import Collection
 
@@ -118,6 +118,22 @@ def result_without_value(span: Span, name: str, asked: Span, loop: str = "") -> 
     related = (Related(asked, "it is asked for here"),)
     hint = "change what is given" if loop else "change what is given, or check it by itself"
     return Message(span, message, hint, related)
+
+
+@coded("W518")
+def result_at_rest(span: Span, name: str, asked: Span) -> Message:
+    """A result with friction is taken from a mechanism in whose pose a joint does not slide.
+
+    Which way its friction acts is undetermined there, and a formula has none. The mechanism by
+    itself states what the result comes to on both sides, or that it jumps; a sheet has that side
+    whose pose it gives::
+
+        use slotted_lever as S (phi = 90 deg)      # warned of: the slot turns back there
+        use slotted_lever as S (phi = 89.99 deg)   # the limit on one side
+    """
+    message = f"{name} is without the friction of a joint that does not slide at this pose"
+    related = (Related(asked, "it is asked for here"),)
+    return Message(span, message, "give the mechanism a pose beside it", related)
 
 
 @coded("E565")
