@@ -6,7 +6,7 @@ import pytest
 
 from mechc.driver import Compilation
 from mechc.formula.tree import ONE
-from mechc.model.linkage.fast_pins import Adjacency, CarrierNode, Carriers, is_held, refined
+from mechc.model.linkage.fast_pins import Adjacency, CarrierNode, FastPins, is_held, refined
 from mechc.model.mechanism import WheelPair
 from mechc.source import Source
 from small_poses import HERE
@@ -45,8 +45,8 @@ def test_edges_to_what_is_not_there_do_not_count() -> None:
     assert ranks([*path("on", "on"), (PATH[0], ("body", "x"), "on")]) == ranks(path("on", "on"))
 
 
-def carriers(text: str) -> Carriers:
-    return Carriers(Compilation(Source("linkage.mech", text)).mechanism, {})
+def carriers(text: str) -> FastPins:
+    return FastPins(Compilation(Source("linkage.mech", text)).mechanism, {})
 
 
 FOUR_BAR = """

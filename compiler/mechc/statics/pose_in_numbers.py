@@ -11,7 +11,7 @@ from .assembly import GROUND, Action, Couple, Plane, PointForce, Wrench, directi
 
 
 @frozen
-class Halves:
+class PoseInNumbers:
     """A pose at given values of its symbols."""
 
     pose: Pose

@@ -33,12 +33,12 @@ from .assembly import (
     Wrench,
     direction,
 )
-from .pose_in_numbers import Halves
+from .pose_in_numbers import PoseInNumbers
 from .transfers import transfers
 
 
 @frozen
-class Unfolding(Halves):
+class Unfolding(PoseInNumbers):
     """A pose at given values, and what forces and couples put on both halves of it."""
 
     def push(self, point: str, force: Plane) -> tuple[Action, ...]:
@@ -142,79 +142,79 @@ class Unfolding(Halves):
         )
 
 
-def bodies(halves: Halves) -> Iterator[RigidBody]:
+def bodies(numeric: PoseInNumbers) -> Iterator[RigidBody]:
     """Yield every link, in both halves."""
-    for link in halves.pose.mechanism.links:
-        frame = halves.pose.frames[link.name]
-        points = {p: Plane(*evaluate_vector(frame[p], halves.values)) for p in link.points}
+    for link in numeric.pose.mechanism.links:
+        frame = numeric.pose.frames[link.name]
+        points = {p: Plane(*evaluate_vector(frame[p], numeric.values)) for p in link.points}
         yield RigidBody(link.name, points, link.arc is not None)
-        if not halves.is_shared(link.name):
-            twins = {halves.twin(p): halves.reflected(v) for p, v in points.items()}
+        if not numeric.is_shared(link.name):
+            twins = {numeric.twin(p): numeric.reflected(v) for p, v in points.items()}
             yield RigidBody(primed(link.name), twins, link.arc is not None)
 
 
-def pivots(halves: Halves) -> Iterator[str]:
+def pivots(numeric: PoseInNumbers) -> Iterator[str]:
     """Yield every pin on the ground, in both halves."""
-    for pivot in halves.pose.mechanism.each(Pivot):
-        yield from dict.fromkeys((pivot.point, halves.twin(pivot.point)))
+    for pivot in numeric.pose.mechanism.each(Pivot):
+        yield from dict.fromkeys((pivot.point, numeric.twin(pivot.point)))
 
 
-def guides(halves: Halves) -> Iterator[Guide]:
+def guides(numeric: PoseInNumbers) -> Iterator[Guide]:
     """Yield the guide of every slider, in both halves, and those that symmetry makes."""
-    for slider in halves.pose.mechanism.each(Slider):
-        along = halves.direction_of_guide(slider.point)
+    for slider in numeric.pose.mechanism.each(Slider):
+        along = numeric.direction_of_guide(slider.point)
         yield Guide(slider.point, along)
-        if not halves.is_shared(slider.point):
-            yield Guide(halves.twin(slider.point), halves.reflected(along))
-    yield from _guides_by_symmetry(halves)
+        if not numeric.is_shared(slider.point):
+            yield Guide(numeric.twin(slider.point), numeric.reflected(along))
+    yield from _guides_by_symmetry(numeric)
 
 
-def _guides_by_symmetry(halves: Halves) -> Iterator[Guide]:
-    copies, guides = halves.pose.mechanism.copies, halves.pose.guides
+def _guides_by_symmetry(numeric: PoseInNumbers) -> Iterator[Guide]:
+    copies, guides = numeric.pose.mechanism.copies, numeric.pose.guides
     if copies is None:
         return
-    axis = next((halves.direction_of_guide(p) for p in copies.sharing if p in guides), None)
-    held = {*guides, *halves.pose.mechanism.fixed}
+    axis = next((numeric.direction_of_guide(p) for p in copies.sharing if p in guides), None)
+    held = {*guides, *numeric.pose.mechanism.fixed}
     for point in copies.sharing:
         if axis is not None and point not in held:
             yield Guide(point, axis)
 
 
-def slides(halves: Halves) -> Iterator[Translation]:
+def slides(numeric: PoseInNumbers) -> Iterator[Translation]:
     """Yield every body that only translates, in both halves."""
-    for slide in halves.pose.mechanism.slides:
-        along = direction(halves.pose.slides[slide.name].evaluate(halves.values))
-        frame = halves.pose.frames[slide.name]
-        points = {p: Plane(*evaluate_vector(frame[p], halves.values)) for p in slide.points}
+    for slide in numeric.pose.mechanism.slides:
+        along = direction(numeric.pose.slides[slide.name].evaluate(numeric.values))
+        frame = numeric.pose.frames[slide.name]
+        points = {p: Plane(*evaluate_vector(frame[p], numeric.values)) for p in slide.points}
         yield Translation(RigidBody(slide.name, points), along)
-        if not halves.is_shared(slide.name):
-            twins = {halves.twin(p): halves.reflected(v) for p, v in points.items()}
-            yield Translation(RigidBody(primed(slide.name), twins), halves.reflected(along))
+        if not numeric.is_shared(slide.name):
+            twins = {numeric.twin(p): numeric.reflected(v) for p, v in points.items()}
+            yield Translation(RigidBody(primed(slide.name), twins), numeric.reflected(along))
 
 
-def point_contacts(halves: Halves) -> Iterator[PinOnBody]:
+def point_contacts(numeric: PoseInNumbers) -> Iterator[PinOnBody]:
     """Yield every pin in a slot and every contact, in both halves."""
-    for contact in halves.pose.contacts:
-        normal = direction(contact.normal.evaluate(halves.values))
-        reach = Plane(*evaluate_vector(contact.reach, halves.values))
-        first = next(iter(halves.pose.frames[contact.body]))
-        base = halves.arm(contact.body, first, contact.tail)
+    for contact in numeric.pose.contacts:
+        normal = direction(contact.normal.evaluate(numeric.values))
+        reach = Plane(*evaluate_vector(contact.reach, numeric.values))
+        first = next(iter(numeric.pose.frames[contact.body]))
+        base = numeric.arm(contact.body, first, contact.tail)
         arm = Plane(base.x + reach.x, base.y + reach.y)
         yield PinOnBody(contact.kind, contact.point, contact.body, arm, normal)
-        if not (halves.is_shared(contact.point) and halves.is_shared(contact.body)):
-            body = contact.body if halves.is_shared(contact.body) else primed(contact.body)
-            mirrored = halves.reflected(arm), halves.reflected(normal)
-            yield PinOnBody(contact.kind, halves.twin(contact.point), body, *mirrored)
+        if not (numeric.is_shared(contact.point) and numeric.is_shared(contact.body)):
+            body = contact.body if numeric.is_shared(contact.body) else primed(contact.body)
+            mirrored = numeric.reflected(arm), numeric.reflected(normal)
+            yield PinOnBody(contact.kind, numeric.twin(contact.point), body, *mirrored)
 
 
-def telescopes(halves: Halves) -> Iterator[Cylinder]:
+def telescopes(numeric: PoseInNumbers) -> Iterator[Cylinder]:
     """Yield every telescope that two bodies make, in both halves."""
-    for telescope in halves.pose.mechanism.cylinders:
+    for telescope in numeric.pose.mechanism.cylinders:
         first, second = telescope.points
-        arm = halves.arm(telescope.name, first, second)
+        arm = numeric.arm(telescope.name, first, second)
         reach = math.hypot(arm.x, arm.y)
         along = arm.times(1 / reach)
         yield Cylinder(telescope.name, telescope.points, reach, along)
-        if not halves.is_shared(telescope.name):
-            ends = halves.twin(first), halves.twin(second)
-            yield Cylinder(primed(telescope.name), ends, reach, halves.reflected(along))
+        if not numeric.is_shared(telescope.name):
+            ends = numeric.twin(first), numeric.twin(second)
+            yield Cylinder(primed(telescope.name), ends, reach, numeric.reflected(along))

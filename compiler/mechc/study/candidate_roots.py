@@ -21,7 +21,7 @@ from ..model.values import Chain
 from ..power.balance import AlgebraicResult, Balance
 from .analysis import Cause
 from .causes import cause
-from .common_zeros import VANISHES_TOO, Meetings, flat_sides
+from .common_zeros import VANISHES_TOO, CommonZeros, flat_sides
 from .tolerances import VANISHED_SUM
 from .trends import is_free_of_zeros
 from .variables import moving_first, with_range
@@ -39,7 +39,7 @@ _SIZE = ""
 """What a result is called among its definitions."""
 
 
-class Sought:
+class RatioSide:
     """A ratio, the side of its line on which factors vanish, and what is asked for each of them."""
 
     def __init__(
@@ -48,10 +48,10 @@ class Sought:
         balance: Balance,
         near: Mapping[str, float],
         side: int,
-        meetings: Meetings,
+        common_zeros: CommonZeros,
     ) -> None:
         assert item.value is not None
-        self.meetings = meetings
+        self.common_zeros = common_zeros
         self.item, self.value, self.balance = item, item.value, balance
         self.near, self.side = near, side
         self.defined = dict(item.result.where)
@@ -99,14 +99,14 @@ class Sought:
         return is_free_of_zeros(Product.of(factor), self._as_given, where)
 
 
-def has_order(root: AngleRoot, of: Sought) -> bool:
+def has_order(root: AngleRoot, of: RatioSide) -> bool:
     """Return whether a value is proved zero (infinite) at a root, at the values given, too."""
     found = order(of.value, root.name, root.value)
     there = found is not None and found * of.side > 0
     return there and not is_refuted(root, of)
 
 
-def is_refuted(root: AngleRoot, of: Sought) -> bool:
+def is_refuted(root: AngleRoot, of: RatioSide) -> bool:
     """Return whether a value does something else where lengths are just as they are given.
 
     With a = b, sin α/(a − b cos α) is infinite where it would vanish. And what is found by
@@ -128,7 +128,7 @@ def _is_otherwise(sizes: Sequence[float], side: int) -> bool:
     return bool(sizes) and math.log2(sizes[0] / sizes[1]) * side < 0.5
 
 
-def _meets_another(root: AngleRoot, of: Sought) -> bool:
+def _meets_another(root: AngleRoot, of: RatioSide) -> bool:
     """Return whether a sine across the line, of what loops find, is zero at a root as well.
 
     Where there is no pose nothing else can refute a root.
@@ -140,7 +140,7 @@ def _meets_another(root: AngleRoot, of: Sought) -> bool:
     return any(abs(evaluate(f.formula(), there)) < VANISHES_TOO for f in known)
 
 
-def _beside(root: AngleRoot, step: float, of: Sought) -> list[float]:
+def _beside(root: AngleRoot, step: float, of: RatioSide) -> list[float]:
     """Return the sizes of a value a step from a root, and half of one; none where it has none."""
     x = root.value.evaluate(of.near)
     here = ({**of.given, root.name: x + h} for h in (step, step / 2))

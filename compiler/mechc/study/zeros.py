@@ -16,7 +16,7 @@ from ..power.balance import AlgebraicResult, Balance
 from ..power.definitions import resting_on
 from .analysis import Break, Cause, Vanishing
 from .candidate_roots import (
-    Sought,
+    RatioSide,
     across_the_line,
     dividing_factors,
     has_order,
@@ -27,7 +27,7 @@ from .candidate_roots import (
     roots_across,
 )
 from .causes import across_of
-from .common_zeros import Meetings, is_between_sides, is_fold
+from .common_zeros import CommonZeros, is_between_sides, is_fold
 
 
 def limits(
@@ -40,8 +40,8 @@ def limits(
     does, the other dead centre.
     """
     assert item.value is not None
-    met = Meetings(item.value, dict(item.result.where), near, balance.plan.graph.pose.mechanism)
-    found = (_conditions(Sought(item, balance, near, side, met)) for side in (1, -1))
+    met = CommonZeros(item.value, dict(item.result.where), near, balance.plan.graph.pose.mechanism)
+    found = (_conditions(RatioSide(item, balance, near, side, met)) for side in (1, -1))
     zeros, poles = map(_each_place_once, found)
     return zeros, poles
 
@@ -86,7 +86,7 @@ def _holds_with(condition: Vanishing, other: Vanishing) -> bool:
     return bool(found) and all((order(another, r.name, r.value) or 0) > 0 for r in found)
 
 
-def _conditions(of: Sought) -> Iterator[Vanishing]:
+def _conditions(of: RatioSide) -> Iterator[Vanishing]:
     """Yield the conditions, each proved by the order that the whole value has there.
 
     None is known where something that loops find is infinite.
@@ -103,7 +103,7 @@ def _conditions(of: Sought) -> Iterator[Vanishing]:
                     yield from _of_sum(factor, of)
 
 
-def _of_sum(factor: Factor, of: Sought) -> Iterator[Vanishing]:
+def _of_sum(factor: Factor, of: RatioSide) -> Iterator[Vanishing]:
     """Yield the rest of a sum; where that is not known, all of it but for what it shares.
 
     At what it shares it may have the higher order: cos(3t/2)/(1 - 2 cos t)² is infinite at 60°.
@@ -150,7 +150,7 @@ def _without_shared(
     return left if are_split_off and not by_chance else []
 
 
-def _at_roots(trig: Trig, of: Sought) -> Iterator[Vanishing]:
+def _at_roots(trig: Trig, of: RatioSide) -> Iterator[Vanishing]:
     """Yield a sine or cosine where every root has one order and one cause; else single roots.
 
     cos 3a/cos² a vanishes at 30° and at 150°, not at 90°; where cos(45° + a)·cos(45° - a) is
@@ -184,14 +184,14 @@ def _joined(found: Sequence[tuple[Trig, Cause]]) -> list[tuple[Trig, Cause]]:
     return joined if len(joined) == len(found) else _joined(joined)
 
 
-def _roots(trig: Trig, of: Sought) -> list[AngleRoot]:
+def _roots(trig: Trig, of: RatioSide) -> list[AngleRoot]:
     """Return the roots of a sine or cosine that the value tells apart, or what stands still."""
     across = across_of(of.item, of.balance, of.side)
     found = (roots(trig, of.value, across) if across else []) or roots(trig, of.value)
     return [part for root in found for part in _separated(root, of)]
 
 
-def _separated(root: AngleRoot, of: Sought) -> tuple[AngleRoot, ...]:
+def _separated(root: AngleRoot, of: RatioSide) -> tuple[AngleRoot, ...]:
     """Return a root as one, or as its two within a turn where the value vanishes at one only.
 
     Angles that loops find need not be the same, nor opposite, half a turn on: with a chord AQ of
@@ -203,7 +203,7 @@ def _separated(root: AngleRoot, of: Sought) -> tuple[AngleRoot, ...]:
     return parts if len({is_refuted(part, of) for part in parts}) > 1 else (root,)
 
 
-def _but_by_chance(root: AngleRoot, of: Sought) -> Iterator[Vanishing]:
+def _but_by_chance(root: AngleRoot, of: RatioSide) -> Iterator[Vanishing]:
     """Yield a root at which something across the line is zero, too, for the values given only.
 
     With β = 0 it is sin(α + β) where sin(α - β) is, and k = sin(α + β)/sin(α - β) is 1.
@@ -216,7 +216,7 @@ def _but_by_chance(root: AngleRoot, of: Sought) -> Iterator[Vanishing]:
         yield Vanishing(root.factor.formula(), None, why, of.is_outside(root.factor), nil)
 
 
-def _vanishing(trig: Trig, why: Cause, of: Sought) -> Vanishing:
+def _vanishing(trig: Trig, why: Cause, of: RatioSide) -> Vanishing:
     """Return a condition solved for what moves; not for, nor by, what loops find."""
     found = trig.angle.names & of.defined.keys()
     at = None if found else vanishing_values(trig, of.near, of.box, of.moving_first)
@@ -230,7 +230,7 @@ def _vanishing(trig: Trig, why: Cause, of: Sought) -> Vanishing:
     return limit._replace(at=(at.name, at.nearest), within=at.within, period=period)
 
 
-def _nil_across(at: Roots, of: Sought) -> Iterator[Factor]:
+def _nil_across(at: Roots, of: RatioSide) -> Iterator[Factor]:
     """Yield what is nil across the line at a place that is stated, at the values given.
 
     Along another symbol, of which the factor was proved to vanish, it need not be: with a = 60°,
@@ -243,7 +243,7 @@ def _nil_across(at: Roots, of: Sought) -> Iterator[Factor]:
             yield from (f for f in across if is_nil_at(f, at.name, there))
 
 
-def _at_folds(trig: Trig, of: Sought) -> list[Trig]:
+def _at_folds(trig: Trig, of: RatioSide) -> list[Trig]:
     """Return the sines across the line that may vanish with one where equal sides fold.
 
     Of β = arcsin(sin T) the cosine is zero at T = 90°, and there sin(T + β) is zero as well. So
@@ -254,7 +254,7 @@ def _at_folds(trig: Trig, of: Sought) -> list[Trig]:
         return across_the_line(trig, of.value)
     flat = [names for names in of.flat if found and is_between_sides(trig, names)]
     exponent = of.value.factors.get(trig, of.side)
-    together = of.meetings.across(trig, of.side) if found else frozenset()
+    together = of.common_zeros.across(trig, of.side) if found else frozenset()
     across = [f for f, e in of.value.factors.items() if isinstance(f, Trig) and e * exponent < 0]
     return [
         other

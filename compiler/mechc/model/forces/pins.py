@@ -12,7 +12,7 @@ from ...source import Span
 from ...syntax import ast
 from ...units import LENGTH
 from ..formulas.expressions import Reader
-from ..linkage.fast_pins import Carriers, is_held
+from ..linkage.fast_pins import FastPins, is_held
 from ..mechanism import Arrow, Link, Mechanism, Offset, Telescope
 from ..names.scope import DESCRIPTION, NameScope
 from ..parts.friction import PinFriction, coulomb
@@ -26,7 +26,7 @@ class Pins:
 
     def __init__(self, named: set[str], built: Mechanism, scope: NameScope) -> None:
         self._named, self._built, self._scope = named, built, scope
-        self._carriers = Carriers(built, scope.values)
+        self._carriers = FastPins(built, scope.values)
 
     def read(self, statement: ast.PinFriction) -> Iterator[PinFriction]:
         """Yield the pins that a line speaks of; report one at which nothing turns."""

@@ -63,7 +63,7 @@ def is_held(point: str, mechanism: Mechanism) -> bool:
     )
 
 
-class Carriers:
+class FastPins:
     """Finds the link that a pin is fast in; ``values`` are those of parameters."""
 
     def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
