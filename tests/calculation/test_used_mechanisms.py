@@ -592,3 +592,26 @@ def test_a_joint_that_does_not_slide_at_the_pose_of_a_sheet_is_said(tmp_path, gi
     said = [d.message for d in mechc.load(path).warnings if d.code == "W518"]
     assert len(said) == is_said
     assert all("without the friction of a joint that does not slide" in one for one in said)
+
+
+def test_a_result_that_is_zero_in_a_mechanism_is_in_a_sheet(tmp_path):
+    """k was stated as -3.1e-15 mm beside 0 mm of the mechanism itself."""
+    lever = """
+param alpha = 30 deg
+pivot O
+pivot Q
+link OB
+link QC
+gear O 30 mm, Q 60 mm
+OB = 10 mm @ 0 deg
+QC = 100 mm @ alpha
+torque M on OB
+force F at C along -y
+find k = M/F
+friction gear O 0.02
+"""
+    (tmp_path / "train.mech").write_text(lever, encoding="utf-8")
+    path = tmp_path / "sheet.mech"
+    path.write_text('sheet s\nuse "train.mech" as T (alpha = 90 deg)\n', encoding="utf-8")
+    results = {result.name: result.default for result in mechc.load(path)._compilation.results}
+    assert results["T_k"] == results["T_k_f"] == 0

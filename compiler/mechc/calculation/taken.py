@@ -6,6 +6,7 @@
 from collections.abc import Iterator, Mapping
 
 from ..formula.evaluate import evaluate
+from ..formula.rounding import Rounding, beyond_rounding
 from ..formula.tree import Formula, is_call
 from ..formula.walk import symbols
 from ..frozen import replace
@@ -144,12 +145,19 @@ def with_values(results: tuple[Result, ...], values: Values) -> Iterator[Result]
 
 
 def _value(result: Result, values: Values) -> float | None:
-    """Return the value of the form that stands there; None where there is none."""
+    """Return the value of the form that stands there, 0 where that is all but for rounding.
+
+    None where there is none.
+    """
     form = standing(result, values)
     if form is None:
         return None
     known = completed(values, form.where)
-    return evaluate(form.formula, known) if symbols(form.formula) <= known.keys() else None
+    if not symbols(form.formula) <= known.keys():
+        return None
+    number = evaluate(form.formula, known)
+    is_zero = beyond_rounding(number, form.formula, form.where, Rounding(values)).number == 0
+    return 0.0 if is_zero else number
 
 
 def is_at_rest(result: Result, values: Values) -> bool:
