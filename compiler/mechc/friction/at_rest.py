@@ -112,8 +112,7 @@ def _is_pose(pose: Pose, values: Mapping[str, float]) -> bool:
 def _limit(result: Result, pose: Pose, name: str, step: float) -> float:
     """Return the limit on one side, on the line through the values one and two steps away."""
     near, far = (value_of(result, values_along(pose, name, s)) for s in (step, 2 * step))
-    limit = math.nan if near is None or far is None else 2 * near - far
-    share = 1.0 if isinstance(result.target, Efficiency) else 0.0
-    if near is not None and abs(limit) <= max(SAME_RESULT * abs(near), PRECISE * share):
-        return 0.0
-    return limit if math.isfinite(limit) else math.nan
+    if near is None or far is None or not math.isfinite(2 * near - far):
+        return math.nan
+    limit, share = 2 * near - far, 1.0 if isinstance(result.target, Efficiency) else 0.0
+    return 0.0 if abs(limit) <= max(SAME_RESULT * abs(near), PRECISE * share) else limit
