@@ -193,7 +193,10 @@ def vector_as_quantity(vector: str, posed: bool) -> str:
     """Return the hint at a vector in a formula, where what was found may be mentioned or not."""
     if posed:
         return f"the direction of {vector} is phi_{vector}, its length len_{vector}"
-    return f"{vector} is a direction by itself only; {angle_from_vector()}"
+    return (
+        f"{vector} is a direction by itself only; 'perp {vector}' is {vector} turned by 90 deg, "
+        f"and {angle_from_vector()}"
+    )
 
 
 def axis_in_words(word: str, axis: str) -> str:

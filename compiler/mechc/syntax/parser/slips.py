@@ -398,6 +398,8 @@ def _of_sign(token: Token, before: Token | None, allowed: set[str]) -> str:
         return f"what follows a name stands behind '=': {previous} = …"
     if text == ":" and "TIMES_SIGN" in allowed:
         return "a quotient is written with '/'"
+    if previous == "@" and text == "along":
+        return "the direction itself stands behind '@', as in OA = a @ OB"
     if text in keywords() and "NAME" in allowed:
         return f"'{text}' is a word of the language and cannot be a name"
     return ""
