@@ -64,6 +64,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     step = even[1] - low
     ends = (x for x, out in ((low, -step), (high, step)) if _is_end(moving, x, out))
     beside = [c + away for c in (*ends, *centres) for away in _near(moving, step)]
+    beside += [low + step / 2, high - step / 2]
     solved = chain.from_iterable(_solved_beside(moving, c, step) for c in centres)
     chosen = even[::SELDOM] if moving.is_slow else even
     grid = sorted({x for x in (*chosen, *beside, *solved, *also) if low <= x <= high})
@@ -320,12 +321,13 @@ def _loose(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
 def _bulging(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """Yield the middles of cells in which an efficiency turns: they are above or below both ends.
 
-    Beside a jump the cell itself may hold its lowest or highest. Where it rises, or falls, from
-    the value before a cell to the one after it, that is not looked for.
+    Beside a jump the cell itself may hold its lowest or highest. Where cells are narrow and it
+    rises, or falls, from the value before one to that after it, its middle is not looked at.
     """
     values = [moving.efficiency(x) for x in grid]
     for i, (a, b) in enumerate(pairwise(grid)):
-        if _is_steady(values[max(i - 1, 0) : i + 3]) and moving.signs(a) == moving.signs(b):
+        steady = not moving.is_slow and _is_steady(values[max(i - 1, 0) : i + 3])
+        if steady and moving.signs(a) == moving.signs(b):
             continue
         middle = (a + b) / 2
         first, here, final = (moving.efficiency(x) for x in (a, middle, b))
