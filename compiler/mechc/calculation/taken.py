@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping
 
 from ..formula.evaluate import evaluate
 from ..formula.rounding import Rounding, beyond_rounding
-from ..formula.tree import Formula, is_call
+from ..formula.tree import Formula
 from ..formula.walk import symbols
+from ..friction import at_rest
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Parameter, Require, Subject
 from ..model.result import Definition, FrictionResult, Result, UsedSolution
@@ -163,10 +164,7 @@ def _value(result: Result, values: Values) -> float | None:
 def is_at_rest(result: Result, values: Values) -> bool:
     """Return whether a slip is 0 at the values of a sheet, so that its friction has no sense."""
     form = standing(result, values)
-    if form is None:
-        return False
-    known = completed(values, form.where)
-    return any(is_call(d.formula, "sense") and known.get(d.name) == 0 for d in form.where)
+    return form is not None and at_rest.slips_at_rest(form, values) > 0
 
 
 def _is_in_its_case(result: Result, values: Values) -> bool:

@@ -48,11 +48,11 @@ def _sides(result: Result, pose: Pose) -> Iterator[tuple[str, float]]:
     """Yield parameters and the steps by which they move a slip that is 0 at the default pose."""
     if not any(is_call(d.formula, "sense") for d in result.where):
         return
-    if not (rest := _at_rest(result, pose_values(pose))):
+    if not (rest := slips_at_rest(result, pose_values(pose))):
         return
     for name in followed(pose.mechanism):
         for step in _steps(pose, name):
-            if _at_rest(result, values_along(pose, name, step)) < rest:
+            if slips_at_rest(result, values_along(pose, name, step)) < rest:
                 yield name, step
 
 
@@ -99,7 +99,7 @@ def one_or_both(limits: Sequence[float], same: float) -> tuple[float, ...]:
     return (sum(found) / len(found),) if found else ()
 
 
-def _at_rest(result: Result, values: Mapping[str, float]) -> int:
+def slips_at_rest(result: Result, values: Mapping[str, float]) -> int:
     """Return how many slips in a result are 0, so that their friction has no sense."""
     known = completed(values, result.where)
     return sum(is_call(d.formula, "sense") and known.get(d.name) == 0 for d in result.where)

@@ -30,12 +30,13 @@ def form(formula: Formula, where: Result | None, names: Set[str]) -> FormulaCode
     """
     if where is None:
         return alone(formula, names)
-    guards = _valued(where.guards, names, where.where)
+    known = _with_new(names, where.where)
+    guards = _valued(where.guards, known)
     if where.elsewhere is None and not guards:
         return alone(formula, names, where.where)
     own = where.formula if where.elsewhere else formula
     found = together([formula, own, *_sides(guards)], names, where.where)
-    is_known = _is_known(own, _with_new(names, where.where))
+    is_known = _is_known(own, known)
     elsewhere = _elsewhere(formula, where, names)
 
     def value(values: Values) -> float:
@@ -93,23 +94,24 @@ def holding(
     conditions: Sequence[Require], names: Set[str], definitions: Definitions = ()
 ) -> Callable[[Values], bool]:
     """Return the function that says whether conditions hold, of those that have a value."""
-    guards = _valued(conditions, names, definitions)
+    guards = _valued(conditions, _with_new(names, definitions))
     if not guards:
         return lambda values: True
     sides = together([*_sides(guards)], names, definitions)
     return lambda values: _hold(guards, sides(values))
 
 
-def _valued(guards: Sequence[Require], names: Set[str], definitions: Definitions) -> list[Require]:
+def _valued(guards: Sequence[Require], known: Set[str]) -> list[Require]:
     """Return the conditions whose sides have values."""
-    known = _with_new(names, definitions)
     return [g for g in guards if _is_known(g.left, known) and _is_known(g.right, known)]
 
 
 def _with_new(names: Set[str], definitions: Definitions) -> Set[str]:
     """Return the names that have values, those among them that definitions give one."""
     known = set(names)
-    known.update(name for name, formula in definitions if symbols(formula) <= known)
+    for name, formula in definitions:
+        if _is_known(formula, known):
+            known.add(name)
     return known
 
 

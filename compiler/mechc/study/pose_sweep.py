@@ -93,6 +93,7 @@ class PoseSweep:
         names = frozenset((*self._fixed, parameter))
         self._following = code.chain.completion(names, SOON)
         self.names = names.union(self._following.names)
+        self.width = max(ends, default=0.0) - min(ends, default=0.0)
         self._near = 2 * EPS * max(map(abs, ends), default=0.0)
         self._known: dict[float, Values] = {}
         self._known_inside: dict[float, Values] = {}

@@ -26,7 +26,7 @@ from ..named import NamedTuple
 from .intervals import DriveState, Range
 from .pose_sweep import Functions
 from .sweep import Sweep
-from .tolerances import BESIDE_REST, NEGLIGIBLE
+from .tolerances import NEGLIGIBLE
 
 
 class StateFound(NamedTuple):
@@ -230,19 +230,6 @@ class Moving:
         real = self._real(x)
         return StateFound(None, math.nan, driven) if real is None else self._state(real, x, driven)
 
-    def _beside_rest(self, x: float) -> float:
-        """Return a value beside one at which alone a slip is 0, any other value as it is.
-
-        Friction has no sense there, and what is without it is the limit of neither side.
-        """
-        where = self._ratios.real.where
-        rest = self.sweep.at_rest(where, x)
-        if not rest:
-            return x
-        step = BESIDE_REST * max(abs(x), 1.0)
-        sides = (side for side in (x - step, x + step) if not self.sweep.trouble(side))
-        return next((side for side in sides if self.sweep.at_rest(where, side) < rest), x)
-
     def _state(self, real: float, x: float, driven: bool) -> StateFound:
         """Return the state in a pose by the ratio with friction there."""
         share = real / self.without(x)
@@ -251,8 +238,12 @@ class Moving:
         return StateFound("locked" if driven else "jammed", share, driven)
 
     def _real(self, x: float) -> float | None:
-        """Return the ratio with friction, NaN where nothing balances, None where none is found."""
-        (form, elsewhere), x = self._ratios.forms, self._beside_rest(x)
+        """Return the ratio with friction, NaN where nothing balances, None where none is found.
+
+        Where a slip is 0 friction has no sense, and the ratio without it is the limit of neither
+        side: it is taken from next to there.
+        """
+        (form, elsewhere), x = self._ratios.forms, self.sweep.off_rest(self._ratios.real.where, x)
         found = self._value(form, x)
         return self._value(elsewhere, x) if elsewhere and found is None else found
 

@@ -1,8 +1,8 @@
 """Results along one parameter, and what of them is nothing but rounding."""
 
 import math
-from collections.abc import Mapping, Sequence
-from functools import partial
+from collections.abc import Iterator, Sequence
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from ..formula.rounding import beyond_rounding
@@ -12,7 +12,7 @@ from ..friction import at_rest
 from ..model.result import Result
 from ..model.values import Looked, Values, of_sound_form, standing
 from .forms import together
-from .pose_sweep import Functions, PoseCode, PoseSweep, keeping
+from .pose_sweep import Functions, PoseSweep, keeping
 from .tolerances import SAME_SIDES, SIDE
 
 if TYPE_CHECKING:
@@ -22,17 +22,15 @@ if TYPE_CHECKING:
 class Sweep(PoseSweep):
     """Evaluates formulas of results in the poses along a parameter."""
 
-    def __init__(
-        self,
-        code: PoseCode,
-        parameter: str,
-        ends: Sequence[float] = (),
-        loads: Mapping[str, float] | None = None,
-    ) -> None:
-        super().__init__(code, parameter, ends, loads)
-        self._step = SIDE * (max(ends) - min(ends) if ends else 1.0)
-        self._senses: dict[int, tuple[Definitions, Functions | None]] = {}
-        self._functions: dict[tuple[int, int], tuple[Formula, Result | None, RealFunction]] = {}
+    @cached_property
+    def _senses(self) -> dict[int, tuple[Definitions, Functions | None]]:
+        """Return the senses that were asked for, by the definitions that they are in."""
+        return {}
+
+    @cached_property
+    def _functions(self) -> dict[tuple[int, int], "tuple[Formula, Result | None, RealFunction]"]:
+        """Return the functions that were asked for, by the formula and the result that it is of."""
+        return {}
 
     def of(self, formula: Formula, where: Result | None, x: float) -> float:
         """Return a formula's value, with the definitions of a result; NaN where it has none.
@@ -59,8 +57,7 @@ class Sweep(PoseSweep):
 
     def named(self, result: Result, x: float) -> Values:
         """Return the values at ``x``, those of the names in a result among them."""
-        following, _ = self.code.whole(result, self.names)
-        return following.complete(self.values(x))
+        return self.whole(result, x)[1]
 
     def whole(self, result: Result, x: float) -> tuple[float, Values]:
         """Return a result's value with those of :meth:`named`, each system solved once."""
@@ -88,19 +85,23 @@ class Sweep(PoseSweep):
         return () if senses is None else self._sides(value, senses, x)
 
     def _sides(self, value: "RealFunction", senses: Functions, x: float) -> Sequence[float]:
-        rest = senses(x).count(0)
-        if not rest:
-            return ()
-        steps = [s * self._step for s in (-1, 1)]
-        moving = (step for step in steps if senses(x + step).count(0) < rest)
-        away = [step for step in moving if not self.trouble(x + step)]
-        limits = [2 * value(x + step) - value(x + 2 * step) for step in away]
+        steps = self._steps_off_rest(senses, x)
+        limits = [2 * value(x + step) - value(x + 2 * step) for step in steps]
         return at_rest.one_or_both(limits, SAME_SIDES)
 
-    def at_rest(self, where: Definitions, x: float) -> int:
-        """Return how many slips in definitions are 0, so that their friction has no sense."""
+    def off_rest(self, where: Definitions, x: float) -> float:
+        """Return a value next to one at which alone a slip is 0, any other value as it is."""
         senses = self._senses_of(where)
-        return senses(x).count(0) if senses else 0
+        steps = () if senses is None else self._steps_off_rest(senses, x)
+        return next((x + step for step in steps), x)
+
+    def _steps_off_rest(self, senses: Functions, x: float) -> Iterator[float]:
+        """Yield the steps to poses at which a slip has a sense that has none at ``x``."""
+        rest = senses(x).count(0)
+        size = SIDE * (self.width or max(abs(x), 1.0))
+        for step in (-size, size) if rest else ():
+            if not self.trouble(x + step) and senses(x + step).count(0) < rest:
+                yield step
 
     def _senses_of(self, where: Definitions) -> Functions | None:
         """Return the senses of slips in definitions as a function of the parameter, if any.

@@ -115,9 +115,6 @@ NOTHING_AT_END = 1e-3
 It goes to zero there as a root: 1e-3 is left at :data:`DIFFERENCE`, 1e-8 of rounding at the end.
 """
 
-BESIDE_REST = 1e-9
-"""How far, against its size or 1, a value is from one at which a slip is 0: it has a sense then."""
-
 VANISHING = 1e-3
 """What is left at a value, against half the distance, of what vanishes there, at most."""
 

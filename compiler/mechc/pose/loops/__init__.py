@@ -8,7 +8,7 @@ placed already. ``dyads`` takes groups of two links apart: ``dyad_closures`` has
 which of two closures is meant, ``drawn`` by a drawing, ``recognition`` writes closures as people
 do. ``groups`` are groups of higher class as systems of equations, ``by_groups`` closes one after
 another, ``branches`` finds where in the stroke they close. ``rated`` is how fast all of it moves,
-``reach`` where in the stroke it can be assembled, ``assembly_hints`` what would tell closures
+``reach`` where in the stroke it can be assembled, ``assembly_hints`` what would set closures
 apart.
 
 Promises: what is found is a definition of the pose, or a sum of named angles put in for it; each
