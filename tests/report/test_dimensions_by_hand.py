@@ -32,6 +32,7 @@ DIMENSIONS = {"F": FORCE, "w": LENGTH, "m": MASS, "f": NUMBER, "t": TIME}
         (total([F, M]), None),
         (Call("sin", (W,)), None),
         (total([W, product([(number(-1), 1), (W, 1)])]), None),  # 0 is of any dimension
+        (power(W, number(Fraction(13, 10))), None),  # as what rounding leaves of a zero
     ],
 )
 def test_the_dimension_of_a_formula(formula, expected):

@@ -89,11 +89,16 @@ class _Scaled:
         )
 
     def exponent(self, base: Dimension) -> Fraction | None:
-        """Return the exponent of a base unit in the formula; halves and thirds are exact."""
+        """Return the exponent of a base unit in the formula; halves and thirds are exact.
+
+        What rounding leaves of a zero changes by any factor, and has none.
+        """
         first, second = self._first, self._value(base, 1)
         if not (first and second and math.isfinite(first) and math.isfinite(second)):
             return None
-        return Fraction(math.log(second / first) / math.log(_SCALE)).limit_denominator(6)
+        found = math.log(second / first) / math.log(_SCALE)
+        exponent = Fraction(found).limit_denominator(6)
+        return exponent if math.isclose(found, exponent, abs_tol=SAME_RATIO) else None
 
 
 def dimension_of(
