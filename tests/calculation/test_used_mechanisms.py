@@ -18,7 +18,7 @@ from mechc.emit.json.to_json import schema_text
 from mechc.formula.evaluate import evaluate
 from mechc.report.note import NoteLine, note
 from run_targets import COMPILER, assert_close, built, by_c_singly, by_interpreter
-from small_mechanisms import slider_crank
+from small_mechanisms import geared_lever, slider_crank
 
 CLAMP = """
 mechanism clamp
@@ -596,21 +596,7 @@ def test_a_joint_that_does_not_slide_at_the_pose_of_a_sheet_is_said(tmp_path, gi
 
 def test_a_result_that_is_zero_in_a_mechanism_is_in_a_sheet(tmp_path):
     """k was stated as -3.1e-15 mm beside 0 mm of the mechanism itself."""
-    lever = """
-param alpha = 30 deg
-pivot O
-pivot Q
-link OB
-link QC
-gear O 30 mm, Q 60 mm
-OB = 10 mm @ 0 deg
-QC = 100 mm @ alpha
-torque M on OB
-force F at C along -y
-find k = M/F
-friction gear O 0.02
-"""
-    (tmp_path / "train.mech").write_text(lever, encoding="utf-8")
+    (tmp_path / "train.mech").write_text(geared_lever(), encoding="utf-8")
     path = tmp_path / "sheet.mech"
     path.write_text('sheet s\nuse "train.mech" as T (alpha = 90 deg)\n', encoding="utf-8")
     results = {result.name: result.default for result in mechc.load(path)._compilation.results}

@@ -12,6 +12,7 @@ import pytest
 import mechc
 from good_mechanisms import loaded
 from paths import ROOT
+from small_mechanisms import drawn_six_bar
 
 SHOWN = ("crank_rocker", "fedoriv_fig1_with_friction", "karpenko_fig9_packet_clamp", "cylinder")
 
@@ -162,34 +163,14 @@ def test_a_choice_has_its_units() -> None:
     assert r"50\,\text{mm}, & v<2\,\text{m}/\text{s} \\ 80\,\text{mm}" in shown
 
 
-SIX_BAR = """
-mechanism watt
-pivot O at (0 mm, 0 mm)
-pivot Q at (220 mm, 40 mm)
-slider K along y
-link OA
-link AB
-link QBC
-link CK
-A at (40 mm, 60 mm)
-B at (200 mm, 190 mm)
-C at (330 mm, 120 mm)
-K at (330 mm, -100 mm)
-drive OA from 30 deg to 100 deg
-torque M on OA
-force F at K along y
-find k = M/F
-"""
-
-
 def test_an_angle_of_a_drawn_link_is_in_degrees_once() -> None:
     r"""It was turned into degrees twice: ``-3527.546446^\circ^\circ``."""
-    shown = mechc.loads(SIX_BAR).results["k"]._repr_markdown_()
+    shown = mechc.loads(drawn_six_bar()).results["k"]._repr_markdown_()
     assert r"\delta_{BQC}&=-61.5673^\circ" in shown
     assert r"^\circ^\circ" not in shown
 
 
 def test_a_result_has_the_directions_that_the_report_has() -> None:
-    shown = mechc.loads(SIX_BAR).results["k"]._repr_markdown_()
+    shown = mechc.loads(drawn_six_bar()).results["k"]._repr_markdown_()
     assert r"\cos(\beta_{CK}+\varphi_{QC})" in shown
     assert r"\varphi_{QC}&=\varphi_{AB}+\mu_B+\delta_{BQC}" in shown

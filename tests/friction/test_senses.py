@@ -24,6 +24,7 @@ from mechc.formula.to_text import text
 from mechc.friction.senses import sense_of, size_of
 from mechc.routine.evaluate import evaluate as by_interpreter
 from mechc.source import Source
+from small_mechanisms import geared_lever
 
 RIGHT, DIAGONAL = 90, 45
 
@@ -115,26 +116,11 @@ def test_with_friction_a_ratio_is_undetermined_where_it_is_without():
         assert found.default is None, name
 
 
-ACROSS_A_GEAR = """
-param alpha = 90 deg
-pivot O
-pivot Q
-link OB
-link QC
-gear O 30 mm, Q 60 mm
-OB = 10 mm @ 0 deg
-QC = 100 mm @ alpha
-torque M on OB
-force F at C along -y
-find k = M/F
-friction gear O 0.02
-"""
-"""The force goes through its pivot, and the gears pass nothing on that they could lose."""
-
-
 def test_an_efficiency_is_undetermined_where_no_load_is_asked_for_with_friction_either():
     """It was said to be 0, and put in as 1/(1 - 0.02*0) = 0: the share of what friction takes."""
-    found = {r.name: r for r in Compilation(Source("gear.mech", ACROSS_A_GEAR)).results}
+    found = {
+        r.name: r for r in Compilation(Source("gear.mech", geared_lever(alpha="90 deg"))).results
+    }
     assert found["k_f"].default == 0
     assert found["eta_k"].undetermined
     assert not found["eta_k"].fails_here

@@ -18,6 +18,7 @@ from mechc.report.text.signs import ASCII, UNICODE
 from mechc.report.text.speller import LINE_COLUMNS, speller
 from mechc.source import Source
 from report_samples import equations, formula, packet_clamp, six_bar
+from small_mechanisms import lifter
 
 
 @pytest.mark.parametrize("unicode", [True, False], ids=["unicode", "ascii"])
@@ -286,24 +287,8 @@ def test_a_force_on_the_arm_is_known_by_the_speed_of_its_point_first() -> None:
     assert "F/T = −ω_QX/V_A" in said
 
 
-WEDGE = """
-param phi = 0 deg
-pivot O
-slide KW along y
-link AOJ
-OA = 35 mm @ 180 deg + phi
-OJ = 90 mm @ 280 deg + phi
-contact A on KW normal 168 deg
-force P at K along y
-force F at J along x
-friction contact A 0.12
-friction pin O 0.1 diameter 12 mm
-find k = P/F
-"""
-
-
 def test_a_result_that_jumps_at_the_default_pose_has_both_values_among_the_numbers() -> None:
-    compilation = compile_source(Source("wedge.mech", WEDGE))
+    compilation = compile_source(Source("wedge.mech", lifter()))
     shown = render(compilation.derivation, compilation.mechanism)
     low, high = next(r.sides for r in compilation.results if r.name == "k_f")
     assert f"k_f: jumps from {low:.6g} to {high:.6g}" in shown
@@ -311,8 +296,7 @@ def test_a_result_that_jumps_at_the_default_pose_has_both_values_among_the_numbe
 
 def test_a_term_of_which_rounding_alone_is_left_is_zero_among_the_numbers() -> None:
     """|sin φ| at half a turn was 1.2e-16, and the term 8.60915·10⁻¹⁶."""
-    turned = WEDGE.replace("phi = 0 deg", "phi = 180 deg").replace("180 deg + phi", "phi")
-    turned = turned.replace("90 mm @ 280 deg + phi", "90 mm @ 280 deg")
+    turned = lifter(at="phi", pushed="280 deg").replace("phi = 0 deg", "phi = 180 deg")
     compilation = compile_source(Source("wedge.mech", turned))
     shown = render(compilation.derivation, compilation.mechanism)
     assert "k_f₁ = 0 + 2.53236 + 0.192065 = 2.72443\n" in shown

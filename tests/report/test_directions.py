@@ -10,31 +10,13 @@ from mechc.model.values import completed, defaults
 from mechc.report.directions import NamedDirection, directions, in_results, named
 from mechc.report.text.derivation import render
 from mechc.source import Source
+from small_mechanisms import drawn_six_bar
 
 A, B, C = map(Symbol, "abc")
 
-WATT = """
-mechanism watt
-pivot O at (0 mm, 0 mm)
-pivot Q at (220 mm, 40 mm)
-slider K along y
-link OA
-link AB
-link QBC
-link CK
-A at (40 mm, 60 mm)
-B at (200 mm, 190 mm)
-C at (330 mm, 120 mm)
-K at (330 mm, -100 mm)
-drive OA from 30 deg to 100 deg
-torque M on OA
-force F at K along y
-find k = M/F, R_Q
-"""
-
 
 def watt() -> Compilation:
-    return compile_source(Source("watt.mech", WATT))
+    return compile_source(Source("watt.mech", drawn_six_bar("find R_Q")))
 
 
 def test_an_arm_of_a_ternary_link_has_its_direction() -> None:

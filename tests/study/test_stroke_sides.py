@@ -11,7 +11,7 @@ import pytest
 
 import mechc
 from mechc.cli.main import main
-from small_mechanisms import slider_crank
+from small_mechanisms import lifter, slider_crank
 from sources import in_thirds
 
 CRANK = slider_crank("friction pins 0.12 diameter 20 mm", "friction slider B 0.1")
@@ -130,21 +130,7 @@ def test_what_has_one_limit_where_a_slip_is_zero_for_once_has_that_value(name):
     assert [e.value for e in extrema] == [pytest.approx(before, rel=1e-7)]
 
 
-WEDGE = """mechanism wedge
-param phi = 0 deg
-pivot O
-slide KW along y
-link AOJ
-OA = 35 mm @ 180 deg + phi
-OJ = 90 mm @ 280 deg + phi
-contact A on KW normal 168 deg
-drive phi from -3 deg to 3 deg
-force P at K along y
-force F at J along x
-friction contact A 0.12
-friction pin O 0.1 diameter 12 mm
-find k = P/F
-"""
+WEDGE = lifter("drive phi from -3 deg to 3 deg")
 """A contact on the line of centres, in the middle of its stroke."""
 
 

@@ -233,5 +233,72 @@ def mirrored_rope(*lines: str) -> str:
     )
 
 
+def drawn_six_bar(*lines: str) -> str:
+    """Return a drawn four-bar OABQ whose rocker QBC moves the slider K by the rod CK."""
+    return _text(
+        "mechanism watt",
+        "pivot O at (0 mm, 0 mm)",
+        "pivot Q at (220 mm, 40 mm)",
+        "slider K along y",
+        "link OA",
+        "link AB",
+        "link QBC",
+        "link CK",
+        "A at (40 mm, 60 mm)",
+        "B at (200 mm, 190 mm)",
+        "C at (330 mm, 120 mm)",
+        "K at (330 mm, -100 mm)",
+        "drive OA from 30 deg to 100 deg",
+        "torque M on OA",
+        "force F at K along y",
+        "find k = M/F",
+        *lines,
+    )
+
+
+def geared_lever(*lines: str, alpha: str = "30 deg") -> str:
+    """Return a lever QC with a force down at C, turned by gears that lose a fiftieth.
+
+    At 90 deg the force goes through its pivot, and the gears pass nothing on.
+    """
+    return _text(
+        f"param alpha = {alpha}",
+        "pivot O",
+        "pivot Q",
+        "link OB",
+        "link QC",
+        "gear O 30 mm, Q 60 mm",
+        "OB = 10 mm @ 0 deg",
+        "QC = 100 mm @ alpha",
+        "torque M on OB",
+        "force F at C along -y",
+        "find k = M/F",
+        "friction gear O 0.02",
+        *lines,
+    )
+
+
+def lifter(*lines: str, at: str = "180 deg + phi", pushed: str = "280 deg + phi") -> str:
+    """Return a lever AOJ that lifts the slide KW, with friction; at 0 deg its contact stands still.
+
+    ``at`` and ``pushed`` are the directions of OA and OJ.
+    """
+    return _text(
+        "param phi = 0 deg",
+        "pivot O",
+        "slide KW along y",
+        "link AOJ",
+        f"OA = 35 mm @ {at}",
+        f"OJ = 90 mm @ {pushed}",
+        "contact A on KW normal 168 deg",
+        "force P at K along y",
+        "force F at J along x",
+        "friction contact A 0.12",
+        "friction pin O 0.1 diameter 12 mm",
+        "find k = P/F",
+        *lines,
+    )
+
+
 def _text(*lines: str) -> str:
     return "\n".join((*lines, ""))
