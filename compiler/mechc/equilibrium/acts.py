@@ -18,7 +18,7 @@ from ..named import NamedTuple
 from ..pose.pose import Arm, Pose, Vector, components, reverse
 from .equilibrium import EquilibriumSum, LoadTerms
 
-QUARTER = Angle.constant(90)
+QUARTER, HALF_TURN = Angle.constant(90), Angle.constant(180)
 X, Y = Angle(), QUARTER
 
 

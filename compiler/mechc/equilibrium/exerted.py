@@ -28,7 +28,7 @@ from ..named import NamedTuple
 from ..pose.pose import Arm, PointContact, Vector, gathered
 from ..power.loads import owners
 from ..power.numbers import pose_values
-from .acts import QUARTER, Act, Cutting, X, Y, unit
+from .acts import HALF_TURN, QUARTER, Act, Cutting, X, Y, unit
 from .equilibrium import JointForce
 
 ActOnBody = tuple[str, Act]
@@ -201,16 +201,24 @@ def _to_pitch_point(pair: WheelPair, cut: Cutting) -> Angle | None:
     """Return the direction in which gears on an arm mesh from the first centre; None for others.
 
     It is that to the second centre, but for a gear inside a larger one: that meshes behind itself.
+    None, too, where the sizes are open that say which of two gears is inside the other.
     """
     centres = cut.pose.vector(pair.arm, pair.first, pair.second) if pair.arm else ()
     if pair.kind != "gear" or len(centres) != 1:
         return None
     ((length, along),) = centres
-    first, second = (cut.pose.radii[r] for r in (pair.first_radius, pair.second_radius))
-    ahead, values = length * add((first, -second)) if pair.same else length, pose_values(cut.pose)
-    if not symbols(ahead.formula()) <= values.keys():
-        return None if pair.same else along
-    return along if ahead.evaluate(values) > 0 else along + Angle.constant(180)
+    if pair.same:
+        first, second = (cut.pose.radii[r] for r in (pair.first_radius, pair.second_radius))
+        is_ahead = _is_positive(length * add((first, -second)), cut)
+    else:
+        is_ahead = _is_positive(length, cut) is not False
+    return None if is_ahead is None else along if is_ahead else along + HALF_TURN
+
+
+def _is_positive(size: Product, cut: Cutting) -> bool | None:
+    """Return whether a size is positive at the default pose; None where it has no value there."""
+    values = pose_values(cut.pose)
+    return size.evaluate(values) > 0 if symbols(size.formula()) <= values.keys() else None
 
 
 def _from(link: str, point: str, arm: Arm, cut: Cutting) -> Vector:

@@ -56,17 +56,22 @@ class ForceLines:
     def _line(self, rod: Link) -> Angle:
         """Return the line of a rod's force: the tangent of the friction circles at its ends."""
         if rod.name not in self._lines:
-            direction, length = self._bodies.vector(rod)
-            ends = self.surfaces(rod)
-            offset = add(map(self.resistance, ends))
-            turn = -(self.sense_of(rod) * offset) / length if offset else ZERO
-            self._lines[rod.name] = self._signs.turn_line(
-                f"delta_{rod.name}", direction, "asin", turn
-            )
-            if ends and self._signs.is_read:
-                resistances = [self.resistance(s) for s in ends]
-                self._notes.rod(rod, self.sense_of(rod), resistances, turn)
+            self._lines[rod.name] = self._tangent(rod)
         return self._lines[rod.name]
+
+    def _tangent(self, rod: Link) -> Angle:
+        """Return the common tangent of a rod's friction circles, and note how it was found.
+
+        The sine of its angle to the rod is what the radii come to together, over the length.
+        """
+        direction, length = self._bodies.vector(rod)
+        radii_with_sense = [self.resistance(end) for end in self.surfaces(rod)]
+        offset = add(radii_with_sense)
+        turn = -(self.sense_of(rod) * offset) / length if offset else ZERO
+        tangent = self._signs.turn_line(f"delta_{rod.name}", direction, "asin", turn)
+        if radii_with_sense and self._signs.is_read:
+            self._notes.rod(rod, self.sense_of(rod), radii_with_sense, turn)
+        return tangent
 
     def _face(self, contact: PointContact) -> Angle:
         """Return the line of the force on a pin: the normal turned by the angle of friction."""

@@ -4,7 +4,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..formula.evaluate import evaluate
 from ..formula.walk import symbols
-from ..frozen import frozen
 from ..model.mechanism import Axial, LoadForm, LoadRatio, Mechanism, Normal, Reaction
 from ..model.result import Result
 from ..named import NamedTuple
@@ -28,7 +27,7 @@ class LoadCase(NamedTuple):
 
 def cases(mechanism: Mechanism, results: Sequence[Result], given: LoadSizes) -> list[LoadCase]:
     """Return the loads that each result takes as given, at the sizes that they have."""
-    return list(_distinct(_Loads(mechanism, results, given).cases()))
+    return list(_distinct(_by_result(results, _known_loads(mechanism, given))))
 
 
 def sizes_of(mechanism: Mechanism, values: LoadSizes, given: LoadSizes) -> dict[str, float]:
@@ -57,69 +56,76 @@ def _distinct(cases: Iterable[LoadCase]) -> Iterator[LoadCase]:
             yield case
 
 
-@frozen
-class _Loads:
-    """The loads of a mechanism, of which some have a size, and what was asked about them."""
+class _KnownLoads(NamedTuple):
+    """The loads of a mechanism, in its order, and what is known of them before a result is asked.
 
-    mechanism: Mechanism
-    results: Sequence[Result]
-    given: LoadSizes
+    ``tied`` are a formula of others, ``determined`` are those and the ones that a ``let`` gives;
+    ``sizes`` are what somebody gave. ``has_friction`` is whether a joint
+    has any.
+    """
 
-    @property
-    def _names(self) -> set[str]:
-        return {load.name for load in self.mechanism.loads}
+    names: tuple[str, ...]
+    tied: frozenset[str]
+    determined: frozenset[str]
+    sizes: LoadSizes
+    has_friction: bool
 
-    @property
-    def _tied(self) -> set[str]:
-        return {load.name for load in self.mechanism.loads if load.tie is not None}
+    def sized(self, names: frozenset[str]) -> LoadSizes:
+        """Return the given sizes of some loads."""
+        return {name: size for name, size in self.sizes.items() if name in names}
 
-    @property
-    def _valued(self) -> set[str]:
-        """Return the loads that the description takes as known."""
-        return self._tied | ({let.name for let in self.mechanism.lets} & self._names)
 
-    def cases(self) -> Iterator[LoadCase]:
-        """Yield the loads that act together, result by result."""
-        targets = [result.target for result in self.results]
-        solved = {target.load for target in targets if isinstance(target, LoadForm)}
-        ratios = any(isinstance(target, LoadRatio) for target in targets)
-        for result in self.results:
-            match result.target:
-                case LoadRatio(above, below):
-                    yield self._ratio(result.name, above, below)
-                case LoadForm(load):
-                    open_ = {load, *(solved - set(result.coefficients or {}))}
-                    yield from self._one_by_one(result.name, frozenset(self._names - open_))
-                case Reaction() | Axial() | Normal() if not solved and not ratios:
-                    acting = result.coefficients or symbols(result.formula)
-                    known = self._names & {*self._valued, *acting}
-                    yield from self._one_by_one(result.name, frozenset(known))
-                case _:
-                    pass
+def _known_loads(mechanism: Mechanism, sizes: LoadSizes) -> _KnownLoads:
+    names = tuple(load.name for load in mechanism.loads)
+    tied = frozenset(load.name for load in mechanism.loads if load.tie is not None)
+    lets = {let.name for let in mechanism.lets}
+    determined = tied | lets.intersection(names)
+    return _KnownLoads(names, tied, determined, sizes, mechanism.friction.joints != ())
 
-    def _ratio(self, result: str, above: str, below: str) -> LoadCase:
-        """Return the case of a ratio: at the size of either load, else per unit of the second."""
-        known = frozenset((self._valued | {below}) - {above})
-        if below in self.given:
-            return LoadCase(result, self._of(known), known)
-        others = tuple(n for n in self.given if n in known)
-        if above in self.given:
-            return LoadCase(result, {below: 1.0}, known, "", others, (above, self.given[above]))
-        return LoadCase(result, {below: 1.0}, known, below, others)
 
-    def _one_by_one(self, result: str, known: frozenset[str]) -> Iterator[LoadCase]:
-        """Yield all loads of given sizes at once, and those without one by one.
+def _by_result(results: Sequence[Result], loads: _KnownLoads) -> Iterator[LoadCase]:
+    """Yield the loads that act together, result by result.
 
-        Where friction is all that the load has to overcome, as in a clutch, there is none.
-        """
-        sized = self._of(known)
-        free = known - sized.keys() - self._tied
-        open_ = [load.name for load in self.mechanism.loads if load.name in free]
-        if sized or not (known or self.mechanism.friction.joints == ()):
-            yield LoadCase(result, sized, known, left_out=tuple(open_))
-        for name in open_:
-            others = tuple(n for n in (*sized, *open_) if n != name)
-            yield LoadCase(result, {name: 1.0}, known, name, others)
+    Forces at joints have cases of their own only where no load is found from others.
+    """
+    found = {r.target.load for r in results if isinstance(r.target, LoadForm)}
+    is_of_joints = not any(isinstance(r.target, LoadForm | LoadRatio) for r in results)
+    for result in results:
+        match result.target:
+            case LoadRatio(above, below):
+                yield _of_ratio(result.name, above, below, loads)
+            case LoadForm(load):
+                unknown = {load, *(found - set(result.coefficients or {}))}
+                yield from _one_by_one(result.name, frozenset(loads.names) - unknown, loads)
+            case Reaction() | Axial() | Normal() if is_of_joints:
+                acting = result.coefficients or symbols(result.formula)
+                known = loads.determined | set(acting)
+                yield from _one_by_one(result.name, known.intersection(loads.names), loads)
+            case _:
+                pass
 
-    def _of(self, names: frozenset[str]) -> LoadSizes:
-        return {name: size for name, size in self.given.items() if name in names}
+
+def _of_ratio(result: str, above: str, below: str, loads: _KnownLoads) -> LoadCase:
+    """Return the case of a ratio: at the size of either load, else per unit of the second."""
+    known = (loads.determined | {below}) - {above}
+    if below in loads.sizes:
+        return LoadCase(result, loads.sized(known), known)
+    others = tuple(n for n in loads.sizes if n in known)
+    if above in loads.sizes:
+        return LoadCase(result, {below: 1.0}, known, "", others, (above, loads.sizes[above]))
+    return LoadCase(result, {below: 1.0}, known, below, others)
+
+
+def _one_by_one(result: str, known: frozenset[str], loads: _KnownLoads) -> Iterator[LoadCase]:
+    """Yield all loads of given sizes at once, and those without one by one.
+
+    Where friction is all that the load has to overcome, as in a clutch, there is none.
+    """
+    sized = loads.sized(known)
+    without = known - sized.keys() - loads.tied
+    unsized = [name for name in loads.names if name in without]
+    if sized or (not known and loads.has_friction):
+        yield LoadCase(result, sized, known, left_out=tuple(unsized))
+    for name in unsized:
+        others = tuple(n for n in (*sized, *unsized) if n != name)
+        yield LoadCase(result, {name: 1.0}, known, name, others)

@@ -1,8 +1,9 @@
 """The extents of results along the stroke, or over ranges: for reports."""
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import chain
 
 from ..diagnostics import Report
 from ..formula.roots import RealFunction, lowest, spaced
@@ -29,22 +30,31 @@ def with_extents(
     Without a drive a loop is followed along each angle that has a range, and along the length of
     a telescope that has one, as if that were one.
     """
-    mechanism = solution.plan.graph.pose.mechanism
-    moving = {mechanism.drive.parameter: results} if mechanism.drive else _moving(solution, results)
-    found: dict[str, list[Extent]] = {}
-    for name in moving:
-        along = solution if mechanism.drive else _driven_by(name, solution)
-        for result, one in ratio_extent.along_the_stroke(along, moving[name], report).items():
-            found.setdefault(result, []).append(one)
+    drive = solution.plan.graph.pose.mechanism.drive
+    driving = {drive.parameter: results} if drive else _driving(solution, results)
+    along = _along_strokes(solution, driving, report)
     code = PoseCode(solution.plan)
     return tuple(
-        replace(r, extents=(*(found.get(r.name) or turning), *ends))
-        for r in results
-        for turning, ends in [(_over_ranges(code, r), _at_ends(code, r, moving))]
+        replace(result, extents=tuple(chain(inside or _over_ranges(code, result), at_ends)))
+        for result in results
+        for inside, at_ends in [(along.get(result.name), _at_ends(code, result, driving))]
     )
 
 
-def _moving(solution: FrictionSolution, results: Sequence[Analysis]) -> dict[str, list[Analysis]]:
+def _along_strokes(
+    solution: FrictionSolution, driving: Mapping[str, Sequence[Analysis]], report: Report
+) -> dict[str, list[Extent]]:
+    """Return the extents of results, by their names, along what drives them."""
+    has_drive = solution.plan.graph.pose.mechanism.drive is not None
+    found: dict[str, list[Extent]] = {}
+    for name, driven in driving.items():
+        along = solution if has_drive else _driven_by(name, solution)
+        for result, extent in ratio_extent.along_the_stroke(along, driven, report).items():
+            found.setdefault(result, []).append(extent)
+    return found
+
+
+def _driving(solution: FrictionSolution, results: Sequence[Analysis]) -> dict[str, list[Analysis]]:
     """Return the ratios that rest on a loop, by the angles and telescopes that move them."""
     pose = solution.plan.graph.pose
     closed = {definition.name for definition in pose.definitions}

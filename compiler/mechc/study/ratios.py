@@ -1,7 +1,7 @@
 """Ratios with friction along one parameter each, evaluated once for all that is asked of them."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ..formula.walk import reached, symbols
 from ..friction.solution import FrictionSolution
@@ -95,16 +95,19 @@ def efficiency_ranges(study: Study, efficiency: Result) -> Iterator[EfficiencyRa
     assert isinstance(efficiency.target, Efficiency)
     of, sense = efficiency.target.of, efficiency.target.sense
     both, mechanism = (study.ideal(of), study.real(of, sense)), study.mechanism
-    turning = set(moved(mechanism, both))
-    pairs = mechanism.friction.joints
-    is_of_joints = any(isinstance(pair, PinFriction | GuideFriction) for pair in pairs)
+    moving_and_printed = _printed(efficiency).intersection(moved(mechanism, both))
+    is_of_joints = any(
+        isinstance(p, PinFriction | GuideFriction) for p in mechanism.friction.joints
+    )
     for name in varying(mechanism, both):
         ends, moving = range_of(name, mechanism), study.moving(of, sense, name)
-        if ends and moving:
-            found = _Run(moving, *ends).found(name, unit_of(name, mechanism))
-            is_shown = name in turning and name in _printed(efficiency)
-            if found and (is_shown or found.greatest - found.least > SAME_EFFICIENCY):
-                yield replace(found, is_of_joints=is_of_joints)
+        found = _efficiency_range(moving, name, ends, mechanism) if moving and ends else None
+        if found and (name in moving_and_printed or not _is_constant(found)):
+            yield replace(found, is_of_joints=is_of_joints)
+
+
+def _is_constant(found: EfficiencyRange) -> bool:
+    return found.greatest - found.least <= SAME_EFFICIENCY
 
 
 def _printed(efficiency: Result) -> set[str]:
@@ -114,26 +117,22 @@ def _printed(efficiency: Result) -> set[str]:
     return reached(symbols(printed.formula), {d.name: d.formula for d in printed.where})
 
 
-class _Run:
-    """An efficiency over one range."""
+def _efficiency_range(
+    moving: Moving, name: str, ends: Range, mechanism: Mechanism
+) -> EfficiencyRange | None:
+    """Return what an efficiency runs through over one range; None where there is none anywhere."""
+    grid = looked_at(moving, *ends)
+    values = [v for x in grid if math.isfinite(v := moving.efficiency(x))]
+    if not values:
+        return None
+    usual = tuple(_with_usual_efficiency(moving, grid))
+    return EfficiencyRange(name, unit_of(name, mechanism), ends, min(values), max(values), usual)
 
-    def __init__(self, moving: Moving, low: float, high: float) -> None:
-        self._moving, self._low, self._high = moving, low, high
-        self._sweep = looked_at(moving, low, high)
 
-    def found(self, name: str, unit: str) -> EfficiencyRange | None:
-        """Return the whole, None where there is no efficiency anywhere."""
-        values = [v for x in self._sweep if math.isfinite(v := self._moving.efficiency(x))]
-        if not values:
-            return None
-        ends, usual = (self._low, self._high), tuple(self._usual())
-        return EfficiencyRange(name, unit, ends, min(values), max(values), usual)
-
-    def _usual(self) -> Iterator[Range]:
-        """Yield the stretches on which it is usual, if it only passes through that, too."""
-        (low, high), efficiency = USUAL, self._moving.efficiency
-        enough = spans(self._sweep, lambda x: efficiency(x) >= low, lambda x: efficiency(x) - low)
-        for first, last in list(enough):
-            inside = [x for x in self._sweep if first < x < last]
-            grid = [first, *inside, last]
-            yield from spans(grid, lambda x: efficiency(x) <= high, lambda x: high - efficiency(x))
+def _with_usual_efficiency(moving: Moving, grid: Sequence[float]) -> Iterator[Range]:
+    """Yield the intervals on which an efficiency is usual, also where it only passes through it."""
+    (low, high), efficiency = USUAL, moving.efficiency
+    enough = spans(grid, lambda x: efficiency(x) >= low, lambda x: efficiency(x) - low)
+    for first, last in list(enough):
+        part = [first, *(x for x in grid if first < x < last), last]
+        yield from spans(part, lambda x: efficiency(x) <= high, lambda x: high - efficiency(x))

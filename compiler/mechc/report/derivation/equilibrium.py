@@ -144,19 +144,17 @@ class _LoadWriter:
                 yield _force(force, self._pose)
 
     def _sums(self, step: EquilibriumStep, equilibrium: Equilibrium) -> Iterator[Paragraph]:
-        """Yield the sums of a step, the last with what follows."""
-        *most, last = step.balances
+        """Yield the sums of a step, and the forces that follow: from one sum, or from several."""
         found = tuple(map(_solved, step.found))
+        *others, last = step.balances
         if last.pin:
-            yield self._made_up(last, found, equilibrium)
-            return
-        for balance in most:
-            yield _sum(balance, (), self._pose)
-        if most:
-            yield _sum(last, (), self._pose)
+            yield _sum_of_joint_forces(last, found, equilibrium, self._pose.mechanism)
+        elif others:
+            yield from (_sum(balance, (), self._pose) for balance in step.balances)
             yield Paragraph(SentenceKind.SOLVED_TOGETHER, found)
         else:
-            yield _sum(last, () if self._is_result(step, equilibrium) else found, self._pose)
+            is_result = self._is_result(step, equilibrium)
+            yield _sum(last, () if is_result else found, self._pose)
 
     def _is_result(self, step: EquilibriumStep, equilibrium: Equilibrium) -> bool:
         """Return whether a step gives a force in given loads, as the result is stated."""
@@ -165,20 +163,28 @@ class _LoadWriter:
         loads = {load.name for load in self._pose.mechanism.loads} - self._found.keys()
         return is_found and loads >= found.terms.keys()
 
-    def _made_up(
-        self, balance: EquilibriumSum, found: tuple[Equation, ...], equilibrium: Equilibrium
-    ) -> Paragraph:
-        """Return the sum that a force at a joint is, with the reason."""
-        names = {"point": (balance.pin,), "link": (balance.body,)}
-        mechanism = self._pose.mechanism
-        if balance.body:
-            is_rod = any((f.kind, *f.subject) == ("rod", balance.body) for f in equilibrium.forces)
-            return Paragraph(SentenceKind.ROD if is_rod else SentenceKind.MADE_UP, found, names)
-        if balance.pin not in mechanism.fixed:
-            return Paragraph(SentenceKind.SMOOTH, found, names)
-        is_shared = balance.pin in mechanism.shared
-        sentence = SentenceKind.SHARED if is_shared else SentenceKind.MADE_UP_BY_GROUND
-        return Paragraph(sentence, found, names)
+
+def _sum_of_joint_forces(
+    balance: EquilibriumSum,
+    found: tuple[Equation, ...],
+    equilibrium: Equilibrium,
+    mechanism: Mechanism,
+) -> Paragraph:
+    """Return the sum of other forces that the force at a pin is, and why it is that."""
+    sentence = _reason_for_sum(balance, equilibrium, mechanism)
+    return Paragraph(sentence, found, {"point": (balance.pin,), "link": (balance.body,)})
+
+
+def _reason_for_sum(
+    balance: EquilibriumSum, equilibrium: Equilibrium, mechanism: Mechanism
+) -> SentenceKind:
+    if balance.body:
+        is_rod = any((f.kind, *f.subject) == ("rod", balance.body) for f in equilibrium.forces)
+        return SentenceKind.ROD if is_rod else SentenceKind.MADE_UP
+    if balance.pin not in mechanism.fixed:
+        return SentenceKind.SMOOTH
+    is_shared = balance.pin in mechanism.shared
+    return SentenceKind.SHARED if is_shared else SentenceKind.MADE_UP_BY_GROUND
 
 
 def _called(equilibrium: Equilibrium) -> Equation:
