@@ -120,7 +120,7 @@ def _printed(efficiency: Result) -> set[str]:
 def _efficiency_range(
     moving: Moving, name: str, ends: Range, mechanism: Mechanism
 ) -> EfficiencyRange | None:
-    """Return what an efficiency runs through over one range; None where there is none anywhere."""
+    """Return the least and the greatest of an efficiency in a range; None where it has none."""
     grid = looked_at(moving, *ends)
     values = [v for x in grid if math.isfinite(v := moving.efficiency(x))]
     if not values:

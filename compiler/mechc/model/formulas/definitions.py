@@ -122,13 +122,13 @@ def _let(statement: ast.Let, found: MeasuredFormula, scope: NameScope) -> Let | 
         if not fits(found, entry.dimension, f"load '{name}'", scope):
             return None
         return Let(name, found.formula, entry.dimension, statement.span)
-    plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
+    on_loads, on_pose = _on_loads(found.formula, scope), _on_pose(found.formula, scope)
     dimension = found.dimension
     if not _fits_its_unit(statement, found, scope):
         return None
     if statement.unit is None:
         note_misplaced_unit(statement, dimension, scope)
-    scope.define(name, dimension, plain, posed, _solved(found.formula, scope))
+    scope.define(name, dimension, on_loads, on_pose, _on_results(found.formula, scope))
     note_unitless(name, found, scope)
     _note_value(name, found.formula, scope)
     unit = statement.unit.text if statement.unit else ""
@@ -173,20 +173,21 @@ def _fits_its_unit(statement: ast.Let, found: MeasuredFormula, scope: NameScope)
     return False
 
 
-def _plain(formula: Formula, scope: NameScope) -> bool:
+def _on_loads(formula: Formula, scope: NameScope) -> bool:
+    """Return whether a formula has loads or results, itself or through lets."""
     entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
-    return all(e.kind == "parameter" or (e.kind == "let" and e.plain) for e in entries)
+    return any(e.on_loads if e.kind == "let" else e.kind != "parameter" for e in entries)
 
 
-def _solved(formula: Formula, scope: NameScope) -> bool:
+def _on_results(formula: Formula, scope: NameScope) -> bool:
     entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
-    return any(e.kind == "result" or e.solved for e in entries)
+    return any(e.kind == "result" or e.on_results for e in entries)
 
 
-def _posed(formula: Formula, scope: NameScope) -> bool:
+def _on_pose(formula: Formula, scope: NameScope) -> bool:
     """Return whether a formula mentions ``phi_AB`` or ``len_AB``, itself or through lets."""
     names = symbols(formula)
-    return any(n not in scope.entries or scope.entries[n].posed for n in names)
+    return any(n not in scope.entries or scope.entries[n].on_pose for n in names)
 
 
 # --------------------------------------------------------------- lets as parameters
@@ -240,7 +241,7 @@ def written_out(found: DefinedValues, scope: NameScope) -> dict[str, Formula]:
     lengths: dict[str, int] = {}
     for name, let in found.lets.items():
         entry = scope.entries[name]
-        if entry.kind != "let" or entry.solved or name in scope.feeding:
+        if entry.kind != "let" or entry.on_results or name in scope.feeding:
             continue
         parts = [part.name if isinstance(part, Symbol) else "" for part in walk(let.value)]
         lengths[name] = sum(lengths.get(part, 1) for part in parts)

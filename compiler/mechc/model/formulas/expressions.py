@@ -92,7 +92,7 @@ class Reader:
         entry = self.scope.look_up(node, self.usage)
         if entry is None or entry.dimension is None:
             return None
-        known = Sort(NUMBER, Nature.UNITLESS) if entry.unitless else Sort.of(entry.dimension)
+        known = Sort(NUMBER, Nature.UNITLESS) if entry.is_unitless else Sort.of(entry.dimension)
         return MeasuredFormula(Symbol(node.name), known, node.span)
 
     def _sum(self, node: ast.Sum) -> MeasuredFormula | None:
@@ -209,7 +209,7 @@ def _of_the_pose(
         return None
     if not scope.points.acting(ast.Name("".join(form.points), node.span)):
         return None
-    if not usage.posed:
+    if not usage.with_pose:
         what = f"{(FORMS | COORDINATES)[form.prefix]}, which follows from the description"
         wanted = usage.wanted
         hint = names.angle_from_vector() if form.prefix == "phi" else ""

@@ -9,7 +9,7 @@ from ...named import NamedTuple
 from ...source import Span
 from ...units import Dimension
 from ..constants import rational, too_large
-from ..names.scope import Bare, NameScope
+from ..names.scope import NameScope, UnitlessNumber
 from .sorts import Nature, Sort, agreed
 
 
@@ -63,10 +63,10 @@ def _report_dimension(
     scope.report.add(message)
 
 
-def _bare(found: MeasuredFormula, scope: NameScope) -> Bare | None:
+def _bare(found: MeasuredFormula, scope: NameScope) -> UnitlessNumber | None:
     """Return the number without unit that a quantity is made of, where it is one."""
     unitless = found.sort.nature is Nature.UNITLESS
-    return scope.bare(found.formula) if unitless else None
+    return scope.unitless_number(found.formula) if unitless else None
 
 
 def alike(parts: list[MeasuredFormula], act: str, scope: NameScope) -> Sort | None:

@@ -17,7 +17,7 @@ from ...units import ANGLE, DIMENSIONS, LENGTH, NUMBER, UNITS, Dimension
 from ..constants import leaves, names_in, out_of_reach
 from ..mechanism import Interval, Parameter
 from ..names.points import PointTable
-from ..names.scope import DESCRIPTION, Bare, NameScope
+from ..names.scope import DESCRIPTION, NameScope, UnitlessNumber
 from ..tolerances import SAME_VALUE
 from .directions import is_beyond_a_turn, note_units
 from .expressions import Reader
@@ -75,9 +75,11 @@ def note_unitless(name: str, given: MeasuredFormula, scope: NameScope) -> None:
     """State of a number without unit that it is one: 30 could be radians, but who means them?"""
     if given.sort.nature is Nature.BARE:
         is_number = not symbols(given.formula)  # what a table has for a name is none
-        scope.without_unit(name, Bare(shown(given.formula), given.span) if is_number else None)
+        scope.without_unit(
+            name, UnitlessNumber(shown(given.formula), given.span) if is_number else None
+        )
     elif given.sort.nature is Nature.UNITLESS:
-        scope.without_unit(name, scope.bare(given.formula))
+        scope.without_unit(name, scope.unitless_number(given.formula))
 
 
 def read_tolerance(

@@ -25,23 +25,23 @@ NameKind = Literal["parameter", "let", "load", "result", "table", "list"]
 class ScopeEntry(NamedTuple):
     """What a name stands for. ``dimension`` is None where an error hid it.
 
-    ``plain`` states of a ``let`` that it depends on no loads and results, ``solved`` that it
-    depends on results, ``posed`` that it depends on directions and lengths that the pose has,
-    so that the pose cannot rest on it. ``unitless`` states of a quantity that is made of
-    numbers without unit only; where it is one such number, that is ``bare``.
+    A ``let`` may depend on loads or results, ``on_loads``, on results, ``on_results``, or on
+    directions and lengths that the pose has, ``on_pose``, so that the pose cannot follow from it.
+    A quantity made of numbers without unit only ``is_unitless``; where it is one such number,
+    that is ``number``.
     """
 
     kind: NameKind
     span: Span
     dimension: Dimension | None = None
-    plain: bool = True
-    posed: bool = False
-    solved: bool = False
-    unitless: bool = False
-    bare: "Bare | None" = None
+    on_loads: bool = False
+    on_pose: bool = False
+    on_results: bool = False
+    is_unitless: bool = False
+    number: "UnitlessNumber | None" = None
 
 
-class Bare(NamedTuple):
+class UnitlessNumber(NamedTuple):
     """A number without unit that a parameter was given, and where it stands."""
 
     digits: str
@@ -59,27 +59,28 @@ class NamedNumber(NamedTuple):
 class Usage(NamedTuple):
     """Which kinds of names a formula may mention, and how to say so.
 
-    With ``plain`` a let must depend on no loads and results, without ``solved`` on no results;
-    with ``feeds`` it thereby becomes
-    a dependent parameter, since the description itself is made of it. With ``posed`` it may
-    mention ``phi_AB`` and ``len_AB``.
+    A let in it may depend on loads and results only ``with_loads``, on results only
+    ``with_results``. Of a formula ``in_description`` a let becomes a dependent parameter, since
+    the description itself is made of it. ``with_pose`` it may mention ``phi_AB`` and ``len_AB``.
     """
 
     kinds: frozenset[NameKind]
     wanted: str
-    plain: bool = True
-    feeds: bool = True
-    posed: bool = True
-    solved: bool = True
+    with_loads: bool = False
+    in_description: bool = True
+    with_pose: bool = True
+    with_results: bool = True
 
 
 DESCRIPTION = Usage(
-    frozenset({"parameter", "let"}), "parameters and what follows from them", posed=False
+    frozenset({"parameter", "let"}), "parameters and what follows from them", with_pose=False
 )
 TIE = Usage(frozenset({"parameter", "let", "load"}), "parameters and one load")
-CONDITION = DESCRIPTION._replace(feeds=False, posed=True)
-EXPECTED = TIE._replace(wanted="parameters and loads", plain=False, feeds=False, solved=False)
-FORMULA = Usage(frozenset({"parameter", "let", "load", "result"}), "a quantity", False, False)
+CONDITION = DESCRIPTION._replace(in_description=False, with_pose=True)
+EXPECTED = TIE._replace(
+    wanted="parameters and loads", with_loads=True, in_description=False, with_results=False
+)
+FORMULA = Usage(frozenset({"parameter", "let", "load", "result"}), "a quantity", True, False)
 
 
 AXES = {
@@ -154,18 +155,18 @@ class NameScope:
         self,
         name: str,
         dimension: Dimension,
-        plain: bool = True,
-        posed: bool = False,
-        solved: bool = False,
+        on_loads: bool = False,
+        on_pose: bool = False,
+        on_results: bool = False,
     ) -> None:
         """State what a declared name measures, once its formula is read."""
         self.entries[name] = self.entries[name]._replace(
-            dimension=dimension, plain=plain, posed=posed, solved=solved
+            dimension=dimension, on_loads=on_loads, on_pose=on_pose, on_results=on_results
         )
 
-    def without_unit(self, name: str, bare: Bare | None = None) -> None:
+    def without_unit(self, name: str, number: UnitlessNumber | None = None) -> None:
         """State that a declared name is a number without unit, which is no angle."""
-        self.entries[name] = self.entries[name]._replace(unitless=True, bare=bare)
+        self.entries[name] = self.entries[name]._replace(is_unitless=True, number=number)
 
     def declared(self, name: str) -> Span | None:
         """Return where a name is declared."""
@@ -206,9 +207,9 @@ class NameScope:
         for name in symbols(formula) & self.entries.keys():
             self.entries[name] = self.entries[name]._replace(dimension=None)
 
-    def bare(self, formula: Formula) -> Bare | None:
+    def unitless_number(self, formula: Formula) -> UnitlessNumber | None:
         """Return the number without unit that a formula is made of, where it is one."""
-        found = {self.entries[name].bare for name in symbols(formula) if name in self.entries}
+        found = {self.entries[name].number for name in symbols(formula) if name in self.entries}
         return found.pop() if len(found) == 1 else None
 
     def _unknown(self, symbol: ast.Symbol, usage: Usage) -> None:
@@ -239,7 +240,7 @@ class NameScope:
         if small in ("inf", "infinity", "nan"):
             yield "a value is a number, and finite"
         if len(points_of(name)) > 1:
-            yield messages.vector_as_quantity(name, usage.posed)
+            yield messages.vector_as_quantity(name, usage.with_pose)
         yield messages.rest_of_unit(before, name)
         yield messages.power_of_unit(name)
         yield messages.thread_by_name(before, name)
@@ -272,23 +273,24 @@ class NameScope:
             self._unknown(symbol, usage)
             return None
         self.used.add(symbol.name)
-        too_late = (usage.plain and not entry.plain) or (entry.solved and not usage.solved)
-        if entry.kind not in usage.kinds or too_late:
-            kind = f"a {entry.kind}" if entry.plain else "a formula of loads or results"
-            is_found = entry.kind in ("load", "result") or entry.solved
+        has_loads = entry.on_loads and not usage.with_loads
+        has_results = entry.on_results and not usage.with_results
+        if entry.kind not in usage.kinds or has_loads or has_results:
+            kind = "a formula of loads or results" if entry.on_loads else f"a {entry.kind}"
+            is_found = entry.kind in ("load", "result") or entry.on_results
             hint = messages.FORCES_CHECKED if usage is CONDITION and is_found else ""
             hint = hint or messages.asked_for_a_value(entry.kind, symbol.name)
             self.report.add(
                 messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted, hint)
             )
             return None
-        if entry.posed and usage.feeds:
+        if entry.on_pose and usage.in_description:
             kind = "a formula of directions and lengths that follow from the description"
             self.report.add(
                 messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted)
             )
             return None
-        if entry.kind == "let" and usage.feeds:
+        if entry.kind == "let" and usage.in_description:
             self.feeding.add(symbol.name)
         return entry if entry.dimension is not None else None
 
@@ -298,7 +300,7 @@ class NameScope:
             return []
         pairs = [permutations(k.points, 2) for k in self.points.links.values()]
         vectors = [f"{form}_{a}{b}" for pair in pairs for a, b in pair for form in ("phi", "len")]
-        posed = vectors if usage.posed and len(vectors) <= messages.MOST_COMPARED_NAMES else []
+        posed = vectors if usage.with_pose and len(vectors) <= messages.MOST_COMPARED_NAMES else []
         return [*self.names(usage.kinds), *posed]
 
     def size(self, formula: Formula) -> float:

@@ -136,7 +136,7 @@ def _ranges(
         if subject is None or subject.kind != "range":
             continue
         entry = scope.entries[subject.let]
-        if not entry.plain or entry.posed:
+        if entry.on_loads or entry.on_pose:
             if subject.let not in refused:
                 scope.report.add(
                     uses_messages.range_of_results(require.span, subject.let, subject.place)
@@ -292,8 +292,8 @@ def _setting(name: ast.Name, expression: ast.Expr, scope: NameScope) -> Formula 
         scope.unknown(name.span, name.text, scope.names({"parameter", "load"}))
     elif entry.kind not in ("parameter", "load"):
         scope.report.add(messages.not_a_setting(name.span, name.text, f"a {entry.kind}"))
-    elif value and entry.bare and entry.dimension and value.dimension != NUMBER:
-        bare = entry.bare
+    elif value and entry.number and entry.dimension and value.dimension != NUMBER:
+        bare = entry.number
         scope.doubt(Symbol(name.text))
         scope.report.add(quantities.bare_number(bare.span, bare.digits, value.dimension, name.span))
     elif value and _suits(value, entry.dimension, what, scope):
